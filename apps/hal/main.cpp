@@ -19,8 +19,8 @@
 #include "batches/batches.hpp"
 #include "compensate/compensation_options.hpp"
 #include "hal/axis.hpp"
-#include "hal/hal_names.hpp"
 #include "hal/component.hpp"
+#include "hal/hal_names.hpp"
 #include "terminal/option_checks.hpp"
 
 namespace ballbar::hal {

@@ -72,14 +72,14 @@ std::string fault_text(const ColumnFault& fault) {
 
 // What a role was told by, where it is not plain from the unit.
 std::vector<std::string> guesses(const Log& log) {
-  std::vector<std::string> said;
+  std::vector<std::string> lines;
   for (const LogColumn& column : log.columns) {
     if (column.name.empty() || column.why.empty() || column.why == "by its unit" || column.why == "by its name" ||
         column.why == "by the recipe")
       continue;
-    said.push_back(fmt::format("{}: {}.", column.source, column.why));
+    lines.push_back(fmt::format("{}: {}.", column.source, column.why));
   }
-  return said;
+  return lines;
 }
 
 void print(const ImportArguments& options, const Log& log, const std::vector<ColumnFault>& faults) {

@@ -113,9 +113,10 @@ template <>
 struct ResultType<MergedSeries> {
   static constexpr std::string_view name = "Merged";
   static constexpr std::string_view meaning = "Logs made one series.";
-  static constexpr std::tuple fields{Field{"rows", [](const MergedSeries& of) { return of.series.time_s.size(); }, "how many"},
-                                     Field{"columns", [](const MergedSeries& of) { return of.series.columns.size(); }, "how many"},
-                                     Field{"parts", &MergedSeries::parts, "the logs"}};
+  static constexpr std::tuple fields{
+      Field{"rows", [](const MergedSeries& of) { return of.series.time_s.size(); }, "how many"},
+      Field{"columns", [](const MergedSeries& of) { return of.series.columns.size(); }, "how many"},
+      Field{"parts", &MergedSeries::parts, "the logs"}};
 };
 
 }  // namespace ballbar

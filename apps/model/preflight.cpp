@@ -53,14 +53,14 @@ void print_untestable(const Preflight& result) {
 
 void print_text(const Preflight& result, const std::string& title) {
   std::vector<const Detectability*> rows;
-  std::size_t apart = 0;
+  std::size_t separable = 0;
   for (const Detectability& detectable : result.detectability) {
     if (detectable.testability != Testability::testable) continue;
     rows.push_back(&detectable);
-    if (detectable.inseparable_from.empty()) ++apart;
+    if (detectable.inseparable_from.empty()) ++separable;
   }
   fmt::print("{}\n{}, {} values\n\n{} of {} effects could be seen here, {} of them could be told from all others.\n\n",
-             title, result.target, result.n, rows.size(), result.detectability.size(), apart);
+             title, result.target, result.n, rows.size(), result.detectability.size(), separable);
   Table table({"effect", "columns", "seen from um", "named from um", "own %", "inseparable from"});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     table.add_wrapped({fmt::format("{:2} {}", i + 1, rows[i]->effect->name), columns_text(*rows[i]),

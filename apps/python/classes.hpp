@@ -21,8 +21,8 @@ pybind11::object raised_by_effect(std::string_view sentence);
 // Ctrl-C end the work. None: nobody is told.
 std::function<void(std::string_view line)> progress_for(pybind11::handle progress);
 
-// JSON as dict, list, str, float, int, bool, None: numbers keep every bit. Bytes that are no UTF-8 become U+FFFD. With the
-// GIL.
+// JSON as dict, list, str, float, int, bool, None: numbers keep every bit. Bytes that are no UTF-8 become U+FFFD. With
+// the GIL.
 pybind11::object to_python(const nlohmann::ordered_json& json);
 
 }  // namespace ballbar::python

@@ -1,9 +1,9 @@
-#include "python/classes.hpp"
-
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+
+#include "python/classes.hpp"
 
 namespace ballbar::python {
 namespace {

@@ -94,12 +94,13 @@ void expect_fitting_options(const ReportArguments& options) {
                                    ? "--format svg: expected --out with a folder, or a name that ends in .svg"
                                    : "expected --out with the name of the page, as in --out page.html");
   const std::string ending = ending_of(options.out);
-  const std::string wanted = options.format == Format::html   ? ".html"
-                             : options.format == Format::json ? ".json"
-                             : options.format == Format::pdf  ? ".pdf"
-                                                              : "";
-  expect(wanted.empty() || ending == wanted, fmt::format("--out {}: expected a name that ends in {}, found {}",
-                                                         options.out, wanted, ending.empty() ? "no ending" : ending));
+  const std::string expected = options.format == Format::html   ? ".html"
+                               : options.format == Format::json ? ".json"
+                               : options.format == Format::pdf  ? ".pdf"
+                                                                : "";
+  expect(expected.empty() || ending == expected,
+         fmt::format("--out {}: expected a name that ends in {}, found {}", options.out, expected,
+                     ending.empty() ? "no ending" : ending));
   expect(!options.open || options.format == Format::html, "--open: expected a page to open, not --format");
 }
 

@@ -1,10 +1,9 @@
-#include "shell/command_words.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <sstream>
 
+#include "shell/command_words.hpp"
 
 namespace ballbar {
 namespace {

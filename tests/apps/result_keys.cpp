@@ -120,7 +120,7 @@ int run(const std::filesystem::path& folder, bool update) {
                  ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet, TrainedOnBatches, TrainedOnEffects,
                  SelectedBatches, PredictedSeries, PredictedJob, PredictedByEffects, ReplayResult, MadeSets, NextRun,
                  ScoredSets, MeanPointsResult, MeanPointPart, PageReport, ModelPart, HeldPart, RevisedPart,
-                 HistoryReport, FleetReport, CarriedFiles>();
+                 HistoryReport, FleetReport, PageFiles>();
   std::vector<std::pair<std::filesystem::path, std::string>> files{
       {folder / "apps/page/src/results.ts", typescript_file(schemas)},
       {folder / "apps/python/ballbar/_kinds.py", python_file(schemas)}};

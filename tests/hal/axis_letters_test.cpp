@@ -1,10 +1,9 @@
-#include "hal/hal_names.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "ballbar/error.hpp"
+#include "hal/hal_names.hpp"
 
 namespace ballbar::hal {
 namespace {

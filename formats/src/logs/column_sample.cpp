@@ -143,14 +143,14 @@ void find_decimal(const std::string& name, const LogRecipe& recipe, LogShape& sh
   }
   if (points > 0 && shape.delimiter == ';' && integers > 0) {
     bool mixed = false;  // a column in which 800 stands beside 1.200
-    std::vector<int> seen;
+    std::vector<int> kinds;
     for (const HeadLine& row : shape.rows) {
       split_cells(row.text, shape.delimiter, cells);
-      seen.resize(std::max(seen.size(), cells.size()), 0);
+      kinds.resize(std::max(kinds.size(), cells.size()), 0);
       for (std::size_t i = 0; i < cells.size(); ++i) {
         const NumberLook look = look_of(cells[i]);
-        seen[i] |= look.kind == NumberLook::Kind::integer ? 1 : look.kind == NumberLook::Kind::point ? 2 : 0;
-        mixed = mixed || seen[i] == 3;
+        kinds[i] |= look.kind == NumberLook::Kind::integer ? 1 : look.kind == NumberLook::Kind::point ? 2 : 0;
+        mixed = mixed || kinds[i] == 3;
       }
     }
     if (mixed) refuse("a number of one reading: decimals or thousands", example);

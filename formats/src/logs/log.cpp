@@ -34,7 +34,7 @@ constexpr double kSentinels[] = {-999.0,  -9999.0, -99999.0, -999.9,   -999.99, 
 
 // Takes out what stands for no value; returns what it was and how often.
 std::string take_sentinels(std::vector<double>& values) {
-  std::string said;
+  std::string found;
   const auto take_out = [&](auto is_none) {
     std::size_t count = 0;
     double example = 0.0;
@@ -44,7 +44,7 @@ std::string take_sentinels(std::vector<double>& values) {
       value = kGap;
       ++count;
     }
-    if (count > 0) said += fmt::format("{}{} times {:g}", said.empty() ? "" : ", ", count, example);
+    if (count > 0) found += fmt::format("{}{} times {:g}", found.empty() ? "" : ", ", count, example);
   };
   for (int side = 0; side < 4; ++side) {
     const Extremes all = extremes_of(values);
@@ -68,7 +68,7 @@ std::string take_sentinels(std::vector<double>& values) {
     }
     if (!any) break;
   }
-  return said;
+  return found;
 }
 
 // A name that can be typed: letters, digits and _; then the unit.
@@ -108,7 +108,7 @@ void expect_recipe_columns(const LogPlan& plan, const std::string& name, std::si
 }
 
 // One column of numbers in the units of a series.
-void take_column(const PlannedColumn& planned, const ColumnRecipe* told, std::vector<double>&& values, Log& log,
+void take_column(const PlannedColumn& planned, const ColumnRecipe* stated, std::vector<double>&& values, Log& log,
                  std::set<std::string>& taken) {
   LogColumn column;
   column.source = planned.source;
@@ -140,14 +140,15 @@ void take_column(const PlannedColumn& planned, const ColumnRecipe* told, std::ve
     for (double& value : values) value = value * factor + offset;
   }
   const FoundRole found = found_role(planned.name, column.unit, values);
-  column.role = told != nullptr && told->role ? *told->role : found.role;
-  column.why = told != nullptr && told->role ? "by the recipe" : found.why;
+  column.role = stated != nullptr && stated->role ? *stated->role : found.role;
+  column.why = stated != nullptr && stated->role ? "by the recipe" : found.why;
   if (column.unit.empty() && planned.unit.empty()) column.unit = found.unit;
-  if (told != nullptr && !told->name.empty()) {
-    column.name = column_name(told->name.ends_with("_" + column.unit) && !column.unit.empty()
-                                  ? std::string_view(told->name).substr(0, told->name.size() - column.unit.size() - 1)
-                                  : std::string_view(told->name),
-                              column.unit, taken);
+  if (stated != nullptr && !stated->name.empty()) {
+    column.name =
+        column_name(stated->name.ends_with("_" + column.unit) && !column.unit.empty()
+                        ? std::string_view(stated->name).substr(0, stated->name.size() - column.unit.size() - 1)
+                        : std::string_view(stated->name),
+                    column.unit, taken);
   } else {
     column.name = column_name(planned.name, column.unit, taken);
   }
@@ -203,7 +204,7 @@ Log log_of(const Source& source, const LogRecipe& recipe) {
   }
   Log log;
   log.shape = shape_text(shape);
-  log.time = plan.time.said;
+  log.time = plan.time.text;
   log.first_row_line = shape.first_row_line;
   say_lines(table, log);
   std::optional<double> started_s;
@@ -217,7 +218,7 @@ Log log_of(const Source& source, const LogRecipe& recipe) {
     if (column.kind == ColumnKind::left_out) {
       log.columns.push_back({column.source, "", column.unit, "", Role::event, column.why, 0});
     } else {
-      take_column(column, told_of(recipe, column), std::move(table.values[i]), log, taken);
+      take_column(column, recipe_of_column(recipe, column), std::move(table.values[i]), log, taken);
     }
   }
   if (log.series.columns.empty())

@@ -100,13 +100,13 @@ Cut cut_by(const std::vector<HeadLine>& lines, char delimiter, std::size_t fewes
   };
   for (std::size_t i = 0; i < looks.size(); ++i) {
     if (!suits(looks[i])) continue;
-    std::size_t seen = 0, good = 0;  // a row among lines of text is one of the preamble
-    for (std::size_t k = i + 1; k < looks.size() && seen < 4; ++k) {
+    std::size_t rows = 0, good = 0;  // a row among lines of text is one of the preamble
+    for (std::size_t k = i + 1; k < looks.size() && rows < 4; ++k) {
       if (looks[k].cells == 0) continue;
-      ++seen;
+      ++rows;
       good += suits(looks[k]);
     }
-    if (good + 1 < seen) continue;
+    if (good + 1 < rows) continue;
     cut.first = i;
     return cut;
   }

@@ -57,11 +57,11 @@ bool is_columns(const nlohmann::json& value) {
 }
 
 std::string text_of_rows(const nlohmann::json& rows) {
-  std::set<std::string> seen;
+  std::set<std::string> known;
   std::vector<std::string> keys;
   for (const auto& row : rows) {
     for (const auto& [key, member] : row.items()) {
-      if (is_flat(member) && seen.insert(key).second) keys.push_back(key);
+      if (is_flat(member) && known.insert(key).second) keys.push_back(key);
     }
   }
   std::string text;

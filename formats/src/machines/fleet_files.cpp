@@ -51,12 +51,12 @@ std::string fleet_b5r(const VirtualFleet& fleet, const FleetCurves& curves, cons
 std::string fleet_truth(const VirtualFleet& fleet) {
   constexpr double kFleetMonth_s = 365.25 * 86400.0 / 12.0;
   std::string text = "# SIMULATED by ballbar simulate, not measured.\nmachine,kind,from,error,amount\n";
-  for (const FleetStory& story : fleet.stories) {
-    const std::string start = fmt::format("{}-{:02},{},{}", fleet.machine_name, story.machine, name_of(story.kind),
-                                          fleet_day(fleet.started_s + std::llround(story.month * kFleetMonth_s)));
-    for (const auto& [name, amount] : story.errors) text += fmt::format("{},{},{}\n", start, name, amount);
-    if (story.kind == StoryKind::instrument)
-      text += fmt::format("{},bar {},{}\n", start, story.bar, story.bar_um_per_m);
+  for (const FleetStory& event : fleet.stories) {
+    const std::string start = fmt::format("{}-{:02},{},{}", fleet.machine_name, event.machine, name_of(event.kind),
+                                          fleet_day(fleet.started_s + std::llround(event.month * kFleetMonth_s)));
+    for (const auto& [name, amount] : event.errors) text += fmt::format("{},{},{}\n", start, name, amount);
+    if (event.kind == StoryKind::instrument)
+      text += fmt::format("{},bar {},{}\n", start, event.bar, event.bar_um_per_m);
   }
   return text;
 }

@@ -119,26 +119,26 @@ ErrorSpread read_fleet_error(const TomlTable& table) {
   return error;
 }
 
-FleetStory read_story(const TomlTable& table) {
+FleetStory read_event(const TomlTable& table) {
   expect_keys(table, kFleetStoryKeys);
-  FleetStory story;
+  FleetStory event;
   required(integer, table, "machine");
-  take_fleet_count(story.machine, table, "machine");
-  story.kind = required_choice(
+  take_fleet_count(event.machine, table, "machine");
+  event.kind = required_choice(
       table, "kind",
       {StoryKind::wear, StoryKind::crash, StoryKind::season, StoryKind::replaced_part, StoryKind::instrument});
-  take_size(story.month, table, "month");
-  take(story.bar, string(table, "bar"));
-  take(story.bar_um_per_m, number(table, "bar_um_per_m"));
+  take_size(event.month, table, "month");
+  take(event.bar, string(table, "bar"));
+  take(event.bar_um_per_m, number(table, "bar_um_per_m"));
   if (const auto errors = subtable(table, "errors")) {
     for (const auto& [key, value] : *errors->table) {
       const std::string name(key.str());
-      story.errors[name] = required(number, *errors, name);
+      event.errors[name] = required(number, *errors, name);
     }
   }
-  if (story.kind != StoryKind::instrument && story.errors.empty()) fail_missing(table, "errors");
-  if (story.kind == StoryKind::instrument && story.bar.empty()) fail_missing(table, "bar");
-  return story;
+  if (event.kind != StoryKind::instrument && event.errors.empty()) fail_missing(table, "errors");
+  if (event.kind == StoryKind::instrument && event.bar.empty()) fail_missing(table, "bar");
+  return event;
 }
 
 }  // namespace
@@ -193,7 +193,7 @@ VirtualFleet read_fleet(std::string_view bytes, std::string_view name) {
   if (const auto table = subtable(root, "test")) read_fleet_test(*table, fleet);
   if (const auto table = subtable(root, "scatter")) read_fleet_scatter(*table, fleet);
   for (const TomlTable& table : subtables(root, "error")) fleet.errors.push_back(read_fleet_error(table));
-  for (const TomlTable& table : subtables(root, "story")) fleet.stories.push_back(read_story(table));
+  for (const TomlTable& table : subtables(root, "story")) fleet.stories.push_back(read_event(table));
   return fleet;
 }
 

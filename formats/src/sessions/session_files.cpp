@@ -74,8 +74,8 @@ Recording recording_like(const SessionPlan& plan, const fs::path& path, std::str
       (!circle || (found.motion == expected.motion && (any_plane || found.plane == expected.plane)))) {
     return found;
   }
-  const std::string wanted = circle && any_plane ? "a circle driven by spindle" : phrase(expected);
-  throw Error(fmt::format("{}: expected {} for {}, found {}.", path.string(), wanted, key, phrase(found)));
+  const std::string expected_phrase = circle && any_plane ? "a circle driven by spindle" : phrase(expected);
+  throw Error(fmt::format("{}: expected {} for {}, found {}.", path.string(), expected_phrase, key, phrase(found)));
 }
 
 SessionTest test_of(const SessionPlan& plan, const SessionPlan::Test& planned, const fs::path& folder,
