@@ -121,16 +121,13 @@ Log opened(const ImportArguments& options) {
 }
 
 void run_one(const ImportArguments& options) {
-  const Log log = opened(options);
-  const std::vector<ColumnFault> faults = column_faults(log.series);
+  ImportedLog imported{options.logs.front().name(), opened(options), {}};
+  const Log& log = imported.log;
+  imported.faults = column_faults(log.series);
   if (!options.out.empty()) write_series(log.series, options.out);
   if (!options.save.empty()) write_bytes(options.save, write_recipe(log.recipe));
-  if (options.json) {
-    print_json(json_of(ImportedLog{options.logs.front().name(), log.shape, log.time, log.series.started,
-                                   log.series.time_s.size(), log.first_row_line, log.columns, log.remarks, faults}));
-    return;
-  }
-  print(options, log, faults);
+  if (options.json) return print_json(json_of(imported));
+  print(options, log, imported.faults);
   if (!options.out.empty()) fmt::print("\nwrote {}\n", options.out);
   if (!options.save.empty()) fmt::print("wrote {}\n", options.save);
 }

@@ -7,7 +7,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
-#include "ballbar/formats/recordings/stored_circles.hpp"
+#include "ballbar/formats/recordings/stored_errors.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
 #include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
@@ -141,8 +141,8 @@ SessionFiles planned_session(const Source& source, Readers readers) {
   files.files.push_back(path);
   if (files.five_probe) files.files.push_back(*files.five_probe);
   for (std::size_t i = 0; i < plan.tests.size(); ++i) {
-    const SessionPlan::Test& test = plan.tests[i];
-    for (const std::string& file : {test.c_arc, test.a_arc, test.rotation, test.axial, test.circle}) {
+    for (const SessionPlan::File& one : SessionPlan::kFiles) {
+      const std::string& file = plan.tests[i].*one.member;
       if (file.empty()) continue;
       files.recordings.push_back({folder / file, i});
       files.files.push_back(folder / file);

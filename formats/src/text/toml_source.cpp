@@ -38,6 +38,15 @@ std::string found(const toml::node& node) {
   fail(table.name, node.source().begin, fmt::format("expected {} for {}, found {}.", expected, key, found(node)));
 }
 
+template <class Value>
+std::optional<Value> value_of(const TomlTable& table, std::string_view key, std::string_view expected) {
+  const toml::node* const node = table.table->get(key);
+  if (!node) return std::nullopt;
+  const auto* const value = node->as<Value>();
+  if (!value) fail_kind(table, key, expected, *node);
+  return value->get();
+}
+
 std::optional<double> finite(const toml::node& node) {
   if (const auto* value = node.as_integer()) return static_cast<double>(value->get());
   if (const auto* value = node.as_floating_point(); value && std::isfinite(value->get())) return value->get();
@@ -146,10 +155,7 @@ void expect_keys(const TomlTable& table, std::span<const Key> known) { expect_ke
 bool has(const TomlTable& table, std::string_view key) { return table.table->contains(key); }
 
 std::optional<std::string> string(const TomlTable& table, std::string_view key) {
-  const toml::node* node = table.table->get(key);
-  if (!node) return std::nullopt;
-  if (!node->is_string()) fail_kind(table, key, "a text in quotes", *node);
-  return node->as_string()->get();
+  return value_of<std::string>(table, key, "a text in quotes");
 }
 
 std::optional<double> number(const TomlTable& table, std::string_view key) {
@@ -167,17 +173,11 @@ std::optional<double> positive(const TomlTable& table, std::string_view key) {
 }
 
 std::optional<std::int64_t> integer(const TomlTable& table, std::string_view key) {
-  const toml::node* node = table.table->get(key);
-  if (!node) return std::nullopt;
-  if (!node->is_integer()) fail_kind(table, key, "an integer", *node);
-  return node->as_integer()->get();
+  return value_of<std::int64_t>(table, key, "an integer");
 }
 
 std::optional<bool> boolean(const TomlTable& table, std::string_view key) {
-  const toml::node* node = table.table->get(key);
-  if (!node) return std::nullopt;
-  if (!node->is_boolean()) fail_kind(table, key, "true or false", *node);
-  return node->as_boolean()->get();
+  return value_of<bool>(table, key, "true or false");
 }
 
 std::optional<std::int64_t> local_time_s(const TomlTable& table, std::string_view key) {
