@@ -8,6 +8,8 @@
 namespace ballbar {
 namespace {
 
+constexpr std::size_t kMostPixels = 50'000'000;
+
 void expect_all_values(const Picture& picture) {
   if (picture.rgb.empty() || picture.rgb.size() != 3 * picture.width * picture.height) {
     throw Error(fmt::format("a picture of {} by {} pixels needs 3 values a pixel; found {}", picture.width,
