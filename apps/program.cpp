@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "ballbar/nearest_name.hpp"
@@ -54,31 +53,8 @@ const std::vector<Group>& groups() {
   return kGroups;
 }
 
-// A command of the version before, and what does its work now.
-struct OldCommand {
-  std::string_view name, now, help;
-};
-
-constexpr OldCommand kOldCommands[] = {
-    {"merge", "import LOG LOG...", "import"},
-    {"fleet", "history FOLDER...", "history"},
-    {"page", "report --tool", "report"},
-    {"try", "add EFFECT... DATA --dry-run", "add"},
-    {"preflight", "could DATA", "could"},
-    {"inject", "could EFFECT DATA", "could"},
-    {"terms", "effects --terms", "effects"},
-    {"select", "train RUNS --for DATA", "train"},
-    {"meanpoint", "compensate --from-picture FILE", "compensate"},
-    {"blind", "simulate --hidden, simulate SET --schedule FILE, or simulate score DIR", "simulate"},
-    {"completion", "help --completion SHELL", "help"},
-    {"man", "help --man", "help"},
-};
-
 void expect_no_old_command(const std::string& name) {
-  for (const OldCommand& old : kOldCommands) {
-    if (old.name != name) continue;
-    throw ballbar::UsageError(fmt::format("{} is now: ballbar {}; see ballbar {} --help", old.name, old.now, old.help));
-  }
+  if (const std::string now = ballbar::renamed_command(name); !now.empty()) throw ballbar::UsageError(now);
 }
 
 void add_commands(CLI::App& app) {

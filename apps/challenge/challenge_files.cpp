@@ -13,9 +13,9 @@
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/formats/text/new_folder.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "challenge/digest.hpp"
-#include "terminal/new_folder.hpp"
 
 namespace ballbar {
 namespace {

@@ -24,9 +24,7 @@
 #include "diagnose/next_command.hpp"
 #include "diagnose/revised_model.hpp"
 #include "model/effect_options.hpp"
-#include "model/known_effect.hpp"
 #include "model/residual_report.hpp"
-#include "model/workbench_of.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
@@ -258,7 +256,6 @@ void print_text(const Story& story, const std::string& stopped, const std::strin
 // The model with and without the effects; no file is needed, none is written.
 void try_effects(EffectOptions options) {
   split_words(options, true);
-  for (const std::string& effect : options.effects) expect_known_effect(effect, true);
   const auto data = std::make_shared<const ModelData>(open_data(options.model));
   const Model model = open_model(options.model, *data);
   say_start(options.model, *data);
@@ -284,7 +281,6 @@ void run(AddArguments options) {
   if (options.dry_run) return try_effects(options.effect);
   if (options.named_only && !options.automatic) throw CLI::ValidationError("--named-only: expected --auto with it");
   split_words(options.effect, !options.automatic);
-  for (const std::string& effect : options.effect.effects) expect_known_effect(effect, true);
   expect_file(options);
   const ProgressLine progress;
   const ModelOptions& how = options.effect.model;

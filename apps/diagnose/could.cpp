@@ -8,7 +8,6 @@
 #include "commands.hpp"
 #include "diagnose/injection.hpp"
 #include "model/effect_options.hpp"
-#include "model/known_effect.hpp"
 #include "model/preflight.hpp"
 #include "terminal/option_checks.hpp"
 
@@ -23,7 +22,6 @@ struct CouldArguments {
 void run(CouldArguments options, const std::vector<CLI::Option*>& of_an_effect) {
   split_words(options.of, std::nullopt);
   const std::vector<std::string>& effects = options.of.effects;
-  for (const std::string& effect : effects) expect_known_effect(effect, false);
   if (effects.size() > 1) {
     throw CLI::ValidationError("EFFECT",
                                fmt::format("expected one effect to add, found {} and {}", effects.front(), effects[1]));

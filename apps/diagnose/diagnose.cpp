@@ -16,7 +16,6 @@
 #include "diagnose/next_command.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
-#include "model/workbench_of.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/progress.hpp"

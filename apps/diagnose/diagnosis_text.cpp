@@ -8,7 +8,7 @@
 #include <set>
 
 #include "diagnose/diagnosis_report.hpp"
-#include "model/untestable_reasons.hpp"
+#include "model/preflight.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

@@ -9,7 +9,6 @@
 
 #include "ballbar/units.hpp"
 #include "diagnose/machine_errors_report.hpp"
-#include "terminal/left_out.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

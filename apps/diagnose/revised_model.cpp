@@ -12,7 +12,7 @@
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "diagnose/new_model.hpp"
-#include "model/workbench_of.hpp"
+#include "model/residual_report.hpp"
 
 namespace ballbar {
 RevisedModel::RevisedModel(const ModelOptions& options, const std::shared_ptr<const ModelData>& data,

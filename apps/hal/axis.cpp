@@ -50,17 +50,17 @@ std::optional<std::int64_t> Axis::read(const Pins& pins) const {
   return static_cast<std::int64_t>(counts);
 }
 
-void Axis::go_on_from_what_is_in_force(Compensator& wanted) const {
-  if (!in_force_ || wanted.state().counts == *in_force_) return;
-  Compensator::State state = wanted.state();
+void Axis::resume_in_force(Compensator& compensator) const {
+  if (!in_force_ || compensator.state().counts == *in_force_) return;
+  Compensator::State state = compensator.state();
   state.counts = *in_force_;
   // The largest of the counts times the resolution may be above the largest offset by a rounding, as 3 times 0.1 um is
   // above 0.3 um; resume() refuses what is above.
   state.offset_um = std::clamp(static_cast<double>(*in_force_) * resolution_um_, -largest_um_, largest_um_);
-  wanted.resume(state, LiveModel::State(wanted.model().state()));
+  compensator.resume(state, LiveModel::State(compensator.model().state()));
 }
 
-void Axis::begin(const Pins& pins, Compensator& wanted) {
+void Axis::begin(const Pins& pins, Compensator& compensator) {
   const std::optional<std::int64_t> found = read(pins);
   // A control that has not yet taken the last change up has one row to do so.
   const bool differs = !found || (in_force_ && *found != *in_force_);
@@ -69,16 +69,16 @@ void Axis::begin(const Pins& pins, Compensator& wanted) {
   if (!doubt_) in_force_ = found;
   enable_ = pins.enable && enabled_;
   enabled_ = pins.enable;
-  go_on_from_what_is_in_force(wanted);
+  resume_in_force(compensator);
 }
 
-Step Axis::end(const Offset& offset, Compensator& wanted) {
+Step Axis::end(const Offset& offset, Compensator& compensator) {
   Step step{.enable = enable_, .offset = offset, .reason = reason_of(offset.hold)};
   if (step.reason == Reason::none && !enable_) step.reason = Reason::disabled;
   if (step.reason == Reason::none && doubt_) step.reason = Reason::control;
   if (step.reason == Reason::none) step.change = offset.counts - *in_force_;
   if (in_force_) *in_force_ += step.change;
-  go_on_from_what_is_in_force(wanted);
+  resume_in_force(compensator);
   step.offset.counts = in_force_.value_or(0);
   step.offset.offset_um = static_cast<double>(step.offset.counts) * resolution_um_;
   return step;

@@ -57,14 +57,14 @@ class Axis {
  public:
   explicit Axis(const CompensationLimits& limits);
 
-  void begin(const Pins& pins, Compensator& wanted);
-  Step end(const Offset& offset, Compensator& wanted);
+  void begin(const Pins& pins, Compensator& compensator);
+  Step end(const Offset& offset, Compensator& compensator);
 
   double scale_mm() const { return resolution_um_ / 1000.0; }  // of a count
 
  private:
   std::optional<std::int64_t> read(const Pins& pins) const;
-  void go_on_from_what_is_in_force(Compensator& wanted) const;
+  void resume_in_force(Compensator& compensator) const;
 
   double resolution_um_, largest_um_;
   double most_counts_;  // whole ones in largest_um_

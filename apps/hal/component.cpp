@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "ballbar/error.hpp"
-#include "hal/pin_name.hpp"
+#include "hal/hal_names.hpp"
 
 namespace ballbar::hal {
 namespace {

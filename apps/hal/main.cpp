@@ -19,8 +19,8 @@
 #include "batches/batches.hpp"
 #include "compensate/compensation_options.hpp"
 #include "hal/axis.hpp"
-#include "hal/axis_letters.hpp"
 #include "hal/component.hpp"
+#include "hal/hal_names.hpp"
 #include "terminal/option_checks.hpp"
 
 namespace ballbar::hal {
@@ -41,7 +41,7 @@ void say(const std::string& text) { std::fputs(("ballbar-hal: " + text + "\n").c
 double now_s() { return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count(); }
 
 // SIGTERM and SIGINT are blocked and taken here, so that none comes between two pins. True when one has come.
-bool told_to_stop_within(double wait_s) {
+bool stop_signal_within(double wait_s) {
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGTERM);
@@ -67,7 +67,7 @@ void expect_period(double period_s) {
   throw Error(fmt::format("--period-s: expected 0.001 to 10 s, found {}.", period_s));
 }
 
-std::string told(const std::string& axis, const Step& step, const Compensator& compensator) {
+std::string reason_text(const std::string& axis, const Step& step, const Compensator& compensator) {
   if (step.reason == Reason::none) return fmt::format("{}: not held", axis);
   const bool of_column = is_about_a_column(step.offset.hold);
   return fmt::format("{}: held at {:.3f} um: {}{}", axis, step.offset.offset_um, name_of(step.reason),
@@ -89,7 +89,7 @@ void run(const Options& options) {
   std::vector<Axis> drives(machine.size(), Axis(options.compensation.limits));
   std::vector<Reason> reasons(machine.size(), Reason::none);
   double time_s = std::numeric_limits<double>::quiet_NaN();
-  while (!told_to_stop_within(options.period_s)) {
+  while (!stop_signal_within(options.period_s)) {
     const double clock_s = options.clock_pin ? component.clock_s() : now_s();
     if (options.clock_pin && (clock_s == time_s || std::isnan(clock_s))) continue;
     time_s = clock_s;
@@ -100,7 +100,7 @@ void run(const Options& options) {
       const Step step = drives[a].end(offsets[a], machine.axis(a));
       component.set(a, step, drives[a].scale_mm());
       if (first == Reason::none) first = step.reason;
-      if (step.reason != reasons[a]) say(told(machine.name(a), step, machine.axis(a)));
+      if (step.reason != reasons[a]) say(reason_text(machine.name(a), step, machine.axis(a)));
       reasons[a] = step.reason;
     }
     component.set_reason(first);

@@ -4,8 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
+#include "ballbar/error.hpp"
 #include "ballbar/formats/logs/recipe_toml.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
@@ -69,14 +72,14 @@ std::string fault_text(const ColumnFault& fault) {
 
 // What a role was told by, where it is not plain from the unit.
 std::vector<std::string> guesses(const Log& log) {
-  std::vector<std::string> said;
+  std::vector<std::string> lines;
   for (const LogColumn& column : log.columns) {
     if (column.name.empty() || column.why.empty() || column.why == "by its unit" || column.why == "by its name" ||
         column.why == "by the recipe")
       continue;
-    said.push_back(fmt::format("{}: {}.", column.source, column.why));
+    lines.push_back(fmt::format("{}: {}.", column.source, column.why));
   }
-  return said;
+  return lines;
 }
 
 void print(const ImportArguments& options, const Log& log, const std::vector<ColumnFault>& faults) {
@@ -118,19 +121,13 @@ Log opened(const ImportArguments& options) {
 }
 
 void run_one(const ImportArguments& options) {
-  const Log log = opened(options);
-  const std::vector<ColumnFault> faults = column_faults(log.series);
-  if (!options.out.empty())
-    write_through(options.out, [&](const std::filesystem::path& path) {
-      write_series_parts(log.series, series_header(log.series), path);
-    });
+  ImportedLog imported{options.logs.front().name(), opened(options), {}};
+  const Log& log = imported.log;
+  imported.faults = column_faults(log.series);
+  if (!options.out.empty()) write_series(log.series, options.out);
   if (!options.save.empty()) write_bytes(options.save, write_recipe(log.recipe));
-  if (options.json) {
-    print_json(json_of(ImportedLog{options.logs.front().name(), log.shape, log.time, log.series.started,
-                                   log.series.time_s.size(), log.first_row_line, log.columns, log.remarks, faults}));
-    return;
-  }
-  print(options, log, faults);
+  if (options.json) return print_json(json_of(imported));
+  print(options, log, imported.faults);
   if (!options.out.empty()) fmt::print("\nwrote {}\n", options.out);
   if (!options.save.empty()) fmt::print("wrote {}\n", options.save);
 }
@@ -138,12 +135,9 @@ void run_one(const ImportArguments& options) {
 void run_several(const ImportArguments& options) {
   if (!options.save.empty()) throw CLI::ValidationError("--save: expected one log with it, found several");
   const MergedSeries merged = merged_series(options.logs, options.how, options.clocks);
-  if (!options.out.empty())
-    write_through(options.out, [&](const std::filesystem::path& path) {
-      write_series_parts(merged.series, series_header(merged.series), path);
-    });
+  if (!options.out.empty()) write_series(merged.series, options.out);
   if (options.json) {
-    print_json(json_of(MergedLogs{merged.series.time_s.size(), merged.series.columns.size(), merged.parts}));
+    print_json(json_of(merged));
     return;
   }
   print_text(merged, options.clocks);
@@ -151,8 +145,22 @@ void run_several(const ImportArguments& options) {
              options.out.empty() ? "Nothing was written; --out clean.csv writes the series." : "wrote " + options.out);
 }
 
+// A recipe that is saved may be the one that was read, made more of; the series may be neither.
+void expect_own_outputs(const ImportArguments& options) {
+  std::vector<std::filesystem::path> inputs = paths_of(options.logs);
+  expect_no_input({options.save}, inputs, "--save");
+  inputs.emplace_back(options.how.recipe);
+  expect_no_input({options.out}, inputs);
+  const auto place = [](const std::string& file) {
+    std::error_code unknown;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file, unknown), unknown);
+  };
+  if (options.out.empty() || options.save.empty() || place(options.out) != place(options.save)) return;
+  throw Error(fmt::format("--out {}: expected another file than that of --save, found the same.", options.out));
+}
+
 void run(const ImportArguments& options) {
-  expect_no_input({options.out, options.save}, paths_of(options.logs));
+  expect_own_outputs(options);
   if (options.logs.size() > 1) return run_several(options);
   const ClockOptions& clocks = options.clocks;
   if (clocks.keep_clocks || clocks.range_s || clocks.max_gap_s) {

@@ -48,27 +48,25 @@ struct ResultType<ColumnFault> {
 };
 
 struct ImportedLog {
-  std::string file, shape, time;
-  std::optional<std::string> started;
-  std::size_t rows = 0, first_row_line = 0;
-  std::vector<LogColumn> columns;
-  std::vector<std::string> remarks;
+  std::string file;
+  Log log;
   std::vector<ColumnFault> faults;
 };
 
 template <>
 struct ResultType<ImportedLog> {
+  using Of = const ImportedLog&;
   static constexpr std::string_view name = "Imported";
   static constexpr std::string_view meaning = "What a log was taken for.";
   static constexpr std::tuple fields{
       Field{"file", &ImportedLog::file, ""},
-      Field{"shape", &ImportedLog::shape, "how the values stand"},
-      Field{"time", &ImportedLog::time, "where the time is"},
-      Field{"started", [](const ImportedLog& of) { return MayLack<std::string>{of.started}; }, "wall clock of time 0"},
-      Field{"rows", &ImportedLog::rows, "how many"},
-      Field{"first_row_line", &ImportedLog::first_row_line, ""},
-      Field{"columns", &ImportedLog::columns, "of the log, that of the time left out"},
-      Field{"remarks", &ImportedLog::remarks, "what looks broken, what was mended"},
+      Field{"shape", [](Of of) { return of.log.shape; }, "how the values stand"},
+      Field{"time", [](Of of) { return of.log.time; }, "where the time is"},
+      Field{"started", [](Of of) { return MayLack<std::string>{of.log.series.started}; }, "wall clock of time 0"},
+      Field{"rows", [](Of of) { return of.log.series.time_s.size(); }, "how many"},
+      Field{"first_row_line", [](Of of) { return of.log.first_row_line; }, ""},
+      Field{"columns", [](Of of) { return of.log.columns; }, "of the log, that of the time left out"},
+      Field{"remarks", [](Of of) { return of.log.remarks; }, "what looks broken, what was mended"},
       Field{"faults", &ImportedLog::faults, "of columns"}};
 };
 
@@ -104,18 +102,19 @@ struct ResultType<MergedPart> {
             "columns of the first log and of this one"}};
 };
 
-struct MergedLogs {
-  std::size_t rows = 0, columns = 0;
-  std::vector<MergedPart> parts;
+struct MergedSeries {
+  Series series;
+  std::vector<MergedPart> parts;  // a log each
 };
 
 template <>
-struct ResultType<MergedLogs> {
+struct ResultType<MergedSeries> {
   static constexpr std::string_view name = "Merged";
   static constexpr std::string_view meaning = "Logs made one series.";
-  static constexpr std::tuple fields{Field{"rows", &MergedLogs::rows, "how many"},
-                                     Field{"columns", &MergedLogs::columns, "how many"},
-                                     Field{"parts", &MergedLogs::parts, "the logs"}};
+  static constexpr std::tuple fields{
+      Field{"rows", [](const MergedSeries& of) { return of.series.time_s.size(); }, "how many"},
+      Field{"columns", [](const MergedSeries& of) { return of.series.columns.size(); }, "how many"},
+      Field{"parts", &MergedSeries::parts, "the logs"}};
 };
 
 }  // namespace ballbar

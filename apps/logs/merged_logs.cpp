@@ -97,7 +97,7 @@ MergedSeries merged_series(const std::vector<Source>& logs, const LogOptions& ho
   result.series = merged(all, clocks.max_gap_s.value_or(kUsualGap_s));
   if (!started) return result;
   const double first_s = result.series.time_s.front();
-  result.series.started = stamp_of_seconds(*started + first_s);
+  result.series.started = stamp_text(*started + first_s);
   for (double& time : result.series.time_s) time -= first_s;
   return result;
 }

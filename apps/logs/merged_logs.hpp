@@ -16,11 +16,6 @@ struct ClockOptions {
   std::optional<double> range_s, max_gap_s;
 };
 
-struct MergedSeries {
-  Series series;
-  std::vector<MergedPart> parts;  // a log each
-};
-
 // The clock of the first log counts. Throws Error: a log that cannot be read, or that comes twice.
 MergedSeries merged_series(const std::vector<Source>& logs, const LogOptions& how, const ClockOptions& clocks);
 

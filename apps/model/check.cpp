@@ -12,7 +12,6 @@
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
-#include "model/workbench_of.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/terminal_table.hpp"
 

@@ -10,6 +10,9 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/model/effect_argument.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "shell/command_words.hpp"
+#include "shell/usage_fault.hpp"
 #include "terminal/command_line.hpp"
 
 namespace ballbar {
@@ -68,9 +71,19 @@ void split_words(EffectOptions& options, std::optional<bool> effects) {
   if (effects == false && !options.effects.empty()) {
     throw CLI::ValidationError("EFFECT", fmt::format("expected none with --auto, found {}", options.effects.front()));
   }
+  for (const std::string& effect : options.effects) expect_known_effect(effect);
   if (options.model.data.empty()) {
     throw CLI::ValidationError("DATA", fmt::format("expected data after {}, found none", options.effects.back()));
   }
+}
+
+void expect_known_effect(const std::string& word) {
+  const std::string name = word.substr(0, word.find_first_of(":("));
+  const std::vector<std::string> known = effect_words();
+  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  throw CLI::ValidationError(
+      fmt::format("expected an effect or a file, found {}, which is neither{}; ballbar effects lists all",
+                  in_quotes(name), nearest_hint(name, known)));
 }
 
 void expect_one_target(const ModelOptions& options, const Model& model) {

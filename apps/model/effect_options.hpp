@@ -20,10 +20,14 @@ struct EffectOptions {
 
 void add_effect_options(CLI::App& command, EffectOptions& options, const std::string& words);
 
-// The words told apart: an EFFECT is a name of the catalogue, with or without columns, or any other plain word that is
-// no file. `effects`: whether there must be one or must be none; nothing: either. Throws CLI::ValidationError: no DATA;
-// an EFFECT too few or too many.
+// An EFFECT is a name of the catalogue, with or without columns, or any other plain word that is no file. `effects`:
+// whether there must be one or must be none; nothing: either. Throws CLI::ValidationError: an EFFECT too few or too
+// many, or one that is not known (expect_known_effect); no DATA.
 void split_words(EffectOptions& options, std::optional<bool> effects);
+
+// Throws CLI::ValidationError, with the nearest name where one is near, for a word, NAME, NAME:ROLE=COLUMN or
+// NAME(COLUMN), whose name no effect of either level has. No file is read for that.
+void expect_known_effect(const std::string& word);
 
 // Throws Error where the model has several targets and the command line does not choose one.
 void expect_one_target(const ModelOptions& options, const Model& model);

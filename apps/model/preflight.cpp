@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include "model/preflight_result.hpp"
-#include "model/untestable_reasons.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
@@ -54,14 +53,14 @@ void print_untestable(const Preflight& result) {
 
 void print_text(const Preflight& result, const std::string& title) {
   std::vector<const Detectability*> rows;
-  std::size_t apart = 0;
+  std::size_t separable = 0;
   for (const Detectability& detectable : result.detectability) {
     if (detectable.testability != Testability::testable) continue;
     rows.push_back(&detectable);
-    if (detectable.inseparable_from.empty()) ++apart;
+    if (detectable.inseparable_from.empty()) ++separable;
   }
   fmt::print("{}\n{}, {} values\n\n{} of {} effects could be seen here, {} of them could be told from all others.\n\n",
-             title, result.target, result.n, rows.size(), result.detectability.size(), apart);
+             title, result.target, result.n, rows.size(), result.detectability.size(), separable);
   Table table({"effect", "columns", "seen from um", "named from um", "own %", "inseparable from"});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     table.add_wrapped({fmt::format("{:2} {}", i + 1, rows[i]->effect->name), columns_text(*rows[i]),
@@ -120,6 +119,35 @@ void show_preflight(const ModelOptions& options, const Model& model, const Model
   } else {
     print_targets(results, data.title);
   }
+}
+
+std::vector<std::pair<std::string, std::vector<std::string>>> by_reason(const std::vector<Detectability>& untestable) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
+  for (const Detectability& detectable : untestable) {
+    const auto same = [&](const auto& reason) { return reason.first == detectable.why; };
+    auto reason = std::find_if(reasons.begin(), reasons.end(), same);
+    if (reason == reasons.end()) reason = reasons.insert(reasons.end(), {detectable.why, {}});
+    reason->second.push_back(detectable.effect->name);
+  }
+  return reasons;
+}
+
+std::string_view name_of(Testability testability) {
+  switch (testability) {
+    case Testability::testable:
+      return "testable";
+    case Testability::input_missing:
+      return "input missing";
+    case Testability::input_constant:
+      return "input constant";
+    case Testability::absorbed:
+      return "absorbed by the model";
+    case Testability::in_the_model:
+      return "in the model";
+    case Testability::other_motion:
+      return "other motion";
+  }
+  return "testable";
 }
 
 }  // namespace ballbar

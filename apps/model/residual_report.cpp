@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "ballbar/fit/parameter_correlation.hpp"
 #include "ballbar/number_text.hpp"
@@ -16,7 +17,16 @@ namespace {
 
 std::string independent_text(double n) { return n < 100.0 ? fmt::format("{:.1f}", n) : fmt::format("{:.0f}", n); }
 
+bool has_floor(const Fit& fit) { return !fit.floor.source.empty() && fit.floor.rms_um > 0.0; }
+
 }  // namespace
+
+Workbench workbench_of(const ModelOptions& options, const std::shared_ptr<const ModelData>& data, const Model& model,
+                       DiagnosisOptions diagnosis) {
+  expect_to_fit(options, model, *data);
+  diagnosis.search.motion = data->motion;
+  return {data->series, model, {fit_options(options), std::move(diagnosis)}};
+}
 
 std::string heading(const Fit& fit) {
   const std::vector<double> time_s = one_after_another(fit.time_s);
@@ -35,8 +45,6 @@ int decimals_of(double rmse_um) {
   if (!(rmse_um > 0.0)) return 2;
   return std::clamp(1 - static_cast<int>(std::floor(std::log10(rmse_um))), 2, 6);
 }
-
-bool has_floor(const Fit& fit) { return !fit.floor.source.empty() && fit.floor.rms_um > 0.0; }
 
 std::string floor_text(const Fit& fit) {
   const int decimals = decimals_of(fit.rmse_um) + 1;

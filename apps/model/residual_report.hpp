@@ -1,6 +1,7 @@
 // A model held against data, as `check` and `diagnose` show it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,8 +11,14 @@
 #include "ballbar/fit/residual.hpp"
 #include "ballbar/formats/results/fit_results.hpp"
 #include "ballbar/workbench/workbench.hpp"
+#include "model/model_options.hpp"
 
 namespace ballbar {
+
+// The workbench of a request. model: of one target. Throws Error where the model does not suit the data, with the file
+// that is at fault.
+Workbench workbench_of(const ModelOptions& options, const std::shared_ptr<const ModelData>& data, const Model& model,
+                       DiagnosisOptions diagnosis = {});
 
 // "z_um, 6669 values over 27.8 h"
 std::string heading(const Fit& fit);
@@ -24,8 +31,6 @@ std::string floor_text(const Fit& fit);
 
 // Enough that a residual of this size shows two digits.
 int decimals_of(double rmse_um);
-
-bool has_floor(const Fit& fit);
 
 // Absent where none is known.
 std::optional<double> floor_um(const ResidualReport& report);

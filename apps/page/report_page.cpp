@@ -4,13 +4,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "page/page_assets.hpp"
 #include "page/report_head.hpp"
@@ -19,6 +23,7 @@
 namespace ballbar {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 // JSON that is also harmless within <script>: ASCII alone, and no "<" to end or comment it. Bytes that are not UTF-8
@@ -113,6 +118,22 @@ std::string filled(std::string_view text, const std::map<std::string, std::strin
   return page;
 }
 
+// Beside the program as it is installed, and as it lies in the tree where it is built.
+constexpr std::array kPlaces{"../share/ballbar/ballbar.html", "../../build-tool/ballbar.html"};
+
+fs::path tool_file() {
+  std::error_code unknown;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  for (const char* place : kPlaces) {
+    const fs::path file = (program.parent_path() / place).lexically_normal();
+    if (fs::is_regular_file(file, unknown)) return file;
+  }
+  throw Error(
+      fmt::format("--tool: expected {} beside the program, found none: this ballbar was built without it; "
+                  "sh apps/page/build-tool.sh makes it (Debian's emscripten, some minutes).",
+                  (program.parent_path() / kPlaces.front()).lexically_normal().string()));
+}
+
 }  // namespace
 
 void expect_page(std::string_view option) {
@@ -135,7 +156,7 @@ ReportHead report_head(const std::string& title) {
 }
 
 std::string page_of(const Json& report, const Json& inside) {
-  const auto carried = [](std::string_view id, const Json& json) {
+  const auto data_block = [](std::string_view id, const Json& json) {
     return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, as_script(json));
   };
   return filled(page::kShell,
@@ -147,7 +168,7 @@ std::string page_of(const Json& report, const Json& inside) {
                  {"MADE_BY", as_html(report["made_by"].get<std::string>())},
                  {"TITLE", as_html(title_of(report))},
                  {"STYLE", std::string(page::kStyle)},
-                 {"CARRIED", carried("report", report) + (inside.is_null() ? "" : carried("files", inside))},
+                 {"CARRIED", data_block("report", report) + (inside.is_null() ? "" : data_block("files", inside))},
                  {"SCRIPT", std::string(page::kScript)}});
 }
 
@@ -180,6 +201,14 @@ std::string plot_of(const Json& parts, const std::string& conclusion) {
   const Json answer =
       drawn("--plot", "draw_sheet", fmt::format("{},{}", as_argument(report), PictureOptions{}.width_px));
   return answer["drawn"][0]["svg"].get<std::string>();
+}
+
+void write_tool_page(const std::string& out) {
+  const fs::path from = tool_file();
+  const std::string bytes = read_bytes(from.string(), kLargestText);
+  write_bytes(out, bytes);
+  fmt::print("{}, {:.1f} MB: open it in a browser and drop files on it. It needs no network and no installation.\n",
+             out, 1e-6 * static_cast<double>(bytes.size()));
 }
 
 }  // namespace ballbar

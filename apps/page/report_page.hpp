@@ -43,4 +43,8 @@ std::string handover_of(const nlohmann::ordered_json& report, const std::vector<
 // too.
 std::string plot_of(const nlohmann::ordered_json& parts, const std::string& conclusion);
 
+// The whole tool as one HTML file, which is installed beside the program or lies in its tree: copies it to `out` and
+// prints what it is for. Throws Error: this program was built without it, or `out` cannot be written.
+void write_tool_page(const std::string& out);
+
 }  // namespace ballbar

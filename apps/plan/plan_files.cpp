@@ -10,8 +10,8 @@
 #include "ballbar/formats/schedules/dry_run.hpp"
 #include "ballbar/formats/schedules/schedule_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/formats/text/new_folder.hpp"
 #include "plan/plan_picture.hpp"
-#include "terminal/new_folder.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,5 +1,3 @@
-#include "python/fleets.hpp"
-
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -20,8 +18,7 @@
 #include "history/test_files.hpp"
 #include "history/test_result.hpp"
 #include "python/arrays.hpp"
-#include "python/progress.hpp"
-#include "python/to_python.hpp"
+#include "python/classes.hpp"
 #include "terminal/caller.hpp"
 
 namespace ballbar::python {

@@ -21,10 +21,6 @@
 #include "program.hpp"
 #include "python/arrays.hpp"
 #include "python/classes.hpp"
-#include "python/fleets.hpp"
-#include "python/progress.hpp"
-#include "python/python_effect.hpp"
-#include "python/to_python.hpp"
 #include "terminal/caller.hpp"
 
 namespace ballbar::python {

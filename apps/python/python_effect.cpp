@@ -1,5 +1,3 @@
-#include "python/python_effect.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <pybind11/numpy.h>
@@ -16,6 +14,7 @@
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/error.hpp"
 #include "python/arrays.hpp"
+#include "python/classes.hpp"
 
 namespace ballbar::python {
 namespace {

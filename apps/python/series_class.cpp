@@ -13,7 +13,6 @@
 #include "ballbar/formats/logs/log.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
-#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/series/series.hpp"
 #include "python/arrays.hpp"
@@ -197,9 +196,7 @@ void bind_series(py::module_& module) {
           "write",
           [](const Series& series, const std::filesystem::path& path) {
             const py::gil_scoped_release free;
-            write_through(path, [&](const std::filesystem::path& temporary) {
-              write_series_parts(series, series_header(series), temporary);
-            });
+            write_series(series, path);
           },
           py::arg("path"),
           "Writes a series .csv, which reads back to the same numbers; a gap is an empty cell.\n\n"

@@ -1,9 +1,9 @@
-#include "python/to_python.hpp"
-
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+
+#include "python/classes.hpp"
 
 namespace ballbar::python {
 namespace {
@@ -66,5 +66,14 @@ class Converter {
 }  // namespace
 
 py::object to_python(const nlohmann::ordered_json& json) { return Converter().of(json); }
+
+std::function<void(std::string_view line)> progress_for(py::handle progress) {
+  return [progress](std::string_view line) {
+    if (line.empty()) return;  // said as a command ends, by an error too
+    const py::gil_scoped_acquire hold;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (!progress.is_none()) progress(py::str(line.data(), line.size()));
+  };
+}
 
 }  // namespace ballbar::python

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/drift/measured_drift.hpp"
 #include "diagnose/machine_errors_result.hpp"
 #include "measure/fit_result.hpp"
 #include "page/report_head.hpp"
@@ -141,35 +142,26 @@ struct ResultType<MachineErrorsOfTest> {
                  Field{"curves", &MachineErrorsOfTest::curves, "by effect: what it adds"}});
 };
 
-struct ProbesAxis {
-  std::string name, unit;
-  Bulk values, sigma;
-};
+// Of each row.
+Bulk sigmas_of(const DriftAxis& axis);
 
 template <>
-struct ResultType<ProbesAxis> {
+struct ResultType<DriftAxis> {
   static constexpr std::string_view name = "ProbesAxis";
   static constexpr std::string_view meaning = "An axis as five probes have it.";
-  static constexpr std::tuple fields{Field{"name", &ProbesAxis::name, ""}, Field{"unit", &ProbesAxis::unit, ""},
-                                     Field{"values", &ProbesAxis::values, ""}, Field{"sigma", &ProbesAxis::sigma, ""}};
-};
-
-struct ProbesPart {
-  std::string what;
-  double reference_s = 0.0;
-  Bulk time_s;
-  std::vector<ProbesAxis> axes;
-  std::vector<std::string> remarks;
+  static constexpr std::tuple fields{Field{"name", &DriftAxis::name, ""}, Field{"unit", &DriftAxis::unit, ""},
+                                     Field{"values", [](const DriftAxis& of) { return Bulk{of.value}; }, ""},
+                                     Field{"sigma", &sigmas_of, ""}};
 };
 
 template <>
-struct ResultType<ProbesPart> {
+struct ResultType<MeasuredDrift> {
   static constexpr std::string_view name = "ProbesPart";
   static constexpr std::string_view meaning = "Five probes: axes as columns, because there may be a million rows.";
-  static constexpr std::tuple fields{Field{"what", &ProbesPart::what, "the file"},
-                                     Field{"reference_s", known(&ProbesPart::reference_s), ""},
-                                     Field{"time_s", known(&ProbesPart::time_s), ""},
-                                     Field{"axes", &ProbesPart::axes, ""}, Field{"remarks", &ProbesPart::remarks, ""}};
+  static constexpr std::tuple fields{
+      Field{"what", &MeasuredDrift::what, "the file"}, Field{"reference_s", known(&MeasuredDrift::reference_s), ""},
+      Field{"time_s", [](const MeasuredDrift& of) { return Known<Bulk>{{of.time_s}}; }, ""},
+      Field{"axes", &MeasuredDrift::axes, ""}, Field{"remarks", &MeasuredDrift::remarks, ""}};
 };
 
 template <>
@@ -180,31 +172,29 @@ struct ResultType<TrainedBatch> {
                                      Field{"weight", known(&TrainedBatch::weight), ""}};
 };
 
-struct BatchPart {
-  std::string target, method;
-  std::vector<TrainedBatch> batches;
-  Bulk time_s, predicted_um, half_width_um;
-  MayLack<Bulk> measured_um;
-  Bulk T2_of_largest, Q_of_largest;
-  std::vector<std::string> broken, warnings;
-};
-
 template <>
-struct ResultType<BatchPart> {
+struct ResultType<BatchJob> {
+  using Of = const BatchJob&;
   static constexpr std::string_view name = "BatchPart";
   static constexpr std::string_view meaning = "A regression over batches, and what it predicts for the job.";
   static constexpr std::tuple fields{
-      Field{"target", &BatchPart::target, ""},
-      Field{"method", &BatchPart::method, "pcr, 7 components"},
-      Field{"batches", &BatchPart::batches, ""},
-      Field{"time_s", known(&BatchPart::time_s), ""},
-      Field{"predicted_um", &BatchPart::predicted_um, ""},
-      Field{"half_width_um", &BatchPart::half_width_um, "of the interval of 95 %"},
-      Field{"measured_um", &BatchPart::measured_um, ""},
-      Field{"T2_of_largest", &BatchPart::T2_of_largest, "share of the largest trained on"},
-      Field{"Q_of_largest", &BatchPart::Q_of_largest, ""},
-      Field{"broken", &BatchPart::broken, "sensors that look so"},
-      Field{"warnings", &BatchPart::warnings, ""}};
+      Field{"target", [](Of of) { return of.model.columns.target; }, ""},
+      Field{"method", [](Of of) { return label_of(of.model.settings); }, "pcr, 7 components"},
+      Field{"batches", [](Of of) { return of.model.batches; }, ""},
+      Field{"time_s", [](Of of) { return Known<Bulk>{{of.data.time_s}}; }, ""},
+      Field{"predicted_um", [](Of of) { return Bulk{of.prediction.predicted_um}; }, ""},
+      Field{"half_width_um", [](Of of) { return Bulk{of.prediction.half_width_um}; }, "of the interval of 95 %"},
+      Field{"measured_um",
+            [](Of of) {
+              const Column* const measured = find_column(of.data, of.model.columns.target);
+              return MayLack<Bulk>{measured == nullptr ? std::nullopt : std::optional(Bulk{measured->values})};
+            },
+            ""},
+      Field{"T2_of_largest", [](Of of) { return Bulk{of.prediction.T2_of_largest}; },
+            "share of the largest trained on"},
+      Field{"Q_of_largest", [](Of of) { return Bulk{of.prediction.Q_of_largest}; }, ""},
+      Field{"broken", [](Of of) { return of.prediction.broken; }, "sensors that look so"},
+      Field{"warnings", &BatchJob::warnings, ""}};
 };
 
 }  // namespace ballbar

@@ -10,14 +10,12 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "commands.hpp"
-#include "page/carried_page.hpp"
 #include "page/pdf_file.hpp"
 #include "page/report_page.hpp"
 #include "programs/child_process.hpp"
 #include "report/report_inside.hpp"
 #include "report/report_subject.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/left_out.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
@@ -43,12 +41,6 @@ struct ReportArguments {
   bool without_files = false;
   bool tool = false;
 };
-
-std::string ending_of(const fs::path& path) {
-  std::string ending = path.extension().string();
-  for (char& letter : ending) letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  return ending;
-}
 
 void write_pictures(const Json& report, const ReportArguments& options) {
   const std::vector<NamedPicture> pictures = pictures_of(report, options.pictures);
@@ -102,12 +94,13 @@ void expect_fitting_options(const ReportArguments& options) {
                                    ? "--format svg: expected --out with a folder, or a name that ends in .svg"
                                    : "expected --out with the name of the page, as in --out page.html");
   const std::string ending = ending_of(options.out);
-  const std::string wanted = options.format == Format::html   ? ".html"
-                             : options.format == Format::json ? ".json"
-                             : options.format == Format::pdf  ? ".pdf"
-                                                              : "";
-  expect(wanted.empty() || ending == wanted, fmt::format("--out {}: expected a name that ends in {}, found {}",
-                                                         options.out, wanted, ending.empty() ? "no ending" : ending));
+  const std::string expected = options.format == Format::html   ? ".html"
+                               : options.format == Format::json ? ".json"
+                               : options.format == Format::pdf  ? ".pdf"
+                                                                : "";
+  expect(expected.empty() || ending == expected,
+         fmt::format("--out {}: expected a name that ends in {}, found {}", options.out, expected,
+                     ending.empty() ? "no ending" : ending));
   expect(!options.open || options.format == Format::html, "--open: expected a page to open, not --format");
 }
 
@@ -157,7 +150,7 @@ void write_tool(const ReportArguments& options, const CLI::App& command) {
     throw CLI::ValidationError(fmt::format("--out {}: expected a name that ends in .html, found {}", out,
                                            ending.empty() ? "no ending" : ending));
   }
-  write_carried_page(out);
+  write_tool_page(out);
 }
 
 void run(ReportArguments options) {

@@ -98,7 +98,7 @@ void add_session(Report& made, const SessionFiles& files, const ReportRequest& o
   if (files.five_probe) {
     const Series probes = open_series(*files.five_probe);
     made.page.five_probe.value =
-        probes_part(five_point_of(probes, place_of(probes, options.probes, files.ball), file_name(*files.five_probe)));
+        five_point_of(probes, place_of(probes, options.probes, files.ball), file_name(*files.five_probe));
   }
   for (const fs::path& signals : files.signals) {
     made.page.head.signals.push_back(signals_part(file_name(signals), open_series(signals)));
@@ -110,7 +110,7 @@ void add_series(Report& made, const Series& series, const ReportRequest& options
   made.page.head.title = file_name(path);
   if (is_five_probe(series) || options.probes.any()) {
     const Series with = stated(series, options.probes);
-    made.page.five_probe.value = probes_part(five_point_of(with, place_of(with, options.probes), file_name(path)));
+    made.page.five_probe.value = five_point_of(with, place_of(with, options.probes), file_name(path));
   }
   made.page.head.signals.push_back(signals_part(file_name(path), series));
 }
@@ -136,8 +136,8 @@ void add_comparison(Report& made, const ReportRequest& options) {
 }
 
 void add_batch(Report& made, const ReportRequest& options) {
-  const BatchJob job = batch_job(options.model.data.front(), options.model.model, options.anyway);
-  made.page.batch.value = batch_part(job);
+  made.page.batch.value = batch_job(options.model.data.front(), options.model.model, options.anyway);
+  const BatchJob& job = *made.page.batch.value;
   if (options.model.model.is_path()) made.files.push_back(options.model.model.path());
   made.conclude(fmt::format("{} by {} of {} batches.", job.model.columns.target, label_of(job.model.settings),
                             job.model.batches.size()));

@@ -8,10 +8,25 @@
 
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/sessions/data_file.hpp"
-#include "report/report_request.hpp"
+#include "diagnose/diagnosis_report.hpp"
+#include "measure/five_probe_options.hpp"
+#include "model/model_options.hpp"
 #include "report/report_results.hpp"
 
 namespace ballbar {
+
+// What a report is to be of.
+struct ReportRequest {
+  ModelOptions model;
+  Source compare;  // another drift; empty: none
+  FiveProbeOptions probes;
+  DiagnoseOptions how;
+  bool diagnose = false;      // without a model too
+  bool no_diagnosis = false;  // with one neither
+  bool anyway = false;        // a model of `train` though a sensor looks broken
+};
+
+void add_report_options(CLI::App& command, ReportRequest& request);
 
 // A report as it grows, with all files that it is made of.
 struct Report {

@@ -58,11 +58,11 @@ Json files_inside(const std::vector<fs::path>& files, const std::vector<std::str
   }
   if (bytes > kMostInside) return nullptr;
   const auto inside = [&](const fs::path& path) { return whole(path).lexically_relative(folder).generic_string(); };
-  CarriedFiles carried;
-  for (const fs::path& file : all) carried.files.push_back({inside(file), base64(read_bytes(file, kMostInside))});
-  for (const std::string& word : data) carried.data.push_back(inside(word));
-  if (!model.empty()) carried.model.value = inside(model);
-  return json_of(carried);
+  PageFiles inside_page;
+  for (const fs::path& file : all) inside_page.files.push_back({inside(file), base64(read_bytes(file, kMostInside))});
+  for (const std::string& word : data) inside_page.data.push_back(inside(word));
+  if (!model.empty()) inside_page.model.value = inside(model);
+  return json_of(inside_page);
 }
 
 }  // namespace ballbar

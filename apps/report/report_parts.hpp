@@ -36,13 +36,11 @@ struct MachineErrorsPart {
 };
 MachineErrorsPart machine_errors_part(const Fitted& fitted, const StatedCircle& stated);
 
-ProbesPart probes_part(const MeasuredDrift& drift);
 SignalsPart signals_part(const std::string& source, const Series& series);
 CheckPart check_part(const ResidualReport& residual_report, const Model& model, const ModelData& data);
 DiagnosisPart diagnosis_part(const DiagnosisReport& diagnosis_report, const ModelData& data);
 
 // What a candidate alone would draw, at the rows of the fit; empty where it cannot be drawn.
 std::vector<double> curve_of(const Candidate& candidate, const Fit& fit, const Series& data);
-BatchPart batch_part(const BatchJob& job);
 
 }  // namespace ballbar

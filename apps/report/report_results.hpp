@@ -41,10 +41,10 @@ struct PageReport {
   MayLack<std::vector<MachineErrorsOfTest>> machine_errors;
   MayLack<std::vector<SkippedFile>> skipped;
   MayLack<DriftSeries> drift;
-  MayLack<ProbesPart> five_probe;
+  MayLack<MeasuredDrift> five_probe;
   MayLack<Comparison> compare;
   ModelPart model;
-  MayLack<BatchPart> batch;
+  MayLack<BatchJob> batch;
 };
 
 template <>

@@ -11,7 +11,6 @@
 #include "diagnose/effect_test_text.hpp"
 #include "model/effect_options.hpp"
 #include "model/held_values.hpp"
-#include "model/known_effect.hpp"
 #include "report/report_parts.hpp"
 
 namespace ballbar {
@@ -119,8 +118,8 @@ void ReportSubject::add_target(ModelPart& made, RevisedModel& model, Parts parts
   std::optional<DiagnosisReport> found;
   if (search) found = diagnosis_report_of(request_.model, bench);
   value_of(made.check).targets.push_back(check_part(checked, bench.model(), data));
-  const auto said = sentences(checked.fit, checked.where, checked.whiteness);
-  if (!said.empty()) made.summary.push_back(fmt::format("{}: {}", bench.model().targets.front(), said.front()));
+  const auto lines = sentences(checked.fit, checked.where, checked.whiteness);
+  if (!lines.empty()) made.summary.push_back(fmt::format("{}: {}", bench.model().targets.front(), lines.front()));
   overlay_effects(made, checked.fit, bench.model(), *data.series);
   if (!found) return;
   value_of(made.diagnose).targets.emplace_back(diagnosis_part(*found, data));
@@ -195,7 +194,7 @@ HeldPart ReportSubject::held(const std::vector<std::string>& settings) {
 
 ModelPart ReportSubject::add(const std::vector<std::string>& effects) {
   RevisedModel& model = only_one();
-  for (const std::string& effect : effects) expect_known_effect(effect, true);
+  for (const std::string& effect : effects) expect_known_effect(effect);
   model.add(terms_of(effects, model.model(), *data_.for_model));
   return fitted();
 }

@@ -10,7 +10,6 @@
 
 #include "diagnose/revised_model.hpp"
 #include "report/report_data.hpp"
-#include "report/report_request.hpp"
 
 namespace ballbar {
 

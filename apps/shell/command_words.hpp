@@ -36,4 +36,12 @@ std::vector<CommandWords> command_words(const CLI::App& app);
 // Of both levels, each once.
 std::vector<std::string> effect_words();
 
+// What makes a shell complete commands, options, effects and files: `ballbar help --completion bash|zsh|fish`.
+std::string bash_completion(const std::vector<CommandWords>& commands);
+std::string zsh_completion(const std::vector<CommandWords>& commands);
+std::string fish_completion(const std::vector<CommandWords>& commands);
+
+// The page for man(1), `ballbar help --man`: all commands and options, in roff.
+std::string man_page(const CLI::App& app);
+
 }  // namespace ballbar

@@ -1,7 +1,7 @@
-#include "shell/completion.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "shell/command_words.hpp"
 
 namespace ballbar {
 namespace {

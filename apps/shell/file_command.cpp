@@ -89,7 +89,7 @@ FileKind kind_of_all(const std::vector<std::string>& files) {
 
 std::string command_for(FileKind kind, const std::vector<std::string>& files) {
   if (kind == FileKind::session) return "drift";
-  const bool are_tests = kind == FileKind::recording && are_of_linear_axes({files.begin(), files.end()});
+  const bool are_tests = kind == FileKind::recording && std::all_of(files.begin(), files.end(), is_of_linear_axes);
   return are_tests ? "errors" : "diagnose";
 }
 

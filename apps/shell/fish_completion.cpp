@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "shell/completion.hpp"
+#include "shell/command_words.hpp"
 
 namespace ballbar {
 namespace {

@@ -6,14 +6,14 @@
 #include <array>
 #include <memory>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include "ballbar/nearest_name.hpp"
-#include "shell/completion.hpp"
-#include "shell/man_page.hpp"
+#include "shell/command_words.hpp"
 #include "shell/usage_fault.hpp"
-#include "terminal/colour.hpp"
 #include "terminal/option_checks.hpp"
+#include "terminal/stderr_line.hpp"
 
 namespace ballbar {
 namespace {
@@ -43,6 +43,26 @@ class HelpFormatter : public CLI::Formatter {
 
 using Completion = std::string (*)(const std::vector<CommandWords>& commands);
 constexpr std::array<Completion, 3> kCompletions{bash_completion, zsh_completion, fish_completion};
+
+// A command of the version before, and what does its work now.
+struct OldCommand {
+  std::string_view name, now, help;
+};
+
+constexpr OldCommand kOldCommands[] = {
+    {"merge", "import LOG LOG...", "import"},
+    {"fleet", "history FOLDER...", "history"},
+    {"page", "report --tool", "report"},
+    {"try", "add EFFECT... DATA --dry-run", "add"},
+    {"preflight", "could DATA", "could"},
+    {"inject", "could EFFECT DATA", "could"},
+    {"terms", "effects --terms", "effects"},
+    {"select", "train RUNS --for DATA", "train"},
+    {"meanpoint", "compensate --from-picture FILE", "compensate"},
+    {"blind", "simulate --hidden, simulate SET --schedule FILE, or simulate score DIR", "simulate"},
+    {"completion", "help --completion SHELL", "help"},
+    {"man", "help --man", "help"},
+};
 
 struct HelpArguments {
   std::vector<std::string> words;
@@ -82,12 +102,23 @@ void add_help_command(CLI::App& app) {
       fmt::print("{}", man_page(app));
     } else if (asked->completion != nullptr) {
       fmt::print("{}", asked->completion(command_words(app)));
+    } else if (const std::string now = asked->words.empty() ? "" : renamed_command(asked->words.front());
+               !now.empty()) {
+      fmt::print("{}\n", now);
     } else {
       const CLI::App* of = &app;
       for (const std::string& word : asked->words) of = &command_of(*of, word);
       print_help(help_of(*of));
     }
   });
+}
+
+std::string renamed_command(const std::string& name) {
+  for (const OldCommand& old : kOldCommands) {
+    if (old.name == name)
+      return fmt::format("{} is now: ballbar {}; see ballbar {} --help", old.name, old.now, old.help);
+  }
+  return "";
 }
 
 void print_help(const std::string& text) {

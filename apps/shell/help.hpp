@@ -17,6 +17,10 @@ std::string help_of(const CLI::App& app);
 
 void add_help_command(CLI::App& app);
 
+// "merge is now: ballbar import LOG LOG...; see ballbar import --help" of a command of the version before; empty of any
+// other name.
+std::string renamed_command(const std::string& name);
+
 // Prints it, headings in bold on a terminal.
 void print_help(const std::string& text);
 

@@ -1,5 +1,3 @@
-#include "shell/man_page.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ballbar/nearest_name.hpp"
+#include "terminal/option_checks.hpp"
 
 namespace ballbar {
 namespace {
@@ -17,7 +18,7 @@ const CLI::App& chosen_app(const CLI::App& app) {
 }
 
 // "--out" of "--out=drift.csv".
-std::string name_of(const std::string& word) { return word.substr(0, word.find('=')); }
+std::string option_in(const std::string& word) { return word.substr(0, word.find('=')); }
 
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
@@ -37,8 +38,8 @@ std::string surplus_of(const CLI::App& app) {
 }
 
 std::string option_fault(const CLI::App& app, const std::string& found) {
-  return fmt::format("expected an option of {}, found {}{}", full_name(app), name_of(found),
-                     nearest_hint(name_of(found), option_names(app)));
+  return fmt::format("expected an option of {}, found {}{}", full_name(app), option_in(found),
+                     nearest_hint(option_in(found), option_names(app)));
 }
 
 // Where a command is to stand and none does.
@@ -61,6 +62,7 @@ std::string fault(const CLI::App& app, const CLI::ParseError& error, const std::
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !surplus.empty()) {
     return fmt::format("expected nothing more, found {}", in_quotes(surplus));
   }
+  if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) return exclusion_text(app);
   std::string text = error.what();
   while (text.ends_with('.')) text.pop_back();
   return text;

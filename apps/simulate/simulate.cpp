@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 #include "ballbar/formats/machines/fleet_files.hpp"
 #include "ballbar/formats/machines/fleet_toml.hpp"
@@ -134,6 +135,12 @@ void run(const SimulateArguments& options, const CLI::App& command) {
   if (!options.schedule.empty()) return run_further(options, command);
   expect_only(command, "", {"MACHINE", "--out", "--truth", "--seed", "--b5r", "--force", "--json"});
   if (options.machine.empty()) throw CLI::RequiredError("MACHINE");
+  std::error_code absent;
+  if (fs::is_directory(options.machine, absent)) {
+    throw CLI::ValidationError(
+        fmt::format("expected --schedule FILE with the folder of a set, {}, or a machine.toml, found the folder alone",
+                    options.machine));
+  }
   if (options.out.empty()) throw CLI::RequiredError("--out");
   const std::string bytes = read_bytes(options.machine, kLargestText);
   if (is_fleet(bytes)) {

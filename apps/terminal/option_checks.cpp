@@ -126,6 +126,15 @@ void expect_none_given(const std::vector<CLI::Option*>& options, std::string_vie
   }
 }
 
+std::string exclusion_text(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options([](const CLI::Option* one) { return one->count() > 0; })) {
+    for (const CLI::Option* other : option->get_excludes()) {
+      if (other->count() > 0) return fmt::format("{}: expected no {} with it", option->get_name(), other->get_name());
+    }
+  }
+  return "";
+}
+
 void expect_values(CLI::App& app) {
   for (CLI::Option* option : app.get_options([](const CLI::Option*) { return true; })) {
     if (option->get_expected_max() == 0 || option->get_type_size() == 0) continue;  // a flag

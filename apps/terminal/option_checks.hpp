@@ -42,6 +42,9 @@ void add_choice(CLI::App& command, const std::string& name, std::vector<std::str
 // That none of these was given, for they mean nothing without `needed`. Throws CLI::ValidationError.
 void expect_none_given(const std::vector<CLI::Option*>& options, std::string_view needed);
 
+// "--sequential: expected no --equal-radii with it": of options that were both given, though one excludes the other.
+std::string exclusion_text(const CLI::App& command);
+
 // For all options: an empty value is none.
 void expect_values(CLI::App& app);
 

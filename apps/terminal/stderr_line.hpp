@@ -1,6 +1,7 @@
 // A line on the standard error. Never throws: that nobody can read it is no reason to stop.
 #pragma once
 
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,11 @@ void error_line(const std::string& text);
 
 // The line in yellow: the work was done, but not as one may think.
 void warning_line(const std::string& text);
+
+// Colour where a person reads: only on a terminal that is not dumb, and not where NO_COLOR is set (no-color.org). What
+// goes to a file, a pipe or a program stays plain.
+std::string bold(const std::string& text, std::FILE* stream = stdout);
+std::string red(const std::string& text, std::FILE* stream = stderr);
+std::string yellow(const std::string& text, std::FILE* stream = stderr);
 
 }  // namespace ballbar

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ballbar/drift/drift.hpp"
+#include "ballbar/formats/recordings/test_folder.hpp"
 
 namespace ballbar {
 
@@ -41,5 +42,8 @@ std::string one_line(const std::string& text);
 
 // Breaks at spaces so that no line is longer than `width`.
 std::string wrapped(const std::string& text, std::size_t width = 100);
+
+// "Left out: 2 files" and a line for each with its reason; empty where there is none.
+std::string left_out_text(const std::vector<SkippedFile>& skipped);
 
 }  // namespace ballbar

@@ -117,10 +117,10 @@ int run(const std::filesystem::path& folder, bool update) {
       schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsOfSeveral, PosteriorSoFar, Looked, Followed,
                  CheckedTargets, PreflightTargets, EffectPages, TestPlan, EffectTest, Added, Ledger, Undone,
                  InjectedResult, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult, History,
-                 ImportedLog, MergedLogs, SimulatedRun, SimulatedFleet, TrainedOnBatches, TrainedOnEffects,
+                 ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet, TrainedOnBatches, TrainedOnEffects,
                  SelectedBatches, PredictedSeries, PredictedJob, PredictedByEffects, ReplayResult, MadeSets, NextRun,
                  ScoredSets, MeanPointsResult, MeanPointPart, PageReport, ModelPart, HeldPart, RevisedPart,
-                 HistoryReport, FleetReport, CarriedFiles>();
+                 HistoryReport, FleetReport, PageFiles>();
   std::vector<std::pair<std::filesystem::path, std::string>> files{
       {folder / "apps/page/src/results.ts", typescript_file(schemas)},
       {folder / "apps/python/ballbar/_kinds.py", python_file(schemas)}};

@@ -1,10 +1,9 @@
-#include "hal/axis_letters.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "ballbar/error.hpp"
+#include "hal/hal_names.hpp"
 
 namespace ballbar::hal {
 namespace {

@@ -1,8 +1,9 @@
-// What the first rows of a log show of a column.
+// What the first rows of a log show: the sign of decimals, and what a column holds.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "logs/log_shape.hpp"
@@ -32,5 +33,9 @@ bool counts_rows(const ColumnSample& sample, bool gaps);
 
 // Whether a column of numbers in a unit of time runs as long as one of stamps.
 bool runs_as_long(const ColumnSample& numbers, double unit_s, const ColumnSample& stamps);
+
+// The decimal sign, by what the cells of the first rows say: "0,125" and "1.234,5" are sure, "1,234" alone is not. Sets
+// shape.decimal. Throws Error with name:line where both are possible.
+void find_decimal(const std::string& name, const LogRecipe& recipe, LogShape& shape);
 
 }  // namespace ballbar

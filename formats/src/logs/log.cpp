@@ -32,24 +32,9 @@ constexpr double kSentinels[] = {-999.0,  -9999.0, -99999.0, -999.9,   -999.99, 
                                  -99.99,  -273.15, 999.9,    9999.0,   9999.9,  99999.0, 32767.0,
                                  65535.0, 3276.7,  6553.5,   -32768.0, -1e6,    1e6,     -3276.8};
 
-struct Extremes {
-  double least = std::numeric_limits<double>::infinity(), most = -std::numeric_limits<double>::infinity();
-};
-
-template <class Counts>
-Extremes extremes(const std::vector<double>& values, Counts counts) {
-  Extremes found;
-  for (const double value : values) {
-    if (!std::isfinite(value) || !counts(value)) continue;
-    found.least = std::min(found.least, value);
-    found.most = std::max(found.most, value);
-  }
-  return found;
-}
-
 // Takes out what stands for no value; returns what it was and how often.
 std::string take_sentinels(std::vector<double>& values) {
-  std::string said;
+  std::string found;
   const auto take_out = [&](auto is_none) {
     std::size_t count = 0;
     double example = 0.0;
@@ -59,10 +44,10 @@ std::string take_sentinels(std::vector<double>& values) {
       value = kGap;
       ++count;
     }
-    if (count > 0) said += fmt::format("{}{} times {:g}", said.empty() ? "" : ", ", count, example);
+    if (count > 0) found += fmt::format("{}{} times {:g}", found.empty() ? "" : ", ", count, example);
   };
   for (int side = 0; side < 4; ++side) {
-    const Extremes all = extremes(values, [](double) { return true; });
+    const Extremes all = extremes_of(values);
     if (std::abs(all.least) >= kNoReading || std::abs(all.most) >= kNoReading) {
       take_out([](double v) { return std::abs(v) >= kNoReading; });
       continue;
@@ -75,7 +60,7 @@ std::string take_sentinels(std::vector<double>& values) {
     bool any = false;
     for (const double one : {low ? all.least : kGap, high ? all.most : kGap}) {
       if (std::isnan(one)) continue;
-      const Extremes rest = extremes(values, [&](double v) { return v != one; });
+      const Extremes rest = extremes_of(values, one);
       const double far = 3.0 * (rest.most - rest.least) + 50.0;
       if (!(one < rest.least - far || one > rest.most + far)) continue;
       take_out([&](double v) { return v == one; });
@@ -83,7 +68,7 @@ std::string take_sentinels(std::vector<double>& values) {
     }
     if (!any) break;
   }
-  return said;
+  return found;
 }
 
 // A name that can be typed: letters, digits and _; then the unit.
@@ -123,7 +108,7 @@ void expect_recipe_columns(const LogPlan& plan, const std::string& name, std::si
 }
 
 // One column of numbers in the units of a series.
-void take_column(const PlannedColumn& planned, const ColumnRecipe* told, std::vector<double>&& values, Log& log,
+void take_column(const PlannedColumn& planned, const ColumnRecipe* stated, std::vector<double>&& values, Log& log,
                  std::set<std::string>& taken) {
   LogColumn column;
   column.source = planned.source;
@@ -144,7 +129,7 @@ void take_column(const PlannedColumn& planned, const ColumnRecipe* told, std::ve
     factor = unit->factor;
     offset = unit->offset;
     if (column.unit == "K" && factor == 1.0) {
-      const Extremes range = extremes(values, [](double) { return true; });
+      const Extremes range = extremes_of(values);
       if (range.least > 150.0) {
         column.unit = "degC";
         offset = -kFreezing_K;
@@ -155,14 +140,15 @@ void take_column(const PlannedColumn& planned, const ColumnRecipe* told, std::ve
     for (double& value : values) value = value * factor + offset;
   }
   const FoundRole found = found_role(planned.name, column.unit, values);
-  column.role = told != nullptr && told->role ? *told->role : found.role;
-  column.why = told != nullptr && told->role ? "by the recipe" : found.why;
+  column.role = stated != nullptr && stated->role ? *stated->role : found.role;
+  column.why = stated != nullptr && stated->role ? "by the recipe" : found.why;
   if (column.unit.empty() && planned.unit.empty()) column.unit = found.unit;
-  if (told != nullptr && !told->name.empty()) {
-    column.name = column_name(told->name.ends_with("_" + column.unit) && !column.unit.empty()
-                                  ? std::string_view(told->name).substr(0, told->name.size() - column.unit.size() - 1)
-                                  : std::string_view(told->name),
-                              column.unit, taken);
+  if (stated != nullptr && !stated->name.empty()) {
+    column.name =
+        column_name(stated->name.ends_with("_" + column.unit) && !column.unit.empty()
+                        ? std::string_view(stated->name).substr(0, stated->name.size() - column.unit.size() - 1)
+                        : std::string_view(stated->name),
+                    column.unit, taken);
   } else {
     column.name = column_name(planned.name, column.unit, taken);
   }
@@ -207,17 +193,18 @@ void say_lines(const LogTable& table, Log& log) {
         fmt::format("{} with fewer values than columns: the rest are gaps.", lines(table.short_rows)));
 }
 
-Log log_of(LogBytes source, std::size_t bytes, const std::string& name, const LogRecipe& recipe) {
-  const LogShape shape = log_shape(source, name, recipe);
+Log log_of(const Source& source, const LogRecipe& recipe) {
+  const std::string& name = source.name();
+  const LogShape shape = log_shape(source, recipe);
   LogPlan plan = log_plan(shape, name, recipe);
   expect_recipe_columns(plan, name, std::max<std::size_t>(1, shape.header_line), recipe);
-  LogTable table = log_table(source, bytes, shape, plan, name, recipe);
+  LogTable table = log_table(source, shape, plan, recipe);
   if (table.rows < 2) {
     throw Error(fmt::format("{}:{}: expected at least two rows, found {}.", name, shape.first_row_line, table.rows));
   }
   Log log;
   log.shape = shape_text(shape);
-  log.time = plan.time.said;
+  log.time = plan.time.text;
   log.first_row_line = shape.first_row_line;
   say_lines(table, log);
   std::optional<double> started_s;
@@ -231,7 +218,7 @@ Log log_of(LogBytes source, std::size_t bytes, const std::string& name, const Lo
     if (column.kind == ColumnKind::left_out) {
       log.columns.push_back({column.source, "", column.unit, "", Role::event, column.why, 0});
     } else {
-      take_column(column, told_of(recipe, column), std::move(table.values[i]), log, taken);
+      take_column(column, recipe_of_column(recipe, column), std::move(table.values[i]), log, taken);
     }
   }
   if (log.series.columns.empty())
@@ -257,7 +244,7 @@ Log read_log(std::string_view bytes, const std::string& name, const LogRecipe& r
     tabs.delimiter = '\t';
     Log log = [&] {
       try {
-        return log_of(LogBytes::of(text->text, text->name), text->text.size(), text->name, tabs);
+        return log_of(Source::of_text(text->name, std::move(text->text)), tabs);
       } catch (const Error& error) {
         if (text->sheet.empty()) throw;
         throw Error(fmt::format("{} In the sheet {}; --sheet names another.", error.what(), in_quotes(text->sheet)));
@@ -269,12 +256,12 @@ Log read_log(std::string_view bytes, const std::string& name, const LogRecipe& r
     log.recipe.decimal.reset();
     return log;
   }
-  return log_of(LogBytes::of(bytes, name), bytes.size(), name, recipe);
+  return log_of(Source::of_text(name, std::string(bytes)), recipe);
 }
 
 Log open_log(const Source& source, const LogRecipe& recipe) {
   if (is_table_file(source.head(512))) return read_log(source.bytes(kLargestTable), source.name(), recipe);
-  Log log = log_of(LogBytes::of(source), source.size(), source.name(), recipe);
+  Log log = log_of(source, recipe);
   source.close();
   return log;
 }
@@ -284,8 +271,6 @@ std::optional<double> seconds_of_stamp(std::string_view started) {
   if (!stamp || !stamp->day || !stamp->clock_s) return std::nullopt;
   return static_cast<double>(*stamp->day) * 86400.0 + *stamp->clock_s;
 }
-
-std::string stamp_of_seconds(double seconds) { return stamp_text(seconds); }
 
 std::string sentence_of(const Log& log) {
   std::array<std::size_t, 10> roles{};

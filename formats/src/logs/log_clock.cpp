@@ -23,12 +23,15 @@ double to_decimals(double value, double step) {
   return std::round(value * inverse) / inverse;
 }
 
+unsigned month_of(std::int64_t day) {
+  return static_cast<unsigned>(std::chrono::year_month_day(std::chrono::sys_days(std::chrono::days(day))).month());
+}
+
 // A night from Saturday to Sunday, as all changes of summer time are, between 0 and 4 h.
 bool may_change(std::int64_t day, double clock_s) {
   const std::chrono::weekday weekday{std::chrono::sys_days(std::chrono::days(day))};
   const double in_day = clock_s - std::floor(clock_s / kDay_s) * kDay_s;
-  const std::chrono::year_month_day date{std::chrono::sys_days(std::chrono::days(day))};
-  const auto month = static_cast<unsigned>(date.month());
+  const unsigned month = month_of(day);
   const bool season = month == 3 || month == 4 || (month >= 9 && month <= 11);
   return season && weekday == std::chrono::Sunday && in_day <= 4.0 * kHour_s;
 }
@@ -111,8 +114,7 @@ class Clock {
 
  private:
   static bool in_spring(std::int64_t day) {
-    const std::chrono::year_month_day date{std::chrono::sys_days(std::chrono::days(day))};
-    const auto month = static_cast<unsigned>(date.month());
+    const unsigned month = month_of(day);
     return month == 3 || month == 4 || month == 9 || month == 10;
   }
 

@@ -116,12 +116,12 @@ void plan_values(const std::vector<ColumnSample>& samples, const LogRecipe& reci
     PlannedColumn& column = plan.columns[i];
     if (column.kind != ColumnKind::left_out) continue;
     const ColumnSample& sample = samples[i];
-    const ColumnRecipe* const told = told_of(recipe, column);
-    if (told != nullptr && told->left_out) {
+    const ColumnRecipe* const stated = recipe_of_column(recipe, column);
+    if (stated != nullptr && stated->left_out) {
       column.why = "left out by the recipe";
-    } else if (told != nullptr && !told->unit.empty()) {
+    } else if (stated != nullptr && !stated->unit.empty()) {
       column.kind = ColumnKind::number;
-      column.unit = told->unit;
+      column.unit = stated->unit;
     } else if (sample.written() == 0) {
       const bool headed = column.headed;
       column.kind = headed ? ColumnKind::number : ColumnKind::left_out;  // empty: of a separator at the end of the line
@@ -147,7 +147,7 @@ bool is_of(const ColumnRecipe& recipe, const PlannedColumn& column) {
   return recipe.source == column.source || recipe.source == column.name;
 }
 
-const ColumnRecipe* told_of(const LogRecipe& recipe, const PlannedColumn& column) {
+const ColumnRecipe* recipe_of_column(const LogRecipe& recipe, const PlannedColumn& column) {
   const auto found = std::find_if(recipe.columns.begin(), recipe.columns.end(),
                                   [&](const ColumnRecipe& one) { return is_of(one, column); });
   return found == recipe.columns.end() ? nullptr : &*found;

@@ -36,7 +36,7 @@ struct TimePlan {
   bool minutes_and_seconds = false;     // stamps without hours
   bool two_fields_are_minutes = false;  // 05:10 is five minutes, as the header says
   double milli_s = 1e-3;                // of the column behind a clock
-  std::string said;                     // "Zeit, dd.mm.yyyy hh:mm:ss"
+  std::string text;                     // "Zeit, dd.mm.yyyy hh:mm:ss"
 };
 
 struct LogPlan {
@@ -48,7 +48,7 @@ struct LogPlan {
 bool is_of(const ColumnRecipe& recipe, const PlannedColumn& column);
 
 // What the recipe says of the column; nullptr: nothing.
-const ColumnRecipe* told_of(const LogRecipe& recipe, const PlannedColumn& column);
+const ColumnRecipe* recipe_of_column(const LogRecipe& recipe, const PlannedColumn& column);
 
 // Throws Error with name:line where the time cannot be told.
 LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe& recipe);

@@ -128,23 +128,9 @@ bool says(const std::string& key, const std::string_view (&words)[kSize]) {
   });
 }
 
-struct Range {
-  double least = std::numeric_limits<double>::infinity(), most = -std::numeric_limits<double>::infinity();
-};
-
-Range range_of(std::span<const double> values) {
-  Range range;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    range.least = std::min(range.least, value);
-    range.most = std::max(range.most, value);
-  }
-  return range;
-}
-
 // Held for many rows at round numbers of at least 200, never below 0: a spindle's programme.
 bool moves_as_speed(std::span<const double> values) {
-  const Range range = range_of(values);
+  const Extremes range = extremes_of(values);
   if (!(range.least >= 0.0 && range.most >= 200.0 && range.most <= 100000.0 && range.most - range.least >= 200.0))
     return false;
   std::size_t held = 0, round = 0, rows = 0;
@@ -168,6 +154,17 @@ FoundRole temperature_role(const std::string& key) {
 
 }  // namespace
 
+Extremes extremes_of(std::span<const double> values, double but) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  Extremes found{kInfinite, -kInfinite};
+  for (const double value : values) {
+    if (!std::isfinite(value) || value == but) continue;
+    found.least = std::min(found.least, value);
+    found.most = std::max(found.most, value);
+  }
+  return found;
+}
+
 FoundRole found_role(std::string_view name, std::string_view unit, std::span<const double> values) {
   const std::string key = folded(name);
   if (unit == "degC" || unit == "K") return temperature_role(key);
@@ -179,7 +176,7 @@ FoundRole found_role(std::string_view name, std::string_view unit, std::span<con
   }
   if (unit == "urad") return {Role::measured, "by its unit", ""};
   if (unit == "um" || unit == "mm") {
-    const Range range = range_of(values);
+    const Extremes range = extremes_of(values);
     const double one = unit == "mm" ? 1e3 : 1.0;
     const double travel_um = (range.most - range.least) * one;
     const double far_um = std::max(std::abs(range.most), std::abs(range.least)) * one;
@@ -191,7 +188,7 @@ FoundRole found_role(std::string_view name, std::string_view unit, std::span<con
   }
   if (!unit.empty()) return {Role::event, "", ""};
   // Without a unit.
-  const Range range = range_of(values);
+  const Extremes range = extremes_of(values);
   const bool temperature = says(key, kTemperature) || says(key, kCoolant) || says(key, kBearing) || says(key, kAmbient);
   if (says(key, kTemperature) || (temperature && !says(key, kLoad) && !says(key, kSpeed))) {
     if (range.least > -40.0 && range.least < 45.0 && range.most < 150.0) {

@@ -1,6 +1,7 @@
 // What a column stands for, by its name in the languages of machine shops, and by how it moves.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,12 @@ struct FoundRole {
   std::string why;   // "by its name", "by its unit", "moves in steps of round numbers, as a speed"
   std::string unit;  // that the role alone tells: "rpm" of a speed without a unit; else empty
 };
+
+// Of the values that are finite and not `but`; of none infinite.
+struct Extremes {
+  double least, most;
+};
+Extremes extremes_of(std::span<const double> values, double but = std::numeric_limits<double>::quiet_NaN());
 
 // `unit`: canonical, may be empty. `values`: in it.
 FoundRole found_role(std::string_view name, std::string_view unit, std::span<const double> values);

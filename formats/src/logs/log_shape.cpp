@@ -9,7 +9,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
-#include "logs/decimal_sign.hpp"
+#include "logs/column_sample.hpp"
 #include "logs/log_cells.hpp"
 #include "logs/log_sources.hpp"
 #include "logs/log_units.hpp"
@@ -100,13 +100,13 @@ Cut cut_by(const std::vector<HeadLine>& lines, char delimiter, std::size_t fewes
   };
   for (std::size_t i = 0; i < looks.size(); ++i) {
     if (!suits(looks[i])) continue;
-    std::size_t seen = 0, good = 0;  // a row among lines of text is one of the preamble
-    for (std::size_t k = i + 1; k < looks.size() && seen < 4; ++k) {
+    std::size_t rows = 0, good = 0;  // a row among lines of text is one of the preamble
+    for (std::size_t k = i + 1; k < looks.size() && rows < 4; ++k) {
       if (looks[k].cells == 0) continue;
-      ++seen;
+      ++rows;
       good += suits(looks[k]);
     }
-    if (good + 1 < seen) continue;
+    if (good + 1 < rows) continue;
     cut.first = i;
     return cut;
   }
@@ -264,10 +264,10 @@ void expect_no_decimal_delimiter(const std::string& name, const LogShape& shape,
       name, lines[cut.first].number, headers, header_line, cells.size()));
 }
 
-std::vector<HeadLine> head_lines(LogBytes& source, const TextEncoding& encoding, std::size_t& bytes) {
+std::vector<HeadLine> head_lines(const Source& source, const TextEncoding& encoding) {
   std::vector<HeadLine> lines;
   LogLines text(source, encoding);
-  bytes = 0;
+  std::size_t bytes = 0;
   while (lines.size() < kMostHeadLines && bytes < kHead && text.next(true)) {
     lines.push_back({std::string(text.line()), text.number()});
     bytes += text.line().size() + 1;
@@ -291,30 +291,20 @@ Cut best_cut(const std::vector<HeadLine>& lines, const LogRecipe& recipe) {
 bool holds_table(std::string_view head) {
   const TextEncoding encoding = encoding_of(head);
   if (head.empty() || encoding.name.empty()) return false;
-  LogBytes source = LogBytes::of(head, {});
-  std::size_t bytes = 0;
-  const std::vector<HeadLine> lines = head_lines(source, encoding, bytes);
-  return best_cut(lines, {}).score > 0.0;
+  return best_cut(head_lines(Source::of_text({}, std::string(head)), encoding), {}).score > 0.0;
 }
 
-LogShape log_shape(LogBytes& source, const std::string& name, const LogRecipe& recipe) {
+LogShape log_shape(const Source& source, const LogRecipe& recipe) {
   LogShape shape;
-  source.rewind();
-  std::string head(std::size_t{1} << 16, '\0');
-  std::size_t size = 0;
-  for (std::size_t count = 1; size < head.size() && count > 0; size += count) {
-    count = source.read(head.data() + size, head.size() - size);
-  }
-  head.resize(size);
+  const std::string& name = source.name();
+  const std::string head = source.head(kHeadBytes);
   if (head.empty()) throw Error(fmt::format("{}:1: expected a table of numbers over time, found an empty file.", name));
   shape.encoding = encoding_of(head);
   if (shape.encoding.name.empty()) {
     throw Error(
         fmt::format("{}:1: expected text, a workbook (.xlsx) or a .mat file, found another binary file.", name));
   }
-  std::size_t bytes = 0;
-  const std::vector<HeadLine> lines = head_lines(source, shape.encoding, bytes);
-
+  const std::vector<HeadLine> lines = head_lines(source, shape.encoding);
   const Cut best = best_cut(lines, recipe);
   if (best.score == 0.0) {
     throw Error(fmt::format(

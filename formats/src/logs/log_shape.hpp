@@ -34,6 +34,6 @@ struct LogShape {
 bool holds_table(std::string_view head);
 
 // By the first MiB. Throws Error with name:line where no table is found or two readings are possible.
-LogShape log_shape(LogBytes& source, const std::string& name, const LogRecipe& recipe);
+LogShape log_shape(const Source& source, const LogRecipe& recipe);
 
 }  // namespace ballbar

@@ -7,12 +7,16 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "logs/mat_table.hpp"
-#include "logs/workbook.hpp"
 #include "text/json_source.hpp"
 
 namespace ballbar {
 namespace {
+
+bool is_workbook(std::string_view head) { return head.starts_with("PK\x03\x04"); }  // a zip archive
+
+bool is_mat_file(std::string_view head) {
+  return head.starts_with("MATLAB 5.0 MAT-file") || head.starts_with("MATLAB 7.3 MAT-file");
+}
 
 bool is_json(std::string_view head) {
   if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
@@ -53,11 +57,11 @@ bool is_columns(const nlohmann::json& value) {
 }
 
 std::string text_of_rows(const nlohmann::json& rows) {
-  std::set<std::string> seen;
+  std::set<std::string> known;
   std::vector<std::string> keys;
   for (const auto& row : rows) {
     for (const auto& [key, member] : row.items()) {
-      if (is_flat(member) && seen.insert(key).second) keys.push_back(key);
+      if (is_flat(member) && known.insert(key).second) keys.push_back(key);
     }
   }
   std::string text;

@@ -23,6 +23,18 @@ struct TableText {
 // In one cell: no tab, no line end, no quote.
 std::string as_cell(std::string_view text);
 
+// The vectors of a MATLAB file (.mat v5 to v7.3), by matio; in a build without it (BALLBAR_MAT=OFF) an Error says what
+// to install. Vectors and matrices of numbers, also those in structs, of the length that most of them have; a matrix is
+// a column each, named by a cell array of as many texts where there is one. The file is read in a process of its own:
+// what is damaged cannot take this one along. Throws Error.
+TableText mat_table(std::string_view bytes, const std::string& name);
+
+// A sheet of a workbook, .xlsx (ECMA-376); in a build without libzip (BALLBAR_XLSX=OFF) an Error says what to install.
+// `sheet`: its name, or its number from 1; empty: the first. Cells are taken as the values they show: a formula by what
+// was stored of it, dates and percentages by their formats; links to other files are never followed. Throws Error: no
+// workbook, no such sheet, above 256 MiB when unpacked.
+TableText workbook_table(std::string_view bytes, const std::string& name, const std::string& sheet);
+
 bool is_table_file(std::string_view head);  // by its first bytes
 
 // Nullopt for all that is_table_file does not know. Throws Error.

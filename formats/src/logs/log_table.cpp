@@ -67,7 +67,7 @@ class Table {
     row_.resize(plan.columns.size(), kGap);
   }
 
-  void read(LogBytes& source) {
+  void read(const Source& source) {
     LogLines lines(source, shape_.encoding);
     bool expected_next = false;
     std::size_t last_line = 0;
@@ -279,9 +279,9 @@ std::size_t LogTable::line_of(std::size_t row) const {
   return at.second + (row - at.first);
 }
 
-LogTable log_table(LogBytes& source, std::size_t bytes, const LogShape& shape, LogPlan& plan, const std::string& name,
-                   const LogRecipe& recipe) {
-  const std::size_t text_bytes = shape.encoding.name.starts_with("UTF-16") ? bytes / 2 : bytes;
+LogTable log_table(const Source& source, const LogShape& shape, LogPlan& plan, const LogRecipe& recipe) {
+  const std::string& name = source.name();
+  const std::size_t text_bytes = source.size() / (shape.encoding.name.starts_with("UTF-16") ? 2 : 1);
   const std::size_t rows = text_bytes / shape.bytes_a_row + text_bytes / shape.bytes_a_row / 32 + 16;
   for (;;) {
     Table table(shape, plan, name, recipe, rows);

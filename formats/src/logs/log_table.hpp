@@ -27,7 +27,6 @@ struct LogTable {
 };
 
 // Throws Error with name:line where a cell is no number, a row has too many cells, or dates can be read in two ways.
-LogTable log_table(LogBytes& source, std::size_t bytes, const LogShape& shape, LogPlan& plan, const std::string& name,
-                   const LogRecipe& recipe);
+LogTable log_table(const Source& source, const LogShape& shape, LogPlan& plan, const LogRecipe& recipe);
 
 }  // namespace ballbar

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
@@ -66,14 +67,6 @@ std::string utf16_by_nuls(std::string_view head) {
 }
 
 }  // namespace
-
-LogBytes LogBytes::of(const Source& source) {
-  return {[source](std::size_t at, char* to, std::size_t most) { return source.read(at, to, most); }, source.name()};
-}
-
-LogBytes LogBytes::of(std::string_view bytes, const std::string& name) {
-  return {[bytes](std::size_t at, char* to, std::size_t most) { return bytes.copy(to, most, at); }, name};
-}
 
 TextEncoding encoding_of(std::string_view head) {
   if (head.starts_with("\xEF\xBB\xBF")) return {"UTF-8", 3};
@@ -139,15 +132,8 @@ struct LogLines::Decoder {
   std::string kept;
 };
 
-LogLines::LogLines(LogBytes& source, const TextEncoding& encoding) : source_(&source) {
-  source.rewind();
+LogLines::LogLines(Source source, const TextEncoding& encoding) : source_(std::move(source)), read_(encoding.mark) {
   if (encoding.name != "UTF-8") decoder_ = std::make_unique<Decoder>(encoding.name);
-  char mark[4];
-  for (std::size_t skipped = 0; skipped < encoding.mark;) {
-    const std::size_t count = source.read(mark, encoding.mark - skipped);
-    if (count == 0) break;
-    skipped += count;
-  }
 }
 
 LogLines::~LogLines() = default;
@@ -159,12 +145,14 @@ bool LogLines::refill() {
   const std::size_t before = buffer_.size();
   if (decoder_) {
     std::string bytes(kBlock, '\0');
-    bytes.resize(source_->read(bytes.data(), bytes.size()));
+    bytes.resize(source_.read(read_, bytes.data(), bytes.size()));
+    read_ += bytes.size();
     ended_ = bytes.empty();
     decoder_->append(bytes, ended_, buffer_);
   } else {
     buffer_.resize(before + kBlock);
-    buffer_.resize(before + source_->read(buffer_.data() + before, kBlock));
+    buffer_.resize(before + source_.read(read_, buffer_.data() + before, kBlock));
+    read_ += buffer_.size() - before;
     ended_ = buffer_.size() == before;
   }
   const auto fresh = buffer_.begin() + static_cast<std::ptrdiff_t>(before);
@@ -188,7 +176,7 @@ bool LogLines::next(bool quotes) {
     if (end == nullptr) {
       if (buffer_.size() - at_ > kLongestLine) {
         throw Error(
-            fmt::format("{}:{}: expected lines of at most 4 MiB, found a longer one.", source_->name(), lines_ + 1));
+            fmt::format("{}:{}: expected lines of at most 4 MiB, found a longer one.", source_.name(), lines_ + 1));
       }
       const std::size_t done = searched - at_;
       if (refill()) {

@@ -2,39 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "ballbar/formats/text/source.hpp"
 
 namespace ballbar {
-
-// Bytes that can be read twice: of a file, or in memory.
-class LogBytes {
- public:
-  static LogBytes of(const Source& source);
-  static LogBytes of(std::string_view bytes, const std::string& name);  // which outlive it
-
-  // 0: the end. Throws Error.
-  std::size_t read(char* to, std::size_t most) {
-    const std::size_t count = read_(at_, to, most);
-    at_ += count;
-    return count;
-  }
-  void rewind() { at_ = 0; }
-  [[nodiscard]] const std::string& name() const { return name_; }  // stands in messages
-
- private:
-  using Read = std::function<std::size_t(std::size_t at, char* to, std::size_t most)>;
-  LogBytes(Read read, std::string name) : read_(std::move(read)), name_(std::move(name)) {}
-
-  Read read_;
-  std::size_t at_ = 0;
-  std::string name_;
-};
 
 // "UTF-8", "UTF-16LE", "UTF-16BE", "WINDOWS-1252", "GB18030", "SHIFT_JIS", as iconv knows them, by the first bytes: a
 // byte order mark; NULs at every other place; what is UTF-8; pairs of bytes as Chinese and Japanese have them; else
@@ -48,7 +22,7 @@ TextEncoding encoding_of(std::string_view head);
 // Lines in UTF-8. A quoted cell may hold line ends: it is one line then. Views are valid until the next call.
 class LogLines {
  public:
-  LogLines(LogBytes& source, const TextEncoding& encoding);
+  LogLines(Source source, const TextEncoding& encoding);
   ~LogLines();
   LogLines(const LogLines&) = delete;
   LogLines& operator=(const LogLines&) = delete;
@@ -62,7 +36,8 @@ class LogLines {
  private:
   bool refill();
 
-  LogBytes* source_;
+  Source source_;
+  std::size_t read_ = 0;  // bytes of the source
   struct Decoder;
   std::unique_ptr<Decoder> decoder_;
   std::string buffer_;

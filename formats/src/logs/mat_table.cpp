@@ -1,5 +1,3 @@
-#include "logs/mat_table.hpp"
-
 #include <fcntl.h>
 #include <fmt/compile.h>
 #include <fmt/format.h>
@@ -20,6 +18,7 @@
 
 #include "ballbar/error.hpp"
 #include "logs/log_sources.hpp"
+#include "text/located_text.hpp"
 
 namespace ballbar {
 namespace {
@@ -56,41 +55,18 @@ void append(const void* data, std::size_t begin, std::size_t end, std::vector<do
 }
 
 bool append_numbers(const matvar_t* variable, std::size_t begin, std::size_t end, std::vector<double>& to) {
-  const void* const data = variable->data;
-  switch (variable->data_type) {
-    case MAT_T_DOUBLE:
-      append<double>(data, begin, end, to);
-      return true;
-    case MAT_T_SINGLE:
-      append<float>(data, begin, end, to);
-      return true;
-    case MAT_T_INT8:
-      append<std::int8_t>(data, begin, end, to);
-      return true;
-    case MAT_T_UINT8:
-      append<std::uint8_t>(data, begin, end, to);
-      return true;
-    case MAT_T_INT16:
-      append<std::int16_t>(data, begin, end, to);
-      return true;
-    case MAT_T_UINT16:
-      append<std::uint16_t>(data, begin, end, to);
-      return true;
-    case MAT_T_INT32:
-      append<std::int32_t>(data, begin, end, to);
-      return true;
-    case MAT_T_UINT32:
-      append<std::uint32_t>(data, begin, end, to);
-      return true;
-    case MAT_T_INT64:
-      append<std::int64_t>(data, begin, end, to);
-      return true;
-    case MAT_T_UINT64:
-      append<std::uint64_t>(data, begin, end, to);
-      return true;
-    default:
-      return false;
-  }
+  using Append = void (*)(const void* data, std::size_t begin, std::size_t end, std::vector<double>& to);
+  constexpr std::pair<matio_types, Append> kTypes[] = {
+      {MAT_T_DOUBLE, append<double>},      {MAT_T_SINGLE, append<float>},
+      {MAT_T_INT8, append<std::int8_t>},   {MAT_T_UINT8, append<std::uint8_t>},
+      {MAT_T_INT16, append<std::int16_t>}, {MAT_T_UINT16, append<std::uint16_t>},
+      {MAT_T_INT32, append<std::int32_t>}, {MAT_T_UINT32, append<std::uint32_t>},
+      {MAT_T_INT64, append<std::int64_t>}, {MAT_T_UINT64, append<std::uint64_t>}};
+  const auto* const type = std::find_if(std::begin(kTypes), std::end(kTypes),
+                                        [&](const auto& one) { return one.first == variable->data_type; });
+  if (type == std::end(kTypes)) return false;
+  type->second(variable->data, begin, end, to);
+  return true;
 }
 
 std::string text_of(const matvar_t* variable) {
@@ -101,13 +77,10 @@ std::string text_of(const matvar_t* variable) {
     const bool wide = variable->data_type == MAT_T_UINT16 || variable->data_type == MAT_T_UTF16;
     const unsigned code = wide ? static_cast<const std::uint16_t*>(variable->data)[i]
                                : static_cast<const unsigned char*>(variable->data)[i];
-    if (code < 0x80 || !wide)
-      text += static_cast<char>(code);
-    else if (code < 0x800)
-      text += {static_cast<char>(0xC0 | (code >> 6)), static_cast<char>(0x80 | (code & 0x3F))};
+    if (wide)
+      append_utf8(text, code);
     else
-      text += {static_cast<char>(0xE0 | (code >> 12)), static_cast<char>(0x80 | ((code >> 6) & 0x3F)),
-               static_cast<char>(0x80 | (code & 0x3F))};
+      text += static_cast<char>(code);
   }
   return text;
 }
@@ -244,14 +217,6 @@ struct Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
   int number;
 };
-
-}  // namespace
-
-bool is_mat_file(std::string_view head) {
-  return head.starts_with("MATLAB 5.0 MAT-file") || head.starts_with("MATLAB 7.3 MAT-file");
-}
-
-namespace {
 
 // Of a v5 file: its elements, each with its length in front, fill it to the end. matio reads half a file as zeros.
 bool is_whole(std::string_view bytes) {

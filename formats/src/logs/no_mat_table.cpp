@@ -2,13 +2,9 @@
 #include <fmt/format.h>
 
 #include "ballbar/error.hpp"
-#include "logs/mat_table.hpp"
+#include "logs/log_sources.hpp"
 
 namespace ballbar {
-
-bool is_mat_file(std::string_view head) {
-  return head.starts_with("MATLAB 5.0 MAT-file") || head.starts_with("MATLAB 7.3 MAT-file");
-}
 
 TableText mat_table(std::string_view, const std::string& name) {
   throw Error(

@@ -2,11 +2,9 @@
 #include <fmt/format.h>
 
 #include "ballbar/error.hpp"
-#include "logs/workbook.hpp"
+#include "logs/log_sources.hpp"
 
 namespace ballbar {
-
-bool is_workbook(std::string_view head) { return head.starts_with("PK\x03\x04"); }
 
 TableText workbook_table(std::string_view, const std::string& name, const std::string&) {
   throw Error(fmt::format(

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "ballbar/formats/logs/log.hpp"
 #include "logs/time_stamp.hpp"
 
 namespace ballbar {

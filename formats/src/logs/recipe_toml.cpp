@@ -6,7 +6,6 @@
 #include <iterator>
 #include <utility>
 
-#include "series/role_choice.hpp"
 #include "text/toml_source.hpp"
 
 namespace ballbar {
@@ -68,8 +67,7 @@ LogRecipe read_recipe(std::string_view bytes, std::string_view name) {
   const TomlSource source = parse_toml(bytes, name);
   const TomlTable root = root_of(source);
   expect_keys(root, kRootKeys);
-  const std::string_view formats[] = {kFormat};
-  if (!choice_index(root, "format", formats)) fail_missing(root, "format");
+  expect_format(root, kFormat);
   LogRecipe recipe;
   recipe.sheet = string(root, "sheet").value_or("");
   recipe.delimiter = sign(root, "delimiter", kDelimiterNames);

@@ -108,7 +108,7 @@ class TimeFinder {
   // Seconds since 1970 and days since 1899 or year 0 of a plausible date; how long a unit of it is.
   struct Absolute {
     double unit_s, zero_s, resolution_s;
-    std::string_view said;
+    std::string_view text;
   };
   static std::optional<Absolute> absolute(const ColumnSample& sample) {
     if (sample.values.size() < 2 || !sample.rises || !sample.ever_rises) return std::nullopt;
@@ -162,7 +162,7 @@ class TimeFinder {
   void by_rows(double every_s, std::string_view from) {
     plan_.time.kind = TimePlan::Kind::rows;
     plan_.time.every_s = every_s;
-    plan_.time.said = fmt::format("rows every {:g} s, by {}", every_s, from);
+    plan_.time.text = fmt::format("rows every {:g} s, by {}", every_s, from);
   }
 
   void of_column(std::size_t i) {
@@ -189,7 +189,7 @@ class TimeFinder {
       time.unit_s = dated->unit_s;
       time.zero_s = dated->zero_s;
       time.resolution_s = dated->resolution_s;
-      time.said = fmt::format("{}, {}", in_quotes(column.source), dated->said);
+      time.text = fmt::format("{}, {}", in_quotes(column.source), dated->text);
       return;
     }
     const auto unit_s = unit_of_number(i);
@@ -198,7 +198,7 @@ class TimeFinder {
     }
     time.unit_s = *unit_s;
     time.resolution_s = *unit_s == 1.0 ? 0.0 : 1e-9;
-    time.said = fmt::format("{} in {}", in_quotes(column.source),
+    time.text = fmt::format("{} in {}", in_quotes(column.source),
                             recipe_.time_unit.empty() ? folded_unit(column.unit) : recipe_.time_unit);
   }
 
@@ -228,7 +228,7 @@ class TimeFinder {
                                                                samples_[i].minutes_and_seconds == samples_[i].clocks);
     plan_.columns[i].kind = ColumnKind::stamp;
     decide_order(samples_[i]);
-    time.said = in_quotes(plan_.columns[i].source);
+    time.text = in_quotes(plan_.columns[i].source);
     find_milli(i);
   }
 
@@ -236,7 +236,7 @@ class TimeFinder {
     of_stamp(date);
     plan_.columns[date].kind = ColumnKind::date;
     plan_.columns[clock].kind = ColumnKind::clock;
-    plan_.time.said =
+    plan_.time.text =
         fmt::format("{} and {}", in_quotes(plan_.columns[date].source), in_quotes(plan_.columns[clock].source));
     find_milli(clock);
   }
@@ -256,7 +256,7 @@ class TimeFinder {
     if (!(named || micro) || !suits) return;
     if (micro) plan_.time.milli_s = 1e-6;
     next.kind = ColumnKind::milli;
-    plan_.time.said += fmt::format(" and {}", in_quotes(next.source));
+    plan_.time.text += fmt::format(" and {}", in_quotes(next.source));
   }
 
   const LogShape& shape_;

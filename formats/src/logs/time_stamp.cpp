@@ -1,5 +1,6 @@
 #include "logs/time_stamp.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +8,10 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <utility>
 
+#include "ballbar/formats/logs/log.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"
 
@@ -304,10 +307,6 @@ void skip_weekday(Cursor& cursor) {
   cursor = ahead;
 }
 
-}  // namespace
-
-namespace {
-
 // A time since a start: "0.5 sec", "12 min", "0 days 00:00:30", "1.02:30:00".
 std::optional<TimeStamp> elapsed_time(std::string_view text) {
   TimeStamp stamp;
@@ -387,14 +386,10 @@ std::optional<TimeStamp> time_stamp(std::string_view text, DateOrder order) {
 }
 
 std::string stamp_text(double seconds) {
-  const double day = std::floor(seconds / 86400.0);
-  const std::chrono::year_month_day date{std::chrono::sys_days(std::chrono::days(static_cast<std::int64_t>(day)))};
-  const auto milli = static_cast<std::int64_t>(std::llround((seconds - day * 86400.0) * 1e3));
-  const std::int64_t whole = milli / 1000;
-  std::string text = fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}", static_cast<int>(date.year()),
-                                 static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), whole / 3600,
-                                 whole / 60 % 60, whole % 60);
-  if (milli % 1000 != 0) text += fmt::format(".{:03}", milli % 1000);
+  const double whole_s = std::floor(std::round(seconds * 1e3) / 1e3);
+  const auto milli = std::llround((seconds - whole_s) * 1e3);
+  std::string text = fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(static_cast<std::time_t>(whole_s)));
+  if (milli != 0) text += fmt::format(".{:03}", milli);
   return text;
 }
 

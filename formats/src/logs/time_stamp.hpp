@@ -30,7 +30,4 @@ struct TimeStamp {
 // digits is of 1970 to 2069. Dots: the day is first. `order` tells 03/04/2026.
 std::optional<TimeStamp> time_stamp(std::string_view text, DateOrder order);
 
-// "2026-11-22T13:05:10", with a fraction where there is one, of seconds since 1970 without a zone.
-std::string stamp_text(double seconds);
-
 }  // namespace ballbar

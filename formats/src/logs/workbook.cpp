@@ -1,5 +1,3 @@
-#include "logs/workbook.hpp"
-
 #include <fmt/format.h>
 #include <zip.h>
 
@@ -167,19 +165,19 @@ Workbook workbook_of(zip_t* archive, const std::string& name) {
   return workbook;
 }
 
-const Sheet& chosen(const Workbook& workbook, const std::string& wanted, const std::string& name) {
-  if (wanted.empty()) return workbook.sheets.front();
+const Sheet& chosen(const Workbook& workbook, const std::string& sheet_name, const std::string& name) {
+  if (sheet_name.empty()) return workbook.sheets.front();
   std::vector<std::string_view> known;
   for (const Sheet& sheet : workbook.sheets) {
-    if (sheet.name == wanted) return sheet;
+    if (sheet.name == sheet_name) return sheet;
     known.emplace_back(sheet.name);
   }
   std::size_t number = 0;
-  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-  const bool whole = error == std::errc{} && end == wanted.data() + wanted.size();
+  const auto [end, error] = std::from_chars(sheet_name.data(), sheet_name.data() + sheet_name.size(), number);
+  const bool whole = error == std::errc{} && end == sheet_name.data() + sheet_name.size();
   if (whole && number >= 1 && number <= workbook.sheets.size()) return workbook.sheets[number - 1];
-  throw Error(fmt::format("{}:1: expected a sheet {}, found {} sheets; the nearest is {}.", name, in_quotes(wanted),
-                          workbook.sheets.size(), in_quotes(nearest_name(wanted, known))));
+  throw Error(fmt::format("{}:1: expected a sheet {}, found {} sheets; the nearest is {}.", name, in_quotes(sheet_name),
+                          workbook.sheets.size(), in_quotes(nearest_name(sheet_name, known))));
 }
 
 // "AB12" -> 27; nullopt where it is no place of a cell.
@@ -221,8 +219,6 @@ std::string shown(pugi::xml_node cell, const std::vector<std::string>& strings,
 }
 
 }  // namespace
-
-bool is_workbook(std::string_view head) { return head.starts_with("PK\x03\x04"); }
 
 TableText workbook_table(std::string_view bytes, const std::string& name, const std::string& sheet) {
   const Archive archive = opened(bytes, name);

@@ -7,13 +7,13 @@
 #include <ctime>
 #include <set>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/b5r.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/numerics/parallel.hpp"
+#include "machines/simulated_folder.hpp"
 
 namespace ballbar {
 namespace {
@@ -51,51 +51,14 @@ std::string fleet_b5r(const VirtualFleet& fleet, const FleetCurves& curves, cons
 std::string fleet_truth(const VirtualFleet& fleet) {
   constexpr double kFleetMonth_s = 365.25 * 86400.0 / 12.0;
   std::string text = "# SIMULATED by ballbar simulate, not measured.\nmachine,kind,from,error,amount\n";
-  for (const FleetStory& story : fleet.stories) {
-    const std::string start = fmt::format("{}-{:02},{},{}", fleet.machine_name, story.machine, name_of(story.kind),
-                                          fleet_day(fleet.started_s + std::llround(story.month * kFleetMonth_s)));
-    for (const auto& [name, amount] : story.errors) text += fmt::format("{},{},{}\n", start, name, amount);
-    if (story.kind == StoryKind::instrument)
-      text += fmt::format("{},bar {},{}\n", start, story.bar, story.bar_um_per_m);
+  for (const FleetStory& event : fleet.stories) {
+    const std::string start = fmt::format("{}-{:02},{},{}", fleet.machine_name, event.machine, name_of(event.kind),
+                                          fleet_day(fleet.started_s + std::llround(event.month * kFleetMonth_s)));
+    for (const auto& [name, amount] : event.errors) text += fmt::format("{},{},{}\n", start, name, amount);
+    if (event.kind == StoryKind::instrument)
+      text += fmt::format("{},bar {},{}\n", start, event.bar, event.bar_um_per_m);
   }
   return text;
-}
-
-void expect_free(const std::vector<std::filesystem::path>& names, const std::filesystem::path& folder,
-                 const std::filesystem::path& truth_file, bool replace) {
-  std::error_code error;
-  if (!replace && std::filesystem::exists(truth_file, error)) {
-    throw Error(
-        fmt::format("{}: expected a new file for the truth, found one; --force replaces it.", truth_file.string()));
-  }
-  if (!std::filesystem::exists(folder, error)) return;
-  if (!std::filesystem::is_directory(folder, error)) {
-    throw Error(fmt::format("{}: expected a folder, found a file.", folder.string()));
-  }
-  if (std::filesystem::is_empty(folder, error)) return;
-  if (!replace) {
-    throw Error(
-        fmt::format("{}: expected a new or an empty folder, found one that holds files; --force replaces those "
-                    "of the same names.",
-                    folder.string()));
-  }
-  const std::set<std::filesystem::path> made(names.begin(), names.end());
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    const std::filesystem::path name = entry.path().lexically_relative(folder);
-    if (entry.path().extension() != ".b5r" || made.contains(name)) continue;
-    throw Error(
-        fmt::format("{}: expected a folder whose recordings are all replaced, found {}, which would mix with "
-                    "the new ones; remove it first.",
-                    folder.string(), name.string()));
-  }
-}
-
-void make_fleet_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  if (!folder.empty()) std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw Error(fmt::format("{}: expected a folder that can be made, found: {}.", folder.string(), error.message()));
-  }
 }
 
 }  // namespace
@@ -106,12 +69,12 @@ WrittenFleet write_fleet(const VirtualFleet& fleet, const std::filesystem::path&
   const FleetCurves curves = fleet_curves(fleet);
   const std::vector<FleetTest> tests = fleet_tests(fleet, curves);
   const std::vector<std::filesystem::path> names = names_of(tests);
-  expect_free(names, folder, truth_file, replace);
+  expect_room({names.begin(), names.end()}, folder, truth_file, replace);
   std::set<std::string> machines;
   for (const FleetTest& test : tests) machines.insert(test.machine_name);
-  for (const std::string& machine : machines) make_fleet_folder(folder / machine);
+  for (const std::string& machine : machines) make_folder(folder / machine);
   in_parallel(tests.size(), [&](std::size_t i) { write_bytes(folder / names[i], fleet_b5r(fleet, curves, tests[i])); });
-  make_fleet_folder(truth_file.parent_path());
+  make_folder(truth_file.parent_path());
   write_bytes(truth_file, fleet_truth(fleet));
   return {machines.size(), tests.size()};
 }

@@ -65,11 +65,6 @@ constexpr Key kFleetStoryKeys[] = {
     {"bar_um_per_m", "um/m", "by which it measures more; default 0"},
 };
 
-template <class Value, class Read>
-void take_fleet(Value& value, const std::optional<Read>& read) {
-  if (read) value = static_cast<Value>(*read);
-}
-
 // At least 0, and at most so many.
 void take_fleet_count(std::size_t& value, const TomlTable& table, std::string_view key, std::int64_t most = 100000) {
   const std::optional<std::int64_t> read = integer(table, key);
@@ -93,8 +88,8 @@ void take_size(double& value, const TomlTable& table, std::string_view key) { ta
 
 void read_fleet_test(const TomlTable& table, VirtualFleet& fleet) {
   expect_keys(table, kFleetTestKeys);
-  take_fleet(fleet.nominal_length_mm, positive(table, "nominal_length_mm"));
-  take_fleet(fleet.feed_mm_per_min, positive(table, "feed_mm_per_min"));
+  take(fleet.nominal_length_mm, positive(table, "nominal_length_mm"));
+  take(fleet.feed_mm_per_min, positive(table, "feed_mm_per_min"));
   take_fleet_count(fleet.readings, table, "readings");
   take_size(fleet.noise_um, table, "noise_um");
   take_share(fleet.autocorrelation, table, "autocorrelation", 0.9999);
@@ -109,7 +104,7 @@ void read_fleet_scatter(const TomlTable& table, VirtualFleet& fleet) {
   take_size(fleet.bad_factor, table, "bad_factor");
   take_size(fleet.day_K, table, "day_K");
   take_size(fleet.hall_K, table, "hall_K");
-  take_fleet(fleet.scale_um_per_m_per_K, number(table, "scale_um_per_m_per_K"));
+  take(fleet.scale_um_per_m_per_K, number(table, "scale_um_per_m_per_K"));
   take_share(fleet.large_share, table, "large_share");
   take_size(fleet.large_factor, table, "large_factor");
 }
@@ -118,32 +113,32 @@ ErrorSpread read_fleet_error(const TomlTable& table) {
   expect_keys(table, kFleetErrorKeys);
   ErrorSpread error;
   error.name = required(string, table, "name");
-  take_fleet(error.mean, number(table, "mean"));
+  take(error.mean, number(table, "mean"));
   take_size(error.spread, table, "spread");
   take_size(error.scatter, table, "scatter");
   return error;
 }
 
-FleetStory read_story(const TomlTable& table) {
+FleetStory read_event(const TomlTable& table) {
   expect_keys(table, kFleetStoryKeys);
-  FleetStory story;
+  FleetStory event;
   required(integer, table, "machine");
-  take_fleet_count(story.machine, table, "machine");
-  story.kind = required_choice(
+  take_fleet_count(event.machine, table, "machine");
+  event.kind = required_choice(
       table, "kind",
       {StoryKind::wear, StoryKind::crash, StoryKind::season, StoryKind::replaced_part, StoryKind::instrument});
-  take_size(story.month, table, "month");
-  take_fleet(story.bar, string(table, "bar"));
-  take_fleet(story.bar_um_per_m, number(table, "bar_um_per_m"));
+  take_size(event.month, table, "month");
+  take(event.bar, string(table, "bar"));
+  take(event.bar_um_per_m, number(table, "bar_um_per_m"));
   if (const auto errors = subtable(table, "errors")) {
     for (const auto& [key, value] : *errors->table) {
       const std::string name(key.str());
-      story.errors[name] = required(number, *errors, name);
+      event.errors[name] = required(number, *errors, name);
     }
   }
-  if (story.kind != StoryKind::instrument && story.errors.empty()) fail_missing(table, "errors");
-  if (story.kind == StoryKind::instrument && story.bar.empty()) fail_missing(table, "bar");
-  return story;
+  if (event.kind != StoryKind::instrument && event.errors.empty()) fail_missing(table, "errors");
+  if (event.kind == StoryKind::instrument && event.bar.empty()) fail_missing(table, "bar");
+  return event;
 }
 
 }  // namespace
@@ -176,14 +171,14 @@ VirtualFleet read_fleet(std::string_view bytes, std::string_view name) {
     fail_at_key(root, "format", fmt::format("expected format = \"{}\", found \"{}\".", kFleetFormat, format));
   }
   expect_keys(root, kFleetKeys);
-  take_fleet(fleet.title, string(root, "title"));
+  take(fleet.title, string(root, "title"));
   std::size_t seed = fleet.seed;
   take_fleet_count(seed, root, "seed", std::int64_t{1} << 53);
   fleet.seed = seed;
   fleet.started_s = required(local_time_s, root, "started");
   take_fleet_count(fleet.machines, root, "machines");
   take_fleet_count(fleet.months, root, "months", 1200);
-  take_fleet(fleet.machine_name, string(root, "machine_name"));
+  take(fleet.machine_name, string(root, "machine_name"));
   if (fleet.machine_name.empty() || fleet.machine_name.find_first_of("/\\") != std::string::npos ||
       fleet.machine_name.front() == '.') {
     fail_at_key(root, "machine_name",
@@ -198,7 +193,7 @@ VirtualFleet read_fleet(std::string_view bytes, std::string_view name) {
   if (const auto table = subtable(root, "test")) read_fleet_test(*table, fleet);
   if (const auto table = subtable(root, "scatter")) read_fleet_scatter(*table, fleet);
   for (const TomlTable& table : subtables(root, "error")) fleet.errors.push_back(read_fleet_error(table));
-  for (const TomlTable& table : subtables(root, "story")) fleet.stories.push_back(read_story(table));
+  for (const TomlTable& table : subtables(root, "story")) fleet.stories.push_back(read_event(table));
   return fleet;
 }
 

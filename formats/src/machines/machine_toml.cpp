@@ -96,12 +96,6 @@ constexpr Key kFiveProbeKeys[] = {
     {"ball_offset_mm", "mm", "where along the bar the ball is, from plane 1 towards plane 2; default 0"},
 };
 
-// Keeps the default where the key is absent.
-template <class Value, class Read>
-void take(Value& value, const std::optional<Read>& read) {
-  if (read) value = static_cast<Value>(*read);
-}
-
 void take_count(std::size_t& value, const TomlTable& table, std::string_view key) {
   const std::optional<std::int64_t> read = integer(table, key);
   if (!read) return;
@@ -205,9 +199,7 @@ VirtualSignal read_signal(const TomlTable& table) {
   VirtualSignal signal;
   signal.name = required(string, table, "name");
   signal.role = role_from_unit(unit_of(signal.name));
-  take(signal.role, choice(table, "role",
-                           {Role::structure, Role::ambient, Role::coolant, Role::bearing, Role::mean_point,
-                            Role::housing, Role::speed, Role::load, Role::event, Role::measured}));
+  take(signal.role, role_choice(table, "role"));
   signal.time_s = s_from_min(required(numbers, table, "time_min"));
   signal.value = required(numbers, table, "value");
   if (signal.time_s.size() != signal.value.size()) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+#include <set>
 #include <system_error>
 
 #include "ballbar/circle/circle_fit.hpp"
@@ -15,7 +15,9 @@
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/formats/text/new_folder.hpp"
 #include "ballbar/units.hpp"
+#include "machines/simulated_folder.hpp"
 
 namespace ballbar {
 namespace {
@@ -124,22 +126,9 @@ SessionPlan plan_of(const SimulatedSession& simulated) {
   return plan;
 }
 
-fs::path new_folder_beside(const fs::path& folder) {
-  std::random_device random;
-  for (int attempt = 0;; ++attempt) {
-    fs::path temporary = folder;
-    temporary.replace_filename(fmt::format(".{}.{:08x}", folder.filename().string(), random()));
-    std::error_code error;
-    if (fs::create_directory(temporary, error)) return temporary;
-    if (error || attempt == 100) {
-      throw Error(fmt::format("{}: expected a folder to write to, found: {}.", folder.parent_path().string(),
-                              error ? error.message() : "no free name"));
-    }
-  }
-}
+}  // namespace
 
-void expect_room(const std::vector<SimulatedFile>& files, const fs::path& folder, const fs::path& truth_file,
-                 bool replace) {
+void expect_room(const std::set<fs::path>& names, const fs::path& folder, const fs::path& truth_file, bool replace) {
   if (!replace && fs::exists(truth_file)) {
     throw Error(
         fmt::format("{}: expected a new file for the truth, found one; --force replaces it.", truth_file.string()));
@@ -153,16 +142,13 @@ void expect_room(const std::vector<SimulatedFile>& files, const fs::path& folder
                     "of the same names.",
                     folder.string()));
   }
-  const auto is_new = [&](const std::string& name) {
-    return std::any_of(files.begin(), files.end(), [&](const SimulatedFile& file) { return file.name == name; });
-  };
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if ((name != "session.toml" && entry.path().extension() != ".b5r") || is_new(name)) continue;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    const fs::path name = entry.path().lexically_relative(folder);
+    if ((name != "session.toml" && entry.path().extension() != ".b5r") || names.contains(name)) continue;
     throw Error(
         fmt::format("{}: expected a folder whose recordings are all replaced, found {}, which would mix with "
                     "the new ones; remove it first.",
-                    folder.string(), name));
+                    folder.string(), name.string()));
   }
 }
 
@@ -172,8 +158,6 @@ void make_folder(const fs::path& folder) {
   if (error)
     throw Error(fmt::format("{}: expected a folder that can be made, found: {}.", folder.string(), error.message()));
 }
-
-}  // namespace
 
 std::vector<SimulatedFile> simulated_files(const SimulatedSession& simulated, bool as_b5r) {
   const Session& session = simulated.session;
@@ -224,9 +208,10 @@ std::vector<SimulatedFile> simulated_files(const SimulatedSession& simulated, bo
 
 void write_simulated(const std::vector<SimulatedFile>& files, const Series& truth, const fs::path& folder,
                      const fs::path& truth_file, bool replace) {
-  if (folder.empty()) throw Error("Expected the name of a folder to write to, found an empty one.");
-  const fs::path target = fs::absolute(folder / "").lexically_normal().parent_path();  // no trailing slash
-  expect_room(files, folder, truth_file, replace);
+  const fs::path target = folder_to_write(folder);
+  std::set<fs::path> names;
+  for (const SimulatedFile& file : files) names.insert(file.name);
+  expect_room(names, folder, truth_file, replace);
   make_folder(target.parent_path());
   const fs::path temporary = new_folder_beside(target);
   std::error_code ignored;

@@ -39,6 +39,22 @@ constexpr Key kKeys[] = {
     {"effects_before", "text", "the effects as they stood before, to the letter: `undo` puts them back"},
 };
 
+// A number of a row, which may be missing.
+struct Figure {
+  std::string_view key;
+  double LedgerRow::*member;
+  bool at_least_0 = true;
+};
+constexpr Figure kFigures[] = {{"rmse_um", &LedgerRow::rmse_um},
+                               {"times_floor", &LedgerRow::times_floor},
+                               {"held_out_um", &LedgerRow::held_out_um},
+                               {"likelihood_ratio", &LedgerRow::likelihood_ratio, false},
+                               {"threshold", &LedgerRow::threshold, false},
+                               {"best_surrogate_fall", &LedgerRow::best_surrogate_fall, false},
+                               {"forecast_um", &LedgerRow::forecast_um},
+                               {"surrogate_forecast_um", &LedgerRow::surrogate_forecast_um},
+                               {"discrepancy_um", &LedgerRow::discrepancy_um}};
+
 // Of the text without its byte order mark.
 struct Places {
   std::size_t effects = 0;         // the end of what stands before the first effect, its comments and blank lines
@@ -73,12 +89,6 @@ Places places_of(std::string_view text, const TomlTable& root) {
   return places;
 }
 
-double measure(const TomlTable& table, std::string_view key, std::optional<double> value) {
-  if (!value) return LedgerRow::kUnknown;
-  if (*value < 0.0) fail_at_key(table, key, fmt::format("expected {} of at least 0, found {}.", key, *value));
-  return *value;
-}
-
 LedgerRow row_at(const TomlTable& table, std::size_t place) {
   expect_keys(table, kKeys);
   LedgerRow row;
@@ -101,15 +111,12 @@ LedgerRow row_at(const TomlTable& table, std::size_t place) {
     fail_at_key(table, "parameters", fmt::format("expected parameters of at least 0, found {}.", parameters));
   }
   row.parameters = static_cast<std::size_t>(parameters);
-  row.rmse_um = measure(table, "rmse_um", required(number, table, "rmse_um"));
-  row.times_floor = measure(table, "times_floor", number(table, "times_floor"));
-  row.held_out_um = measure(table, "held_out_um", number(table, "held_out_um"));
-  row.likelihood_ratio = number(table, "likelihood_ratio").value_or(LedgerRow::kUnknown);
-  row.threshold = number(table, "threshold").value_or(LedgerRow::kUnknown);
-  row.best_surrogate_fall = number(table, "best_surrogate_fall").value_or(LedgerRow::kUnknown);
-  row.forecast_um = measure(table, "forecast_um", number(table, "forecast_um"));
-  row.surrogate_forecast_um = measure(table, "surrogate_forecast_um", number(table, "surrogate_forecast_um"));
-  row.discrepancy_um = measure(table, "discrepancy_um", number(table, "discrepancy_um"));
+  if (!has(table, "rmse_um")) fail_missing(table, "rmse_um");
+  for (const auto& [key, member, at_least_0] : kFigures) {
+    row.*member = number(table, key).value_or(LedgerRow::kUnknown);
+    if (!at_least_0 || !(row.*member < 0.0)) continue;
+    fail_at_key(table, key, fmt::format("expected {} of at least 0, found {}.", key, row.*member));
+  }
   row.verdict = required(string, table, "verdict");
   row.still_needed = strings(table, "still_needed").value_or(std::vector<std::string>{});
   row.no_longer_needed = strings(table, "no_longer_needed").value_or(std::vector<std::string>{});
@@ -150,18 +157,10 @@ std::string row_text(const LedgerRow& row, const std::string* effects_before) {
   std::string out =
       fmt::format("[[history]]\nrevision = {}\nchange = {}\ntarget = {}\ndata = {}\nparameters = {}\n", row.revision,
                   toml_quoted(row.change), toml_quoted(row.target), list_text(row.data), row.parameters);
-  const auto known = [&](std::string_view key, double value) {
-    if (std::isfinite(value)) out += fmt::format("{} = {}\n", key, toml_number(value));
-  };
-  known("rmse_um", row.rmse_um);
-  known("times_floor", row.times_floor);
-  known("held_out_um", row.held_out_um);
-  known("likelihood_ratio", row.likelihood_ratio);
-  known("threshold", row.threshold);
-  known("best_surrogate_fall", row.best_surrogate_fall);
-  known("forecast_um", row.forecast_um);
-  known("surrogate_forecast_um", row.surrogate_forecast_um);
-  known("discrepancy_um", row.discrepancy_um);
+  for (const Figure& figure : kFigures) {
+    const double value = row.*figure.member;
+    if (std::isfinite(value)) out += fmt::format("{} = {}\n", figure.key, toml_number(value));
+  }
   out += fmt::format("verdict = {}\n", toml_quoted(row.verdict));
   if (effects_before == nullptr) return out;
   out += fmt::format("still_needed = {}\nno_longer_needed = {}\neffects_before = {}\n", list_text(row.still_needed),

@@ -248,8 +248,7 @@ std::vector<ColumnRange> trained_at(const TomlTable& root) {
 }
 
 Model model_of(const TomlTable& root, const Catalogue& catalogue) {
-  const std::string_view formats[] = {kModelFormat};
-  if (!choice_index(root, "format", formats)) fail_missing(root, "format");
+  expect_format(root, kModelFormat);
   expect_keys(root, kRootKeys);
   Model model;
   const std::string_view levels[] = {"series", "recording"};

@@ -1,8 +1,8 @@
-#include "pictures/exif_orientation.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+
+#include "pictures/picture_parts.hpp"
 
 namespace ballbar {
 namespace {

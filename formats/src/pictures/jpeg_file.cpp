@@ -1,5 +1,3 @@
-#include "pictures/jpeg_file.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -9,13 +7,13 @@
 #include <memory>
 #include <utility>
 
+#include "pictures/picture_parts.hpp"
+
 // After <cstdio>, whose names it uses.
 #include <jerror.h>
 #include <jpeglib.h>
 
 #include "ballbar/error.hpp"
-#include "pictures/damaged_picture.hpp"
-#include "pictures/exif_orientation.hpp"
 
 namespace ballbar {
 namespace {
@@ -78,7 +76,7 @@ bool finishes(Complaint& complaint, const Work& work) {
   return true;
 }
 
-std::string_view said(const Complaint& complaint) {
+std::string_view text_of(const Complaint& complaint) {
   std::string_view text(complaint.text.data());
   while (text.ends_with('.')) text.remove_suffix(1);
   return text;
@@ -105,7 +103,7 @@ Picture decoded_jpeg(std::string_view bytes, std::string_view name) {
     jpeg_save_markers(&jpeg, JPEG_APP0 + 1, 0xFFFF);
     jpeg_read_header(&jpeg, TRUE);
   });
-  if (!header_read) fail_damaged(name, said(codec.complaint));
+  if (!header_read) fail_damaged(name, text_of(codec.complaint));
   if (jpeg.jpeg_color_space == JCS_CMYK || jpeg.jpeg_color_space == JCS_YCCK) {
     throw Error(fmt::format("{}: expected a JPEG in colours of a screen, found one in colours of print (CMYK).", name));
   }
@@ -121,7 +119,7 @@ Picture decoded_jpeg(std::string_view bytes, std::string_view name) {
     }
     jpeg_finish_decompress(&jpeg);
   });
-  if (!decoded) fail_damaged(name, said(codec.complaint));
+  if (!decoded) fail_damaged(name, text_of(codec.complaint));
   return turned(std::move(picture), orientation);
 }
 
@@ -152,7 +150,7 @@ std::string encoded_jpeg(const Picture& picture, int quality) {
   });
   // What is left for it to complain of is want of memory; `bytes` then may have been freed already.
   if (!encoded) {
-    throw Error(fmt::format("a JPEG of {} by {} pixels: {}.", picture.width, picture.height, said(codec.complaint)));
+    throw Error(fmt::format("a JPEG of {} by {} pixels: {}.", picture.width, picture.height, text_of(codec.complaint)));
   }
   const std::unique_ptr<unsigned char, decltype(&std::free)> owned(bytes, &std::free);
   return {reinterpret_cast<const char*>(bytes), size};

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include "ballbar/error.hpp"
-#include "pictures/damaged_picture.hpp"
-#include "pictures/jpeg_file.hpp"
-#include "pictures/jpeg_outline.hpp"
-#include "pictures/png_file.hpp"
+#include "pictures/picture_parts.hpp"
 
 namespace ballbar {
 namespace {
+
+constexpr std::size_t kMostPixels = 50'000'000;
 
 void expect_all_values(const Picture& picture) {
   if (picture.rgb.empty() || picture.rgb.size() != 3 * picture.width * picture.height) {

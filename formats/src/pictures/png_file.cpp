@@ -1,5 +1,3 @@
-#include "pictures/png_file.hpp"
-
 #include <fmt/format.h>
 #include <spng.h>
 
@@ -9,8 +7,7 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "pictures/damaged_picture.hpp"
-#include "pictures/jpeg_outline.hpp"
+#include "pictures/picture_parts.hpp"
 
 namespace ballbar {
 namespace {

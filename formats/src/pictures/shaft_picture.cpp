@@ -140,8 +140,8 @@ void paint_shaft(Picture& picture, const FiniteVolumeSpindle& body, const Temper
   for (std::size_t column = 0; column <= box.width + 1; ++column) {
     const auto half_at = [&](std::size_t c) { return c >= 1 && c <= box.width ? half_px[c - 1] : 0; };
     const std::size_t own = half_at(column);
-    const std::size_t beside = std::max(column > 0 ? half_at(column - 1) : 0, half_at(column + 1));
-    const std::size_t reach = std::max(own == 0 ? 0 : own + 1, beside);
+    const std::size_t neighbour = std::max(column > 0 ? half_at(column - 1) : 0, half_at(column + 1));
+    const std::size_t reach = std::max(own == 0 ? 0 : own + 1, neighbour);
     for (std::size_t from_middle = own; from_middle < reach; ++from_middle) {
       paint(picture, box.x + column - 1, middle - from_middle - 1, kBlack);
       paint(picture, box.x + column - 1, middle + from_middle, kBlack);

@@ -2,6 +2,7 @@
 
 #include "recordings/b5r_date.hpp"
 #include "recordings/b5r_parts.hpp"
+#include "text/cells.hpp"
 
 namespace ballbar {
 namespace {
@@ -9,8 +10,7 @@ namespace {
 constexpr std::string_view kNotStated = "it is treated as not stated";
 
 std::string stated(std::string_view text) {
-  const std::size_t first = std::min(text.find_first_not_of(kBlank), text.size());
-  text = text.substr(first, text.find_last_not_of(kBlank) + 1 - first);
+  text = trimmed(text, kBlank);
   return std::string(text == "-" ? "" : text);
 }
 

@@ -36,8 +36,7 @@ constexpr Key kKeys[] = {
 constexpr std::string_view kOnlyOfCircles[] = {"motion", "plane", "moving_ball"};
 
 Recording header_of(const TomlTable& header) {
-  const std::string_view formats[] = {kFormat};
-  if (!choice_index(header, "format", formats)) fail_missing(header, "format");
+  expect_format(header, kFormat);
   Recording recording;
   recording.kind = required_choice(header, "kind", {Kind::circle, Kind::axial});
   if (recording.kind == Kind::circle) {
@@ -91,12 +90,9 @@ LogColumns log_columns(const SourceText& text, const TableHead& head, Kind kind)
                   circle ? " angle_deg," : "", circle ? "a circle" : "an axial", in_quotes(column.name)));
     }
   }
-  const auto expect = [&](bool present, std::string_view name) {
-    if (!present) fail_at(text, head.columns.front().offset, fmt::format("expected a column {}, found none.", name));
-  };
-  if (circle) expect(columns.angle.has_value(), "angle_deg");
-  if (!circle) expect(columns.time.has_value(), "time_s");
-  expect(columns.length || columns.deviation, "length_mm (or deviation_um)");
+  if (circle) expect_column(text, head, columns.angle.has_value(), "angle_deg");
+  if (!circle) expect_column(text, head, columns.time.has_value(), "time_s");
+  expect_column(text, head, columns.length || columns.deviation, "length_mm (or deviation_um)");
   if (columns.length && columns.deviation) {
     fail_at(text, head.columns[*columns.deviation].offset, "expected either length_mm or deviation_um, found both.");
   }
@@ -152,6 +148,11 @@ constinit const Reader readers::kLogWithoutHeader = {
         },
     .read = ReadRecordings{},
 };
+
+Recording read_ballbar_log_header(std::string_view bytes, std::string_view name) {
+  const TomlSource source = parse_toml(comment_block(source_text(bytes, name)).toml, name);
+  return header_of(root_of(source));
+}
 
 Recording read_ballbar_log(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);

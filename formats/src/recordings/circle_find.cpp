@@ -237,8 +237,8 @@ std::optional<PolarCircle> polar_circle(const ColumnTable& table, bool cut_off) 
   const std::vector<double>& values = table.columns[circle.values.front()].values;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   circle.are_lengths = *low > kLeastLength && *high - *low <= 0.2 * *high;
-  const bool said = word_of(table.columns[circle.values.front()]) == ColumnWord::deviation;
-  circle.are_lengths = circle.are_lengths && !said;
+  const bool is_deviation = word_of(table.columns[circle.values.front()]) == ColumnWord::deviation;
+  circle.are_lengths = circle.are_lengths && !is_deviation;
   return circle;
 }
 

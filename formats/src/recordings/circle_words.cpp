@@ -77,8 +77,6 @@ std::string small(std::string_view text) {
   return lower;
 }
 
-bool is_figure(char c) { return c >= '0' && c <= '9'; }
-
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 std::optional<NumberInText> number_beside(const std::string& line, Words words) {
@@ -93,9 +91,9 @@ std::optional<NumberInText> number_beside(const std::string& line, Words words) 
 // "F1000", "R50", "R = 50".
 std::optional<NumberInText> number_of_letter(const std::string& line, char letter) {
   for (std::size_t at = line.find(letter); at != std::string::npos; at = line.find(letter, at + 1)) {
-    if (at > 0 && (is_letter(line[at - 1]) || is_figure(line[at - 1]))) continue;
+    if (at > 0 && (is_letter(line[at - 1]) || is_digit(line[at - 1]))) continue;
     std::size_t next = line.find_first_not_of(" =:", at + 1);
-    if (next == std::string::npos || !is_figure(line[next])) continue;
+    if (next == std::string::npos || !is_digit(line[next])) continue;
     return number_after(line, next);
   }
   return std::nullopt;
@@ -109,6 +107,18 @@ double mm_of(const NumberInText& number) {
   return unit == "m" ? 1e3 * number.value : number.value;
 }
 
+// The unit of a column; where it has none, what of its name could be one.
+struct UnitWords {
+  explicit UnitWords(const NumberColumn& column)
+      : text(folded_unit(column.unit)), words(words_of(column.unit.empty() ? column.name : column.unit)) {}
+  bool is(std::string_view name) const {
+    return text == name || std::find(words.begin(), words.end(), name) != words.end();
+  }
+
+  std::string text;
+  std::vector<std::string> words;
+};
+
 template <class Found>
 auto first_of(const std::vector<std::string>& lines, Found found) -> decltype(found(std::string())) {
   for (std::size_t i = 0; i < std::min(lines.size(), kMostLines); ++i) {
@@ -121,7 +131,7 @@ auto first_of(const std::vector<std::string>& lines, Found found) -> decltype(fo
 
 std::optional<int> axis_of(const NumberColumn& column) {
   for (const std::string& word : words_of(column.name)) {
-    const bool alone = word.size() == 1 || (word.size() == 2 && is_figure(word[1]));
+    const bool alone = word.size() == 1 || (word.size() == 2 && is_digit(word[1]));
     if (alone && word[0] >= 'x' && word[0] <= 'z') return word[0] - 'x';
   }
   return std::nullopt;
@@ -146,27 +156,19 @@ std::optional<Direction> direction_of(const NumberColumn& column) {
 }
 
 std::optional<double> mm_per_unit(const NumberColumn& column) {
-  const std::string unit = folded_unit(column.unit);
-  const std::vector<std::string> words = words_of(column.unit.empty() ? column.name : column.unit);
-  const auto is = [&](std::string_view name) {
-    return unit == name || std::find(words.begin(), words.end(), name) != words.end();
-  };
-  if (is("mm")) return 1.0;
-  if (is("um") || is("micron") || is("microns")) return 1e-3;
-  if (is("inch") || is("in")) return 25.4;
-  if (is("nm")) return 1e-6;
-  return unit == "m" ? std::optional(1e3) : std::nullopt;
+  const UnitWords unit(column);
+  if (unit.is("mm")) return 1.0;
+  if (unit.is("um") || unit.is("micron") || unit.is("microns")) return 1e-3;
+  if (unit.is("inch") || unit.is("in")) return 25.4;
+  if (unit.is("nm")) return 1e-6;
+  return unit.text == "m" ? std::optional(1e3) : std::nullopt;
 }
 
 std::optional<double> rad_per_unit(const NumberColumn& column) {
-  const std::vector<std::string> words = words_of(column.unit.empty() ? column.name : column.unit);
-  const std::string unit = folded_unit(column.unit);
-  const auto is = [&](std::string_view name) {
-    return unit == name || std::find(words.begin(), words.end(), name) != words.end();
-  };
-  if (is("rad") || is("radian") || is("radians")) return 1.0;
-  if (is("gon")) return kPi / 200.0;
-  if (is("deg") || is("degree") || is("degrees") || is("grad")) return kPi / 180.0;
+  const UnitWords unit(column);
+  if (unit.is("rad") || unit.is("radian") || unit.is("radians")) return 1.0;
+  if (unit.is("gon")) return kPi / 200.0;
+  if (unit.is("deg") || unit.is("degree") || unit.is("degrees") || unit.is("grad")) return kPi / 180.0;
   return std::nullopt;
 }
 

@@ -38,8 +38,8 @@ std::vector<std::size_t> numeric_columns(const LogShape& shape) {
 }  // namespace
 
 ColumnTable column_table(std::string_view bytes, const std::string& name) {
-  LogBytes source = LogBytes::of(bytes, name);
-  const LogShape shape = log_shape(source, name, {});
+  const Source source = Source::of_text(name, std::string(bytes));
+  const LogShape shape = log_shape(source, {});
   const std::vector<std::size_t> places = numeric_columns(shape);
   ColumnTable table;
   for (const HeadLine& line : shape.preamble) table.preamble.push_back(line.text);
@@ -48,7 +48,6 @@ ColumnTable column_table(std::string_view bytes, const std::string& name) {
     const std::string& below = shape.units[place];
     table.columns.push_back({header.name, below.empty() ? header.unit : below, {}});
   }
-  source.rewind();
   LogLines lines(source, shape.encoding);
   std::vector<std::string_view> cells;
   std::vector<double> row(places.size());

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/recordings/ballbar_log.hpp"
 #include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "text/readers.hpp"
 
 namespace ballbar {
 namespace {
@@ -56,25 +58,17 @@ RecordingFile open_recording(const Source& source, std::span<const Reader> reade
                           known_recordings(readers), found_in(reader)));
 }
 
-bool are_of_linear_axes(const std::vector<Source>& files) {
-  bool any = false;
-  for (const Source& file : files) {
-    std::error_code error;
-    const bool is_recording = is_recording_file(file);
-    const bool is_folder = file.is_path() && std::filesystem::is_directory(file.path(), error);
-    if (!is_recording && !is_folder && !file.series() && (!file.is_file() || file.size() == 0)) {
-      continue;  // told where it is read
-    }
-    if (!is_recording) return false;
-    any = true;
-    try {
-      for (const Recording& recording : open_recording(file).recordings) {
-        if (recording.kind != Kind::circle || recording.motion != Motion::linear_axes) return false;
-      }
-    } catch (const Error&) {  // told where it is read
-    }
+bool is_of_linear_axes(const Source& file) {
+  // Only a ballbar log can be of another motion, or of a bar along the axis.
+  const Reader* const reader = file.reader();
+  if (reader == nullptr || reader->found != readers::kBallbarLog.found) return true;
+  const std::string head = file.head(kHeadBytes);
+  try {
+    const Recording header = read_ballbar_log_header(std::string_view(head).substr(0, head.rfind('\n')), file.name());
+    return header.kind == Kind::circle && header.motion == Motion::linear_axes;
+  } catch (const Error&) {
+    return true;
   }
-  return any;
 }
 
 void expect_readings(const RecordingFile& file, const std::filesystem::path& path) {

@@ -50,11 +50,11 @@ void add_folders(FoundFiles& found, std::vector<fs::path> folders) {
 // A file may be below two of the paths given.
 void expect_each_once(std::vector<fs::path>& files) {
   std::sort(files.begin(), files.end());
-  std::set<fs::path> seen;
+  std::set<fs::path> known;
   std::erase_if(files, [&](const fs::path& file) {
     std::error_code error;
     const fs::path canonical = fs::weakly_canonical(file, error);
-    return !error && !seen.insert(canonical).second;
+    return !error && !known.insert(canonical).second;
   });
 }
 

@@ -29,14 +29,14 @@ std::string one_line(std::string_view text) {
 std::string order_text(const Dwell& before, const Dwell& now) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
-  const auto beside = [](double difference_K) {
+  const auto difference = [](double difference_K) {
     return difference_K == 0.0 ? std::string("as in the data so far") : fmt::format("{:+.4g} K", difference_K);
   };
   if (now.load != before.load) {
     add(now.load == 1.0 ? "load as in the data so far" : fmt::format("load {:.4g} times that of the data", now.load));
   }
-  if (now.room_K != before.room_K) add("room " + beside(now.room_K));
-  if (now.coolant_K != before.coolant_K) add("coolant " + beside(now.coolant_K));
+  if (now.room_K != before.room_K) add("room " + difference(now.room_K));
+  if (now.coolant_K != before.coolant_K) add("coolant " + difference(now.coolant_K));
   return text;
 }
 

@@ -29,9 +29,9 @@ double number_of(std::string_view cell) {
 
 }  // namespace
 
-LiveRows::LiveRows(std::string name, std::vector<std::string> wanted)
-    : name_(std::move(name)), wanted_(std::move(wanted)) {
-  row_.values.resize(wanted_.size());
+LiveRows::LiveRows(std::string name, std::vector<std::string> columns)
+    : name_(std::move(name)), columns_(std::move(columns)) {
+  row_.values.resize(columns_.size());
 }
 
 void LiveRows::add(std::string_view bytes) {
@@ -111,7 +111,7 @@ void LiveRows::name_columns(std::string_view line) {
                      count("time_s") + count("time_min") == 0 ? in_quotes(line) : std::string("more than one")));
   }
   second_ = count("time_min") == 1 ? 60.0 : 1.0;
-  for (const std::string& name : wanted_) {
+  for (const std::string& name : columns_) {
     if (name == "time_s" || name == "time_min") {
       fail(
           fmt::format("expected signals for the model to read, found that it reads {}; in a formula time is t.", name));
@@ -123,11 +123,11 @@ void LiveRows::name_columns(std::string_view line) {
                      in_quotes(nearest_name(name, known))));
   }
   for (const std::string& name : names) {
-    const auto wanted = std::find(wanted_.begin(), wanted_.end(), name);
+    const auto column = std::find(columns_.begin(), columns_.end(), name);
     const bool is_time = name == "time_s" || name == "time_min";
-    target_.push_back(is_time                   ? kTime
-                      : wanted != wanted_.end() ? static_cast<std::size_t>(wanted - wanted_.begin())
-                                                : kOther);
+    target_.push_back(is_time                    ? kTime
+                      : column != columns_.end() ? static_cast<std::size_t>(column - columns_.begin())
+                                                 : kOther);
   }
   cells_ = names.size();
 }

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "series/role_choice.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "text/cells.hpp"
 #include "text/head.hpp"
 #include "text/readers.hpp"
@@ -271,6 +271,12 @@ std::string write_series(const Series& series) {
     text += write_rows(series, row, std::min(row + kRows, series.time_s.size()));
   }
   return text;
+}
+
+void write_series(const Series& series, const std::filesystem::path& path) {
+  write_through(path, [&](const std::filesystem::path& temporary) {
+    write_series_parts(series, series_header(series), temporary);
+  });
 }
 
 void write_series_parts(const Series& series, std::string_view header, const std::filesystem::path& path) {

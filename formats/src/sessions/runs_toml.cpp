@@ -41,8 +41,7 @@ RunsOfMachine read_run_list(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);
   const TomlSource source = parse_toml(text.bytes, name);
   const TomlTable root = root_of(source);
-  const std::string_view formats[] = {kRunsFormat};
-  if (!choice_index(root, "format", formats)) fail_missing(root, "format");
+  expect_format(root, kRunsFormat);
   expect_keys(root, kRunsKeys);
   RunsOfMachine result;
   result.title = string(root, "title").value_or("");

@@ -7,7 +7,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
-#include "ballbar/formats/recordings/stored_circles.hpp"
+#include "ballbar/formats/recordings/stored_errors.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
 #include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
@@ -74,8 +74,8 @@ Recording recording_like(const SessionPlan& plan, const fs::path& path, std::str
       (!circle || (found.motion == expected.motion && (any_plane || found.plane == expected.plane)))) {
     return found;
   }
-  const std::string wanted = circle && any_plane ? "a circle driven by spindle" : phrase(expected);
-  throw Error(fmt::format("{}: expected {} for {}, found {}.", path.string(), wanted, key, phrase(found)));
+  const std::string expected_phrase = circle && any_plane ? "a circle driven by spindle" : phrase(expected);
+  throw Error(fmt::format("{}: expected {} for {}, found {}.", path.string(), expected_phrase, key, phrase(found)));
 }
 
 SessionTest test_of(const SessionPlan& plan, const SessionPlan::Test& planned, const fs::path& folder,
@@ -141,8 +141,8 @@ SessionFiles planned_session(const Source& source, Readers readers) {
   files.files.push_back(path);
   if (files.five_probe) files.files.push_back(*files.five_probe);
   for (std::size_t i = 0; i < plan.tests.size(); ++i) {
-    const SessionPlan::Test& test = plan.tests[i];
-    for (const std::string& file : {test.c_arc, test.a_arc, test.rotation, test.axial, test.circle}) {
+    for (const SessionPlan::File& one : SessionPlan::kFiles) {
+      const std::string& file = plan.tests[i].*one.member;
       if (file.empty()) continue;
       files.recordings.push_back({folder / file, i});
       files.files.push_back(folder / file);

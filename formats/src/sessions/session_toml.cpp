@@ -92,11 +92,7 @@ SessionPlan::Test test_of(const TomlTable& table, Method method) {
   expect_keys(table, known);
   SessionPlan::Test test;
   test.elapsed_s = required(number, table, "elapsed_s");
-  test.c_arc = path_at(table, "c_arc");
-  test.a_arc = path_at(table, "a_arc");
-  test.rotation = path_at(table, "rotation");
-  test.axial = path_at(table, "axial");
-  test.circle = path_at(table, "circle");
+  for (const auto& [key, member] : SessionPlan::kFiles) test.*member = path_at(table, key);
   test.axial_length_mm = positive(table, "axial_length_mm");
   for (const std::string_view key : keys_of(method)) {
     if (!key.starts_with("axial") && !has(table, key)) fail_missing(table, key);
@@ -132,8 +128,7 @@ SessionPlan read_session_plan(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);
   const TomlSource source = parse_toml(text.bytes, name);
   const TomlTable root = root_of(source);
-  const std::string_view formats[] = {kSessionFormat};
-  if (!choice_index(root, "format", formats)) fail_missing(root, "format");
+  expect_format(root, kSessionFormat);
   expect_keys(root, kSessionKeys);
 
   SessionPlan plan;
@@ -179,13 +174,8 @@ std::string write_session_plan(const SessionPlan& plan) {
   }
   for (const SessionPlan::Test& test : plan.tests) {
     out += fmt::format("\n[[test]]\nelapsed_s = {}\n", toml_number(test.elapsed_s));
-    const std::pair<std::string_view, const std::string&> files[] = {{"c_arc", test.c_arc},
-                                                                     {"a_arc", test.a_arc},
-                                                                     {"rotation", test.rotation},
-                                                                     {"axial", test.axial},
-                                                                     {"circle", test.circle}};
-    for (const auto& [key, file] : files) {
-      if (!file.empty()) out += fmt::format("{} = {}\n", key, toml_quoted(file));
+    for (const auto& [key, member] : SessionPlan::kFiles) {
+      if (!(test.*member).empty()) out += fmt::format("{} = {}\n", key, toml_quoted(test.*member));
     }
     if (test.axial_length_mm) out += fmt::format("axial_length_mm = {}\n", toml_number(*test.axial_length_mm));
   }

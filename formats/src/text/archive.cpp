@@ -41,7 +41,7 @@ Archive zip_of(const fs::path& path) {
   return {zip_open(path.c_str(), ZIP_RDONLY, &error), &zip_discard};
 }
 
-std::string_view name_of(zip_t* archive, zip_int64_t index) {
+std::string_view entry_name(zip_t* archive, zip_int64_t index) {
   const char* const name = zip_get_name(archive, static_cast<zip_uint64_t>(index), 0);
   return name == nullptr ? std::string_view() : std::string_view(name);
 }
@@ -73,13 +73,27 @@ fs::path archive_on(const fs::path& path) {
 
 }  // namespace
 
+ZipPart unpacked(zip_t* archive, zip_uint64_t index, std::size_t limit) {
+  const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> file(zip_fopen_index(archive, index, 0), &zip_fclose);
+  if (!file) return {{}, Unpacking::locked};
+  ZipPart part;
+  char block[1 << 16];
+  for (;;) {
+    const zip_int64_t count = zip_fread(file.get(), block, sizeof block);
+    if (count < 0) return {{}, Unpacking::damaged};
+    if (count == 0) return part;
+    part.bytes.append(block, static_cast<std::size_t>(count));
+    if (part.bytes.size() > limit) return {{}, Unpacking::too_large};
+  }
+}
+
 bool is_archive(const fs::path& path) {
   if (!begins_as_zip(path)) return false;
   const Archive archive = zip_of(path);
   if (!archive) return ends_in(path, ".zip");  // a damaged one, told where it is opened; other files are zips too
   const zip_int64_t count = std::min(zip_get_num_entries(archive.get(), 0), kMostEntries);
   for (zip_int64_t i = 0; i < count; ++i) {
-    if (ends_in(name_of(archive.get(), i), kEnding)) return true;
+    if (ends_in(entry_name(archive.get(), i), kEnding)) return true;
   }
   return false;
 }
@@ -92,7 +106,7 @@ std::vector<fs::path> files_in_archive(const fs::path& path) {
   std::vector<fs::path> files;
   zip_uint64_t bytes = 0;
   for (zip_int64_t i = 0; i < count; ++i) {
-    const fs::path name(name_of(archive.get(), i));
+    const fs::path name(entry_name(archive.get(), i));
     if (!ends_in(name, kEnding)) continue;
     if (!stays(name)) {
       fail(path, fmt::format("expected names that stay inside the archive, found {}", in_quotes(name.string())));

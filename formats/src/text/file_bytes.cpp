@@ -110,11 +110,13 @@ fs::path replace(const fs::path& path, const std::function<void(const fs::path&)
 
 }  // namespace
 
-bool ends_in(const fs::path& path, std::string_view ending) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return extension == ending;
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return ending;
 }
+
+bool ends_in(const fs::path& path, std::string_view ending) { return ending_of(path) == ending; }
 
 OpenFile::OpenFile(const fs::path& path) : path_(path), descriptor_(opened(path)) {}
 

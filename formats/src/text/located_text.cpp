@@ -32,6 +32,10 @@ std::size_t first_not_utf8(std::string_view bytes) {
   return kNone;
 }
 
+}  // namespace
+
+bool is_utf16(std::string_view bytes) { return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"); }
+
 void append_utf8(std::string& to, std::uint32_t point) {
   const auto tail = [&](int shift) { to += static_cast<char>(0x80u | ((point >> shift) & 0x3Fu)); };
   if (point < 0x80) {
@@ -50,10 +54,6 @@ void append_utf8(std::string& to, std::uint32_t point) {
     tail(0);
   }
 }
-
-}  // namespace
-
-bool is_utf16(std::string_view bytes) { return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"); }
 
 std::string utf8_from_utf16(std::string_view bytes) {
   constexpr std::uint32_t kReplacement = 0xFFFD;

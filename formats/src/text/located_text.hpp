@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,9 @@ struct SourceText {
 
 // UTF-16 with a byte order mark, which is what makes it that.
 bool is_utf16(std::string_view bytes);
+
+// A code point as UTF-8.
+void append_utf8(std::string& to, std::uint32_t point);
 
 // UTF-8 of that, without byte order mark; of half a pair, or of an odd byte at the end, U+FFFD.
 std::string utf8_from_utf16(std::string_view bytes);

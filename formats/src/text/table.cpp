@@ -117,6 +117,10 @@ TableHead table_head(const SourceText& text, std::size_t offset) {
   return head;
 }
 
+void expect_column(const SourceText& text, const TableHead& head, bool is_there, std::string_view name) {
+  if (!is_there) fail_at(text, head.columns.front().offset, fmt::format("expected a column {}, found none.", name));
+}
+
 std::vector<std::vector<double>> table_columns(const SourceText& text, const TableHead& head, bool gaps) {
   // Line ends after the last row are no rows.
   const std::string_view bytes = text.bytes.substr(0, text.bytes.find_last_not_of("\r\n") + 1);

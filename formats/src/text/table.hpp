@@ -33,6 +33,9 @@ struct TableHead {
 };
 TableHead table_head(const SourceText& text, std::size_t offset);
 
+// Throws Error: "expected a column NAME, found none.", where the column is not there.
+void expect_column(const SourceText& text, const TableHead& head, bool is_there, std::string_view name);
+
 // All rows, column by column, at least one row. gaps: an empty cell outside the first column is NaN.
 std::vector<std::vector<double>> table_columns(const SourceText& text, const TableHead& head, bool gaps);
 

@@ -1,6 +1,7 @@
 #define TOML_IMPLEMENTATION
 #include "text/toml_source.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,6 +9,7 @@
 #include <cctype>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "ballbar/error.hpp"
 #include "text/located_text.hpp"
@@ -34,6 +36,15 @@ std::string found(const toml::node& node) {
 [[noreturn]] void fail_kind(const TomlTable& table, std::string_view key, std::string_view expected,
                             const toml::node& node) {
   fail(table.name, node.source().begin, fmt::format("expected {} for {}, found {}.", expected, key, found(node)));
+}
+
+template <class Value>
+std::optional<Value> value_of(const TomlTable& table, std::string_view key, std::string_view expected) {
+  const toml::node* const node = table.table->get(key);
+  if (!node) return std::nullopt;
+  const auto* const value = node->as<Value>();
+  if (!value) fail_kind(table, key, expected, *node);
+  return value->get();
 }
 
 std::optional<double> finite(const toml::node& node) {
@@ -106,6 +117,12 @@ TomlSource parse_toml(std::string_view text, std::string_view name) {
   }
 }
 
+std::vector<std::string_view> names_of(std::span<const Key> keys) {
+  std::vector<std::string_view> names;
+  for (const Key& key : keys) names.push_back(key.name);
+  return names;
+}
+
 TomlTable root_of(const TomlSource& source) { return {&source.root, source.name, ""}; }
 
 void expect_keys(const TomlTable& table, std::span<const std::string_view> known) {
@@ -138,10 +155,7 @@ void expect_keys(const TomlTable& table, std::span<const Key> known) { expect_ke
 bool has(const TomlTable& table, std::string_view key) { return table.table->contains(key); }
 
 std::optional<std::string> string(const TomlTable& table, std::string_view key) {
-  const toml::node* node = table.table->get(key);
-  if (!node) return std::nullopt;
-  if (!node->is_string()) fail_kind(table, key, "a text in quotes", *node);
-  return node->as_string()->get();
+  return value_of<std::string>(table, key, "a text in quotes");
 }
 
 std::optional<double> number(const TomlTable& table, std::string_view key) {
@@ -159,17 +173,11 @@ std::optional<double> positive(const TomlTable& table, std::string_view key) {
 }
 
 std::optional<std::int64_t> integer(const TomlTable& table, std::string_view key) {
-  const toml::node* node = table.table->get(key);
-  if (!node) return std::nullopt;
-  if (!node->is_integer()) fail_kind(table, key, "an integer", *node);
-  return node->as_integer()->get();
+  return value_of<std::int64_t>(table, key, "an integer");
 }
 
 std::optional<bool> boolean(const TomlTable& table, std::string_view key) {
-  const toml::node* node = table.table->get(key);
-  if (!node) return std::nullopt;
-  if (!node->is_boolean()) fail_kind(table, key, "true or false", *node);
-  return node->as_boolean()->get();
+  return value_of<bool>(table, key, "true or false");
 }
 
 std::optional<std::int64_t> local_time_s(const TomlTable& table, std::string_view key) {
@@ -238,6 +246,19 @@ std::optional<std::size_t> choice_index(const TomlTable& table, std::string_view
   fail_kind(table, key, fmt::format("{}\"{}\"", names.size() > 1 ? "one of " : "", fmt::join(names, "\", \"")), *node);
 }
 
+void expect_format(const TomlTable& root, std::string_view format) {
+  if (!choice_index(root, "format", {&format, 1})) fail_missing(root, "format");
+}
+
+std::optional<Role> role_choice(const TomlTable& table, std::string_view key) {
+  std::vector<std::string_view> names;
+  for (int role = 0; role <= static_cast<int>(Role::measured); ++role) {
+    names.push_back(name_of(static_cast<Role>(role)));
+  }
+  const std::optional<std::size_t> index = choice_index(table, key, names);
+  return index ? std::optional(static_cast<Role>(*index)) : std::nullopt;
+}
+
 void fail_missing(const TomlTable& table, std::string_view key) {
   fail_at_table(
       table, fmt::format("expected the key {}{}, found none.", key, table.label.empty() ? "" : " in " + table.label));
@@ -290,13 +311,7 @@ std::string toml_number(double number) {
 }
 
 std::string toml_local_time(std::int64_t local_time_s) {
-  const std::chrono::sys_seconds time{std::chrono::seconds(local_time_s)};
-  const auto day = std::chrono::floor<std::chrono::days>(time);
-  const std::chrono::year_month_day date(day);
-  const std::chrono::hh_mm_ss clock(time - day);
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}", static_cast<int>(date.year()),
-                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), clock.hours().count(),
-                     clock.minutes().count(), clock.seconds().count());
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(static_cast<std::time_t>(local_time_s)));
 }
 
 }  // namespace ballbar

@@ -39,6 +39,7 @@ namespace ballbar {
 #include <vector>
 
 #include "ballbar/formats/text/keys.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar {
 
@@ -104,6 +105,18 @@ Value required_choice(const TomlTable& table, std::string_view key, std::initial
   const std::optional<Value> value = choice(table, key, values);
   if (!value) fail_missing(table, key);
   return *value;
+}
+
+// Throws Error where the key `format` is missing or holds another text.
+void expect_format(const TomlTable& root, std::string_view format);
+
+// Throws Error for what is no role of a column.
+std::optional<Role> role_choice(const TomlTable& table, std::string_view key);
+
+// take(bar.noise_um, number(table, "noise_um")): keeps the default where the key is absent.
+template <class Value, class Read>
+void take(Value& value, const std::optional<Read>& read) {
+  if (read) value = static_cast<Value>(*read);
 }
 
 // required(number, table, "elapsed_s"): the getter's value; throws Error where the key is absent.

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "text/cells.hpp"
+
 namespace ballbar {
 namespace {
 
@@ -64,8 +66,8 @@ Text text_of(const SourceText& text, pugi::xml_node node) {
     fail_at(text, offset_of(node), fmt::format("expected plain text in {}, found elements.", node.name()));
   }
   const std::string_view value = content.value();
-  const std::size_t first = std::min(value.find_first_not_of(kBlank), value.size());
-  return {value.substr(first, value.find_last_not_of(kBlank) + 1 - first), offset_of(content) + first};
+  const std::string_view inside = trimmed(value, kBlank);
+  return {inside, offset_of(content) + static_cast<std::size_t>(inside.data() - value.data())};
 }
 
 double number_of(const SourceText& text, const Text& found, std::string_view name) {

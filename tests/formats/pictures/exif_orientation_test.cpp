@@ -1,10 +1,10 @@
-#include "pictures/exif_orientation.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "pictures/picture_parts.hpp"
 
 namespace ballbar {
 namespace {

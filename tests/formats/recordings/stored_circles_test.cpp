@@ -1,6 +1,6 @@
-#include "ballbar/formats/recordings/stored_circles.hpp"
-
 #include <gtest/gtest.h>
+
+#include "ballbar/formats/recordings/stored_errors.hpp"
 
 namespace ballbar {
 namespace {

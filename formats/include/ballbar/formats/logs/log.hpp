@@ -69,7 +69,7 @@ Log open_log(const Source& source, const LogRecipe& recipe = {});
 
 // Of Series::started: seconds from 1970 to it and back, without a zone; nullopt for what is no date with a clock.
 std::optional<double> seconds_of_stamp(std::string_view started);
-std::string stamp_of_seconds(double seconds);
+std::string stamp_text(double seconds);
 
 // One line for people: what the log was taken for.
 std::string sentence_of(const Log& log);

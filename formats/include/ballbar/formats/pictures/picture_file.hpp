@@ -19,7 +19,6 @@
 namespace ballbar {
 
 inline constexpr std::size_t kLargestPicture = std::size_t{128} << 20;  // of a file: 128 MiB
-inline constexpr std::size_t kMostPixels = 50'000'000;
 
 struct PictureSize {
   std::size_t width = 0, height = 0;  // pixels, as stored
@@ -28,7 +27,7 @@ struct PictureSize {
 // What the header says; nothing is decoded. Throws Error: neither PNG nor JPEG, a header cut short, no pixels.
 PictureSize picture_size(std::string_view bytes, std::string_view name);
 
-// `name` stands in messages. Throws Error: as picture_size, more than kMostPixels (before anything is decoded), a
+// `name` stands in messages. Throws Error: as picture_size, more than 50 megapixels (before anything is decoded), a
 // damaged file: a JPEG that ends early is refused, not filled up with gray.
 Picture read_picture(std::string_view bytes, std::string_view name);
 

@@ -34,8 +34,9 @@ bool is_recording_file(const Source& source, std::span<const Reader> readers = k
 RecordingFile open_recording(const Source& source, std::span<const Reader> readers = known_readers(),
                              const StatedCircle& stated = {});
 
-// Whether these are recordings, and all that can be read of them are circles that two linear axes drive.
-bool are_of_linear_axes(const std::vector<Source>& files);
+// Of a recording: whether two linear axes drive it. Its head alone is read; a fault there is told where it is read
+// whole.
+bool is_of_linear_axes(const Source& file);
 
 // Throws Error where the file has no recording: for what needs readings.
 void expect_readings(const RecordingFile& file, const std::filesystem::path& path);

@@ -25,7 +25,7 @@ struct LiveRow {
 class LiveRows {
  public:
   // `name` stands in messages.
-  LiveRows(std::string name, std::vector<std::string> wanted);
+  LiveRows(std::string name, std::vector<std::string> columns);
 
   void add(std::string_view bytes);
 
@@ -47,7 +47,7 @@ class LiveRows {
   void name_columns(std::string_view line);
 
   std::string name_;
-  std::vector<std::string> wanted_;
+  std::vector<std::string> columns_;
   std::string bytes_;  // from begin_ on not yet read
   std::size_t begin_ = 0;
   std::size_t searched_ = 0;  // up to here is no end of a line

@@ -22,6 +22,9 @@ std::string write_series(const Series& series);
 std::string series_header(const Series& series);
 std::string write_rows(const Series& series, std::size_t begin, std::size_t end);
 
+// To a file, whole or not at all. Throws Error where there is no room.
+void write_series(const Series& series, const std::filesystem::path& path);
+
 // The header and all rows to a file, in parts, so that a long series is not in memory a second time as text. The file
 // may be left half written: write_through writes it beside first. Throws Error where there is no room.
 void write_series_parts(const Series& series, std::string_view header, const std::filesystem::path& path);

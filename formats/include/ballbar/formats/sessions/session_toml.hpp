@@ -29,6 +29,16 @@ struct SessionPlan {
     std::string c_arc, a_arc, rotation, axial, circle;  // empty: not given
     std::optional<double> axial_length_mm;
   };
+  // Which of a test's files stands under which key.
+  struct File {
+    std::string_view key;
+    std::string Test::*member;
+  };
+  static constexpr File kFiles[] = {{"c_arc", &Test::c_arc},
+                                    {"a_arc", &Test::a_arc},
+                                    {"rotation", &Test::rotation},
+                                    {"axial", &Test::axial},
+                                    {"circle", &Test::circle}};
   Method method = Method::circles;
   std::string title;
   double nominal_length_mm = 100.0;

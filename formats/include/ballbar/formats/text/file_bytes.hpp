@@ -12,6 +12,8 @@ namespace ballbar {
 inline constexpr std::size_t kLargestTable = std::size_t{1} << 30;  // a .csv: 1 GiB
 inline constexpr std::size_t kLargestText = std::size_t{16} << 20;  // .b5r and .toml: 16 MiB
 
+std::string ending_of(const std::filesystem::path& path);  // ".b5r" of "A.B5R", in small letters
+
 // "A.B5R" ends in ".b5r": an ending in small letters, whatever letters the name has.
 bool ends_in(const std::filesystem::path& path, std::string_view ending);
 

@@ -1,4 +1,4 @@
-#include "terminal/new_folder.hpp"
+#include "ballbar/formats/text/new_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "hal/pin_name.hpp"
+#include "hal/hal_names.hpp"
 
 #include <gtest/gtest.h>
 
