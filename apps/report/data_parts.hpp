@@ -8,7 +8,7 @@
 #include "diagnose/machine_errors_result.hpp"
 #include "measure/fit_result.hpp"
 #include "page/report_head.hpp"
-#include "predict/predict_batch.hpp"
+#include "predict/predicted_job.hpp"
 
 namespace ballbar {
 

@@ -12,7 +12,7 @@
 #include "diagnose/diagnosis_report.hpp"
 #include "measure/fit_result.hpp"
 #include "model/residual_report.hpp"
-#include "predict/predict_batch.hpp"
+#include "predict/predicted_job.hpp"
 #include "report/report_results.hpp"
 
 namespace ballbar {
@@ -43,6 +43,6 @@ DiagnosisPart diagnosis_part(const DiagnosisReport& diagnosis_report, const Mode
 
 // What a candidate alone would draw, at the rows of the fit; empty where it cannot be drawn.
 std::vector<double> curve_of(const Candidate& candidate, const Fit& fit, const Series& data);
-BatchPart batch_part(const BatchJob& job);
+BatchPart batch_part(const BatchJob& batch_job);
 
 }  // namespace ballbar

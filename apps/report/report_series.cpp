@@ -20,10 +20,11 @@ SignalsPart signals_part(const std::string& source, const Series& series) {
   return part;
 }
 
-BatchPart batch_part(const BatchJob& job) {
-  BatchPart part{job.model.columns.target,
-                 label_of(job.model.settings),
-                 job.model.batches,
+BatchPart batch_part(const BatchJob& batch_job) {
+  const auto& [model, job] = batch_job;
+  BatchPart part{job.target,
+                 label_of(model.settings),
+                 model.batches,
                  {job.data.time_s},
                  {job.prediction.predicted_um},
                  {job.prediction.half_width_um},
@@ -32,8 +33,7 @@ BatchPart batch_part(const BatchJob& job) {
                  {job.prediction.Q_of_largest},
                  job.prediction.broken,
                  job.warnings};
-  if (const Column* measured = find_column(job.data, job.model.columns.target))
-    part.measured_um.value = Bulk{measured->values};
+  if (const Column* measured = find_column(job.data, job.target)) part.measured_um.value = Bulk{measured->values};
   return part;
 }
 
