@@ -15,7 +15,7 @@
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
-#include "predict/predict_batch.hpp"
+#include "predict/predicted_job.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/state_file.hpp"

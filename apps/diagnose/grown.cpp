@@ -58,9 +58,9 @@ GrownModel grown_model(const std::string& bytes, const std::string& file, const 
                        const std::vector<std::string>& data_names, const std::vector<Driver>& drivers) {
   GrownModel grown;
   grown.bytes = bytes;
-  GrowthOptions options;
-  options.progress = [](const std::string& what) { show_progress(what); };
-  grown.growth = with_source(data_names.front(), [&] { return growth(model, *data.series, 0, options); });
+  grown.growth = with_source(data_names.front(), [&] {
+    return growth(model, *data.series, 0, [](const std::string& what) { show_progress(what); });
+  });
   show_progress("the model's row of the ledger");
   grown.before = row_of(model, *data.series);
   grown.before.data = data_names;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "ballbar/effect_regression/growth.hpp"
+#include "ballbar/predict/growth.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/revision/ledger.hpp"
 #include "diagnose/revision_results.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/effect_regression/growth.hpp"
+#include "ballbar/predict/growth.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
 #include "ballbar/revision/effect_test.hpp"
 #include "ballbar/revision/ledger.hpp"

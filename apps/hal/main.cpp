@@ -16,7 +16,6 @@
 
 #include "ballbar/compensation/compensated_axes.hpp"
 #include "ballbar/error.hpp"
-#include "batches/batches.hpp"
 #include "compensate/compensation_options.hpp"
 #include "hal/axis.hpp"
 #include "hal/component.hpp"

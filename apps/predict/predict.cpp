@@ -9,15 +9,17 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/fit/held_model.hpp"
+#include "ballbar/formats/models/batch_model_json.hpp"
+#include "ballbar/formats/models/effect_regression_json.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/formats/text/reader.hpp"
 #include "ballbar/number_text.hpp"
 #include "ballbar/series/runs.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
-#include "predict/predict_batch.hpp"
-#include "predict/predict_effects.hpp"
 #include "predict/predict_result.hpp"
+#include "predict/predicted_job.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
@@ -83,45 +85,39 @@ Table summary(const std::vector<Column>& columns) {
   return table;
 }
 
-void expect_one_file(const PredictArguments& options) {
-  if (options.model.data.size() == 1) return;
-  throw Error(fmt::format("expected one file of DATA for {}, found {}.", options.model.model.name(),
-                          options.model.data.size()));
-}
-
-// A regression over batches has its own parameters, and is fitted to nothing here.
-void run_batch_model(const PredictArguments& options) {
-  expect_one_file(options);
-  if (!options.on.empty()) throw Error("--on: expected a model of effects with it; a regression predicts DATA itself.");
-  if (!options.model.target.empty() || options.model.max_gap_s || options.model.robust || options.model.white) {
-    throw Error(
-        fmt::format("{}: expected neither --target, --max-gap, --robust nor --white: a regression has its target "
-                    "and is fitted to nothing here.",
-                    options.model.model.name()));
+// A regression has its own parameters, and is fitted to nothing here: on effects its own start and end, too.
+void run_regression(const PredictArguments& options, bool of_effects) {
+  const ModelOptions& model = options.model;
+  if (model.data.size() != 1) {
+    throw Error(fmt::format("expected one file of DATA for {}, found {}.", model.model.name(), model.data.size()));
   }
-  expect_no_input(options.out, paths_of({options.model.data.front(), options.model.model}));
-  predict_batch({options.model.data.front(), options.model.model, options.out, options.anyway, options.json});
-}
-
-// It has its own parameters too, and its own start and end.
-void run_effects(const PredictArguments& options) {
-  expect_one_file(options);
-  if (!options.on.empty() || !options.model.target.empty() || options.model.robust || options.model.white ||
-      options.anyway) {
+  if (!of_effects && !options.on.empty()) {
+    throw Error("--on: expected a model of effects with it; a regression predicts DATA itself.");
+  }
+  const bool fits = !model.target.empty() || model.robust || model.white;
+  if (of_effects && (fits || !options.on.empty() || options.anyway)) {
     throw Error(
         fmt::format("{}: expected neither --on, --target, --robust, --white nor --anyway: a regression has its "
                     "target, predicts DATA itself and is fitted to nothing here.",
-                    options.model.model.name()));
+                    model.model.name()));
   }
-  expect_no_input(options.out, paths_of({options.model.data.front(), options.model.model}));
-  predict_effects({options.model.data.front(), options.model.model, options.state, options.out, options.model.max_gap_s,
-                   options.json});
+  if (!of_effects && (fits || model.max_gap_s)) {
+    throw Error(
+        fmt::format("{}: expected neither --target, --max-gap, --robust nor --white: a regression has its target "
+                    "and is fitted to nothing here.",
+                    model.model.name()));
+  }
+  expect_no_input(options.out, paths_of({model.data.front(), model.model}));
+  const JobOptions job{model.data.front(), model.model,   options.out,    options.json,
+                       options.anyway,     options.state, model.max_gap_s};
+  of_effects ? predict_by_effects(job) : predict_by_temperatures(job);
 }
 
 void run(const PredictArguments& options) {
-  if (is_effect_regression(options.model.model)) return run_effects(options);
+  const std::string head = options.model.model.head(kHeadBytes);
+  if (is_effect_regression_json(head)) return run_regression(options, true);
   if (!options.state.empty()) throw Error("--state: expected a model of train --effects with it.");
-  if (is_batch_model(options.model.model)) return run_batch_model(options);
+  if (is_batch_model_json(head)) return run_regression(options, false);
   if (options.anyway) throw Error("--anyway: expected a model of train with it, a model of effects was given.");
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);

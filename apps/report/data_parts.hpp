@@ -9,7 +9,7 @@
 #include "diagnose/machine_errors_result.hpp"
 #include "measure/fit_result.hpp"
 #include "page/report_head.hpp"
-#include "predict/predict_batch.hpp"
+#include "predict/predicted_job.hpp"
 
 namespace ballbar {
 
@@ -178,23 +178,23 @@ struct ResultType<BatchJob> {
   static constexpr std::string_view name = "BatchPart";
   static constexpr std::string_view meaning = "A regression over batches, and what it predicts for the job.";
   static constexpr std::tuple fields{
-      Field{"target", [](Of of) { return of.model.columns.target; }, ""},
+      Field{"target", [](Of of) { return of.job.target; }, ""},
       Field{"method", [](Of of) { return label_of(of.model.settings); }, "pcr, 7 components"},
       Field{"batches", [](Of of) { return of.model.batches; }, ""},
-      Field{"time_s", [](Of of) { return Known<Bulk>{{of.data.time_s}}; }, ""},
-      Field{"predicted_um", [](Of of) { return Bulk{of.prediction.predicted_um}; }, ""},
-      Field{"half_width_um", [](Of of) { return Bulk{of.prediction.half_width_um}; }, "of the interval of 95 %"},
+      Field{"time_s", [](Of of) { return Known<Bulk>{{of.job.data.time_s}}; }, ""},
+      Field{"predicted_um", [](Of of) { return Bulk{of.job.prediction.predicted_um}; }, ""},
+      Field{"half_width_um", [](Of of) { return Bulk{of.job.prediction.half_width_um}; }, "of the interval of 95 %"},
       Field{"measured_um",
             [](Of of) {
-              const Column* const measured = find_column(of.data, of.model.columns.target);
+              const Column* const measured = find_column(of.job.data, of.job.target);
               return MayLack<Bulk>{measured == nullptr ? std::nullopt : std::optional(Bulk{measured->values})};
             },
             ""},
-      Field{"T2_of_largest", [](Of of) { return Bulk{of.prediction.T2_of_largest}; },
+      Field{"T2_of_largest", [](Of of) { return Bulk{of.job.prediction.T2_of_largest}; },
             "share of the largest trained on"},
-      Field{"Q_of_largest", [](Of of) { return Bulk{of.prediction.Q_of_largest}; }, ""},
-      Field{"broken", [](Of of) { return of.prediction.broken; }, "sensors that look so"},
-      Field{"warnings", &BatchJob::warnings, ""}};
+      Field{"Q_of_largest", [](Of of) { return Bulk{of.job.prediction.Q_of_largest}; }, ""},
+      Field{"broken", [](Of of) { return of.job.prediction.broken; }, "sensors that look so"},
+      Field{"warnings", [](Of of) { return of.job.warnings; }, ""}};
 };
 
 }  // namespace ballbar

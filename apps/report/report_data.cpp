@@ -8,15 +8,16 @@
 
 #include "ballbar/drift/comparison.hpp"
 #include "ballbar/error.hpp"
+#include "ballbar/formats/models/batch_model_json.hpp"
 #include "ballbar/formats/recordings/test_folder.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/sessions/runs_toml.hpp"
 #include "ballbar/formats/text/archive.hpp"
+#include "ballbar/formats/text/reader.hpp"
 #include "ballbar/series/runs.hpp"
-#include "batches/batches.hpp"
 #include "measure/compared_drifts.hpp"
 #include "measure/drift_text.hpp"
-#include "predict/predict_batch.hpp"
+#include "predict/predicted_job.hpp"
 #include "report/report_parts.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/stderr_line.hpp"
@@ -137,11 +138,11 @@ void add_comparison(Report& made, const ReportRequest& options) {
 
 void add_batch(Report& made, const ReportRequest& options) {
   made.page.batch.value = batch_job(options.model.data.front(), options.model.model, options.anyway);
-  const BatchJob& job = *made.page.batch.value;
+  const BatchJob& batch = *made.page.batch.value;
   if (options.model.model.is_path()) made.files.push_back(options.model.model.path());
-  made.conclude(fmt::format("{} by {} of {} batches.", job.model.columns.target, label_of(job.model.settings),
-                            job.model.batches.size()));
-  for (const std::string& warning : job.warnings) made.conclude(warning);
+  made.conclude(fmt::format("{} by {} of {} batches.", batch.job.target, label_of(batch.model.settings),
+                            batch.model.batches.size()));
+  for (const std::string& warning : batch.job.warnings) made.conclude(warning);
 }
 
 std::shared_ptr<const ModelData> model_data(const ReportRequest& options) {
@@ -199,7 +200,7 @@ ReportData report_data(ReportRequest& options) {
   std::vector<std::string> no_session;
   const FoundFiles found = expanded(options, no_session);
   const bool has_model = !options.model.model.empty();
-  const bool of_batches = has_model && is_batch_model(options.model.model);
+  const bool of_batches = has_model && is_batch_model_json(options.model.model.head(kHeadBytes));
   const bool of_recordings = !found.files.empty() || is_recording_file(options.model.data.front());
   expect_use(options, of_recordings, of_batches);
   if (of_recordings) {

@@ -12,7 +12,7 @@
 #include "diagnose/diagnosis_report.hpp"
 #include "measure/fit_result.hpp"
 #include "model/residual_report.hpp"
-#include "predict/predict_batch.hpp"
+#include "predict/predicted_job.hpp"
 #include "report/report_results.hpp"
 
 namespace ballbar {

@@ -18,8 +18,6 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/results/schema.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "batches/select_result.hpp"
-#include "batches/train_result.hpp"
 #include "challenge/blind_results.hpp"
 #include "compensate/replay_result.hpp"
 #include "diagnose/diagnosis_result.hpp"
@@ -71,7 +69,7 @@ std::vector<PythonClass> python_classes() {
           {"Plan", "plan", {"Plan"}},
           {"Trained", "train", {"Trained", "TrainedOnEffects"}},
           {"Selected", "select", {"Selected"}},
-          {"Predicted", "predict", {"Predicted", "PredictedJob", "PredictedByEffects"}},
+          {"Predicted", "predict", {"Predicted", "PredictedTarget"}},
           {"Report", "report", {"Report"}},
           {"Tried", "try_effect", {"Tried"}},
           {"Added", "add", {"Added"}},
@@ -117,10 +115,10 @@ int run(const std::filesystem::path& folder, bool update) {
       schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsOfSeveral, PosteriorSoFar, Looked, Followed,
                  CheckedTargets, PreflightTargets, EffectPages, TestPlan, EffectTest, Added, Ledger, Undone,
                  InjectedResult, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult, History,
-                 ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet, TrainedOnBatches, TrainedOnEffects,
-                 SelectedBatches, PredictedSeries, PredictedJob, PredictedByEffects, ReplayResult, MadeSets, NextRun,
-                 ScoredSets, MeanPointsResult, MeanPointPart, PageReport, ModelPart, HeldPart, RevisedPart,
-                 HistoryReport, FleetReport, PageFiles>();
+                 ImportedLog, MergedLogs, SimulatedRun, SimulatedFleet, TrainedOnTemperatures, TrainedOnEffects,
+                 TrainedForJob, PredictedSeries, PredictedTarget, ReplayResult, MadeSets, NextRun, ScoredSets,
+                 MeanPointsResult, MeanPointPart, PageReport, ModelPart, HeldPart, RevisedPart, HistoryReport,
+                 FleetReport, PageFiles>();
   std::vector<std::pair<std::filesystem::path, std::string>> files{
       {folder / "apps/page/src/results.ts", typescript_file(schemas)},
       {folder / "apps/python/ballbar/_kinds.py", python_file(schemas)}};

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/batches/batch_selection.hpp"
+#include "ballbar/predict/batch_choice.hpp"
 #include "bench_data.hpp"
 
 namespace {
@@ -38,11 +38,10 @@ void batches_moments(benchmark::State& state) {
 
 void batches_selected(benchmark::State& state) {
   const std::vector<ballbar::Batch> all = batches();
-  const ballbar::BatchStart job = ballbar::start_of(warm_ups().back(), columns());
   const std::span<const ballbar::Batch> others(all.data(), all.size() - 1);
   for (auto _ : state) {
-    const ballbar::Selection found = ballbar::select_batches(others, job, &all.back().moments);
-    benchmark::DoNotOptimize(ballbar::regress(ballbar::merged(others), found.settings));
+    const ballbar::BatchRanking found = ballbar::batch_ranking(others, all.back().start, &all.back().moments);
+    benchmark::DoNotOptimize(ballbar::regress(ballbar::merged(others), found.choice(ballbar::Take::all).settings));
   }
   state.counters["batches"] = static_cast<double>(warm_ups().size());
 }

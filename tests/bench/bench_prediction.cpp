@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ballbar/effect_regression/effect_regression.hpp"
+#include "ballbar/predict/effect_regression.hpp"
 #include "bench_data.hpp"
 
 namespace {

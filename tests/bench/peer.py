@@ -146,7 +146,7 @@ def warm_ups(count):
 
 
 def first_numbers(most):
-    """As numbers_to_try in batch_selection.cpp: each to 40, then by a tenth more."""
+    """As numbers_to_try in batch_choice.cpp: each to 40, then by a tenth more."""
     numbers, i = [], 1
     while i < most:
         numbers.append(i)

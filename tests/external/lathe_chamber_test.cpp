@@ -2,7 +2,7 @@
 // predicted as well as a separate program (numpy, by eigenvectors of the stacked rows) found it.
 #include <gtest/gtest.h>
 
-#include "ballbar/batches/batch_selection.hpp"
+#include "ballbar/predict/batch_choice.hpp"
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"

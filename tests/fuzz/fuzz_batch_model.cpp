@@ -10,7 +10,7 @@
 #include "ballbar/formats/models/batch_model_json.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  ballbar::BatchModel model;
+  ballbar::TemperatureRegression model;
   try {
     model = ballbar::read_batch_model(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz");
   } catch (const ballbar::Error&) {

@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     values.back() = range.high;
     series.columns.push_back({range.column, regression.roles[c], values});
   }
-  const ballbar::EffectPrediction prediction = ballbar::predict(regression, series);
+  const ballbar::RegressionPrediction prediction = ballbar::predict(regression, series);
   if (prediction.predicted_um.size() != series.time_s.size()) std::abort();
   return 0;
 }

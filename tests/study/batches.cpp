@@ -17,11 +17,11 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/batches/batch_selection.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/predict/batch_choice.hpp"
 
 namespace {
 
@@ -42,19 +42,7 @@ constexpr std::array kSettings{Setting{"pcr, 95 % explained", RegressionMethod::
                                Setting{"pcr, 99 % explained", RegressionMethod::pcr, 0.99},
                                Setting{"pcr, 99.9 % explained", RegressionMethod::pcr, 0.999},
                                Setting{"pcr, left out", RegressionMethod::pcr, std::nullopt},
-                               Setting{"ridge, left out", RegressionMethod::ridge, std::nullopt},
-                               Setting{"pls, left out", RegressionMethod::pls, std::nullopt},
-                               Setting{"ols", RegressionMethod::ols, std::nullopt}};
-
-double covered(const BatchModel& model, const Series& job) {
-  const BatchPrediction prediction = predict(model, job);
-  const std::vector<double>& um = find_column(job, model.columns.target)->values;
-  std::size_t within = 0;
-  for (std::size_t i = 0; i < um.size(); ++i) {
-    within += std::abs(um[i] - prediction.predicted_um[i]) <= prediction.half_width_um[i] ? 1 : 0;
-  }
-  return static_cast<double>(within) / static_cast<double>(um.size());
-}
+                               Setting{"ridge, left out", RegressionMethod::ridge, std::nullopt}};
 
 Ways ways_of(const std::vector<Series>& series, const BatchColumns& columns, const std::vector<Batch>& batches,
              const Setting& setting) {
@@ -62,28 +50,29 @@ Ways ways_of(const std::vector<Series>& series, const BatchColumns& columns, con
   for (std::size_t job = 0; job < batches.size(); ++job) {
     std::vector<Batch> others = batches;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(job));
-    SelectionOptions options;
+    ChoiceOptions options;
     options.method = setting.method;
     options.share = setting.share;
-    const Selection found = select_batches(others, batches[job].start, &batches[job].moments, options);
-    ways.all.push_back(*found.all_um);
-    ways.paper.push_back(*found.paper_um);
-    ways.held_out.push_back(*found.held_out_rmse_um);
-    ways.weights.push_back(*found.weights_um);
+    const BatchRanking found = batch_ranking(others, batches[job].start, &batches[job].moments, options);
+    const auto um = [&](Take take) { return *found.choice(take).predicted_rmse_um; };
+    ways.all.push_back(um(Take::all));
+    ways.paper.push_back(um(Take::paper));
+    ways.held_out.push_back(um(Take::held_out));
+    ways.weights.push_back(um(Take::weights));
     if (found.paper_found) {
-      RandomOptions chance;
-      chance.batches = found.by_paper;
       const RandomChoices random =
-          random_choices(others, batches[job].moments, found.settings, setting.share, *found.paper_um, chance);
+          random_choices(others, batches[job].moments, found.choice(Take::paper), setting.share);
       ++ways.chosen;
       ways.random.push_back(random.predicted_rmse_um[random.predicted_rmse_um.size() / 2]);
       ways.random_worse.push_back(random.share_worse);
     } else {
-      ways.random.push_back(*found.all_um);
+      ways.random.push_back(um(Take::all));
     }
-    const BatchModel model = trained(others, weights_of(found), columns, found.weights_settings,
-                                     [&](std::size_t k) { return series[k < job ? k : k + 1]; });
-    ways.covered.push_back(covered(model, series[job]));
+    const BatchChoice& weighed = found.choice(Take::weights);
+    const TemperatureRegression model = temperature_regression(
+        others, weighed.weights, columns, weighed.settings, [&](std::size_t k) { return series[k < job ? k : k + 1]; });
+    const std::vector<double>& measured_um = find_column(series[job], columns.target)->values;
+    ways.covered.push_back(error_of(predict(model, series[job]), measured_um)->within_share);
   }
   return ways;
 }

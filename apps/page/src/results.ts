@@ -1229,7 +1229,7 @@ export interface Trained {
 
 // A method of regression.
 export interface TrainedMethod {
-  method: string; // pcr, ridge, ...
+  method: string; // pcr, ridge
   components: number;
   penalty_K2: Num; // of ridge
   held_out_um: Num; // RMSE of batches left out
@@ -1266,7 +1266,7 @@ export interface TrainedOnEffects {
   not_needed: string[]; // columns without which nothing changes
   interchangeable: string[][]; // sets of columns, of which any will do
   cancelling: CancellingColumns[]; // pairs of columns
-  methods: OtherMethod[]; // of a list of runs: in the same contest
+  methods: TrainedMethod[]; // of a list of runs: in the same contest
   remarks: string[];
   sentence: string; // what it says in plain words
 }
@@ -1299,12 +1299,6 @@ export interface CancellingColumns {
   sum_um: Num; // range of both together
 }
 
-// A regression over batches in the same contest.
-export interface OtherMethod {
-  label: string;
-  held_out_um: Num; // RMSE of batches left out
-}
-
 // Batches to train on for a job.
 export interface Selected {
   target: string; // column that is predicted
@@ -1332,7 +1326,7 @@ export interface RankedBatch {
 export interface BatchChoice {
   choice: string; // paper, held_out, weights, all
   batches: Num; // as many as these alike
-  method: string; // pcr, ridge, ...
+  method: string; // pcr, ridge
   components: number;
   penalty_K2: Num; // of ridge
   predicted_rmse_um: Num; // of the job; null: not measured
@@ -1357,22 +1351,15 @@ export interface Predicted {
   [key: string]: unknown; // TARGET_model_um, the target, TARGET_residual_um, and what each effect adds
 }
 
-// A job predicted by a regression over batches.
-export interface PredictedJob {
+// A target predicted by a regression.
+export interface PredictedTarget {
   time_s: Num[]; // of each row
   [key: string]: unknown; // TARGET_model_um, the target, TARGET_residual_um, and what each effect adds
-  broken: string[]; // sensors that look so
-  warnings: string[];
-}
-
-// A series predicted by a regression on effects.
-export interface PredictedByEffects {
-  time_s: Num[]; // of each row
-  [key: string]: unknown; // TARGET_model_um, the target, TARGET_residual_um, and what each effect adds
-  goes_on: boolean; // from the end of training, or an earlier prediction
-  holds_training: boolean; // whether it begins with the training rows
-  drivers: DriverShare[]; // the largest share first
+  goes_on?: boolean; // by effects: from the end of training, or an earlier prediction
+  holds_training?: boolean; // by effects: whether it begins with the training rows
+  drivers?: DriverShare[]; // by effects: the largest share first
   error: PredictionError | null; // null: the target is not measured
+  broken?: string[]; // by temperatures: sensors that look so
   warnings: string[];
 }
 

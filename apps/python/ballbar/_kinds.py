@@ -692,26 +692,26 @@ class Predicted(Result):
         Of each row.
     COLUMN : Array
         TARGET_model_um, the target, TARGET_residual_um, and what each effect adds.
-    broken : list[str]
-        Sensors that look so.
-    warnings : list[str]
     goes_on : bool
-        From the end of training, or an earlier prediction.
+        By effects: from the end of training, or an earlier prediction.
     holds_training : bool
-        Whether it begins with the training rows.
+        By effects: whether it begins with the training rows.
     drivers : Rows
-        The largest share first: column, role, share_um.
+        By effects: the largest share first: column, role, share_um.
     error : Result | None
         Null: the target is not measured: rows, mean_um, rmse_um, within_share.
+    broken : list[str]
+        By temperatures: sensors that look so.
+    warnings : list[str]
     """
 
     time_s: Array
-    broken: list[str]
-    warnings: list[str]
     goes_on: bool
     holds_training: bool
     drivers: Rows
     error: Result | None
+    broken: list[str]
+    warnings: list[str]
 
 
 class Report(Result):

@@ -74,13 +74,15 @@ BatchColumns columns_at(const JsonValue& root) {
 }
 
 RegressionSettings settings_at(const JsonValue& root, std::size_t inputs) {
-  constexpr RegressionMethod kMethods[] = {RegressionMethod::pcr, RegressionMethod::ridge, RegressionMethod::pls,
-                                           RegressionMethod::ols};
+  const JsonValue method = member(root, "method");
+  if (method.value->is_string() && (text(method) == "pls" || text(method) == "ols")) {
+    fail(method, "\"pcr\" or \"ridge\"",
+         fmt::format("\"{}\" of an older version; train the model again", text(method)));
+  }
   RegressionSettings settings;
-  settings.method = kMethods[choice_index(member(root, "method"), {name_of(kMethods[0]), name_of(kMethods[1]),
-                                                                   name_of(kMethods[2]), name_of(kMethods[3])})];
-  const bool projects = settings.method == RegressionMethod::pcr || settings.method == RegressionMethod::pls;
-  settings.components = whole(member(root, "components"), projects ? 1 : 0, inputs);
+  settings.method =
+      kRegressionMethods[choice_index(method, {name_of(kRegressionMethods[0]), name_of(kRegressionMethods[1])})];
+  settings.components = whole(member(root, "components"), settings.method == RegressionMethod::pcr ? 1 : 0, inputs);
   settings.penalty_K2 = number_not_below_0(member(root, "penalty_K2"));
   return settings;
 }
@@ -150,7 +152,7 @@ std::vector<TrainedBatch> batches_at(const JsonValue& value) {
 
 }  // namespace
 
-std::string write_batch_model(const BatchModel& model) {
+std::string write_batch_model(const TemperatureRegression& model) {
   std::vector<std::string> batches;
   for (const TrainedBatch& batch : model.batches) batches.push_back(json_of(batch));
   std::string out = fmt::format("{{\n  \"format\": \"{}\",\n", kBatchFormat);
@@ -171,7 +173,7 @@ std::string write_batch_model(const BatchModel& model) {
   return out + fmt::format("  \"batches\": [\n{}\n  ]\n}}\n", fmt::join(batches, ",\n"));
 }
 
-BatchModel read_batch_model(std::string_view bytes, std::string_view name) {
+TemperatureRegression read_batch_model(std::string_view bytes, std::string_view name) {
   const JsonSource source = parse_json(bytes, name);
   const JsonValue root = root_of(source);
   if (!root.value->is_object()) fail(root, "an object");
@@ -179,7 +181,7 @@ BatchModel read_batch_model(std::string_view bytes, std::string_view name) {
   expect_keys(root, {"format", "target", "room", "speed", "sensors", "inputs", "method", "components", "penalty_K2",
                      "intercept_um", "slope_um_per_K", "trained_range", "rmse_um", "held_out_rmse_um", "half_width_um",
                      "batches"});
-  BatchModel model;
+  TemperatureRegression model;
   model.columns = columns_at(root);
   const std::size_t inputs = model.columns.sensors.size() * (model.columns.kind == InputKind::both ? 2 : 1);
   model.settings = settings_at(root, inputs);

@@ -20,7 +20,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "ballbar/effect_regression/effect_regression.hpp"
+#include "ballbar/predict/effect_regression.hpp"
 #include "made.hpp"
 
 namespace {
@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     const predictions::Made made = predictions::made(seed);
     const EffectRegression regression = effect_regression({&made.training.logged, 1}, made.target);
-    const EffectPrediction prediction = predict(regression, made.unseen.logged);
+    const RegressionPrediction prediction = predict(regression, made.unseen.logged);
     const Eigen::VectorXd measured = column(made.unseen.logged, made.target);
     const auto n = measured.size();
     const Eigen::VectorXd errors = measured - Eigen::Map<const Eigen::VectorXd>(prediction.predicted_um.data(), n);

@@ -22,7 +22,7 @@
 #include <string>
 #include <string_view>
 
-#include "ballbar/effect_regression/effect_regression.hpp"
+#include "ballbar/predict/effect_regression.hpp"
 
 namespace ballbar {
 

@@ -1,0 +1,149 @@
+// The recorded tests that `train` works on.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/models/runs_csv.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/sessions/drift_data.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "model/model_options.hpp"
+#include "predict/train.hpp"
+#include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kTold = 5;  // batches with steps
+
+// Throws Error where a batch has a temperature that the first has not: it would be forgotten silently.
+void expect_no_more(const Series& series, const BatchColumns& columns, const std::vector<std::string>& left_out,
+                    const std::string& first) {
+  for (const Column& column : series.columns) {
+    if (!is_sensor(column)) continue;
+    const auto is_it = [&](const std::string& name) { return name == column.name; };
+    if (std::any_of(columns.sensors.begin(), columns.sensors.end(), is_it)) continue;
+    if (std::any_of(left_out.begin(), left_out.end(), is_it)) continue;
+    throw Error(fmt::format("expected the temperatures of {}, found {} beside them.", first, column.name));
+  }
+}
+
+void take_out(std::vector<ListedRun>& runs, const std::vector<std::string>& without) {
+  const std::vector<ListedRun> all = runs;
+  for (const std::string& name : without) {
+    const auto same = [&](const ListedRun& run) { return run.name == name; };
+    if (std::none_of(all.begin(), all.end(), same)) {
+      std::vector<std::string_view> known;
+      known.reserve(all.size());
+      for (const ListedRun& run : all) known.emplace_back(run.name);
+      throw Error(fmt::format("--without {}: expected a batch of the list, found none of that name{}.", name,
+                              known.empty() ? "" : fmt::format("; the nearest is {}", nearest_name(name, known))));
+    }
+    std::erase_if(runs, same);
+  }
+}
+
+std::string some_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kSome = 4;
+  if (names.size() <= kSome) return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + kSome, ", "), names.size() - kSome);
+}
+
+void tell_steps(const std::vector<Batch>& batches, const std::string& target, std::vector<std::string>& remarks) {
+  std::size_t more = 0;
+  for (const Batch& batch : batches) {
+    if (batch.steps.empty()) continue;
+    if (remarks.size() >= kTold) {
+      ++more;
+      continue;
+    }
+    const auto& [time_s, um] = batch.steps.front();
+    remarks.push_back(
+        fmt::format("{}: {} steps by {:.1f} um at {:.0f} s{}, as if a probe was touched. --without {} leaves it out.",
+                    batch.name, target, um, time_s, batch.steps.size() > 1 ? " and elsewhere" : "", batch.name));
+  }
+  if (more > 0) remarks.push_back(fmt::format("{} more batches with such steps.", more));
+}
+
+}  // namespace
+
+Series read_batch(const Source& source) {
+  OpenedSeries opened = opened_series(source);
+  tell(opened.remarks);
+  return *opened.series;
+}
+
+OpenedBatches open_batches(const TrainOptions& options) {
+  RunList list = open_runs(options.data.path());
+  take_out(list.runs, options.without);
+  std::vector<std::string> remarks;
+  std::erase_if(list.runs, [&](const ListedRun& run) {
+    std::error_code absent;  // then it is not the same file
+    if (options.job.empty() || !options.job.is_path() ||
+        !std::filesystem::equivalent(run.file, options.job.path(), absent))
+      return false;
+    remarks.push_back(fmt::format("{} is the job itself: left out of the batches.", run.name));
+    return true;
+  });
+  if (list.runs.size() < 2) {
+    throw Error(fmt::format("{}: expected at least 2 batches, found {}.", options.data.name(), list.runs.size()));
+  }
+  const ProgressLine progress;
+  OpenedBatches opened;
+  opened.remarks = std::move(remarks);
+  for (const ListedRun& run : list.runs) {
+    const std::string file = run.file.string();
+    if (opened.batches.size() % 20 == 0) {
+      show_progress(fmt::format("reading batch {} of {}", opened.batches.size() + 1, list.runs.size()));
+    }
+    const Series series = read_batch(run.file);
+    with_source(file, [&] {
+      if (opened.batches.empty()) {
+        opened.columns = batch_columns(series, options.inputs, options.target, options.room);
+        const std::vector<std::string> all = opened.columns.sensors;
+        for (const std::string& sensor : options.without_sensor) {
+          std::erase(opened.columns.sensors, sensor);
+          if (std::find(all.begin(), all.end(), sensor) != all.end()) continue;
+          throw Error(fmt::format("--without-sensor {}: expected a temperature, found none of that name.", sensor));
+        }
+        if (opened.columns.sensors.empty()) {
+          throw Error("--without-sensor: expected a temperature to be left, found all left out.");
+        }
+      }
+      expect_no_more(series, opened.columns, options.without_sensor, list.runs.front().name);
+      opened.batches.push_back(batch_of(run.name, series, opened.columns));
+    });
+    opened.files.push_back(run.file);
+  }
+  opened.files.push_back(options.data.path());
+
+  tell_steps(opened.batches, opened.columns.target, opened.remarks);
+  std::vector<std::string> leave;
+  for (const std::string& sensor : constant_sensors(opened.batches, opened.columns)) {
+    opened.remarks.push_back(fmt::format("{} reads the same in all rows of all batches: left out.", sensor));
+    leave.push_back(sensor);
+  }
+  for (const BrokenSensor& broken : broken_sensors(opened.batches, opened.columns)) {
+    opened.remarks.push_back(fmt::format("{} is off by {:+.1f} K in {} of {} batches ({}): it looks broken, {}.",
+                                         broken.sensor, broken.off_K, broken.batches.size(), opened.batches.size(),
+                                         some_of(broken.batches), options.keep_broken ? "kept" : "left out"));
+    if (!options.keep_broken) leave.push_back(broken.sensor);
+  }
+  if (std::find(leave.begin(), leave.end(), opened.columns.room) != leave.end()) {
+    opened.remarks.push_back(
+        fmt::format("{} is the room by which batches are ranked: do not trust the ranking; name "
+                    "another by --room.",
+                    opened.columns.room));
+  }
+  FewerSensors fewer = with_source(options.data.name(),
+                                   [&] { return without_sensors(std::move(opened.batches), opened.columns, leave); });
+  opened.columns = std::move(fewer.columns);
+  opened.batches = std::move(fewer.batches);
+  return opened;
+}
+
+}  // namespace ballbar

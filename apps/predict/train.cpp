@@ -1,0 +1,308 @@
+// `ballbar train RUNS --target COLUMN --out model.json`: a regression of thermal error on temperatures over batches;
+// with --for DATA over those that are like the job at hand, with --effects on the catalogue's effects.
+#include "predict/train.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "ballbar/error.hpp"
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/formats/models/batch_model_json.hpp"
+#include "ballbar/formats/models/model_toml.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "commands.hpp"
+#include "model/model_options.hpp"
+#include "predict/predict_result.hpp"
+#include "terminal/caller.hpp"
+#include "terminal/command_line.hpp"
+#include "terminal/option_checks.hpp"
+#include "terminal/output_guard.hpp"
+#include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
+#include "terminal/terminal_table.hpp"
+
+namespace ballbar {
+
+Contender contender_of(const OpenedBatches& opened, const RegressionSettings& settings) {
+  const Eigen::VectorXd each = held_out_um(opened.batches, std::span(&settings, 1)).col(0);
+  const HeldOutErrors errors = held_out_errors({each.data(), static_cast<std::size_t>(each.size())});
+  const Moments all = merged(opened.batches);
+  return {label_of(settings),
+          settings,
+          errors,
+          opened.batches[errors.worst].name,
+          rmse_um(all, regress(all, settings)),
+          false};
+}
+
+std::string contest_text(const std::vector<Contender>& contenders) {
+  Table table({"method", "left out um", "worst um", "worst batch", "trained um"});
+  for (const Contender& one : contenders) {
+    const bool known = !one.worst.empty();
+    table.add({one.label + (one.taken ? " *" : ""), fixed(one.held_out.rms_um, 2),
+               known ? fixed(one.held_out.worst_um, 2) : "-", known ? one.worst : "-", fixed(one.rmse_um, 2)});
+  }
+  return table.text(table_width()) +
+         wrapped(
+             "* is written. left out: RMSE where each batch in turn is predicted by all the others; the settings "
+             "are chosen by it, so that it is a little too good.");
+}
+
+namespace commands {
+namespace {
+
+void expect_fitting(const TrainOptions& options) {
+  const auto is = [&](RegressionMethod method) { return !options.method || *options.method == method; };
+  if (options.components && !is(RegressionMethod::pcr)) {
+    throw CLI::ValidationError("--components: expected --method pcr with it.");
+  }
+  if (options.share && !is(RegressionMethod::pcr))
+    throw CLI::ValidationError("--share: expected --method pcr with it.");
+  if (options.components && options.share) throw CLI::ValidationError("expected --components or --share, found both.");
+  if (options.penalty_K2 && !is(RegressionMethod::ridge)) {
+    throw CLI::ValidationError("--penalty: expected --method ridge with it.");
+  }
+}
+
+// What is said of one method asks for it.
+std::optional<RegressionMethod> method_of(const TrainOptions& options) {
+  if (options.method) return options.method;
+  if (options.components || options.share) return RegressionMethod::pcr;
+  if (options.penalty_K2) return RegressionMethod::ridge;
+  return std::nullopt;
+}
+
+// As the command line says, by batches left out where it does not.
+RegressionSettings chosen_settings(const TrainOptions& options, RegressionMethod method, const OpenedBatches& opened) {
+  if (method == method_of(options)) {
+    if (options.components) return {method, *options.components, 0.0};
+    if (options.share) return {method, components_for(merged(opened.batches), *options.share), 0.0};
+    if (options.penalty_K2) return {method, 0, *options.penalty_K2};
+  }
+  return best_settings(opened.batches, method);
+}
+
+// The physical model in the same contest: fitted to all batches but one, the one predicted.
+Contender physical(const TrainOptions& options, const OpenedBatches& opened) {
+  const ProgressLine progress;
+  Model model = read_model(read_bytes(options.model, kLargestText), options.model);
+  model.targets = {opened.columns.target};
+  const std::size_t count = opened.batches.size();
+  std::vector<Series> batches;
+  for (std::size_t k = 0; k < count; ++k) batches.push_back(read_batch(opened.files[k]));
+  FitOptions how;
+  how.white = true;
+  how.starts = 1;
+  const HeldOutErrors errors = with_source(options.model, [&] {
+    return held_out_errors(model, batches, how, [&](std::size_t k) {
+      show_progress(fmt::format("fitting {} without batch {} of {}", options.model, k + 1, count));
+    });
+  });
+  return {options.model,
+          {},
+          errors,
+          opened.batches[errors.worst].name,
+          fit(model, joined_batches(batches, model), 0, how).rmse_um,
+          false};
+}
+
+std::size_t rows_in(const std::vector<Batch>& batches) {
+  std::size_t rows = 0;
+  for (const Batch& batch : batches) rows += batch.rows;
+  return rows;
+}
+
+void expect_rows(std::size_t rows, const RegressionSettings& settings) {
+  if (rows > settings.components) return;
+  throw Error(
+      fmt::format("expected more rows than components, found {} rows and {} components.", rows, settings.components));
+}
+
+void print_text(const TrainOptions& options, const OpenedBatches& opened, const std::vector<Contender>& contenders,
+                const TemperatureRegression& model) {
+  const InputKind kind = model.columns.kind;
+  fmt::print("{}\n{} from {} temperatures ({}), {} batches, {} rows\n\n", options.data.name(), model.columns.target,
+             model.columns.sensors.size(),
+             kind == InputKind::temperature ? "as they are"
+             : kind == InputKind::rise      ? "their rise since each batch began"
+                                            : "as they are, and their rise since each batch began",
+             opened.batches.size(), rows_in(opened.batches));
+  fmt::print(
+      "{}",
+      wrapped(fmt::format(
+          "A batch that the model has not seen is predicted to {:.2f} um RMSE by {}, of "
+          "{:.2f} um without any model. 95 % of its errors are within ±{:.2f} um, if those of each batch are normal.",
+          model.held_out_rmse_um, label_of(model.settings), rms_without_model_um(opened.batches),
+          model.half_width_um)));
+  fmt::print("\n{}", contest_text(contenders));
+  if (!opened.remarks.empty()) fmt::print("\n");
+  for (const std::string& remark : opened.remarks) fmt::print("{}", wrapped(remark));
+}
+
+void train_temperatures(const TrainOptions& options) {
+  expect_fitting(options);
+  const OpenedBatches opened = open_batches(options);
+  std::vector<std::filesystem::path> inputs = opened.files;
+  if (!options.model.empty()) inputs.emplace_back(options.model);
+  expect_no_input({options.out}, inputs);
+  std::vector<Contender> contenders;
+  for (const RegressionMethod method : kRegressionMethods) {
+    const RegressionSettings settings = chosen_settings(options, method, opened);
+    expect_rows(rows_in(opened.batches), settings);
+    contenders.push_back(with_source(options.data.name(), [&] { return contender_of(opened, settings); }));
+  }
+  const auto of_method = [&](const Contender& one) { return one.settings.method == method_of(options); };
+  const auto less = [](const Contender& a, const Contender& b) { return a.held_out.rms_um < b.held_out.rms_um; };
+  auto best = std::find_if(contenders.begin(), contenders.end(), of_method);
+  if (best == contenders.end()) best = std::min_element(contenders.begin(), contenders.end(), less);
+  best->taken = true;
+  const RegressionSettings settings = best->settings;
+  std::optional<ComparedModel> effects;
+  if (!options.model.empty()) effects = ComparedModel{physical(options, opened)};
+  const TemperatureRegression model = temperature_regression(
+      opened.batches, {}, opened.columns, settings, [&](std::size_t k) { return read_batch(opened.files[k]); });
+  write_bytes(options.out, write_batch_model(model));
+  if (options.json) {
+    print_json(json_of(TrainedOnTemperatures{model.columns.target,
+                                             opened.batches.size(),
+                                             model.held_out_rmse_um,
+                                             model.half_width_um,
+                                             contenders,
+                                             {effects},
+                                             opened.remarks}));
+  } else {
+    if (effects) contenders.push_back(effects->contender);
+    print_text(options, opened, contenders, model);
+  }
+  wrote_line(options.out);
+}
+
+// What an option needs, and what it does not go with.
+void expect_together(const TrainOptions& given) {
+  if (given.effects && (method_of(given) || !given.model.empty())) {
+    throw CLI::ValidationError(
+        "--effects: expected neither --method, --components, --share, --penalty nor --model with it.");
+  }
+  if (given.effects) return;
+  if (given.few) throw CLI::ValidationError("--few: expected --effects with it.");
+  if (given.max_gap_s) throw CLI::ValidationError("--max-gap: expected --effects with it.");
+}
+
+void expect_together_for_job(const TrainOptions& given) {
+  const char* const other = given.effects         ? "--effects"
+                            : given.few           ? "--few"
+                            : given.components    ? "--components"
+                            : given.penalty_K2    ? "--penalty"
+                            : given.max_gap_s     ? "--max-gap"
+                            : given.model.empty() ? nullptr
+                                                  : "--model";
+  if (other != nullptr) throw CLI::ValidationError(fmt::format("{}: expected no --for with it", other));
+  if (given.share && given.method == RegressionMethod::ridge) {
+    throw CLI::ValidationError("--share: expected --method pcr with it");
+  }
+}
+
+void run(const TrainOptions& given, const std::vector<CLI::Option*>& of_a_job) {
+  if (!given.job.empty()) {
+    expect_together_for_job(given);
+    return train_for_job(given);
+  }
+  expect_none_given(of_a_job, "--for");
+  if (given.out.empty()) throw CLI::RequiredError("--out");
+  expect_together(given);
+  given.effects ? train_effects(given) : train_temperatures(given);
+}
+
+void add_batch_options(CLI::App& command, TrainOptions& options) {
+  add_source(command, "RUNS", options.data, "list of the recorded batches: runs.csv")->required()->type_name("");
+  command.add_option("--target", options.target, "what to predict: a column in um")->required()->type_name("COLUMN");
+  command.add_option("--room", options.room, "column of the room's temperature, where its name does not say so")
+      ->type_name("COLUMN");
+  add_choice(command, "--inputs", {"temperature", "rise", "both"}, "temperature",
+             "what of a temperature is used: temperature itself, its rise since the batch began, or both",
+             [&](std::size_t at) { options.inputs = static_cast<InputKind>(at); });
+  command.add_option("--without", options.without, "leave this batch out")->type_name("BATCH")->allow_extra_args(false);
+  command.add_option("--without-sensor", options.without_sensor, "leave this temperature out")
+      ->type_name("COLUMN")
+      ->allow_extra_args(false);
+  command.add_flag("--keep-broken", options.keep_broken, "use sensors that look broken all the same");
+}
+
+void add_method_options(CLI::App& command, TrainOptions& options) {
+  add_choice(command, "--method", {"pcr", "ridge"}, "the best by batches left out", "principal components, or ridge",
+             [&](std::size_t at) { options.method = kRegressionMethods[at]; });
+  command.add_option("--components", options.components, "of pcr; otherwise chosen by batches left out")
+      ->check(CLI::Range(1, 10000).description(""))
+      ->type_name("N");
+  command
+      .add_option(
+          "--share", options.share,
+          "pcr: the fewest components that explain this share of the inputs, such as 0.99; with --for anew for each "
+          "choice of batches")
+      ->check(number_within(0.0, 1.0))
+      ->type_name("SHARE");
+  command.add_option("--penalty", options.penalty_K2, "of ridge, K^2 a row; otherwise chosen by batches left out")
+      ->check(number_within(0.0, 1e9))
+      ->type_name("K2");
+  command.add_option("--model", options.model, "a model of effects, .toml, in the same contest; it is not written")
+      ->type_name("FILE");
+  command.add_flag(
+      "--effects", options.effects,
+      "a regression on the catalogue's effects instead, which runs live; RUNS may be one series or session");
+  command.add_flag("--few", options.few, "with --effects: some ten effects, nine selections averaged");
+  add_max_gap(command, options.max_gap_s);
+}
+
+// Those that mean nothing without --for.
+std::vector<CLI::Option*> add_job_options(CLI::App& command, TrainOptions& options) {
+  add_source(
+      command, "--for", options.job,
+      "the job at hand, a series of its temperatures: train on the batches like it; with the target it is checked")
+      ->type_name("DATA");
+  std::vector<CLI::Option*> added;
+  added.push_back(
+      command.add_option("--fall", options.fall, "with --for: how far RMSE_m must fall below all those before it")
+          ->check(number_within(0.0, 1.0))
+          ->type_name("SHARE")
+          ->capture_default_str());
+  added.push_back(command.add_option("--random", options.random.choices, "with --for: random choices to compare with")
+                      ->check(number_within(0, 100000))
+                      ->type_name("N")
+                      ->capture_default_str());
+  added.push_back(command.add_option("--seed", options.random.seed, "of the random choices")
+                      ->type_name("N")
+                      ->check(number_within(0, kLargestSeed))
+                      ->capture_default_str());
+  add_choice(command, "--take", {"paper", "held-out", "weights", "all"}, "weights",
+             "with --for: whose model is written and shown first",
+             [&](std::size_t at) { options.take = static_cast<Take>(at); });
+  added.push_back(command.get_option("--take"));
+  added.push_back(command.add_flag("--every", options.every, "with --for: list every batch"));
+  return added;
+}
+
+}  // namespace
+
+void add_train(CLI::App& app) {
+  const auto options = std::make_shared<TrainOptions>();
+  CLI::App* command = app.add_subcommand("train", "A regression of thermal error on temperatures over many tests");
+  add_batch_options(*command, *options);
+  add_method_options(*command, *options);
+  const std::vector<CLI::Option*> of_a_job = add_job_options(*command, *options);
+  command->add_option("--out", options->out, "write the model, .json; with --for it may be left out")
+      ->type_name("FILE")
+      ->check(name_that_ends_in({".json"}));
+  command->add_flag("--json", options->json, "the result for a program");
+  command->footer(
+      "Example:\n"
+      "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --out model.json\n"
+      "  ballbar train sample-runs/spindle-46h/measured.csv --effects --target ch1_um --out ch1.json\n"
+      "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --for sample-runs/batches-tan2024/test1.csv");
+  command->callback([options, of_a_job] { run(*options, of_a_job); });
+}
+
+}  // namespace commands
+}  // namespace ballbar

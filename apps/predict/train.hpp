@@ -1,0 +1,76 @@
+// What `ballbar train` is told, the recorded tests that it works on, and its ways to train.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/formats/text/source.hpp"
+#include "ballbar/predict/batch_choice.hpp"
+#include "ballbar/predict/held_out.hpp"
+#include "ballbar/series/series.hpp"
+
+namespace ballbar {
+
+struct TrainOptions {
+  Source data;  // runs.csv; with `effects` a series or session, too
+  std::string target;
+  std::optional<std::string> room;
+  InputKind inputs = InputKind::temperature;
+  std::vector<std::string> without, without_sensor;
+  bool keep_broken = false;
+
+  std::optional<RegressionMethod> method;
+  std::optional<std::size_t> components;
+  std::optional<double> share, penalty_K2;
+  std::string model;  // of effects, to compare with
+  bool effects = false, few = false;
+  std::optional<double> max_gap_s;
+
+  Source job;  // --for: a series of its temperatures; with the target, the choice is checked
+  double fall = ChoiceOptions{}.fall;
+  RandomOptions random;
+  Take take = Take::weights;
+  bool every = false;
+
+  std::string out;  // .json; empty: no model is written
+  bool json = false;
+};
+
+struct OpenedBatches {
+  BatchColumns columns;
+  std::vector<Batch> batches;
+  std::vector<std::filesystem::path> files;  // of the batches, same order; then the list
+  std::vector<std::string> remarks;          // whole sentences: sensors left out, steps of the target
+};
+
+// Every batch is read, condensed and let go. The job is left out where it is listed too. Throws Error with the file:
+// columns that differ from the first batch's, a batch to leave out that is not listed, as batch_columns and batch_of.
+OpenedBatches open_batches(const TrainOptions& options);
+
+Series read_batch(const Source& source);
+
+// One method with the settings it is trained with.
+struct Contender {
+  std::string label;            // "pcr, 7 components"
+  RegressionSettings settings;  // of a regression on temperatures
+  HeldOutErrors held_out;       // of batches left out
+  std::string worst;            // name of the worst of them; empty: not known
+  double rmse_um = 0.0;         // of all batches, trained on
+  bool taken = false;
+};
+
+Contender contender_of(const OpenedBatches& opened, const RegressionSettings& settings);
+
+// The table, and what its columns are.
+std::string contest_text(const std::vector<Contender>& contenders);
+
+// Prints what `train --effects` prints, and writes the model. Throws Error with the file that is at fault, as the next.
+void train_effects(const TrainOptions& options);
+
+// Prints the batches by their likeness to the job and what each choice among them predicts; writes the model of the
+// choice that is taken.
+void train_for_job(const TrainOptions& options);
+
+}  // namespace ballbar

@@ -1,0 +1,225 @@
+// `ballbar train DATA --effects`: a regression on the effects of the catalogue (effect_regression.hpp).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/formats/models/effect_regression_json.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/number_text.hpp"
+#include "model/model_options.hpp"
+#include "predict/predict_result.hpp"
+#include "predict/train.hpp"
+#include "terminal/caller.hpp"
+#include "terminal/output_guard.hpp"
+#include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
+#include "terminal/terminal_table.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kShownDrivers = 8;
+constexpr double kNoBetter = 0.95;           // of the error of the last value held
+constexpr double kHardlyBetter = 2.0 / 3.0;  // random walks reach this by chance
+constexpr std::size_t kHead = 1 << 16;
+
+bool is_predicted(const EffectRegression& regression) {
+  const Forecasts& of = *regression.forecasts;
+  return !regression.model.terms.empty() && of.rmse_um < (regression.runs > 1 ? kNoBetter : kHardlyBetter) * of.held_um;
+}
+
+// The conclusion: what may be expected of rows that the training did not have.
+std::string expectation(const EffectRegression& regression) {
+  const std::string& target = regression.model.targets.front();
+  if (!regression.forecasts) {
+    return fmt::format("{}: too few rows to test forecasts; what it predicts elsewhere is not known.", target);
+  }
+  const Forecasts& of = *regression.forecasts;
+  const bool several = regression.runs > 1;
+  const std::string tested = several ? fmt::format("runs left out (each of {})", of.count)
+                                     : fmt::format("forecasts from {} origins", of.count);
+  const std::string without = several ? "0 um is taken" : "the last value, or the mean, is held";
+  if (regression.model.terms.empty() || !(of.rmse_um < kNoBetter * of.held_um)) {
+    return fmt::format(
+        "{} is not predicted: in {} the error is {:.2f} um RMSE, and {:.2f} um where {}. What moves it is in none of "
+        "these columns.",
+        target, tested, of.rmse_um, of.held_um, without);
+  }
+  return fmt::format(
+      "{} is {}predicted to {:.2f} um on rows that the training did not have (mean of |error| in {}; RMSE {:.2f} um, "
+      "and {:.2f} um where {}). The interval of 95 % held {:.0f} % of them{}.{}",
+      target, is_predicted(regression) ? "" : "hardly ", of.error_um, tested, of.rmse_um, of.held_um, without,
+      100.0 * of.within_share,
+      regression.interval_scale > 1.005
+          ? fmt::format(" and is {:.2f} times as wide in the model's file, so that it holds 95 %",
+                        regression.interval_scale)
+          : "",
+      is_predicted(regression) ? "" : " A random walk that no column drives comes as near by chance.");
+}
+
+std::string memory_text(const EffectRegression& regression) {
+  return regression.length_s > 0.0
+             ? fmt::format("What no column drives is a curve of {:.2f} um (standard deviation) with a memory of {}.",
+                           regression.sigma_um, duration_text(regression.length_s))
+             : fmt::format("What is left scatters by {:.2f} um, without a memory.", regression.sigma_um);
+}
+
+Table driver_table(const DriverReport& report) {
+  Table table({"column", "role", "share um", "parts left out", "what may be said"});
+  double others = 0.0;
+  std::size_t shown = 0, more = 0;
+  for (const DriverStability& one : report.drivers) {
+    if (shown++ >= kShownDrivers) {
+      others += one.share.share_um;
+      ++more;
+      continue;
+    }
+    table.add({one_line(one.share.column), std::string(name_of(one.share.role)), fixed(one.share.share_um, 2),
+               fmt::format("{:.2f} to {:.2f}", one.low_um, one.high_um),
+               one.stable  ? "stable"
+               : one.flips ? "its sign flips"
+                           : "not stable"});
+  }
+  if (more > 0) table.add({fmt::format("{} more", more), "", fixed(others, 2), "", ""});
+  return table;
+}
+
+std::vector<std::string> remarks_of(const DriverReport& report) {
+  std::vector<std::string> remarks;
+  for (const std::vector<std::string>& names : report.interchangeable) {
+    remarks.push_back(fmt::format("Interchangeable, any of them will do: {}.", fmt::join(names, ", ")));
+  }
+  if (!report.not_needed.empty()) {
+    remarks.push_back(fmt::format("Without any one of these nothing changes: {}.", fmt::join(report.not_needed, ", ")));
+  }
+  for (const CancellingColumns& pair : report.cancelling) {
+    remarks.push_back(
+        fmt::format("{} ({:.1f} um) and {} ({:.1f} um) nearly cancel, to {:.1f} um: neither is a cause by itself.",
+                    pair.first, pair.first_um, pair.second, pair.second_um, pair.sum_um));
+  }
+  return remarks;
+}
+
+// Whether it is a list of runs, by its first column.
+bool is_run_list(const Source& source) {
+  if (source.series() || (source.is_path() && std::filesystem::is_directory(source.path()))) return false;
+  const std::string head = source.head(kHead);
+  std::size_t at = 0;
+  while (at < head.size() && (head[at] == '#' || head[at] == '\n' || head[at] == '\r')) {
+    at = head[at] == '#' ? head.find('\n', at) : at + 1;
+    if (at == std::string::npos) return false;
+  }
+  const std::string_view rest = std::string_view(head).substr(at);
+  const std::string_view first = rest.substr(0, rest.find_first_of(",\r\n"));
+  return first == "run" || first == "file";
+}
+
+// The record of the file; of a list the batches that were opened, with the temperatures that were kept.
+std::vector<Series> runs_of(const TrainOptions& options, const std::optional<OpenedBatches>& opened) {
+  std::vector<std::string> without = options.without_sensor;
+  std::vector<Series> runs;
+  if (opened) {
+    for (std::size_t k = 0; k < opened->batches.size(); ++k) runs.push_back(read_batch(opened->files[k]));
+    const std::vector<std::string>& kept = opened->columns.sensors;
+    for (const Column& column : runs.front().columns) {
+      if (is_sensor(column) && std::find(kept.begin(), kept.end(), column.name) == kept.end()) {
+        without.push_back(column.name);
+      }
+    }
+  } else {
+    ModelData data = open_drift(options.data, options.max_gap_s);
+    expect_no_input({options.out}, data.files);
+    for (const std::string& name : without) {
+      if (find_column(*data.series, name) != nullptr) continue;
+      throw Error(fmt::format("--without-sensor {}: expected a column of {}, found none of that name.", name,
+                              options.data.name()));
+    }
+    runs.push_back(*data.series);
+  }
+  for (Series& run : runs) {
+    std::erase_if(run.columns, [&](const Column& column) {
+      return std::find(without.begin(), without.end(), column.name) != without.end();
+    });
+  }
+  return runs;
+}
+
+// Of a list of runs; nothing of one record.
+std::optional<OpenedBatches> opened_list(const TrainOptions& options) {
+  if (!is_run_list(options.data)) {
+    if (options.room || options.inputs != InputKind::temperature || !options.without.empty() || options.keep_broken) {
+      throw Error(fmt::format("{}: expected a list of runs for --room, --inputs, --without and --keep-broken.",
+                              options.data.name()));
+    }
+    expect_no_input({options.out}, paths_of({options.data}));
+    return std::nullopt;
+  }
+  if (options.max_gap_s) throw Error("--max-gap: expected a session or a series with it, found a list of runs.");
+  OpenedBatches opened = open_batches(options);
+  expect_no_input({options.out}, opened.files);
+  return opened;
+}
+
+Contender effects_contender(const TrainedRegression& trained, const OpenedBatches& opened) {
+  Contender effects{"effects", {}, trained.left_out.value_or(HeldOutErrors{}), {}, trained.regression.rmse_um, true};
+  effects.held_out.rms_um = trained.regression.forecasts->rmse_um;
+  if (trained.left_out) effects.worst = opened.files[trained.left_out->worst].stem().string();
+  return effects;
+}
+
+}  // namespace
+
+void train_effects(const TrainOptions& options) {
+  const std::optional<OpenedBatches> opened = opened_list(options);
+  std::vector<Contender> contenders;
+  for (const RegressionMethod method : kRegressionMethods) {
+    if (!opened) break;
+    contenders.push_back(with_source(options.data.name(),
+                                     [&] { return contender_of(*opened, best_settings(opened->batches, method)); }));
+  }
+  const std::vector<Series> runs = runs_of(options, opened);
+  EffectRegressionOptions how;
+  how.few = options.few;
+  how.progress = [](const std::string& what) { show_progress(what); };
+  const TrainedRegression trained = [&] {
+    const ProgressLine progress;
+    return with_source(options.data.name(), [&] { return trained_regression(runs, options.target, how); });
+  }();
+  const EffectRegression& of = trained.regression;
+  const bool is_model = !of.model.terms.empty();
+  if (is_model) write_bytes(options.out, write_effect_regression(of));
+  std::vector<std::string> said = remarks_of(trained.drivers);
+  if (!of.left_out.empty()) {
+    said.push_back(fmt::format("Not used, for they stand still or have gaps: {}.", fmt::join(of.left_out, ", ")));
+  }
+  if (opened) said.insert(said.end(), opened->remarks.begin(), opened->remarks.end());
+  if (options.json) {
+    TrainedOnEffects result{of, std::nullopt, trained.drivers, contenders, said, expectation(of)};
+    if (of.forecasts) result.forecasts = {*of.forecasts, is_predicted(of)};
+    print_json(json_of(result));
+  } else {
+    fmt::print("{}\n{} from {} columns by {}; {} rows{}\n\n", options.data.name(), options.target,
+               of.model.trained.size(), dictionary_text(of), of.rows,
+               of.runs > 1 ? fmt::format(" of {} runs", of.runs) : "");
+    fmt::print("{}{}\n", wrapped(expectation(of)), wrapped(memory_text(of)));
+    if (opened && of.forecasts) {
+      contenders.push_back(effects_contender(trained, *opened));
+      fmt::print("{}\n", contest_text(contenders));
+    }
+    fmt::print("{}{}", driver_table(trained.drivers).text(table_width()),
+               wrapped(fmt::format("share: of {:.2f} um, the range of what is predicted. parts left out: least and "
+                                   "largest in {} refits, each without a part of the record.",
+                                   trained.drivers.range_um, trained.drivers.refits)));
+    if (!said.empty()) fmt::print("\n");
+    for (const std::string& remark : said) fmt::print("{}", wrapped(remark));
+  }
+  if (is_model) {
+    wrote_line(options.out);
+  } else {
+    stderr_line("no effect is likelier than none, nothing written");
+  }
+}
+
+}  // namespace ballbar

@@ -1,0 +1,211 @@
+#include "predict/design.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "ballbar/error.hpp"
+#include "ballbar/model/model.hpp"
+#include "ballbar/model/target_columns.hpp"
+#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/predict/effect_regression.hpp"
+#include "effects/temperature_at_start.hpp"
+#include "model/bindings.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kFewestValues = 40;
+
+// Rows of a run at which the target is known.
+std::vector<std::size_t> known_rows(const Series& run, const std::string& target) {
+  const Column* column = find_column(run, target);
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < column->values.size(); ++i) {
+    if (std::isfinite(column->values[i])) rows.push_back(i);
+  }
+  return rows;
+}
+
+// Columns that in some run have a gap, and those that stand still in all.
+std::vector<std::string> unusable(std::span<const Series> runs) {
+  std::vector<std::string> names;
+  for (const Column& first : runs.front().columns) {
+    if (first.role == Role::measured || first.values.empty()) continue;
+    bool whole = true, moves = false;
+    double value = first.values.front();
+    for (const Series& run : runs) {
+      const Column* column = find_column(run, first.name);
+      if (column == nullptr) {
+        throw Error(fmt::format("expected {} in every run, found one without.", first.name));
+      }
+      for (const double next : column->values) {
+        whole = whole && std::isfinite(next);
+        moves = moves || next != value;
+      }
+    }
+    if (!whole || !moves) names.push_back(first.name);
+  }
+  return names;
+}
+
+// Every combination of the grid's values at its shapes; the first gain 1, others 0.
+std::vector<std::vector<double>> points_of(const Effect& effect) {
+  std::vector<std::vector<double>> points{{}};
+  std::size_t shape = 0;
+  bool first = true;
+  for (const Parameter& parameter : effect.parameters) {
+    const bool is_gain = parameter.kind == ParameterKind::gain;
+    const std::vector<double> values = is_gain ? std::vector{first ? 1.0 : 0.0} : effect.rules.predictor->grid[shape++];
+    first = first && !is_gain;
+    std::vector<std::vector<double>> longer;
+    for (const std::vector<double>& point : points) {
+      for (const double value : values) {
+        longer.push_back(point);
+        longer.back().push_back(value);
+      }
+    }
+    points = std::move(longer);
+  }
+  return points;
+}
+
+class Collected {
+ public:
+  explicit Collected(Predictors& into) : into_(into) {}
+
+  std::size_t index_of(const std::shared_ptr<const Effect>& effect, const std::vector<std::string>& columns,
+                       const std::vector<double>& parameters) {
+    const auto [place, is_new] = known_.try_emplace({effect->name, columns, parameters}, into_.each.size());
+    if (is_new) into_.each.push_back({effect, columns, parameters});
+    return place->second;
+  }
+
+  void add(const std::shared_ptr<const Effect>& effect, const Catalogue& effects,
+           const std::vector<std::vector<std::string>>& bindings) {
+    const PredictorRule& rule = *effect->rules.predictor;
+    PredictorFamily family{rule.kind, {}};
+    const auto other =
+        std::find_if(effects.begin(), effects.end(), [&](const auto& one) { return one->name == rule.difference_of; });
+    for (const std::vector<double>& point : points_of(*effect)) {
+      for (const std::vector<std::string>& binding : bindings) {
+        if (other == effects.end()) {
+          family.members.push_back({index_of(effect, binding, point)});
+        } else {
+          const std::size_t plus = index_of(*other, {binding[0]}, point);
+          family.members.push_back({plus, index_of(*other, {binding[1]}, point)});
+        }
+      }
+    }
+    if (!family.members.empty()) into_.families.push_back(std::move(family));
+  }
+
+ private:
+  Predictors& into_;
+  std::map<std::tuple<std::string, std::vector<std::string>, std::vector<double>>, std::size_t> known_;
+};
+
+}  // namespace
+
+std::vector<double> with_gain(const Predictor& predictor, double gain) {
+  std::vector<double> parameters = predictor.parameters;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    if (predictor.effect->parameters[k].kind == ParameterKind::gain) parameters[k] *= gain;
+  }
+  return parameters;
+}
+
+Catalogue predictor_effects(const Catalogue& catalogue) {
+  Catalogue effects;
+  for (const std::shared_ptr<const Effect>& effect : catalogue) {
+    if (effect->level == Level::series && effect->rules.predictor) effects.push_back(effect);
+  }
+  effects.push_back(temperature_at_start());
+  return effects;
+}
+
+Predictors predictors_of(std::span<const Series> runs, const std::string& target, const Catalogue& catalogue) {
+  Model model;
+  model.targets = {target};
+  model.not_inputs = unusable(runs);
+  Predictors predictors;
+  predictors.left_out = model.not_inputs;
+  Collected collected(predictors);
+  const Catalogue effects = predictor_effects(catalogue);
+  for (const std::shared_ptr<const Effect>& effect : effects) {
+    if (effect->rules.predictor->kind == PredictorKind::start && runs.size() == 1) continue;
+    collected.add(effect, effects, bindings_of(*effect, model, runs.front()));
+  }
+  if (!predictors.each.empty()) return predictors;
+  throw Error("expected a column of a temperature, a speed or a load that moves, found none.");
+}
+
+std::vector<std::size_t> thinned(const std::vector<std::size_t>& rows, std::size_t most) {
+  const std::size_t step = (rows.size() + most - 1) / std::max<std::size_t>(1, most);
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < rows.size(); i += std::max<std::size_t>(1, step)) kept.push_back(rows[i]);
+  return kept;
+}
+
+ColumnScales column_scales(const Eigen::MatrixXd& columns) {
+  ColumnScales scales{columns.colwise().mean(), Eigen::VectorXd(columns.cols())};
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    const double square = (columns.col(k).array() - scales.mean[k]).square().sum();
+    const double sd = std::sqrt(square / static_cast<double>(columns.rows()));
+    scales.sd[k] = sd > 1e-6 * std::max(1e-3, columns.col(k).cwiseAbs().maxCoeff()) ? sd : 0.0;
+  }
+  return scales;
+}
+
+Design design_of(std::span<const Series> runs, const std::string& target, const Catalogue& catalogue) {
+  Design design;
+  design.runs = runs.size();
+  std::vector<std::vector<std::size_t>> rows;
+  std::size_t count = 0;
+  for (const Series& run : runs) {
+    expect_explainable({target}, run);
+    rows.push_back(known_rows(run, target));
+    count += rows.back().size();
+  }
+  if (count < kFewestValues) {
+    throw Error(fmt::format("{}: expected at least {} values to train on, found {}.", target, kFewestValues, count));
+  }
+  const std::size_t step = (count + kMostDesignRows - 1) / kMostDesignRows;
+  for (std::vector<std::size_t>& of_run : rows) of_run = thinned(of_run, (of_run.size() + step - 1) / step);
+  design.predictors = predictors_of(runs, target, catalogue);
+  std::vector<double> values;
+  std::vector<Eigen::Index> first;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    first.push_back(static_cast<Eigen::Index>(design.time_s.size()));
+    const Column& measured = *find_column(runs[r], target);
+    for (const std::size_t i : rows[r]) {
+      design.time_s.push_back(runs[r].time_s[i]);
+      design.run.push_back(r);
+      design.row.push_back(i);
+      values.push_back(measured.values[i]);
+    }
+  }
+  const auto n = static_cast<Eigen::Index>(values.size());
+  design.target_um = Eigen::Map<const Eigen::VectorXd>(values.data(), n);
+  design.values.resize(n, static_cast<Eigen::Index>(design.predictors.each.size()));
+  in_parallel(design.predictors.each.size(), [&](std::size_t k) {
+    const Predictor& predictor = design.predictors.each[k];
+    std::vector<double> out;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      EffectRows all{runs[r].time_s, {}};
+      for (const std::string& name : predictor.columns) all.inputs.emplace_back(find_column(runs[r], name)->values);
+      out.resize(runs[r].time_s.size());
+      predictor.effect->evaluate(all, predictor.parameters.data(), out.data(), nullptr);
+      for (std::size_t i = 0; i < rows[r].size(); ++i) {
+        design.values(first[r] + static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = out[rows[r][i]];
+      }
+    }
+  });
+  return design;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,162 @@
+#include "ballbar/predict/effect_regression.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "ballbar/error.hpp"
+#include "ballbar/fit/held_model.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
+#include "predict/driver_report.hpp"
+#include "predict/forecasts.hpp"
+#include "predict/selection.hpp"
+
+namespace ballbar {
+namespace {
+
+// As the bits of RidgeSetting::kinds.
+constexpr std::string_view kKinds[kPredictorKinds] = {"sources of heat", "temperatures", "their feedback",
+                                                      "differences of temperatures", "temperatures at the start"};
+
+void add_terms(const Predictors& predictors, const RidgeProblem& problem, const RidgeFit& fit,
+               EffectRegression& regression) {
+  const auto m = static_cast<Eigen::Index>(fit.used.size());
+  regression.mean_um.resize(m);
+  regression.sd_um.resize(m);
+  double constant_um = fit.gains_um[0];
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const std::size_t of = fit.used[static_cast<std::size_t>(k)];
+    const auto at = static_cast<Eigen::Index>(of);
+    regression.mean_um[k] = problem.mean[at];
+    regression.sd_um[k] = problem.sd[at];
+    const double gain = fit.gains_um[k + 1] / problem.sd[at];
+    constant_um -= gain * problem.mean[at];
+    const Predictor& predictor = predictors.each[of];
+    regression.model.terms.push_back(held_term(predictor.effect, predictor.columns, with_gain(predictor, gain)));
+  }
+  regression.model.constant_um = constant_um;
+  regression.end_discrepancy_um = fit.gains_um[m + 1];
+  regression.factor_um = fit.factor_um;
+}
+
+void add_ranges(std::span<const Series> runs, EffectRegression& regression) {
+  for (const Series& run : runs) {
+    for (const ColumnRange& range : ranges_of(regression.model, run)) {
+      std::vector<ColumnRange>& trained = regression.model.trained;
+      const auto known = std::find_if(trained.begin(), trained.end(),
+                                      [&](const ColumnRange& one) { return one.column == range.column; });
+      if (known == trained.end()) {
+        trained.push_back(range);
+        regression.roles.push_back(find_column(run, range.column)->role);
+      } else {
+        known->low = std::min(known->low, range.low);
+        known->high = std::max(known->high, range.high);
+      }
+    }
+  }
+}
+
+// The state of the model after the last row.
+void add_end(const Series& last_run, EffectRegression& regression) {
+  LiveModel live(regression.model);
+  std::vector<const Column*> columns;
+  for (const std::string& name : live.columns()) columns.push_back(find_column(last_run, name));
+  std::vector<double> values(columns.size());
+  for (std::size_t i = 0; i < last_run.time_s.size(); ++i) {
+    for (std::size_t c = 0; c < columns.size(); ++c) values[c] = columns[c]->values[i];
+    live.next(last_run.time_s[i], values);
+  }
+  regression.end = live.state();
+  regression.end_step_s = median_step_s(last_run.time_s);
+}
+
+// Of all rows of the design, without the discrepancy.
+double rmse_um(const Design& design, const RidgeFit& fit, const EffectRegression& regression) {
+  const auto m = static_cast<Eigen::Index>(fit.used.size());
+  const Eigen::VectorXd gains = fit.gains_um.segment(1, m).cwiseQuotient(regression.sd_um);
+  const Eigen::VectorXd error = design.target_um - design.values(Eigen::all, fit.used) * gains;
+  return std::sqrt((error.array() - *regression.model.constant_um).square().mean());
+}
+
+}  // namespace
+
+TrainedRegression trained_regression(std::span<const Series> runs, const std::string& target,
+                                     const EffectRegressionOptions& options, const Catalogue& catalogue) {
+  if (runs.empty()) throw Error("expected a record to train on, found none.");
+  const auto say = [&](const std::string& what) {
+    if (options.progress) options.progress(what);
+  };
+  say("evaluating the effects");
+  const Design design = design_of(runs, target, catalogue);
+  std::vector<std::size_t> rows(design.row.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  const RidgeProblem problem = ridge_problem(design, rows);
+  say(options.few ? "choosing effects" : "choosing the dictionary");
+  const bool leaves_runs_out = runs.size() >= kFewestRunsToLeaveOut;
+  RidgeFit fit;
+  if (options.few) {
+    fit = few_effects(problem);
+  } else {
+    fit = ridge_fit(problem, chosen_setting(leaves_runs_out ? ridge_problem(design, rows, kChoiceRows) : problem));
+  }
+  const RidgeSetting& setting = fit.setting;
+  EffectRegression regression;
+  regression.model.targets = {target};
+  add_terms(design.predictors, problem, fit, regression);
+  for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
+    if ((setting.kinds >> kind & 1U) != 0) regression.dictionary.emplace_back(kKinds[kind]);
+  }
+  if (options.few) regression.dictionary = {fmt::format("{} effects, the mean of nine selections", fit.used.size())};
+  regression.prior_variance = setting.variance;
+  regression.length_s = setting.length_s;
+  regression.sigma_um = fit.sigma_um;
+  regression.rows = rows.size();
+  regression.runs = runs.size();
+  regression.left_out = design.predictors.left_out;
+  regression.end_s = problem.end_s;
+  add_ranges(runs, regression);
+  add_end(runs.back(), regression);
+  regression.rmse_um = rmse_um(design, fit, regression);
+  TrainedRegression trained;
+  if (options.report) {
+    say("leaving columns and cycles out");
+    trained.drivers = driver_report(design, runs.front(), problem, fit, !options.few);
+  }
+  if (options.forecasts) {
+    if (const auto tested = tested_forecasts(design, runs.front(), problem, setting, options.few, options.progress)) {
+      regression.forecasts = tested->forecasts;
+      regression.interval_scale = tested->interval_scale;
+      trained.left_out = tested->left_out;
+    }
+  }
+  trained.regression = std::move(regression);
+  return trained;
+}
+
+EffectRegression effect_regression(std::span<const Series> runs, const std::string& target,
+                                   const EffectRegressionOptions& options, const Catalogue& catalogue) {
+  EffectRegressionOptions without = options;
+  without.report = false;
+  return trained_regression(runs, target, without, catalogue).regression;
+}
+
+Term held_term(std::shared_ptr<const Effect> effect, std::vector<std::string> columns,
+               const std::vector<double>& parameters) {
+  Term term{std::move(effect), std::move(columns), {}};
+  term.settings.reserve(parameters.size());
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const Parameter& parameter = term.effect->parameters[k];
+    const double value = parameters[k];
+    term.settings.push_back({true, value, std::min(value, parameter.lower), std::max(value, parameter.upper), true});
+  }
+  return term;
+}
+
+std::string dictionary_text(const EffectRegression& regression) {
+  return regression.dictionary.empty() ? "no effect" : fmt::format("{}", fmt::join(regression.dictionary, ", "));
+}
+
+}  // namespace ballbar

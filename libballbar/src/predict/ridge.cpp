@@ -1,0 +1,279 @@
+#include "predict/ridge.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "ballbar/numerics/parallel.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kRemembered = 0.98;  // of s^2
+constexpr double kLengths_s[] = {0.0, 1800.0, 7200.0, 30'000.0};
+constexpr int kLeastVariance = -4, kMostVariance = 10;  // v = 10^(k/2)
+
+unsigned bit(PredictorKind kind) { return 1U << static_cast<unsigned>(kind); }
+
+// What a dictionary adds to another makes no sense without it.
+bool makes_sense(unsigned kinds) {
+  const auto has = [&](PredictorKind kind) { return (kinds & bit(kind)) != 0; };
+  if (has(PredictorKind::feedback) && !has(PredictorKind::source)) return false;
+  if (has(PredictorKind::difference) && !has(PredictorKind::temperature)) return false;
+  return !has(PredictorKind::start) || has(PredictorKind::temperature);
+}
+
+std::vector<unsigned> dictionaries_of(const RidgeProblem& problem) {
+  unsigned there = 0;
+  for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
+    if (problem.prior[kind].size() > 0) there |= 1U << kind;
+  }
+  std::vector<unsigned> dictionaries;
+  for (unsigned kinds = 0; kinds < (1U << kPredictorKinds); ++kinds) {
+    if ((kinds & ~there) == 0 && makes_sense(kinds)) dictionaries.push_back(kinds);
+  }
+  return dictionaries;
+}
+
+// size: of each, which may be none.
+Eigen::MatrixXd sum_of(const std::vector<Eigen::MatrixXd>& of_kinds, unsigned kinds, Eigen::Index size) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
+  for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
+    if ((kinds >> kind & 1U) != 0) sum += of_kinds[kind];
+  }
+  return sum;
+}
+
+Eigen::MatrixXd kernel_of(const RidgeProblem& problem, unsigned kinds) {
+  return sum_of(problem.kernel, kinds, problem.columns.rows());
+}
+
+Eigen::MatrixXd prior_of(const RidgeProblem& problem, unsigned kinds) {
+  return sum_of(problem.prior, kinds, problem.columns.cols());
+}
+
+// K solved for what is asked of it.
+struct Solved {
+  Eigen::LLT<Eigen::MatrixXd> root;
+  Eigen::VectorXd of_ones, of_target;  // K^-1 1, K^-1 (y - b)
+  double q = 0.0, intercept_um = 0.0, variance_um2 = 0.0, log_likelihood = 0.0;
+};
+
+Solved solved(const RidgeProblem& problem, const Eigen::MatrixXd& kernel, const Eigen::MatrixXd& discrepancy,
+              double variance) {
+  const Eigen::Index n = problem.columns.rows();
+  Solved result;
+  result.root.compute(variance * kernel + discrepancy);
+  Eigen::MatrixXd sides(n, 2);
+  sides.col(0).setOnes();
+  sides.col(1) = problem.target_um;
+  result.root.solveInPlace(sides);
+  result.q = sides.col(0).sum();
+  result.intercept_um = sides.col(1).sum() / result.q;
+  result.of_ones = sides.col(0);
+  result.of_target = sides.col(1) - result.intercept_um * sides.col(0);
+  const double degrees = static_cast<double>(n - 1);
+  const double sum = (problem.target_um.array() - result.intercept_um).matrix().dot(result.of_target);
+  result.variance_um2 = std::max(sum / degrees, std::numeric_limits<double>::min());
+  const double half_log_det = result.root.matrixLLT().diagonal().array().log().sum();
+  result.log_likelihood = -0.5 * degrees * std::log(result.variance_um2) - half_log_det - 0.5 * std::log(result.q);
+  return result;
+}
+
+std::size_t runs_in(const RidgeProblem& problem) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < problem.run.size(); ++i) count += i == 0 || problem.run[i] != problem.run[i - 1] ? 1 : 0;
+  return count;
+}
+
+LeftOutRuns left_out(const RidgeProblem& problem, const Solved& of, bool with_sigma) {
+  const Eigen::Index n = problem.columns.rows();
+  Eigen::MatrixXd q = of.root.solve(Eigen::MatrixXd::Identity(n, n));
+  q.noalias() -= of.of_ones * of.of_ones.transpose() / of.q;
+  LeftOutRuns result{Eigen::VectorXd(n), Eigen::VectorXd(with_sigma ? n : 0), {}, {}};
+  for (Eigen::Index first = 0; first < n;) {
+    Eigen::Index end = first;
+    while (end < n && problem.run[static_cast<std::size_t>(end)] == problem.run[static_cast<std::size_t>(first)]) ++end;
+    const Eigen::Index size = end - first;
+    const auto of_run = q.block(first, first, size, size).ldlt();
+    result.error_um.segment(first, size) = of_run.solve(of.of_target.segment(first, size));
+    result.run.push_back(problem.run[static_cast<std::size_t>(first)]);
+    result.rmse_um.push_back(std::sqrt(result.error_um.segment(first, size).squaredNorm() / static_cast<double>(size)));
+    if (with_sigma) {
+      result.sigma_um.segment(first, size) =
+          (of_run.solve(Eigen::MatrixXd::Identity(size, size)).diagonal() * of.variance_um2).cwiseAbs().cwiseSqrt();
+    }
+    first = end;
+  }
+  return result;
+}
+
+// The larger, the better.
+double score_of(const RidgeProblem& problem, const Solved& of) {
+  if (of.root.info() != Eigen::Success || !std::isfinite(of.log_likelihood)) {
+    return -std::numeric_limits<double>::infinity();
+  }
+  if (runs_in(problem) < kFewestRunsToLeaveOut) return of.log_likelihood;
+  double sum = 0.0;
+  for (const double rmse : left_out(problem, of, false).rmse_um) sum += rmse * rmse;
+  return std::isfinite(sum) ? -sum : -std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+double remembered(double since_s, double length_s) {
+  return length_s > 0.0 ? kRemembered * std::exp(-since_s / length_s) : 0.0;
+}
+
+Eigen::MatrixXd discrepancy_of(const std::vector<double>& time_s, const std::vector<std::size_t>& run,
+                               double length_s) {
+  const auto n = static_cast<Eigen::Index>(time_s.size());
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(n, n);
+  if (!(length_s > 0.0)) return covariance;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    for (Eigen::Index i = j + 1; i < n; ++i) {
+      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+      if (run[a] == run[b]) {
+        covariance(i, j) = covariance(j, i) = remembered(std::abs(time_s[a] - time_s[b]), length_s);
+      }
+    }
+  }
+  return covariance;
+}
+
+RidgeSetting chosen_setting(const RidgeProblem& problem) {
+  struct Tried {
+    RidgeSetting setting;
+    double score = -std::numeric_limits<double>::infinity();
+  };
+  std::vector<Eigen::MatrixXd> discrepancies;
+  for (const double length_s : kLengths_s)
+    discrepancies.push_back(discrepancy_of(problem.time_s, problem.run, length_s));
+  const std::vector<unsigned> dictionaries = dictionaries_of(problem);
+  std::vector<Tried> tried(dictionaries.size() * std::size(kLengths_s));
+  in_parallel(tried.size(), [&](std::size_t i) {
+    const unsigned kinds = dictionaries[i / std::size(kLengths_s)];
+    const std::size_t length = i % std::size(kLengths_s);
+    const Eigen::MatrixXd kernel = kernel_of(problem, kinds);
+    std::map<int, double> known;
+    const auto score = [&](int k) {
+      const auto [place, is_new] = known.try_emplace(k, 0.0);
+      if (is_new) {
+        place->second = score_of(problem, solved(problem, kernel, discrepancies[length], std::pow(10.0, 0.5 * k)));
+      }
+      return place->second;
+    };
+    const auto uphill_from = [&](int best) {
+      for (const int step : {2, 1}) {  // in whole, then in half powers of 10
+        for (const int sign : {1, -1}) {
+          for (int k = best + sign * step; k >= kLeastVariance && k <= kMostVariance && score(k) > score(best);
+               k = best + sign * step) {
+            best = k;
+          }
+        }
+      }
+      return best;
+    };
+    int best = uphill_from(0);
+    if (runs_in(problem) >= kFewestRunsToLeaveOut) {
+      const int other = uphill_from(6);
+      if (score(other) > score(best)) best = other;
+    }
+    tried[i] = {{kinds, std::pow(10.0, 0.5 * best), kLengths_s[length]}, score(best)};
+  });
+  return std::max_element(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) { return a.score < b.score; })
+      ->setting;
+}
+
+RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting) {
+  const Eigen::Index n = problem.columns.rows();
+  const Solved of = solved(problem, kernel_of(problem, setting.kinds),
+                           discrepancy_of(problem.time_s, problem.run, setting.length_s), setting.variance);
+  RidgeFit fit;
+  fit.setting = setting;
+  fit.sigma_um = std::sqrt(of.variance_um2);
+  fit.log_likelihood = of.log_likelihood;
+  const Eigen::MatrixXd of_all = setting.variance * prior_of(problem, setting.kinds);
+  for (Eigen::Index k = 0; k < of_all.rows(); ++k) {
+    if (of_all(k, k) > 0.0) fit.used.push_back(static_cast<std::size_t>(k));
+  }
+  const auto m = static_cast<Eigen::Index>(fit.used.size());
+  const Eigen::MatrixXd prior = of_all(fit.used, fit.used);
+  Eigen::MatrixXd with_target(m + 1, n);  // covariance with y, over s^2
+  with_target.topRows(m).noalias() = prior * problem.columns(Eigen::all, fit.used).transpose();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    with_target(m, i) = problem.run[row] == problem.run.back()
+                            ? remembered(problem.end_s - problem.time_s[row], setting.length_s)
+                            : 0.0;
+  }
+  fit.gains_um.resize(m + 2);
+  fit.gains_um[0] = of.intercept_um;
+  fit.gains_um.tail(m + 1).noalias() = with_target * of.of_target;
+  Eigen::MatrixXd half = with_target.transpose();
+  of.root.matrixL().solveInPlace(half);
+  Eigen::VectorXd along(m + 2);
+  along << -1.0, with_target * of.of_ones;
+  Eigen::MatrixXd covariance = along * along.transpose() / of.q;
+  covariance.bottomRightCorner(m + 1, m + 1).noalias() -= half.transpose() * half;
+  covariance.block(1, 1, m, m) += prior;
+  covariance(m + 1, m + 1) += remembered(0.0, setting.length_s);
+  covariance *= of.variance_um2;
+  // Rounding must not make the variance negative of what is known exactly.
+  covariance.diagonal().array() += 1e-12 * covariance.diagonal().cwiseAbs().maxCoeff();
+  fit.factor_um = covariance.llt().matrixL();
+  return fit;
+}
+
+LeftOutRuns left_out_runs(const RidgeProblem& problem, const RidgeSetting& setting) {
+  return left_out(problem,
+                  solved(problem, kernel_of(problem, setting.kinds),
+                         discrepancy_of(problem.time_s, problem.run, setting.length_s), setting.variance),
+                  true);
+}
+
+Eigen::VectorXd gains_from(const RidgeProblem& problem, const RidgeSetting& setting,
+                           const std::vector<std::size_t>& rows) {
+  RidgeProblem part;
+  part.columns = problem.columns(rows, Eigen::all);
+  part.target_um = problem.target_um(rows);
+  for (const std::size_t row : rows) {
+    part.time_s.push_back(problem.time_s[row]);
+    part.run.push_back(problem.run[row]);
+  }
+  const Eigen::MatrixXd kernel = kernel_of(problem, setting.kinds)(rows, rows);
+  const Solved of = solved(part, kernel, discrepancy_of(part.time_s, part.run, setting.length_s), setting.variance);
+  return setting.variance * (prior_of(problem, setting.kinds) * (part.columns.transpose() * of.of_target));
+}
+
+double log_likelihood_without(const RidgeProblem& problem, const RidgeSetting& setting,
+                              const std::vector<std::size_t>& predictors) {
+  Eigen::MatrixXd prior = prior_of(problem, setting.kinds);
+  for (const std::size_t k : predictors) {
+    prior.row(static_cast<Eigen::Index>(k)).setZero();
+    prior.col(static_cast<Eigen::Index>(k)).setZero();
+  }
+  const Eigen::MatrixXd kernel = (problem.columns * prior) * problem.columns.transpose();
+  return solved(problem, kernel, discrepancy_of(problem.time_s, problem.run, setting.length_s), setting.variance)
+      .log_likelihood;
+}
+
+RidgePrediction ridge_prediction(const RidgeProblem& problem, const RidgeFit& fit,
+                                 const Eigen::Ref<const Eigen::VectorXd>& x, double since_s) {
+  const auto m = static_cast<Eigen::Index>(fit.used.size());
+  Eigen::VectorXd scaled(m + 2);
+  scaled[0] = 1.0;
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const auto of = static_cast<Eigen::Index>(fit.used[static_cast<std::size_t>(k)]);
+    scaled[k + 1] = (x[of] - problem.mean[of]) / problem.sd[of];
+  }
+  const double length_s = fit.setting.length_s;
+  scaled[m + 1] = length_s > 0.0 && std::isfinite(since_s) ? std::exp(-since_s / length_s) : 0.0;
+  const double fresh = 1.0 - remembered(0.0, length_s) * scaled[m + 1] * scaled[m + 1];
+  const double known_um2 = (fit.factor_um.triangularView<Eigen::Lower>().transpose() * scaled).squaredNorm();
+  return {fit.gains_um.dot(scaled), std::sqrt(known_um2 + fresh * fit.sigma_um * fit.sigma_um)};
+}
+
+}  // namespace ballbar

@@ -1,0 +1,102 @@
+// Ridge regression of a target on families of predictors, beside a discrepancy that remembers.
+//
+//   y = b + X~ w + e,   w ~ N(0, s^2 v P),   e ~ N(0, s^2 N),   b free
+//   N = 0.98 exp(-|dt| / l) + 0.02 I         within a run; 0 between runs; l = 0: N = I
+//   P = sum over families of sum_k c_k w_k w_k' / sum_k c_k
+//
+// X~ are the predictors less their means over their standard deviations; w_k is one of the members of a family, scaled
+// by its own standard deviation, so that every family has the same prior variance. c_k is 1; of temperatures and their
+// differences that standard deviation, half-way to equal gains in um/K: a temperature that hardly moved in training,
+// and may in another run, has no large gain to explain what others do as well. So
+//
+//   K = v X~ P X~' + N,   b = 1'K^-1 y / q,   q = 1'K^-1 1,   E w = v P X~' K^-1 (y - b)
+//
+// The dictionary (which kinds of families), v and l are those of the largest restricted likelihood where the rows are
+// of few runs,
+//
+//   ln L = -(n-1)/2 ln(S/(n-1)) - (ln|K| + ln q)/2,   S = (y - b)'K^-1 (y - b),   s^2 = S/(n-1)
+//
+// and of five or more runs those that predict a run best from the others: with Q = K^-1 - K^-1 1 1'K^-1 / q what is
+// left of run R when it is left out is Q_RR^-1 (Q y)_R.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "predict/design.hpp"
+
+namespace ballbar {
+
+inline constexpr std::size_t kRidgeRows = 830;
+inline constexpr std::size_t kChoiceRows = 415;  // where the setting is chosen again and again
+inline constexpr std::size_t kPredictorKinds = 5;
+
+struct RidgeSetting {
+  unsigned kinds = 0;  // a bit each of PredictorKind
+  double variance = 1.0;
+  double length_s = 0.0;
+};
+
+struct RidgeProblem {
+  Eigen::VectorXd mean, sd;  // of the predictors; sd 0: stands still here, and is left out
+  Eigen::MatrixXd columns;   // X~, n by p
+  Eigen::VectorXd target_um;
+  std::vector<double> time_s;
+  std::vector<std::size_t> run;
+  double end_s = 0.0;                   // time of the last row, thinned out or not
+  std::vector<Eigen::MatrixXd> prior;   // P of each kind, p by p
+  std::vector<Eigen::MatrixXd> kernel;  // X~ P X~', n by n
+};
+
+// Of at most `most` of these rows of the design.
+RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>& rows, std::size_t most = kRidgeRows);
+
+// v is found uphill from 1, and from 1000 where runs are left out.
+RidgeSetting chosen_setting(const RidgeProblem& problem);
+
+// N, n by n.
+Eigen::MatrixXd discrepancy_of(const std::vector<double>& time_s, const std::vector<std::size_t>& run, double length_s);
+
+// The share of the discrepancy's variance that is remembered after so long.
+double remembered(double since_s, double length_s);
+
+struct RidgeFit {
+  RidgeSetting setting;
+  double sigma_um = 0.0;          // s
+  double log_likelihood = 0.0;    // restricted
+  std::vector<std::size_t> used;  // predictors of the dictionary that do not stand still: m
+  // Of b at the means, the w of these predictors, and what the discrepancy is in the last row, 0 for l = 0: m + 2.
+  Eigen::VectorXd gains_um;
+  Eigen::MatrixXd factor_um;  // L, lower: L L' is their covariance
+};
+RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting);
+
+inline constexpr std::size_t kFewestRunsToLeaveOut = 5;
+
+// E w of all predictors from these rows of the problem alone.
+Eigen::VectorXd gains_from(const RidgeProblem& problem, const RidgeSetting& setting,
+                           const std::vector<std::size_t>& rows);
+
+// ln L without these predictors.
+double log_likelihood_without(const RidgeProblem& problem, const RidgeSetting& setting,
+                              const std::vector<std::size_t>& predictors);
+
+// What is left of every row when its run is left out, and the sigma that is expected of it.
+struct LeftOutRuns {
+  Eigen::VectorXd error_um, sigma_um;  // n
+  std::vector<std::size_t> run;        // that have rows in the problem
+  std::vector<double> rmse_um;         // of each of these
+};
+LeftOutRuns left_out_runs(const RidgeProblem& problem, const RidgeSetting& setting);
+
+inline constexpr double kNormal95 = 1.959963984540054;  // sigmas of a 95 % interval
+
+struct RidgePrediction {
+  double mean_um = 0.0, sigma_um = 0.0;
+};
+// x: all predictors of a row, not scaled. since_s: after problem.end_s, in the last run; infinite: in another.
+RidgePrediction ridge_prediction(const RidgeProblem& problem, const RidgeFit& fit,
+                                 const Eigen::Ref<const Eigen::VectorXd>& x, double since_s);
+
+}  // namespace ballbar
