@@ -1,10 +1,13 @@
-// Holds what is written of the results' lists of fields to these lists: apps/page/src/results.ts,
-// apps/python/ballbar/_kinds.py, and the tables of keys in the READMEs of apps. These stand between two lines:
+// What is written of the results' lists of fields for who reads their JSON: types for the page, classes for Python, and
+// the tables of keys in the READMEs of apps, which stand between two lines:
 //
 //   <!-- keys of NAME -->
 //   <!-- end of keys -->
 //
-//   result_keys FOLDER [--update]     FOLDER: of the sources; --update writes what differs anew
+//   result_types typescript FILE
+//   result_types python FILE
+//   result_types readmes FOLDER [--update]     FOLDER: of the sources; fails where a table differs, --update writes it
+//   anew
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -49,8 +52,9 @@ namespace {
 constexpr std::size_t kLargest = 1 << 22;
 
 std::string typescript_file(const std::vector<ResultSchema>& schemas) {
-  return "// Results of the program: the keys of its `--json`. Written by tests/apps/result_keys from their lists of "
-         "fields.\n\nexport type Num = number | null; // null: not known\n\n" +
+  return "// Results of the program: the keys of its `--json`. Made by apps/results from their lists of "
+         "fields.\n\nexport "
+         "type Num = number | null; // null: not known\n\n" +
          typescript_of(schemas);
 }
 
@@ -79,9 +83,8 @@ std::vector<PythonClass> python_classes() {
 }
 
 std::string python_file(const std::vector<ResultSchema>& schemas) {
-  return "\"\"\"The results, with their keys. Written by tests/apps/result_keys from their lists of fields.\n\nA key "
-         "that does "
-         "not apply is not there. A number that is not known is None, in an array NaN.\n\"\"\"\nfrom __future__ import "
+  return "\"\"\"The results, with their keys. Made by apps/results from their lists of fields.\n\nA key that does not "
+         "apply is not there. A number that is not known is None, in an array NaN.\n\"\"\"\nfrom __future__ import "
          "annotations\n\nfrom typing import Any\n\nimport numpy as np\nfrom numpy.typing import NDArray\n\nfrom "
          "._results "
          "import Result, Rows\n\nArray = NDArray[np.float64]\n" +
@@ -112,33 +115,42 @@ std::string with_tables(std::string page, const std::vector<ResultSchema>& schem
   return page;
 }
 
-int run(const std::filesystem::path& folder, bool update) {
-  const std::vector<ResultSchema> schemas =
-      schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsOfSeveral, PosteriorSoFar, Looked, Followed,
-                 CheckedTargets, PreflightTargets, EffectPages, TestPlan, EffectTest, Added, Ledger, Undone,
-                 InjectedResult, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult, History,
-                 ImportedLog, MergedLogs, SimulatedRun, SimulatedFleet, TrainedOnBatches, TrainedOnEffects,
-                 SelectedBatches, PredictedSeries, PredictedJob, PredictedByEffects, ReplayResult, MadeSets, NextRun,
-                 ScoredSets, MeanPointsResult, MeanPointPart, PageReport, ModelPart, HeldPart, RevisedPart,
-                 HistoryReport, FleetReport, CarriedFiles>();
-  std::vector<std::pair<std::filesystem::path, std::string>> files{
-      {folder / "apps/page/src/results.ts", typescript_file(schemas)},
-      {folder / "apps/python/ballbar/_kinds.py", python_file(schemas)}};
+std::vector<ResultSchema> all_schemas() {
+  return schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsOfSeveral, PosteriorSoFar, Looked, Followed,
+                    CheckedTargets, PreflightTargets, EffectPages, TestPlan, EffectTest, Added, Ledger, Undone,
+                    InjectedResult, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult,
+                    History, ImportedLog, MergedLogs, SimulatedRun, SimulatedFleet, TrainedOnBatches, TrainedOnEffects,
+                    SelectedBatches, PredictedSeries, PredictedJob, PredictedByEffects, ReplayResult, MadeSets, NextRun,
+                    ScoredSets, MeanPointsResult, MeanPointPart, PageReport, ModelPart, HeldPart, RevisedPart,
+                    HistoryReport, FleetReport, CarriedFiles>();
+}
+
+int run_readmes(const std::filesystem::path& folder, bool update) {
+  const std::vector<ResultSchema> schemas = all_schemas();
+  int status = 0;
   for (const std::filesystem::directory_entry& room : std::filesystem::directory_iterator(folder / "apps")) {
     const std::filesystem::path page = room.path() / "README.md";
-    if (std::filesystem::exists(page)) files.emplace_back(page, with_tables(read_bytes(page, kLargest), schemas));
-  }
-  int status = 0;
-  for (const auto& [path, text] : files) {
-    if (std::filesystem::exists(path) && read_bytes(path, kLargest) == text) continue;
+    if (!std::filesystem::exists(page)) continue;
+    const std::string old = read_bytes(page, kLargest), text = with_tables(old, schemas);
+    if (old == text) continue;
     if (update) {
-      write_bytes(path, text);
+      write_bytes(page, text);
     } else {
-      fmt::print("{} differs from the fields of the results: result_keys FOLDER --update\n", path.string());
+      fmt::print("{} differs from the fields of the results: result_types readmes FOLDER --update\n", page.string());
       status = 1;
     }
   }
   return status;
+}
+
+int run(const std::vector<std::string_view>& words) {
+  const std::string_view what = words.size() > 1 ? words[0] : "";
+  if (what == "readmes") return run_readmes(words[1], words.size() > 2 && words[2] == "--update");
+  if (what != "typescript" && what != "python")
+    throw Error("usage: result_types typescript FILE | python FILE | readmes FOLDER [--update]");
+  write_bytes(std::filesystem::path(words[1]),
+              what == "python" ? python_file(all_schemas()) : typescript_file(all_schemas()));
+  return 0;
 }
 
 }  // namespace
@@ -146,7 +158,7 @@ int run(const std::filesystem::path& folder, bool update) {
 
 int main(int argc, char** argv) {
   try {
-    return ballbar::run(argc > 1 ? argv[1] : ".", argc > 2 && std::string_view(argv[2]) == "--update");
+    return ballbar::run({argv + 1, argv + argc});
   } catch (const std::exception& error) {
     fmt::print("{}\n", error.what());
     return 2;
