@@ -1,20 +1,18 @@
 // The readings of one test on the circle, beside them what one of the machine's errors adds, and the circle as it would
 // be without it.
-import { about_circle, error_curve, extent_of_test, without_error, type ErrorTest } from "./error_curves";
+import {
+  about_circle, error_curve, type ErrorTest, extent_of_test, ranked_errors, type RankedError, without_error,
+} from "./error_curves";
 import { error_name } from "./error_names";
-import { radial_scale } from "../recordings/magnification";
 import type { Choice, Numbers, Picture, State, Toggle } from "../picture";
-import { ranked_errors } from "./ranked_errors";
-import { kept_readings, picked, stacked_numbers } from "../recordings/recording_curves";
-import { direction_colour, effect_colour } from "../recordings/recording_colours";
-import { labels_of } from "../recordings/recording_groups";
+import { dash_of, direction_colour, effect_colour, stacked_numbers } from "../recordings/recording_curves";
+import { labels_of, once_each } from "../recordings/recording_groups";
 import type { Num, Recording } from "../report";
-import { round_option, type RoundCurve } from "../recordings/round";
+import { round_curve, round_option, type RoundCurve } from "../recordings/round";
 import { plain } from "../drawing/text";
-import { colours, curve_colour, font, legend, shown } from "../drawing/theme";
+import { curve_colour, shown, toggle } from "../drawing/theme";
 import { t } from "../texts/texts";
-
-const kStretches = 720; // of a turn, four points each
+import { extent } from "../drawing/columns";
 
 export const kErrors_picture = "machine-errors";
 export const kWithout = "without";
@@ -33,7 +31,7 @@ export const trace_styles = (recordings: readonly Recording[]): Drawn[] => {
   return recordings.map((recording, k) => ({
     name: each_once ? (recording.direction ?? t.recordings_circle) : (labels[k] ?? ""),
     colour: each_once ? direction_colour(recording) : (dark) => curve_colour([0, 1, 5, 7, 3][k % 5] ?? 0, dark),
-    dash: recording.direction === "CW" ? [7, 2] : "solid",
+    dash: dash_of(recording),
     mark: recording.direction === "CW" ? "dashed" : "line",
   }));
 };
@@ -41,19 +39,15 @@ export const trace_styles = (recordings: readonly Recording[]): Drawn[] => {
 const label_of = (test: ErrorTest, error: string): string => error_name(error, test.recordings[0]?.plane);
 
 const toggles_of = (test: ErrorTest, error: string): Toggle[] => [
-  ...trace_styles(test.recordings).map(({ name, colour, mark }, k): Toggle => ({
-    key: `trace${k}`,
-    label: t.measured_of({ which: name }),
-    colour,
-    mark,
-    on: true,
-  })),
+  ...trace_styles(test.recordings).map(({ name, colour, mark }, k) =>
+    toggle(`trace${k}`, t.measured_of({ which: name }), colour, mark),
+  ),
   ...(error === ""
     ? []
-    : ([
-        { key: "error", label: label_of(test, error), colour: (dark) => effect_colour(0, dark), mark: "dashed", on: true },
-        { key: kWithout, label: t.errors_without, colour: (dark) => curve_colour(2, dark), mark: "line", on: false },
-      ] satisfies Toggle[])),
+    : [
+        toggle("error", label_of(test, error), (dark) => effect_colour(0, dark), "dashed"),
+        toggle(kWithout, t.errors_without, 2, "line", false),
+      ]),
 ];
 
 const curves_of = (test: ErrorTest, error: string, state: State): RoundCurve[] => {
@@ -63,18 +57,13 @@ const curves_of = (test: ErrorTest, error: string, state: State): RoundCurve[] =
   const styles = trace_styles(test.recordings);
   return test.recordings.flatMap((recording, k) => {
     const style = styles[k];
-    const angles = recording.trace?.angle_deg ?? [];
     if (!style) return [];
-    const drawn = (values: readonly Num[], as: Omit<RoundCurve, "angle_deg" | "value_um">): RoundCurve => {
-      const kept = kept_readings(values, kStretches);
-      return { angle_deg: picked(angles, kept), value_um: picked(values, kept), ...as };
-    };
     const { dash, name } = style;
     const curve = error === "" ? undefined : error_curve(test, error, k);
     return [
       ...(on(`trace${k}`)
         ? [
-            drawn(about_circle(test, k), {
+            round_curve(recording, about_circle(test, k), {
               name: t.measured_of({ which: name }),
               colour: style.colour(dark),
               dash,
@@ -85,7 +74,7 @@ const curves_of = (test: ErrorTest, error: string, state: State): RoundCurve[] =
         : []),
       ...(without && on(`trace${k}`)
         ? [
-            drawn(without_error(test, error, k), {
+            round_curve(recording, without_error(test, error, k), {
               name: t.errors_without,
               hover_name: t.errors_without_of({ which: name }),
               colour: curve_colour(2, dark),
@@ -96,7 +85,7 @@ const curves_of = (test: ErrorTest, error: string, state: State): RoundCurve[] =
         : []),
       ...(curve && on("error")
         ? [
-            drawn(curve, {
+            round_curve(recording, curve, {
               name: label_of(test, error),
               hover_name: t.errors_curve_of({ error: label_of(test, error), which: name }),
               colour: effect_colour(0, dark),
@@ -120,13 +109,13 @@ const circularity_note = (test: ErrorTest, error: string): string => {
 
 export const test_choice = (tests: readonly ErrorTest[]): Choice[] => {
   if (tests.length < 2) return [];
-  const names = tests.map(({ recordings: [first] }) => plain(`${first?.test}, ${first?.plane}`, 60));
-  const values = tests.map(({ value }, k) => {
-    const name = names[k] ?? "";
-    return { value, label: names.indexOf(name) === names.lastIndexOf(name) ? name : `${name} (${k + 1})` };
-  });
+  const names = once_each(tests.map(({ recordings: [first] }) => plain(`${first?.test}, ${first?.plane}`, 60)));
+  const values = tests.map(({ value }, k) => ({ value, label: names[k] ?? "" }));
   return [{ key: "test", label: t.errors_test, values, initial: values[0]?.value ?? "" }];
 };
+
+export const chosen_test = (tests: readonly ErrorTest[], chosen: State["chosen"]): ErrorTest | undefined =>
+  tests.find(({ value }) => value === chosen["test"]) ?? tests[0];
 
 // Of all tests, in the order of the first that has it.
 const error_choice = (tests: readonly ErrorTest[]): Choice => {
@@ -144,8 +133,7 @@ const error_choice = (tests: readonly ErrorTest[]): Choice => {
 };
 
 export const errors_picture = (tests: readonly ErrorTest[]): Picture => {
-  const test_of = (chosen: State["chosen"]): ErrorTest | undefined =>
-    tests.find(({ value }) => value === chosen["test"]) ?? tests[0];
+  const test_of = (chosen: State["chosen"]): ErrorTest | undefined => chosen_test(tests, chosen);
   const error_of = (chosen: State["chosen"]): string => chosen["error"] ?? "";
   const extents = new Map<ErrorTest, [number, number]>();
   const extent_of = (test: ErrorTest): [number, number] => {
@@ -168,30 +156,14 @@ export const errors_picture = (tests: readonly ErrorTest[]): Picture => {
     draw: (state) => {
       const test = test_of(state.chosen);
       if (!test) return {};
-      const { look } = state;
       const error = error_of(state.chosen);
-      const nominal_um = (test.recordings[0]?.nominal_length_mm ?? 100) * 1000;
-      const scale = radial_scale(...extent_of(test), nominal_um, null);
-      const option = round_option(look, scale, test.recordings[0]?.plane, curves_of(test, error, state), []);
-      const note = {
-        type: "text",
-        right: 8,
-        bottom: 8,
-        silent: true,
-        style: {
-          text: circularity_note(test, error),
-          fill: colours(look.dark).ink,
-          fontSize: 12,
-          lineHeight: 17,
-          fontFamily: font,
-          textAlign: "right",
-        },
-      };
-      return {
-        ...option,
-        graphic: [...(option["graphic"] as Record<string, unknown>[]), note],
-        legend: legend(state, toggles_of(test, error)),
-      };
+      return round_option(state, {
+        first: test.recordings[0],
+        extent_um: extent_of(test),
+        curves: curves_of(test, error, state),
+        toggles: toggles_of(test, error),
+        note: circularity_note(test, error),
+      });
     },
     numbers: ({ chosen }): Numbers => {
       const test = test_of(chosen);
@@ -209,6 +181,95 @@ export const errors_picture = (tests: readonly ErrorTest[]): Picture => {
             : []),
         ];
       });
+    },
+  };
+};
+
+// The circle as it would be without some of the machine's errors: each can be switched off, several at once.
+
+export const kWithout_picture = "machine-errors-without";
+
+const key_of = (effect: string): string => `error ${effect}`;
+
+const sized_name = (test: ErrorTest, { effect, first }: RankedError): string =>
+  t.errors_of_size({
+    error: error_name(effect, test.recordings[0]?.plane),
+    value: shown(first.individual_circularity_um, 2),
+  });
+
+const switches_of = (test: ErrorTest): Toggle[] =>
+  ranked_errors(test.part).map((one, k) =>
+    toggle(key_of(one.effect), sized_name(test, one), (dark) => effect_colour(k, dark), "dot"),
+  );
+
+const off_in = (test: ErrorTest, hidden: State["hidden"]): RankedError[] =>
+  ranked_errors(test.part).filter(({ effect }) => hidden.has(key_of(effect)));
+
+// Of the k-th recording, with what these errors add taken off.
+const left_of = (test: ErrorTest, off: readonly RankedError[], k: number): Num[] =>
+  off.reduce<Num[]>((values, { effect }) => {
+    const curve = error_curve(test, effect, k);
+    return curve ? values.map((value, i) => (value === null ? null : value - (curve[i] ?? 0))) : values;
+  }, about_circle(test, k));
+
+// Without one, as the program says; without several, what is drawn.
+const note_of = (test: ErrorTest, off: readonly RankedError[]): string => {
+  const all = t.errors_circularity({ value: shown(test.part.circularity_um, 2) });
+  const [first] = off;
+  if (!first) return all;
+  const [least, largest] = extent(test.recordings.map((_, k) => left_of(test, off, k)));
+  const left = off.length === 1 ? first.first.circularity_without_um : largest - least;
+  const error = off.length === 1 ? sized_name(test, first) : t.errors_these({ n: off.length });
+  return `${all}\n${t.errors_circularity_without({ error, value: shown(left, 2) })}`;
+};
+
+export const without_picture = (tests: readonly ErrorTest[]): Picture => {
+  const test_of = (chosen: State["chosen"]): ErrorTest | undefined => chosen_test(tests, chosen);
+  const curves_of = (test: ErrorTest, state: State): RoundCurve[] => {
+    const { dark } = state.look;
+    const off = off_in(test, state.hidden);
+    return trace_styles(test.recordings).flatMap(({ name, colour, dash }, k) => {
+      const recording = test.recordings[k];
+      if (!recording) return [];
+      const measured = { name: t.measured_of({ which: name }), colour: colour(dark), dash, width_px: 1.4, faint: off.length > 0 };
+      const without = { name: t.errors_off({ which: name }), colour: curve_colour(2, dark), dash, width_px: 1.7 };
+      return [
+        round_curve(recording, about_circle(test, k), measured),
+        ...(off.length > 0 ? [round_curve(recording, left_of(test, off, k), without)] : []),
+      ];
+    });
+  };
+  return {
+    name: kWithout_picture,
+    title: t.errors_off_title,
+    caption: t.errors_off_caption,
+    about: t.errors_off_about,
+    height_px: 440,
+    zoom: "none",
+    choices: test_choice(tests),
+    toggles: ({ chosen }) => {
+      const test = test_of(chosen);
+      return test ? switches_of(test) : [];
+    },
+    draw: (state) => {
+      const test = test_of(state.chosen);
+      if (!test) return {};
+      return round_option(state, {
+        first: test.recordings[0],
+        extent_um: extent_of_test(test),
+        curves: curves_of(test, state),
+        toggles: [],
+        note: note_of(test, off_in(test, state.hidden)),
+      });
+    },
+    numbers: ({ chosen, hidden }): Numbers => {
+      const test = test_of(chosen);
+      if (!test) return { columns: [] };
+      const off = off_in(test, hidden);
+      return stacked_numbers(test.recordings, (_, of, k) => [
+        { name: `measured${of}_um`, values: about_circle(test, k) },
+        ...(off.length > 0 ? [{ name: `without${of}_um`, values: left_of(test, off, k) }] : []),
+      ]);
     },
   };
 };

@@ -1,12 +1,12 @@
 // The table of candidates, with the figures that `ballbar diagnose` prints. A row that is hovered or focused chooses its
 // curve in the picture of the candidates, where there is one.
 import type { TextTable } from "../picture";
-import { ranked_candidates, set_name, type Ranked } from "./ranking";
+import { type Ranked, ranked_candidates, set_name } from "./ranking";
 import type { Candidate, Diagnosed, Num } from "../report";
-import { shown } from "../drawing/theme";
-import { with_sigma } from "../drawing/with_sigma";
+import { rounded, shown, with_sigma } from "../drawing/theme";
 import { t } from "../texts/texts";
 import { typed_name } from "../machine_errors/error_names";
+import { plain } from "../drawing/text";
 
 // Two digits of the RMSE, at least hundredths.
 const decimals_of = (rmse_um: Num): number =>
@@ -19,16 +19,16 @@ const change = (before: Num, after: Num, decimals: number): string =>
 const surrogates_text = ({ beats_surrogates, in_best_set }: Candidate): string =>
   beats_surrogates === null ? (in_best_set ? t.diagnosis_not_tested : "–") : beats_surrogates ? t.yes : t.no;
 
-const kTold = 6; // numbers in a cell
+const kMost_numbers = 6; // numbers in a cell
 
 // Numbers of the rows that look the same in these data, and how many more there are.
-const not_told_from = (one: Ranked, all: readonly Ranked[]): string => {
+const inseparable_text = (one: Ranked, all: readonly Ranked[]): string => {
   const labels = one.candidate.inseparable_from;
   const rows = labels
     .map((label) => all.findIndex((other) => other.candidate.label === label) + 1)
     .filter((row) => row > 0)
     .sort((a, b) => a - b)
-    .slice(0, kTold);
+    .slice(0, kMost_numbers);
   const more = labels.length - rows.length;
   return [...rows.map(String), ...(more > 0 ? [t.diagnosis_more({ more })] : [])].join(", ") || "–";
 };
@@ -46,7 +46,7 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
     about: [...star, t.diagnosis_columns({ left_out, surrogates: named !== null })].join(" "),
     heading: [
       t.diagnosis_no, t.diagnosis_one_candidate, t.diagnosis_amplitude, "P", "2 ln B", t.diagnosis_rmse,
-      t.diagnosis_held_out, t.diagnosis_beats, t.diagnosis_not_told_from,
+      t.diagnosis_held_out, t.diagnosis_beats, t.diagnosis_inseparable,
     ],
     rows: ranked.map((one, k) => {
       const c = one.candidate;
@@ -60,10 +60,51 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
         // Of the others nothing is left out.
         c.in_best_set ? change(c.held_out_before_um, c.held_out_after_um, decimals) : "–",
         surrogates_text(c),
-        not_told_from(one, ranked),
+        inseparable_text(one, ranked),
       ];
     }),
     bars: { column: 3, shares: ranked.map((one) => one.candidate.p) },
     ...choosing(picture, ranked),
+  };
+};
+
+// What is probable: each effect, each column that drives something, each value that the model holds, a slow curve without
+// a cause, and nothing. The P of effects need not add up to 1: two may be missing at once.
+
+const kEffects = 8; // shown
+const kLeast = 0.05; // P of an effect that is shown
+
+interface Row {
+  what: string;
+  p: Num;
+}
+
+const three_digits = (value: Num): string => rounded(value, 3);
+
+export const own_text = ({ effect, parameter, unit, held, fitted, low, high }: Diagnosed["own"][number]): string => {
+  const range = `${three_digits(fitted)} (${t.several_from_to({ from: three_digits(low), to: three_digits(high) })})${unit === "1" ? "" : ` ${unit}`}`;
+  return t.diagnosis_own({ parameter, effect: plain(effect, 60), held: shown(held), range });
+};
+
+const rows_of = (found: Diagnosed): Row[] => [
+  ...found.effects
+    .filter(({ p }, k) => k < kEffects && (p ?? 0) >= kLeast)
+    .map(({ label, p }) => ({ what: t.diagnosis_is_missing({ effect: typed_name(label, 90) }), p })),
+  ...found.drivers.map(({ column, p }) => ({ what: t.diagnosis_drives({ column: plain(column, 60) }), p })),
+  ...found.own.map((own) => ({ what: own_text(own), p: own.p })),
+  {
+    what: t.diagnosis_slow({ size: (found.discrepancy_um ?? 0) > 0 ? three_digits(found.discrepancy_um) : "" }),
+    p: found.p_discrepancy,
+  },
+  { what: t.diagnosis_nothing, p: found.p_nothing },
+];
+
+export const posterior_table = (found: Diagnosed): TextTable => {
+  const rows = rows_of(found);
+  return {
+    title: t.diagnosis_posterior_title,
+    heading: [t.diagnosis_what, "P"],
+    rows: rows.map(({ what, p }) => [what, shown(p, 2)]),
+    bars: { column: 0, shares: rows.map(({ p }) => p) },
   };
 };
