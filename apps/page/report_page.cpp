@@ -135,20 +135,19 @@ ReportHead report_head(const std::string& title) {
 }
 
 std::string page_of(const Json& report, const Json& inside) {
-  const auto carried = [](std::string_view id, const Json& json) {
+  const auto block = [](std::string_view id, const Json& json) {
     return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, as_script(json));
   };
-  return filled(page::kShell,
-                {{"CHARSET", "utf-8"},
-                 {"SCRIPT_HASH", std::string(page::kScriptHash)},
-                 {"STYLE_HASH", std::string(page::kStyleHash)},
-                 {"ENGINE_SCRIPTS", ""},
-                 {"ENGINE_WORKERS", ""},
-                 {"MADE_BY", as_html(report["made_by"].get<std::string>())},
-                 {"TITLE", as_html(title_of(report))},
-                 {"STYLE", std::string(page::kStyle)},
-                 {"CARRIED", carried("report", report) + (inside.is_null() ? "" : carried("files", inside))},
-                 {"SCRIPT", std::string(page::kScript)}});
+  return filled(page::kShell, {{"CHARSET", "utf-8"},
+                               {"SCRIPT_HASH", std::string(page::kScriptHash)},
+                               {"STYLE_HASH", std::string(page::kStyleHash)},
+                               {"ENGINE_SCRIPTS", ""},
+                               {"ENGINE_WORKERS", ""},
+                               {"MADE_BY", as_html(report["made_by"].get<std::string>())},
+                               {"TITLE", as_html(title_of(report))},
+                               {"STYLE", std::string(page::kStyle)},
+                               {"CARRIED", block("report", report) + (inside.is_null() ? "" : block("files", inside))},
+                               {"SCRIPT", std::string(page::kScript)}});
 }
 
 std::vector<NamedPicture> pictures_of(const Json& report, const PictureOptions& options) {

@@ -10,9 +10,9 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "commands.hpp"
-#include "page/carried_page.hpp"
 #include "page/pdf_file.hpp"
 #include "page/report_page.hpp"
+#include "page/tool_page.hpp"
 #include "programs/child_process.hpp"
 #include "report/report_inside.hpp"
 #include "report/report_subject.hpp"
@@ -157,7 +157,7 @@ void write_tool(const ReportArguments& options, const CLI::App& command) {
     throw CLI::ValidationError(fmt::format("--out {}: expected a name that ends in .html, found {}", out,
                                            ending.empty() ? "no ending" : ending));
   }
-  write_carried_page(out);
+  write_tool_page(out);
 }
 
 void run(ReportArguments options) {

@@ -7,6 +7,6 @@ namespace ballbar {
 
 // Copies it to `out` and prints what it is for. Throws Error: this program was built without it, or `out` cannot be
 // written.
-void write_carried_page(const std::string& out);
+void write_tool_page(const std::string& out);
 
 }  // namespace ballbar

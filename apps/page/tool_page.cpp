@@ -1,4 +1,4 @@
-#include "page/carried_page.hpp"
+#include "page/tool_page.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 // Beside the program as it is installed, and as it lies in the tree where it is built.
 constexpr std::array kPlaces{"../share/ballbar/ballbar.html", "../../build-tool/ballbar.html"};
 
-fs::path carried_page() {
+fs::path tool_page() {
   std::error_code unknown;
   const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
   for (const char* place : kPlaces) {
@@ -33,8 +33,8 @@ fs::path carried_page() {
 
 }  // namespace
 
-void write_carried_page(const std::string& out) {
-  const fs::path from = carried_page();
+void write_tool_page(const std::string& out) {
+  const fs::path from = tool_page();
   const std::string bytes = read_bytes(from.string(), kLargestText);
   write_bytes(out, bytes);
   fmt::print("{}, {:.1f} MB: open it in a browser and drop files on it. It needs no network and no installation.\n",
