@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "page/pdf_file.hpp"
 #include "page/report_page.hpp"
+#include "page/report_page.hpp"
 #include "programs/child_process.hpp"
 #include "report/report_inside.hpp"
 #include "report/report_subject.hpp"

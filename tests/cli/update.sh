@@ -15,4 +15,4 @@ while read -r page; do
   python3 tests/cli/readme.py "$program" . "$scratch/readme" "$page" --update
 done < tests/cli/readme-pages.txt
 "$(dirname "$program")/../tests/formats/format_keys" formats/README.md --update
-"$(dirname "$program")/../tests/apps/result_keys" . --update
+"$(dirname "$program")/result_types" readmes . --update

@@ -20,7 +20,7 @@ const flat = (all) =>
 const same = new Set([
   ...["drift", "drift_axis_quantity", "model_parameter", "model_result", "page_language", "history_trend", "live_redo"],
   ...["quantities.trend", "quantities.radial", "quantities.axial", "recordings_axial", "effects.oval", "states.free"],
-  ...["quantities.test", "places.quadrant", "diagnosis_revision", "diagnosis_floor", "roles.event", "errors_plus", "drift_in_axis", "live_save_drift", "quantities.sigma"],
+  ...["quantities.test", "places.quadrant", "diagnosis_revision", "roles.event", "errors_plus", "drift_in_axis", "live_save_drift", "quantities.sigma"],
 ]);
 
 test("texts: the same keys and arguments in all languages", () => {
@@ -74,8 +74,8 @@ test("glossaries: every effect, verdict and error of the machine", () => {
 
 // What is no text of the page: marks, styles, what only a program reads.
 const meant = [
-  /^drawing\/(command|sequence_colour|theme)\.ts/,
-  /^figure\/(csv|files|sheet|still)\.ts/,
+  /^drawing\/(command|theme)\.ts/,
+  /^figure\/(files|still)\.ts/,
   /^handover\/drawing\.ts/,
   /^(boot|shell|worker)\.ts/,
   /^engine\.ts:\d+: (the engine gave no answer|no file 0)$/,

@@ -13,8 +13,8 @@ const begin = async (): Promise<void> => {
 };
 
 begin().catch((error: unknown) => {
-  const told = document.createElement("p");
-  told.setAttribute("role", "alert");
-  told.textContent = `This page cannot be shown: ${String(error)}`;
-  document.body.append(told);
+  const message = document.createElement("p");
+  message.setAttribute("role", "alert");
+  message.textContent = `This page cannot be shown: ${String(error)}`;
+  document.body.append(message);
 });

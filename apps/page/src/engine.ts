@@ -45,7 +45,7 @@ export class Failed extends Error {}
 const kMostMemory = 2 ** 32; // as the module is linked
 const kPiece = 8 << 20;
 
-const carried = (page: Document, id: string): string | null => page.getElementById(id)?.textContent ?? null;
+const block = (page: Document, id: string): string | null => page.getElementById(id)?.textContent ?? null;
 
 interface Waiting {
   done: (answer: Answer) => void;
@@ -103,8 +103,8 @@ class InWorker implements Engine {
   private readonly ended = new WeakSet<Link>();
 
   constructor(private readonly page: Document) {
-    const url = URL.createObjectURL(new Blob([carried(page, "engine-worker") ?? ""], { type: "text/javascript" }));
-    const module = unpacked(carried(page, "engine") ?? "").then((bytes) => WebAssembly.compile(bytes));
+    const url = URL.createObjectURL(new Blob([block(page, "engine-worker") ?? ""], { type: "text/javascript" }));
+    const module = unpacked(block(page, "engine") ?? "").then((bytes) => WebAssembly.compile(bytes));
     this.start = async () => new Link(url, await module);
     this.link = this.start();
     this.ready = this.link.then(async (link) => {
@@ -115,7 +115,7 @@ class InWorker implements Engine {
 
   // Unpacked once, when first asked for.
   samples(): Promise<readonly Sample[]> {
-    const text = carried(this.page, "samples");
+    const text = block(this.page, "samples");
     this.unpacked_samples ??= text
       ? unpacked(text).then((bytes) => JSON.parse(new TextDecoder().decode(bytes)) as Sample[])
       : Promise.resolve([]);
@@ -226,4 +226,4 @@ class InWorker implements Engine {
 }
 
 // Nothing where the page carries none.
-export const engine_of = (page: Document): Engine | null => (carried(page, "engine") ? new InWorker(page) : null);
+export const engine_of = (page: Document): Engine | null => (block(page, "engine") ? new InWorker(page) : null);

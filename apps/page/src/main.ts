@@ -1,5 +1,5 @@
 // The page: the verdict and what proves it, then the sections, folded.
-import { kept_view } from "./page/kept_view";
+import { kept_view, shared_by_figures } from "./page/shared";
 import { one_sheet } from "./page/one_sheet";
 import { page_tools } from "./page/page_tools";
 import { element, text_in } from "./elements/elements";
@@ -8,8 +8,6 @@ import type { Section } from "./picture";
 import type { Report } from "./report";
 import { ranked_sections } from "./sections";
 import { section_of } from "./page/section";
-import { shared_by_figures, shared_now } from "./page/shared";
-import { embedded } from "./source";
 import { engine_of } from "./engine";
 import { live_page, type Open } from "./live/live_page";
 import { open_live } from "./live/open_live";
@@ -46,6 +44,15 @@ const contents_of = (sections: readonly Section[], ...tools: readonly HTMLElemen
     ...tools,
   );
 
+// The data that `report` embedded in the page; null: it has none. A live page asks the program (live).
+const embedded_report = (): Report | null => {
+  const text = document.getElementById("report")?.textContent;
+  if (!text) return null;
+  const report = JSON.parse(text) as Report;
+  if (report.format !== "ballbar-report 1") throw new Error(t.page_no_report({ format: String(report.format) }));
+  return report;
+};
+
 const voice = element("div", { class: "voice", role: "status", "aria-live": "polite" });
 
 // `by_hand`: of a live page, what stands on the first screen; `proves`: it does so in the place of the report's own.
@@ -68,7 +75,7 @@ const open: Open = (report, shared, tools, by_hand) => {
     parts: [
       ...(sheet ? [sheet.sheet] : []),
       contents_of(all, ...(sheet ? [sheet.print] : []), tools),
-      header_of(report, first[0]?.beside !== undefined),
+      header_of(report, first[0]?.companion !== undefined),
       main,
     ],
     // What is on the screen is drawn at once; the rest when it comes near.
@@ -85,32 +92,30 @@ const ready = (shared: object): void => {
 speak(language_of(navigator.languages));
 try {
   const engine = engine_of(document);
-  const source = embedded(document);
+  const given = embedded_report();
   document.body.append(voice);
   if (engine) {
-    const page = live_page(voice, source.holds() ? source.report() : null, open);
+    const page = live_page(voice, given, open);
     void open_live(engine, page).then(() => ready(Object.assign(Object.create(page.shared), { engine })));
   } else {
-    const report = source.report();
+    if (!given) throw new Error(t.page_no_data);
     const place = element("div", { class: "report" });
     document.body.append(place);
-    let shared = shared_by_figures(voice);
-    const lasting = shared_now(() => shared);
-    const tools = page_tools(lasting);
+    const shared = shared_by_figures(voice);
+    const tools = page_tools(shared);
     const show = (): void => {
-      const { parts, draw } = open(report, shared, tools, null);
+      const { parts, draw } = open(given, shared, tools, null);
       place.replaceChildren(...parts);
       draw();
     };
     show();
     when_spoken(() => {
       const bring_back = kept_view(shared);
-      for (const figure of shared.figures.values()) figure.leave();
-      shared = shared_by_figures(voice);
+      shared.clear();
       show();
-      bring_back(shared);
+      bring_back();
     });
-    ready(lasting);
+    ready(shared);
   }
 } catch (error) {
   document.body.append(element("p", { role: "alert" }, t.page_cannot_be_shown({ why: String(error) })));

@@ -2,7 +2,7 @@
 // that, and draws anew when it changes. The same drawing is shown on the page, saved as a file and printed.
 import type { EChartsCoreOption } from "echarts/core";
 import type { Num } from "./report";
-import type { Said } from "./texts/texts";
+import type { Sentence } from "./texts/texts";
 
 // How it is drawn. still: for a file or paper, without controls, with a legend of its own.
 export interface Look {
@@ -52,12 +52,12 @@ export interface Picture {
   name: string; // of its file: "drift", "recording-1"
   title: string;
   caption: string; // what is seen, on one line: at most about 90 characters
-  about: string; // the rest, behind a button; also what a reader hears who does not see. Empty: the caption says it all
+  about?: string; // the rest, behind a button; also what a reader hears who does not see
   height_px: number;
   rows_of_text?: boolean; // as high on a narrow screen: it would not be readable lower
   // "time": x is time in minutes, and the window is shared by all such pictures; "own": zooms by itself.
   zoom: "time" | "own" | "none";
-  choices: readonly Choice[];
+  choices?: readonly Choice[];
   toggles: (state: Pick<State, "chosen">) => readonly Toggle[];
   draw: (state: State) => EChartsCoreOption;
   numbers: (state: State) => Numbers;
@@ -85,19 +85,19 @@ export interface Choosing {
 
 export interface List {
   title: string;
-  items: readonly Said[];
+  items: readonly Sentence[];
 }
 
 // What stands beside a picture and below both, and tells of what is chosen in the picture.
-export interface Beside {
+export interface Companion {
   picture: string;
   key: string; // of the choice that it tells of
-  told: (chosen: string) => Told;
+  notes: (chosen: string) => Notes;
 }
 
-export interface Told {
-  beside: TextTable;
-  sentences: readonly Said[]; // below, as the rest
+export interface Notes {
+  table: TextTable;
+  sentences: readonly Sentence[]; // below, as the rest
   lists: readonly List[];
   tables: readonly TextTable[];
 }
@@ -105,20 +105,20 @@ export interface Told {
 // What to do next: a command to paste.
 export interface Next {
   label: string; // of its button, a few words
-  text: Said; // a sentence beside it; empty: none
+  text?: Sentence; // a sentence beside it
   command: string;
 }
 
 // What a section has for the first screen, if it is the one with most to say.
 export interface First {
   picture: string; // of the section: what proves the verdict
-  kind: string; // of what several sections can be chosen there: "Target"
-  label: string; // of this one: "y_um"
-  told: (chosen: State["chosen"]) => ToldFirst; // of what is chosen in the picture
+  kind?: string; // of what several sections can be chosen there: "Target"
+  label?: string; // of this one: "y_um"
+  conclusion: (chosen: State["chosen"]) => Conclusion; // of what is chosen in the picture
 }
 
-export interface ToldFirst {
-  verdict: Said;
+export interface Conclusion {
+  verdict: Sentence;
   concluded?: string; // the program's own sentence, where the verdict says it in the page's words
   next: Next;
 }
@@ -129,11 +129,11 @@ export interface Section {
   result: string; // what is in it, on one line with its number: stands beside the heading while the section is folded
   says?: number; // how much it has to say among sections of its kind, 0 where it is left out; see sections.ts
   first?: First;
-  sentences: readonly Said[];
+  sentences?: readonly Sentence[];
   command?: string; // to copy, below the first sentence
   above?: readonly TextTable[]; // tables above the pictures
-  tables: readonly TextTable[];
-  pictures: readonly Picture[];
+  tables?: readonly TextTable[];
+  pictures?: readonly Picture[];
   lists?: readonly List[];
-  beside?: Beside;
+  companion?: Companion;
 }

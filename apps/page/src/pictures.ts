@@ -3,9 +3,8 @@ import type { Picture, State } from "./picture";
 import type { Report } from "./report";
 import { sections_of } from "./sections";
 import { handover_sheet, kSheet_px } from "./handover/handover";
-import { kErrors_picture } from "./machine_errors/errors_picture";
-import { sheet } from "./figure/sheet";
-import { initial_state, kCaption_px, svg_file } from "./figure/still";
+import { kErrors_picture } from "./machine_errors/errors_pictures";
+import { initial_state, kCaption_px, sheet, svg_file } from "./figure/still";
 
 interface Drawn {
   name: string;
@@ -15,25 +14,28 @@ interface Drawn {
 type Answer = { drawn: Drawn[] } | { option: string; found: string; expected: string[] };
 
 // "KEY=VALUE" by what the page lists: the value's label, or the value itself.
-const choose = (picture: Picture, state: State, wanted: string): State | Answer => {
-  const at = wanted.indexOf("=");
-  const key = wanted.slice(0, Math.max(at, 0));
-  const choice = picture.choices.find((one) => one.key === key);
+const choose = (picture: Picture, state: State, assignment: string): State | Answer => {
+  const at = assignment.indexOf("=");
+  const key = assignment.slice(0, Math.max(at, 0));
+  const { choices = [] } = picture;
+  const choice = choices.find((one) => one.key === key);
   if (!choice) {
-    return { option: "--choose", found: wanted, expected: picture.choices.map((one) => `${one.key}=...`) };
+    return { option: "--choose", found: assignment, expected: choices.map((one) => `${one.key}=...`) };
   }
-  const value = choice.values.find((one) => [one.label, one.value].includes(wanted.slice(at + 1)));
+  const value = choice.values.find((one) => [one.label, one.value].includes(assignment.slice(at + 1)));
   if (!value) {
-    return { option: "--choose", found: wanted, expected: choice.values.map((one) => `${key}=${one.label}`) };
+    return { option: "--choose", found: assignment, expected: choice.values.map((one) => `${key}=${one.label}`) };
   }
   const chosen = { ...state.chosen, [key]: value.value };
   const off = picture.toggles({ chosen }).filter((toggle) => !toggle.on);
   return { ...state, chosen, hidden: new Set(off.map((toggle) => toggle.key)) };
 };
 
+const pictures_of = (report: Report): Picture[] => sections_of(report).flatMap(({ pictures = [] }) => pictures);
+
 // The pictures of these names, all where there is none; `choices` are for each of them. Where one is not there, what is.
 const draw = (report: Report, names: readonly string[], choices: readonly string[], width_px: number): Answer => {
-  const all = sections_of(report).flatMap((section) => [...section.pictures]);
+  const all = pictures_of(report);
   const unknown = names.find((name) => !all.some((picture) => picture.name === name));
   if (unknown !== undefined) {
     return { option: "--picture", found: unknown, expected: all.map((picture) => picture.name) };
@@ -41,8 +43,8 @@ const draw = (report: Report, names: readonly string[], choices: readonly string
   const drawn: Drawn[] = [];
   for (const picture of all.filter(({ name }) => names.length === 0 || names.includes(name))) {
     let state: State | Answer = initial_state(picture, false, width_px);
-    for (const wanted of choices) {
-      state = choose(picture, state, wanted);
+    for (const assignment of choices) {
+      state = choose(picture, state, assignment);
       if (!("look" in state)) return state;
     }
     const svg = svg_file(picture, state, width_px, picture.height_px + kCaption_px);
@@ -53,17 +55,17 @@ const draw = (report: Report, names: readonly string[], choices: readonly string
 
 // All of them in one file, under the report's conclusions.
 const draw_sheet = (report: Report, width_px: number): Answer => {
-  const pictures = sections_of(report).flatMap((section) => [...section.pictures]);
+  const pictures = pictures_of(report);
   return { drawn: [{ name: "sheet", title: report.title, svg: sheet(report.summary, pictures, width_px) }] };
 };
 
 // One test on a sheet of A4 for `--format pdf`; none where the report is of no test or several. `choices`: "error=NAME".
 const draw_handover = (report: Report, choices: readonly string[]): Answer => {
-  const picture = sections_of(report).flatMap((section) => [...section.pictures]).find(({ name }) => name === kErrors_picture);
+  const picture = pictures_of(report).find(({ name }) => name === kErrors_picture);
   if (!picture) return { drawn: [] };
   let state: State | Answer = initial_state(picture, false, kSheet_px.width);
-  for (const wanted of choices) {
-    state = choose(picture, state, wanted);
+  for (const assignment of choices) {
+    state = choose(picture, state, assignment);
     if (!("look" in state)) return state;
   }
   const svg = handover_sheet(report, state.chosen["error"]);

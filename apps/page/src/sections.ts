@@ -12,7 +12,7 @@ import { model_sections } from "./model/model";
 import type { Section } from "./picture";
 import { recordings_section } from "./recordings/recordings";
 import type { Report } from "./report";
-import { signals_section } from "./drift/signals_section";
+import { signals_section } from "./drift/signals";
 
 interface Kind {
   // The sections of the highest rank are on the first screen, and the details begin with them: first what a verdict

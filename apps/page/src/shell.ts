@@ -17,7 +17,7 @@ const as_html = (text: string): string =>
 // JSON that is also harmless within <script>: no "<" to end or comment it.
 const as_script = (value: unknown): string => JSON.stringify(value).replaceAll("<", "\\u003c");
 
-const carried = (id: string, value: unknown): string =>
+const block = (id: string, value: unknown): string =>
   `<script type="application/json" id="${id}">${as_script(value)}</script>\n`;
 
 // Files to go on with in a page that carries the engine; base64, for a file may hold any bytes.
@@ -43,6 +43,6 @@ export const report_page = (page: Document, report: Report, inside: Inside | nul
     TITLE: as_html(report.title),
     STYLE: text("head > style"),
     SCRIPT: packed?.textContent ?? text("body > script:not([type])"),
-    CARRIED: carried("report", report) + (inside ? carried("files", inside) : ""),
+    CARRIED: block("report", report) + (inside ? block("files", inside) : ""),
   });
 };

@@ -38,8 +38,8 @@ def _wrapped(value: Any) -> Any:
 
 def _empty(kind: type, name: str) -> Any:
     """An empty list as what the class says it is a list of."""
-    said = next((one.__annotations__[name] for one in kind.__mro__ if name in one.__dict__.get("__annotations__", ())), "Rows")
-    return np.empty(0) if said == "Array" else [] if said.startswith("list") else Rows([])
+    kind_text = next((one.__annotations__[name] for one in kind.__mro__ if name in one.__dict__.get("__annotations__", ())), "Rows")
+    return np.empty(0) if kind_text == "Array" else [] if kind_text.startswith("list") else Rows([])
 
 
 class Result:
@@ -86,8 +86,8 @@ class Result:
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> Any:
-        beside = {name: getattr(self, name) for name in type(self).__dict__.get("__slots__", ()) if name[0] != "_"}
-        return type(self), (self._json,), (None, beside) if beside else None
+        slots = {name: getattr(self, name) for name in type(self).__dict__.get("__slots__", ()) if name[0] != "_"}
+        return type(self), (self._json,), (None, slots) if slots else None
 
     def to_dict(self) -> dict[str, Any]:
         """The keys and values of the program's JSON: dict, list, str, float, int, bool, None."""

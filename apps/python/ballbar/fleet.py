@@ -72,16 +72,12 @@ def diagnose(paths: Paths, model: Any = None, *, target: str | None = None, file
 
     Parameters
     ----------
-    paths : path, pattern, or list of them
-        Series, logs of loggers, `.b5r` files.
+    paths, files_of_a_partition, **storage
+        As of :func:`errors`: series, logs of loggers, `.b5r` files.
     model : Model or path
         As there; None: what the file is diagnosed with alone.
     target : str
         One column; None: that of the model.
-    files_of_a_partition : int
-        Files that are read at once.
-    **storage
-        Options of fsspec's file system.
 
     Returns
     -------
@@ -96,7 +92,7 @@ def diagnose(paths: Paths, model: Any = None, *, target: str | None = None, file
     if target is not None and not isinstance(target, str):
         raise BallbarError(f"target: expected the name of one column, found {target!r}.")
     texts = ("file", "sha256", "version", "verdict", "sentence", "named", "fault")
-    columns = {**{name: "object" for name in texts}, "rmse_um": "float64", "floor_um": "float64", "p_nothing": "float64"}
+    columns = {**dict.fromkeys(texts, "object"), "rmse_um": "float64", "floor_um": "float64", "p_nothing": "float64"}
     text = None if model is None else (model if isinstance(model, Model) else Model(model)).text
 
     def work(path: str, file: str, sha256: str) -> Row:
@@ -114,8 +110,7 @@ def diagnose(paths: Paths, model: Any = None, *, target: str | None = None, file
             "p_nothing": found.get("p_nothing"),
         }
 
-    at = os.getcwd()
-    return _frame(lambda files: rows_of_each(files, storage, at, work), files_of(paths, **storage), files_of_a_partition, columns)
+    return _frame_of_each(work, paths, storage, files_of_a_partition, columns)
 
 
 def train(paths: Paths, target: str, out: str | os.PathLike[str], *, few: bool = False, files_of_a_partition: int = 1, **storage: Any) -> Any:
@@ -123,18 +118,14 @@ def train(paths: Paths, target: str, out: str | os.PathLike[str], *, few: bool =
 
     Parameters
     ----------
-    paths : path, pattern, or list of them
-        Series or sessions.
+    paths, files_of_a_partition, **storage
+        As of :func:`errors`: series or sessions.
     target : str
         The column, um.
     out : path
         The folder for the models; made where there is none.
     few : bool
         Few effects.
-    files_of_a_partition : int
-        Files that are read at once.
-    **storage
-        Options of fsspec's file system.
 
     Returns
     -------
@@ -147,8 +138,8 @@ def train(paths: Paths, target: str, out: str | os.PathLike[str], *, few: bool =
     BallbarError
         Where there is no file.
     """
-    columns = {**{name: "object" for name in ("file", "sha256", "version", "model", "fault")}, "held_out_um": "float64"}
-    at, folder = os.getcwd(), os.path.abspath(out)
+    columns = {**dict.fromkeys(("file", "sha256", "version", "model", "fault"), "object"), "held_out_um": "float64"}
+    folder = os.path.abspath(out)
 
     def work(path: str, file: str, sha256: str) -> Row:
         os.makedirs(folder, exist_ok=True)
@@ -156,7 +147,7 @@ def train(paths: Paths, target: str, out: str | os.PathLike[str], *, few: bool =
         found = _train(path, target, model, effects=True, few=few).to_dict()
         return {"model": model, "held_out_um": (found.get("forecasts") or {}).get("rmse_um")}
 
-    return _frame(lambda files: rows_of_each(files, storage, at, work), files_of(paths, **storage), files_of_a_partition, columns)
+    return _frame_of_each(work, paths, storage, files_of_a_partition, columns)
 
 
 def ranked(
@@ -268,6 +259,13 @@ def _ranked(
 def files_text(files: int) -> str:
     """1 file, 2 files."""
     return f"{files} file" + ("" if files == 1 else "s")
+
+
+def _frame_of_each(
+    work: Callable[[str, str, str], Row], paths: Paths, storage: dict[str, Any], size: int, columns: dict[str, str]
+) -> Any:
+    at = os.getcwd()
+    return _frame(lambda files: rows_of_each(files, storage, at, work), files_of(paths, **storage), size, columns)
 
 
 def _frame(work: Callable[[Sequence[str]], list[Row]], files: Sequence[str], size: int, columns: dict[str, str]) -> Any:

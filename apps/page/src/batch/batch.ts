@@ -1,13 +1,11 @@
 // What a regression over batches predicts for the job, and whether the job is like its batches.
-import { prediction_picture } from "./batch_prediction";
-import { range_picture } from "./batch_range";
-import { weights_picture } from "./batch_weights";
+import { prediction_picture, range_picture, weights_picture } from "./batch_pictures";
 import { command_of, data_files } from "../drawing/command";
 import type { Next, Section } from "../picture";
 import type { BatchPart, Report } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
-import { english, t, type Said } from "../texts/texts";
+import { english, type Sentence, t } from "../texts/texts";
 
 // As `ballbar predict` says it.
 const agreement = (batch: BatchPart): string[] => {
@@ -26,7 +24,7 @@ const agreement = (batch: BatchPart): string[] => {
   return [t.batch_agreement({ rmse, percent: shown((100 * within) / n, 0) })];
 };
 
-const verdict_of = (batch: BatchPart): Said => {
+const verdict_of = (batch: BatchPart): Sentence => {
   const [warning] = batch.warnings;
   if (warning !== undefined) return english(warning);
   return agreement(batch)[0] ?? t.batch_by_method({ target: plain(batch.target, 60), method: batch.method });
@@ -34,7 +32,6 @@ const verdict_of = (batch: BatchPart): Said => {
 
 const next_of = (report: Report): Next => ({
   label: t.batch_next,
-  text: "",
   command: command_of("predict", data_files(report), ["--model", report.files.find((file) => file.endsWith(".json")) ?? "model.json", "--out", "predicted.csv"]),
 });
 
@@ -42,7 +39,7 @@ export const batch_section = (report: Report): Section[] => {
   const { batch } = report;
   if (!batch) return [];
   const weights = batch.batches.map(({ weight }) => weight);
-  const weighed = weights.some((weight) => weight !== weights[0]);
+  const has_weights = weights.some((weight) => weight !== weights[0]);
   return [
     {
       id: "batch",
@@ -50,9 +47,7 @@ export const batch_section = (report: Report): Section[] => {
       result: agreement(batch)[0] ?? t.batch_count({ n: batch.batches.length }),
       first: {
         picture: "batch",
-        kind: "",
-        label: "",
-        told: () => ({
+        conclusion: () => ({
           verdict: verdict_of(batch),
           next: next_of(report),
         }),
@@ -69,7 +64,7 @@ export const batch_section = (report: Report): Section[] => {
           rows: batch.batches.map(({ name, weight }) => [name, shown(weight, 2)]),
         },
       ],
-      pictures: [prediction_picture(batch), range_picture(batch), ...(weighed ? [weights_picture(batch)] : [])],
+      pictures: [prediction_picture(batch), range_picture(batch), ...(has_weights ? [weights_picture(batch)] : [])],
     },
   ];
 };

@@ -1,14 +1,12 @@
 // Two drift series compared: where they agree, and whether their uncertainty explains the rest.
 import { comparison_picture } from "./comparison_picture";
-import { command_of, data_files } from "../drawing/command";
+import { data_files, report_command } from "../drawing/command";
 import type { Next, Section, TextTable } from "../picture";
-import type { ComparePart, ComparedAxis, Num, Report } from "../report";
-import { clamped, slug } from "../drawing/text";
-import { minutes, shown } from "../drawing/theme";
-import { whole_min } from "../drawing/time_axis";
-import { unit_shown, words } from "../drawing/units";
-import { decimals_for, with_sigma } from "../drawing/with_sigma";
-import { english, language, named, t, type Said } from "../texts/texts";
+import type { ComparedAxis, ComparePart, Num, Report } from "../report";
+import { clamped, slug, unit_shown, words } from "../drawing/text";
+import { decimals_for, minutes, shown, with_sigma } from "../drawing/theme";
+import { whole_min } from "../drawing/axes";
+import { english, language, named, type Sentence, t } from "../texts/texts";
 
 const number = (axis: ComparedAxis, key: string): Num => {
   const value = axis[key];
@@ -21,7 +19,7 @@ export const unit_of = (axis: ComparedAxis): string => {
 };
 
 // Percent, of a share.
-const percent = (share: Num): string => (share === null ? "–" : shown(100 * share, 2));
+const percent = (share: Num, decimals = 2): string => (share === null ? "–" : shown(100 * share, decimals));
 
 // A row of the table: what, and how it reads for an axis whose lengths are in `unit`, which is written so.
 type Row = [(written: string) => string, (axis: ComparedAxis, unit: string) => string];
@@ -39,7 +37,7 @@ const lag = (axis: ComparedAxis): string => {
 };
 
 const rows: readonly Row[] = [
-  [() => t.comparison_verdict, (axis) => named(t.agreement, axis.agreement)],
+  [() => t.verdict, (axis) => named(t.agreement, axis.agreement)],
   [
     () => t.comparison_within,
     (axis) => t.n_of_all({ n: shown(number(axis, "within_2_sigma")), all: shown(number(axis, "samples")) }),
@@ -48,7 +46,7 @@ const rows: readonly Row[] = [
   [() => t.comparison_expected, (axis) => percent(number(axis, "expected_relative_deviation"))],
   [
     () => t.comparison_explained,
-    (axis) => shown(number(axis, "explained_share") === null ? null : 100 * (number(axis, "explained_share") ?? 0), 0),
+    (axis) => percent(number(axis, "explained_share"), 0),
   ],
   [() => t.comparison_of_range, (axis) => percent(number(axis, "range_normalised_mean_deviation"))],
   [(unit) => t.comparison_rmse({ unit }), length("rmse")],
@@ -112,14 +110,14 @@ const names_of = (axes: Record<string, ComparedAxis>, agreement: ComparedAxis["a
   Object.entries(axes).flatMap(([name, axis]) => (axis.agreement === agreement ? [words(name)] : [])).join(", ");
 
 // In English the program's own sentences.
-const verdict_of = ({ conclusion, axes }: ComparePart): Said => {
+const verdict_of = ({ conclusion, axes }: ComparePart): Sentence => {
   if (language === "en") return english(conclusion);
   const [agreeing, disagreeing] = [names_of(axes, "agrees"), names_of(axes, "disagrees")];
   if (disagreeing !== "") return t.comparison_disagree_in({ axes: disagreeing, agreeing });
   return agreeing === "" ? t.comparison_cannot_tell : t.comparison_agree_in({ axes: agreeing });
 };
 
-const sentences_of = (compare: ComparePart): Said[] => [
+const sentences_of = (compare: ComparePart): Sentence[] => [
   english(compare.conclusion),
   t.comparison_series({ which: "A", name: compare.a }),
   t.comparison_series({ which: "B", name: compare.b }),
@@ -138,8 +136,7 @@ const most_moved = (axes: readonly [string, ComparedAxis][]): [string, ComparedA
 
 const next_of = (report: Report): Next => ({
   label: t.drift_next,
-  text: "",
-  command: command_of("report", data_files(report).slice(0, 1), ["--diagnose", "--out", "page.html"]),
+  command: report_command(data_files(report).slice(0, 1)),
 });
 
 export const comparison_section = (report: Report): Section[] => {
@@ -159,9 +156,7 @@ export const comparison_section = (report: Report): Section[] => {
         ? {
             first: {
               picture: `comparison-${slug(telling[0])}`,
-              kind: "",
-              label: "",
-              told: () => ({ verdict: verdict_of(compare), concluded: compare.conclusion, next: next_of(report) }),
+              conclusion: () => ({ verdict: verdict_of(compare), concluded: compare.conclusion, next: next_of(report) }),
             },
           }
         : {}),

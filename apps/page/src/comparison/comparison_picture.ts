@@ -1,16 +1,13 @@
 // One axis of a comparison: above both series, below their difference with twice its standard deviation.
-import { curve } from "../drawing/curve";
-import { decimated, first_at } from "../drawing/decimate";
+import { curve, sigma_band, type Uncertain } from "../drawing/curve";
+import { decimated, first_at } from "../drawing/columns";
 import { place_of } from "../drift/drift_axes";
 import type { Picture, Range, State, Toggle } from "../picture";
-import { kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
-import { reading_in } from "../drawing/reading";
+import { kLeft_px, kRight_px, time_axis, top_px, value_axis } from "../drawing/axes";
+import { reading_in } from "../drawing/hover";
 import type { ComparedAxis, Num } from "../report";
-import { sigma_band, type Uncertain } from "../drawing/sigma_marks";
-import { plain, slug } from "../drawing/text";
-import { base, curve_colour, legend, minutes, tooltip } from "../drawing/theme";
-import { time_axis, value_axis } from "../drawing/time_axis";
-import { unit_shown, words } from "../drawing/units";
+import { plain, slug, unit_shown, words } from "../drawing/text";
+import { base, colours, legend, minutes, toggle, tooltip } from "../drawing/theme";
 import { t } from "../texts/texts";
 
 const kHeight_px = 440;
@@ -26,19 +23,9 @@ export interface Compared {
   whole_min: Range;
 }
 
-const band_of_sigma: Toggle = {
-  key: "sigma",
-  get label() {
-    return t.comparison_sigma_band;
-  },
-  colour: (dark) => (dark ? "#9aa3ad" : "#5c6670"),
-  mark: "band",
-  on: true,
-};
-
-const band = (points: readonly Uncertain[], dark: boolean): Record<string, unknown> => ({
-  ...sigma_band(points, band_of_sigma.colour(dark)),
-  name: band_of_sigma.label,
+const band = (points: readonly Uncertain[], { colour, label }: Toggle, dark: boolean): Record<string, unknown> => ({
+  ...sigma_band(points, colour(dark)),
+  name: label,
 });
 
 // The stretch with the largest difference beyond two standard deviations, in both plots.
@@ -62,10 +49,11 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
   const written = unit_shown(unit);
   const place = place_of(name, k);
   const has_sigma = sigma.some((value) => value !== null);
+  const band_of_sigma = toggle("sigma", t.comparison_sigma_band, (dark) => colours(dark).faint, "band");
   const toggles: Toggle[] = [
-    { key: "a", label: t.comparison_curve({ which: "A", name: plain(a, 60) }), colour: (dark) => curve_colour(place, dark), mark: "dot", on: true },
-    { key: "b", label: t.comparison_curve({ which: "B", name: plain(b, 60) }), colour: (dark) => curve_colour(place + 3, dark), mark: "line", on: true },
-    { key: "difference", label: t.comparison_a_less_b, colour: (dark) => curve_colour(place, dark), mark: "dashed", on: true },
+    toggle("a", t.comparison_curve({ which: "A", name: plain(a, 60) }), place, "dot"),
+    toggle("b", t.comparison_curve({ which: "B", name: plain(b, 60) }), place + 3, "line"),
+    toggle("difference", t.comparison_a_less_b, place, "dashed"),
     ...(has_sigma ? [band_of_sigma] : []),
   ];
 
@@ -103,7 +91,7 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
       z: 3,
     });
     const drawn = [
-      ...(state.hidden.has("sigma") || !has_sigma ? [] : [band(around_zero, dark)]),
+      ...(state.hidden.has("sigma") || !has_sigma ? [] : [band(around_zero, band_of_sigma, dark)]),
       ...(state.hidden.has("difference") ? [] : [dashed]),
       { type: "line", name: "", data: [], ...disagreement(axis, whole_min, dark) },
     ];
@@ -148,7 +136,6 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
     ].join(" "),
     height_px: kHeight_px,
     zoom: "time",
-    choices: [],
     toggles: () => toggles,
     draw,
     numbers: () => ({

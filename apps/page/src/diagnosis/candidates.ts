@@ -1,19 +1,18 @@
 // What the model leaves, and over it what each candidate would add. The best set is drawn, where something was found; any
 // one candidate is chosen beside it, by its row in the table or from the list. Where it is a set by itself it shows what
 // would be left with it taken off.
-import { best_curves, chosen_curves, residual_curve, type Curve, type Shown } from "./candidate_curves";
-import { hover_text } from "../drawing/hover";
-import type { Numbers, Picture, State } from "../picture";
-import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
-import { ranked_candidates, set_name } from "./ranking";
-import { chosen_strands, recording_choice } from "../recordings/recording_names";
+import { curves_base } from "../drawing/hover";
+import type { Numbers, Picture, State, Toggle } from "../picture";
+import { kBottom_px, kLeft_px, kRight_px, time_axis, top_px, whole_min, x_axis } from "../drawing/axes";
+import { type Ranked, ranked_candidates, set_name, type SetName } from "./ranking";
+import { chosen_strands, recording_choice } from "../recordings/recording_groups";
 import type { Checked, Diagnosed, Num, Report } from "../report";
-import { points_of, strands_of, type Strand } from "../drawing/strands";
+import { place_text, points_of, type Strand, strand_numbers, strands_of } from "../drawing/strands";
 import { plain } from "../drawing/text";
-import { axis, base, legend, shown, tooltip } from "../drawing/theme";
-import { time_axis, whole_min } from "../drawing/time_axis";
-import { x_axis } from "../drawing/two_grids";
+import { axis, colours, dashes, shown, toggle } from "../drawing/theme";
 import { t } from "../texts/texts";
+import { difference, sum } from "../drawing/columns";
+import { curve, type Dash } from "../drawing/curve";
 
 export const candidates_picture = (
   report: Report,
@@ -36,7 +35,7 @@ export const candidates_picture = (
     const one = all.find((ranked) => ranked.key === chosen["candidate"]);
     return one ? [...fixed, ...chosen_curves(one, checked.series.residual_um, refit_um)] : fixed;
   };
-  const seen = (chosen: State["chosen"]): Strand[] =>
+  const shown_strands = (chosen: State["chosen"]): Strand[] =>
     chosen_strands(strands, chosen);
 
   const whole = over_angle ? null : whole_min(strands.map((strand) => strand.x));
@@ -52,27 +51,19 @@ export const candidates_picture = (
       one.series(
         one.toggle.label,
         one.toggle.colour(look.dark),
-        points_of(seen(chosen), one.values_um, window, look.width_px),
+        points_of(shown_strands(chosen), one.values_um, window, look.width_px),
       ),
     );
     // Of recordings drawn together the nearest point is read, whichever it belongs to.
-    const head = (at: number): string => {
-      if (!over_angle) return `${shown(at, 1)} min`;
-      return seen(chosen).length > 1 ? t.diagnosis_one_of_recordings({ at: shown(at, 1) }) : `${shown(at, 1)}°`;
-    };
+    const several = over_angle && shown_strands(chosen).length > 1;
+    const head = several ? (at: number) => t.diagnosis_one_of_recordings({ at: shown(at, 1) }) : place_text(checked, 1);
     return {
-      ...base(look),
+      ...curves_base(state, curves(chosen).map((one) => one.toggle), { drawn: series, head, unit: "µm" }),
       grid: {
         left: kLeft_px,
         right: kRight_px,
         top: top_px(look, drawn.map((one) => one.toggle.label)),
         bottom: kBottom_px,
-      },
-      legend: legend(state, curves(chosen).map((one) => one.toggle)),
-      tooltip: {
-        ...tooltip(look),
-        trigger: "axis",
-        formatter: hover_text({ drawn: series, x: 0, y: 1, head, unit: "µm" }),
       },
       xAxis: x_axis_of(state),
       yAxis: axis(look, t.deviation_axis, "y"),
@@ -80,19 +71,11 @@ export const candidates_picture = (
     };
   };
 
-  const numbers = ({ chosen }: State): Numbers => {
-    const rows = seen(chosen).flatMap((strand) => strand.rows);
-    const column = (values: readonly Num[]): Num[] => rows.map((i) => values[i] ?? null);
-    const recording = seen(chosen).flatMap((strand) => strand.rows.map(() => strand.recording));
-    return {
-      columns: [
-        { name: over_angle ? "angle_deg" : "time_min", values: seen(chosen).flatMap((strand) => strand.x) },
-        ...(over_angle ? [{ name: "recording", values: recording }] : []),
-        { name: "residual_um", values: column(checked.series.residual_um) },
-        ...all.map((one) => ({ name: `${plain(one.candidate.label, 60)}_um`, values: column(one.values_um) })),
-      ],
-    };
-  };
+  const numbers = ({ chosen }: State): Numbers =>
+    strand_numbers(checked, shown_strands(chosen), [
+      { name: "residual_um", values: checked.series.residual_um },
+      ...all.map((one) => ({ name: `${plain(one.candidate.label, 60)}_um`, values: one.values_um })),
+    ]);
 
   const of_set = named === "best" ? t.diagnosis_candidates_best : t.diagnosis_candidates_closest;
   const drawn_set = best.length > 0 ? of_set : t.diagnosis_candidates_none;
@@ -115,4 +98,84 @@ export const candidates_picture = (
     draw,
     numbers,
   };
+};
+
+// The curves of the picture of candidates: the residual, the best set, and the candidate that is chosen.
+
+// A candidate with what it adds that the model cannot make.
+export interface Shown extends Ranked {
+  values_um: readonly Num[];
+}
+
+type Points = readonly [number, Num][];
+
+export interface Curve {
+  toggle: Toggle;
+  values_um: readonly Num[];
+  series: (name: string, colour: string, points: Points) => Record<string, unknown>; // of ECharts
+}
+
+const lined =
+  (dash: Dash, width_px: number): Curve["series"] =>
+  (name, colour, points) =>
+    curve(name, colour, dash, width_px, points);
+
+// As a marker pen draws: below the other curves.
+const highlighted: Curve["series"] = (name, colour, points) =>
+  curve(name, colour, "solid", 8, points, { z: 1, lineStyle: { color: colour, width: 8, opacity: 0.4, cap: "round" } });
+
+// Faint below the curve of a set; where there is none, it is what is looked at.
+export const residual_curve = (residual_um: readonly Num[], below: boolean): Curve => ({
+  toggle: toggle("residual", t.diagnosis_measured_less_model, below ? (dark) => colours(dark).faint : 1, "line"),
+  values_um: residual_um,
+  series: lined("solid", 1),
+});
+
+// Of the k-th effect of a set; the solid line is that of all together.
+const dash_of = (k: number): Dash => dashes[1 + (k % (dashes.length - 1))] ?? "dashed";
+
+// The set that is drawn, by the name that it may have: where it has several effects their sum, which is what stands for
+// the residual, and each of them. What the model gives way by counts once, with the set.
+export const best_curves = (best: readonly Shown[], refit_um: readonly Num[], named: SetName): Curve[] => {
+  const strong = (label: string, values_um: readonly Num[]): Curve => ({
+    toggle: toggle("best", label, 1, "line"),
+    values_um,
+    series: lined("solid", 2.2),
+  });
+  const [only, ...others] = best;
+  if (!only) return [];
+  if (others.length === 0) {
+    const label = named === "best" ? only.name : t.diagnosis_only({ effect: only.name, set: t.diagnosis_closest_set_label });
+    return [strong(label, sum([only.values_um, refit_um]))];
+  }
+  const each = best.map(
+    (one, k): Curve => ({
+      toggle: toggle(`best-${one.key}`, one.name, k + 2, dash_of(k) === "dotted" ? "dotted" : "dashed"),
+      values_um: one.values_um,
+      series: lined(dash_of(k), 1.4),
+    }),
+  );
+  const label = named === "best" ? t.diagnosis_best_set_together : t.diagnosis_closest_set_label;
+  return [strong(label, sum([refit_um, ...best.map((one) => one.values_um)])), ...each];
+};
+
+// What is left without it is known only where it was fitted alone: in a set, its amplitude goes with the others.
+export const chosen_curves = (one: Shown, residual_um: readonly Num[], refit_um: readonly Num[]): Curve[] => {
+  const with_refit = sum([one.values_um, refit_um]);
+  return [
+    {
+      toggle: toggle("chosen", t.diagnosis_chosen({ effect: one.name }), 0, "band"),
+      values_um: with_refit,
+      series: highlighted,
+    },
+    ...(one.alone
+      ? [
+          {
+            toggle: toggle("without", t.diagnosis_left_without, 0, "dotted"),
+            values_um: difference(residual_um, with_refit),
+            series: lined("dotted", 1.1),
+          },
+        ]
+      : []),
+  ];
 };

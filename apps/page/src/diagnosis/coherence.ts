@@ -7,7 +7,7 @@ import { plain } from "../drawing/text";
 import { axis, base, colours, kNarrow_px, shown, tooltip } from "../drawing/theme";
 import { t } from "../texts/texts";
 
-const kAlike = 0.95; // as in the diagnosis
+const kSame = 0.95; // as in the diagnosis
 const kLetter_px = 7;
 const kNumber_px = 19; // of two digits, with room to the next
 const kWritten = 14; // effects, up to which there is room for numbers in the cells
@@ -35,7 +35,7 @@ const drawing = ({ effects, values }: Coherence, { look }: State): Record<string
   const rows = numbered ? names.map((name, k) => `${plain(name, letters)}  ${k + 1}`) : names;
   const columns = numbered ? names.map((_, k) => String(k + 1)) : names;
   const roomy = look.width_px > 640;
-  const strong = (value: Num, i: number, j: number): boolean => value !== null && i !== j && value > kAlike;
+  const strong = (value: Num, i: number, j: number): boolean => value !== null && i !== j && value > kSame;
   // A cell that is not known is left empty; an effect beside itself says nothing and is empty too.
   // The framed ones are drawn last, so that their neighbours do not hide the frame.
   const cells = values.flatMap((row, i) =>
@@ -63,8 +63,8 @@ const drawing = ({ effects, values }: Coherence, { look }: State): Record<string
       trigger: "item",
       formatter: (one: { value?: unknown }) => {
         const [j, i, value] = Array.isArray(one.value) ? (one.value as number[]) : [];
-        const told = (value ?? 0) > kAlike ? `\n${t.diagnosis_may_be_taken}` : "";
-        return `${names[i ?? 0] ?? ""}\n${t.diagnosis_imitated_by({ effect: names[j ?? 0] ?? "" })}\n|cos| ${shown(value, 3)}${told}`;
+        const note = (value ?? 0) > kSame ? `\n${t.diagnosis_may_be_taken}` : "";
+        return `${names[i ?? 0] ?? ""}\n${t.diagnosis_imitated_by({ effect: names[j ?? 0] ?? "" })}\n|cos| ${shown(value, 3)}${note}`;
       },
     },
     visualMap: {
@@ -120,7 +120,6 @@ export const coherence_picture = (coherence: Coherence, name: string): Picture =
   height_px: Math.min(760, 190 + 34 * coherence.effects.length),
   rows_of_text: true,
   zoom: "none",
-  choices: [],
   toggles: () => [],
   draw: (state) => drawing(coherence, state),
   numbers: () => numbers(coherence),

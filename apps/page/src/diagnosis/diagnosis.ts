@@ -1,23 +1,20 @@
 // Which effect the model lacks, or that the data cannot tell: a section for each target.
-import { candidate_table } from "./candidate_table";
+import { candidate_table, posterior_table } from "./diagnosis_tables";
 import { candidates_picture } from "./candidates";
 import { coherence_picture } from "./coherence";
-import { no_evidence_of_several, not_known } from "./falls";
-import { ledger_steps } from "./ledger_steps";
+import { ledger_steps, no_evidence_of_several, not_known, type Step } from "./steps";
 import type { Next, Picture, Section } from "../picture";
-import { command_of, data_files } from "../drawing/command";
-import { posterior_table } from "./posterior_table";
+import { command_of, data_files, model_options } from "../drawing/command";
 import { best_set, set_name } from "./ranking";
 import type { Candidate, Checked, Diagnosed, Num, Report } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
-import type { Step } from "./step";
 import { verdict_of } from "./verdict";
 import { waterfall } from "./waterfall";
 import { with_without_picture } from "./with_without";
-import { english, english_after, named, t, type Said } from "../texts/texts";
+import { english, english_after, named, type Sentence, t } from "../texts/texts";
 
-const sentences_of = (found: Diagnosed): Said[] => {
+const sentences_of = (found: Diagnosed): Sentence[] => {
   const reasons = found.reasons.length > 0 && found.verdict !== "nothing";
   return [
     english(found.sentence),
@@ -29,7 +26,7 @@ const sentences_of = (found: Diagnosed): Said[] => {
 };
 
 // Effects with one reason together, as on the terminal.
-const by_reason = (untestable: Diagnosed["untestable"]): Said[] => {
+const by_reason = (untestable: Diagnosed["untestable"]): Sentence[] => {
   const effects_of = new Map<string, string[]>();
   for (const { effect, why } of untestable) effects_of.set(why, [...(effects_of.get(why) ?? []), effect]);
   return [...effects_of].map(([why, effects]) => english(`${effects.join(", ")}: ${why}`));
@@ -148,10 +145,9 @@ const next_of = (report: Report, found: Diagnosed): Next => {
     const tried = found.command.endsWith(" --dry-run");
     return { label: tried ? t.diagnosis_next_try : t.diagnosis_next_add, text: english(found.hint), command: found.command };
   }
-  const model = report.files.find((file) => file.endsWith(".toml") && file !== "session.toml");
-  const options = [...(model ? ["--model", model] : []), "--target", found.target];
+  const options = [...model_options(report), "--target", found.target];
   return found.verdict === "nothing"
-    ? { label: t.diagnosis_next_where, text: "", command: command_of("check", data_files(report), options) }
+    ? { label: t.diagnosis_next_where, command: command_of("check", data_files(report), options) }
     : { label: t.diagnosis_next_plan, text: english(found.hint), command: command_of("plan", data_files(report), options) };
 };
 
@@ -163,7 +159,7 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
     says: says_of(found),
   };
   if (found.not_diagnosed !== undefined) {
-    return { ...section, sentences: [english(found.not_diagnosed)], tables: [], pictures: [] };
+    return { ...section, sentences: [english(found.not_diagnosed)] };
   }
   const over_residual = `candidates${number}`;
   const chooses = checked ? over_residual : null;
@@ -178,9 +174,9 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
       ? {
           first: {
             picture: `with-without${number}`,
-            kind: t.diagnosis_target_choice,
+            kind: t.model_target,
             label: plain(found.target, 60),
-            told: () => ({ verdict: verdict_of(found), concluded: found.sentence, next: next_of(report, found) }),
+            conclusion: () => ({ verdict: verdict_of(found), concluded: found.sentence, next: next_of(report, found) }),
           },
         }
       : {}),

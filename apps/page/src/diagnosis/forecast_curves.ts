@@ -1,12 +1,11 @@
 // Of a ledger that knows forecasts, over its revisions: the error on the rows that were fitted, of rows forecast from
 // earlier ones alone, and of these with a surrogate in the place of the revision's effect.
 import { curve, type Dash, type Point } from "../drawing/curve";
-import { hover_text } from "../drawing/hover";
-import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
+import { curves_base } from "../drawing/hover";
+import { kBottom_px, kLeft_px, kRight_px, top_px, x_axis } from "../drawing/axes";
 import { plain } from "../drawing/text";
-import { axis, base, curve_colour, legend, tooltip } from "../drawing/theme";
-import { x_axis } from "../drawing/two_grids";
-import { revision_before } from "./ledger_steps";
+import { axis, toggle } from "../drawing/theme";
+import { revision_before } from "./steps";
 import type { Picture, State, Toggle } from "../picture";
 import type { LedgerPart, LedgerRow, Num } from "../report";
 import { named, t } from "../texts/texts";
@@ -16,22 +15,17 @@ interface Figure extends Toggle {
   dash: Dash;
   symbol: string;
 }
-const figure = (key: Figure["key"], label: () => string, k: number, mark: "line" | "dashed" | "dotted", symbol: string): Figure => ({
+const figure = (key: Figure["key"], label: string, k: number, mark: "line" | "dashed" | "dotted", symbol: string): Figure => ({
+  ...toggle(key, label, k, mark),
   key,
-  get label() {
-    return label();
-  },
-  colour: (dark) => curve_colour(k, dark),
-  mark,
   dash: mark === "line" ? "solid" : mark,
   symbol,
-  on: true,
 });
 // Colour and dashes of a surrogate as in the waterfall.
-const figures = [
-  figure("rmse_um", () => t.diagnosis_rows_fitted, 0, "dotted", "circle"),
-  figure("forecast_um", () => t.diagnosis_forecasts_curve, 2, "line", "diamond"),
-  figure("surrogate_forecast_um", () => t.diagnosis_forecasts_surrogate, 1, "dashed", "triangle"),
+const figures_of_language = (): Figure[] => [
+  figure("rmse_um", t.diagnosis_rows_fitted, 0, "dotted", "circle"),
+  figure("forecast_um", t.diagnosis_forecasts_curve, 2, "line", "diamond"),
+  figure("surrogate_forecast_um", t.diagnosis_forecasts_surrogate, 1, "dashed", "triangle"),
 ];
 
 const known = (row: LedgerRow, key: Figure["key"] | "discrepancy_um"): Num => row[key] ?? null;
@@ -39,6 +33,7 @@ const known = (row: LedgerRow, key: Figure["key"] | "discrepancy_um"): Num => ro
 export const has_forecasts = (rows: readonly LedgerRow[]): boolean => rows.some((row) => known(row, "forecast_um") !== null);
 
 export const forecast_curves = (ledger: LedgerPart, target: string, name: string): Picture => {
+  const figures = figures_of_language();
   const rows = ledger.rows.filter((row) => row.target === target);
   const revisions = rows.map(({ revision }) => revision);
   // A gap where the data change: the errors before and after cannot be compared.
@@ -60,10 +55,8 @@ export const forecast_curves = (ledger: LedgerPart, target: string, name: string
         curve(label, colour(look.dark), dash, 2, points(key), { showSymbol: true, symbol, symbolSize: 9, z: 4 }),
       );
     return {
-      ...base(look),
+      ...curves_base(state, figures, { drawn, head, unit: "µm" }),
       grid: { left: kLeft_px, right: kRight_px, top: top_px(look, figures.map(({ label }) => label)), bottom: kBottom_px },
-      legend: legend(state, figures),
-      tooltip: { ...tooltip(look), trigger: "axis", formatter: hover_text({ drawn, x: 0, y: 1, head, unit: "µm" }) },
       xAxis: {
         ...x_axis(look, t.diagnosis_revision, window, { min: Math.min(...revisions) - 0.5, max: Math.max(...revisions) + 0.5 }),
         minInterval: 1,
@@ -76,10 +69,8 @@ export const forecast_curves = (ledger: LedgerPart, target: string, name: string
     name,
     title: t.diagnosis_forecasts_title({ target: plain(target, 60) }),
     caption: t.diagnosis_honest,
-    about: "",
     height_px: 340,
     zoom: "none",
-    choices: [],
     toggles: () => figures,
     draw,
     numbers: () => ({

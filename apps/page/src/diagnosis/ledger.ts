@@ -1,7 +1,6 @@
 // The story of a model: one row a revision, what it changed, what it bought, and whether the data demanded it.
-import { not_known } from "./falls";
+import { ledger_steps, not_known, targets_of } from "./steps";
 import { forecast_curves, has_forecasts } from "./forecast_curves";
-import { ledger_steps, targets_of } from "./ledger_steps";
 import type { Picture, Section, TextTable } from "../picture";
 import type { LedgerPart, LedgerRow, Num, Report } from "../report";
 import { plain } from "../drawing/text";
@@ -48,15 +47,15 @@ const figures: Figure[] = [
 ];
 
 const table_of = ({ rows }: LedgerPart, several: boolean): TextTable => {
-  const told = figures.filter(({ key }) => rows.some((row) => typeof row[key] === "number"));
+  const present = figures.filter(({ key }) => rows.some((row) => typeof row[key] === "number"));
   const figure = (value: Num | undefined, percent = false): Num => (typeof value === "number" ? (percent ? 100 : 1) * value : null);
   return {
     title: t.diagnosis_revisions,
-    about: told.flatMap(({ about }) => (about ? [about()] : [])).join(" "),
+    about: present.flatMap(({ about }) => (about ? [about()] : [])).join(" "),
     heading: [
       t.diagnosis_revision, t.diagnosis_change, ...(several ? [t.diagnosis_target] : []), t.diagnosis_parameters,
-      t.diagnosis_rmse, t.diagnosis_times_floor, t.diagnosis_left_out_um, ...told.map(({ name }) => name()),
-      t.diagnosis_row_verdict,
+      t.diagnosis_rmse, t.diagnosis_times_floor, t.diagnosis_left_out_um, ...present.map(({ name }) => name()),
+      t.verdict,
     ],
     rows: rows.map((row) => [
       String(row.revision),
@@ -66,7 +65,7 @@ const table_of = ({ rows }: LedgerPart, several: boolean): TextTable => {
       shown(row.rmse_um, 3),
       shown(row.times_floor, 2),
       shown(row.held_out_um, 3),
-      ...told.map(({ key, decimals, percent }) => shown(figure(row[key], percent), decimals)),
+      ...present.map(({ key, decimals, percent }) => shown(figure(row[key], percent), decimals)),
       named(t.verdicts, row.verdict),
     ]),
   };

@@ -1,16 +1,15 @@
 // What was measured, the model as it is and with what it lacks; below, what either leaves. It proves the verdict.
 import { difference, sum } from "../drawing/columns";
 import { curve, zero_line } from "../drawing/curve";
-import { hover_text } from "../drawing/hover";
+import { curves_base } from "../drawing/hover";
 import type { Numbers, Picture, State, Toggle } from "../picture";
 import { best_set, set_name } from "./ranking";
-import { chosen_strands, recording_choice } from "../recordings/recording_names";
+import { chosen_strands, recording_choice } from "../recordings/recording_groups";
 import type { Checked, Diagnosed, Num, Report } from "../report";
-import { points_of, strands_of, type Strand } from "../drawing/strands";
+import { place_text, points_of, type Strand, strand_numbers, strands_of } from "../drawing/strands";
 import { plain } from "../drawing/text";
-import { base, curve_colour, legend, shown, tooltip } from "../drawing/theme";
-import { time_axis, whole_min } from "../drawing/time_axis";
-import { two_grids, x_axis } from "../drawing/two_grids";
+import { shown, toggle } from "../drawing/theme";
+import { time_axis, two_grids, whole_min, x_axis } from "../drawing/axes";
 import { angle_limits } from "../recordings/unrolled_picture";
 import { t } from "../texts/texts";
 
@@ -21,7 +20,7 @@ const set_text = (found: Diagnosed): string => {
   const labels = best_set(found).map(({ label }) => plain(label, 44));
   const [a = "", b = ""] = labels;
   const set =
-    labels.length > 2 ? t.diagnosis_effects({ n: labels.length }) : labels.length === 2 ? t.diagnosis_two({ a, b }) : a;
+    labels.length > 2 ? t.diagnosis_effects({ n: labels.length }) : labels.length === 2 ? t.a_and_b({ a, b }) : a;
   if (set_name(found) !== "best") return t.diagnosis_with_not_accepted({ set });
   return found.verdict === "equivalent" ? t.diagnosis_with_one_of_several({ set }) : t.diagnosis_with({ set });
 };
@@ -37,31 +36,15 @@ export const with_without_picture = (report: Report, checked: Checked, found: Di
   const with_um = best.length > 0 ? sum([predicted_um, found.refit_um, ...best.map(({ curve_um }) => curve_um)]) : null;
   const left_um = with_um ? difference(measured_um, with_um) : null;
   const toggles: Toggle[] = [
-    { key: "measured", label: t.measured, colour: (dark) => curve_colour(0, dark), mark: "dot", on: true },
-    {
-      key: "without",
-      label: with_rmse(t.model, found.rmse_um),
-      colour: (dark) => curve_colour(1, dark),
-      mark: with_um ? "dashed" : "line",
-      on: true,
-    },
-    ...(with_um
-      ? [
-          {
-            key: "with",
-            label: with_rmse(set_text(found), found.rmse_after_um),
-            colour: (dark: boolean) => curve_colour(2, dark),
-            mark: "line",
-            on: true,
-          } as const,
-        ]
-      : []),
+    toggle("measured", t.measured, 0, "dot"),
+    toggle("without", with_rmse(t.model, found.rmse_um), 1, with_um ? "dashed" : "line"),
+    ...(with_um ? [toggle("with", with_rmse(set_text(found), found.rmse_after_um), 2, "line")] : []),
   ];
-  const seen = (chosen: State["chosen"]): Strand[] => chosen_strands(strands, chosen);
+  const shown_strands = (chosen: State["chosen"]): Strand[] => chosen_strands(strands, chosen);
 
   const draw = (state: State): Series => {
     const { look, window, hidden } = state;
-    const drawn_strands = seen(state.chosen);
+    const drawn_strands = shown_strands(state.chosen);
     const x = over_angle
       ? x_axis(look, t.angle_axis, window, angle_limits(drawn_strands.flatMap((strand) => strand.x)))
       : time_axis(look, window ?? whole_min(strands.map((strand) => strand.x)));
@@ -99,46 +82,24 @@ export const with_without_picture = (report: Report, checked: Checked, found: Di
       ...(with_um && left_um ? lines(with_set, with_um, left_um, 4) : []),
     ];
     return {
-      ...base(look),
+      ...curves_base(state, toggles, { drawn, head: place_text(checked, 1), unit: "µm" }),
       ...grids.drawn,
-      legend: legend(state, toggles),
-      tooltip: {
-        ...tooltip(look),
-        trigger: "axis",
-        formatter: hover_text({
-          drawn,
-          x: 0,
-          y: 1,
-          head: (at) => (over_angle ? `${shown(at, 1)}°` : `${shown(at, 1)} min`),
-          unit: "µm",
-        }),
-      },
       series: [zero, ...drawn],
     };
   };
 
-  const numbers = ({ chosen }: State): Numbers => {
-    const strands_now = seen(chosen);
-    const rows = strands_now.flatMap((strand) => strand.rows);
-    const column = (values: readonly Num[]): Num[] => rows.map((i) => values[i] ?? null);
-    return {
-      columns: [
-        { name: over_angle ? "angle_deg" : "time_min", values: strands_now.flatMap((strand) => strand.x) },
-        ...(over_angle
-          ? [{ name: "recording", values: strands_now.flatMap(({ rows: of, recording }) => of.map(() => recording)) }]
-          : []),
-        { name: "measured_um", values: column(measured_um) },
-        { name: "model_um", values: column(predicted_um) },
-        { name: "residual_um", values: column(residual_um) },
-        ...(with_um && left_um
-          ? [
-              { name: "with_um", values: column(with_um) },
-              { name: "residual_with_um", values: column(left_um) },
-            ]
-          : []),
-      ],
-    };
-  };
+  const numbers = ({ chosen }: State): Numbers =>
+    strand_numbers(checked, shown_strands(chosen), [
+      { name: "measured_um", values: measured_um },
+      { name: "model_um", values: predicted_um },
+      { name: "residual_um", values: residual_um },
+      ...(with_um && left_um
+        ? [
+            { name: "with_um", values: with_um },
+            { name: "residual_with_um", values: left_um },
+          ]
+        : []),
+    ]);
 
   return {
     name,

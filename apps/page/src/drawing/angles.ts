@@ -1,4 +1,5 @@
 // Angles of readings, in degrees.
+import { extent } from "./columns";
 
 // In 0 to 360.
 export const within_turn = (angle_deg: number): number => ((angle_deg % 360) + 360) % 360;
@@ -15,12 +16,7 @@ const without_jumps = (angle_deg: readonly number[]): number[] => {
 
 // Halfway between the least and the largest.
 const middle_of = (angles: readonly number[]): number => {
-  let least = Infinity;
-  let largest = -Infinity;
-  for (const angle of angles) {
-    least = Math.min(least, angle);
-    largest = Math.max(largest, angle);
-  }
+  const [least, largest] = extent([angles]);
   return least <= largest ? (least + largest) / 2 : 0;
 };
 
@@ -45,9 +41,9 @@ export const nearest_reading = (angle_deg: readonly number[], at_deg: number): n
   let nearest = -1;
   let least = Infinity;
   angle_deg.forEach((angle, i) => {
-    const apart = Math.abs(within_turn(angle - at_deg + 180) - 180);
-    if (apart < least) {
-      least = apart;
+    const distance = Math.abs(within_turn(angle - at_deg + 180) - 180);
+    if (distance < least) {
+      least = distance;
       nearest = i;
     }
   });

@@ -18,3 +18,13 @@ export const data_files = ({ files, fit }: Report): string[] => {
   const data = files.filter((file) => !/\.(toml|json)$/.test(file));
   return fit !== undefined && data.length > kMost_files ? ["."] : data;
 };
+
+// The model that a report is of, as options.
+export const model_options = ({ files }: Report): string[] => {
+  const model = files.find((file) => file.endsWith(".toml") && file !== "session.toml");
+  return model === undefined ? [] : ["--model", model];
+};
+
+// The page of everything, with what is missing.
+export const report_command = (files: readonly string[]): string =>
+  command_of("report", files, ["--diagnose", "--out", "page.html"]);

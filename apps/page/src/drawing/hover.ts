@@ -1,11 +1,13 @@
 // The text under the mouse: where, and the value of each curve there. Drawn text, so names are shown as they are.
-import { shown } from "./theme";
+import type { Look, State, Toggle } from "../picture";
+import { base, decimals_for, legend, shown, tooltip, with_sigma } from "./theme";
+import { t } from "../texts/texts";
 
 type Series = Record<string, unknown>;
 
 export interface Hover {
-  x: number; // place of x in a point
-  y: number;
+  x?: number; // place of x in a point, else 0
+  y?: number; // else 1
   head: (x: number) => string;
   unit: string;
   // ECharts finds only the curves that have a point exactly there. Where curves have points of their own, give what is
@@ -27,7 +29,7 @@ const values_of = (point: unknown): readonly unknown[] => {
 };
 
 // The value of the point nearest to `at`; null where there is none nearer than a sixtieth of the curve's length.
-const value_near = (series: Series, at: number, { x, y, turn }: Hover): number | null => {
+const value_near = (series: Series, at: number, { x = 0, y = 1, turn }: Hover): number | null => {
   let nearest = Infinity;
   let found: number | null = null;
   let least = Infinity;
@@ -38,10 +40,10 @@ const value_near = (series: Series, at: number, { x, y, turn }: Hover): number |
     if (typeof place !== "number" || typeof value !== "number") continue;
     least = Math.min(least, place);
     largest = Math.max(largest, place);
-    let apart = Math.abs(place - at);
-    if (turn) apart = Math.min(apart, Math.abs(360 - apart));
-    if (apart < nearest) {
-      nearest = apart;
+    let distance = Math.abs(place - at);
+    if (turn) distance = Math.min(distance, Math.abs(360 - distance));
+    if (distance < nearest) {
+      nearest = distance;
       found = value;
     }
   }
@@ -54,7 +56,7 @@ const near = (at: number, hover: Hover): Found[] =>
     return value === null ? [] : [{ name: String(series["hover_name"] ?? series["name"]), value, marker: "" }];
   });
 
-const hit = (items: readonly Series[], { y }: Hover): Found[] =>
+const hit = (items: readonly Series[], { y = 1 }: Hover): Found[] =>
   items.flatMap((item) => {
     const value = values_of(item["value"])[y];
     const marker = typeof item["marker"] === "string" ? item["marker"] : "";
@@ -76,11 +78,11 @@ const evenly = (found: readonly Found[], most: number): Found[] =>
         (one) => one !== undefined,
       );
 
-export const hover_text =
+const hover_text =
   (hover: Hover) =>
   (hovered: unknown): string => {
     const items = (Array.isArray(hovered) ? hovered : [hovered]) as Series[];
-    const place = items[0]?.["axisValue"] ?? values_of(items[0]?.["value"])[hover.x];
+    const place = items[0]?.["axisValue"] ?? values_of(items[0]?.["value"])[hover.x ?? 0];
     const at = Number(place ?? NaN);
     if (!Number.isFinite(at)) return "";
     const found = hover.drawn ? near(at, hover) : hit(items, hover);
@@ -89,4 +91,51 @@ export const hover_text =
       (one) => `${one.marker}${one.name}   ${shown(one.value, decimals)} ${hover.unit}`,
     );
     return [hover.head(at), ...lines].join("\n");
+  };
+
+// What stands beside the pointer over curves.
+export const curves_tooltip = (look: Look, hover: Hover): Record<string, unknown> => ({
+  ...tooltip(look),
+  trigger: "axis",
+  formatter: hover_text(hover),
+});
+
+// What all pictures of curves have: colours, a legend, and what the pointer reads.
+export const curves_base = (state: State, toggles: readonly Toggle[], hover: Hover): Record<string, unknown> => ({
+  ...base(state.look),
+  legend: legend(state, toggles),
+  tooltip: curves_tooltip(state.look, hover),
+});
+
+// What stands beside the pointer over a picture of time: when, and of each curve the value with its uncertainty.
+
+interface Item {
+  seriesName?: string;
+  marker?: unknown;
+  value?: unknown; // [x, value] or [x, value, sigma]
+}
+
+const kLines = 24; // more do not fit
+
+const place = (item: Item, k: number): number | null => {
+  const value = Array.isArray(item.value) ? (item.value as unknown[])[k] : null;
+  return typeof value === "number" && Number.isFinite(value) ? value : null;
+};
+
+const line_of = (item: Item, unit: string): string => {
+  const [value, sigma] = [place(item, 1), place(item, 2)];
+  const text = sigma === null ? shown(value) : with_sigma(value, sigma, Math.min(4, decimals_for(value, sigma)));
+  return `${typeof item.marker === "string" ? item.marker : ""}${item.seriesName ?? ""}  ${text} ${unit}`;
+};
+
+export const reading_in =
+  (unit: string) =>
+  (hovered: unknown): string => {
+    const items = (Array.isArray(hovered) ? (hovered as Item[]) : [hovered as Item]).filter(
+      (item) => item.seriesName && place(item, 1) !== null,
+    );
+    const time_min = items[0] ? place(items[0], 0) : null;
+    if (time_min === null) return "";
+    const rest = items.length > kLines ? [t.hover_more({ more: items.length - kLines })] : [];
+    return [`${shown(time_min)} min`, ...items.slice(0, kLines).map((item) => line_of(item, unit)), ...rest].join("\n");
   };

@@ -1,7 +1,9 @@
 // The rows of a checked series as they are drawn. A drift is one strand over time; recordings are one strand each over
 // the angle, because the angle comes again and lines must not run from one recording to the next.
-import { decimated } from "./decimate";
+import { decimated } from "./columns";
+import type { Numbers } from "../picture";
 import type { Checked, Num } from "../report";
+import { shown } from "./theme";
 
 export interface Strand {
   recording: Num; // null: a drift
@@ -45,3 +47,27 @@ export const points_of = (
     const end = points.at(-1);
     return k + 1 < strands.length && end ? [...points, [end[0], null] as [number, Num]] : points;
   });
+
+// Columns at the rows of strands, over time or over the angle.
+export const strand_numbers = (
+  { level }: Checked,
+  strands: readonly Strand[],
+  columns: readonly { name: string; values: readonly Num[] }[],
+): Numbers => {
+  const over_angle = level === "recording";
+  const rows = over_angle ? strands.flatMap((strand) => strand.rows) : []; // of a drift they are all, in their order
+  const recording = strands.flatMap((strand) => strand.rows.map(() => strand.recording));
+  return {
+    columns: [
+      { name: over_angle ? "angle_deg" : "time_min", values: strands.flatMap(({ x }) => x) },
+      ...(over_angle ? [{ name: "recording", values: recording }] : []),
+      ...columns.map(({ name, values }) => ({ name, values: over_angle ? rows.map((row) => values[row] ?? null) : values })),
+    ],
+  };
+};
+
+// A place on the x axis, in words.
+export const place_text =
+  ({ level }: Checked, decimals: number) =>
+  (at: number): string =>
+    `${shown(at, decimals)}${level === "recording" ? "°" : " min"}`;

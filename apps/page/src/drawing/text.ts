@@ -1,3 +1,6 @@
+
+import { named, t } from "../texts/texts";
+
 // Text from files, no longer than there is room for.
 
 // Without the characters that turn the direction of writing: in a name they would mirror the rest of a sentence.
@@ -70,3 +73,47 @@ export const capital = (text: string): string => text.slice(0, 1).toUpperCase() 
 
 // Up to the first full stop that another sentence follows; numbers and names go on after theirs.
 export const first_sentence = (text: string): string => /^.*?[.!?](?=\s+\p{Lu})/su.exec(text)?.[0] ?? text;
+
+// Labels that differ: the second of a name is "name (2)".
+export const labels_once = (labels: readonly string[]): string[] =>
+  labels.map((label, k) => (labels.indexOf(label) === k ? label : `${label} (${k + 1})`));
+
+// Units as people write them. Files spell them in ASCII at the end of a column's name: "T_room_degC".
+
+const written = new Map(
+  Object.entries({
+    um: "µm",
+    mm: "mm",
+    degC: "°C",
+    K: "K",
+    rpm: "rpm",
+    min: "min",
+    s: "s",
+    deg: "°",
+    urad: "µrad",
+    ppm: "ppm",
+    um_per_K: "µm/K",
+    A: "A",
+    V: "V",
+    W: "W",
+    kW: "kW",
+    Nm: "N m",
+    N: "N",
+    bar: "bar",
+    percent: "%",
+    lpm: "l/min",
+  }),
+);
+
+export const unit_shown = (unit: string): string => written.get(unit) ?? unit;
+
+// "T_room_degC" is the quantity T_room in °C; a name without a known unit has none.
+export const split_name = (name: string): { quantity: string; unit: string } => {
+  for (const unit of ["um_per_K", ...written.keys()]) {
+    if (name.endsWith(`_${unit}`)) return { quantity: name.slice(0, -unit.length - 1), unit: unit_shown(unit) };
+  }
+  return { quantity: name, unit: "" };
+};
+
+// Words, for reading: "radius_change" is "radius change"; what files have as well is said in the language of the page.
+export const words = (name: string): string => named(t.quantities, name).replaceAll("_", " ");

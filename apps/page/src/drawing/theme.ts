@@ -3,6 +3,7 @@
 import type { EChartsCoreOption } from "echarts/core";
 import type { Look, State, Toggle } from "../picture";
 import { with_decimal_sign } from "../texts/texts";
+import type { Num } from "../report";
 
 export interface Colours {
   paper: string;
@@ -26,6 +27,9 @@ export const curve_colour = (k: number, dark: boolean): string => {
 
 // Of the k-th curve in one colour.
 export const dashes = ["solid", "dashed", "dotted", [8, 3, 2, 3], [12, 4]] as const;
+
+export const mark_of = (dash: number): Toggle["mark"] =>
+  dash % dashes.length === 0 ? "line" : dash % dashes.length === 2 ? "dotted" : "dashed";
 
 // Regimes of a warm-up, as shades behind the curves.
 export const regime_colour = (regime: string, dark: boolean): string => {
@@ -59,6 +63,10 @@ export const shown = (value: number | null | undefined, decimals?: number): stri
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   return with_decimal_sign(decimals === undefined ? digits(value) : value.toFixed(decimals).replace(/^-(0(?:\.0*)?)$/, "$1"));
 };
+
+// With so many digits.
+export const rounded = (value: number | null, digits: number): string =>
+  shown(value === null ? null : Number(value.toPrecision(digits)));
 
 export const base = (look: Look): EChartsCoreOption => ({
   animation: false,
@@ -119,4 +127,96 @@ export const legend = (state: State, toggles: readonly Toggle[]): Record<string,
       }
     : { show: false };
 
+// A curve that can be switched off; `colour` as the k-th curve has it, or its own.
+export const toggle = (
+  key: string,
+  label: string,
+  colour: number | Toggle["colour"],
+  mark: Toggle["mark"],
+  on = true,
+): Toggle => ({ key, label, colour: typeof colour === "number" ? (dark) => curve_colour(colour, dark) : colour, mark, on });
+
 export const minutes = (seconds: number): number => seconds / 60;
+
+// A value with its standard deviation, as the tables of ballbar print it: "12.01 ± 1.33".
+
+export const with_sigma = (value: Num | undefined, sigma: Num | undefined, decimals: number): string =>
+  typeof value !== "number"
+    ? "–"
+    : `${shown(value, decimals)} ± ${typeof sigma === "number" ? shown(sigma, decimals) : "?"}`;
+
+// Decimals so that the standard deviation has two digits; without one, so that the value has four.
+export const decimals_for = (value: Num | undefined, sigma: Num | undefined): number => {
+  const by = (size: number, digits: number): number =>
+    Math.min(9, Math.max(0, digits - 1 - Math.floor(Math.log10(size))));
+  if (typeof sigma === "number" && sigma > 0 && Number.isFinite(sigma)) return by(sigma, 2);
+  if (typeof value === "number" && value !== 0 && Number.isFinite(value)) return by(Math.abs(value), 4);
+  return 2;
+};
+
+// Colours of a sequence from first to last: viridis (S. van der Walt and N. Smith, 2015), whose lightness rises evenly, so
+// that the order is seen with any colour vision and in grey. The end that is too near to the paper is left out.
+
+const kBar_px = 120;
+
+const viridis = [
+  [68, 1, 84],
+  [72, 40, 120],
+  [62, 73, 137],
+  [49, 104, 142],
+  [38, 130, 142],
+  [31, 158, 137],
+  [53, 183, 121],
+  [110, 206, 88],
+  [181, 222, 43],
+  [253, 231, 37],
+] as const;
+
+// `place` from 0, the first, to 1, the last.
+export const sequence_colour = (place: number, dark: boolean): string => {
+  const lightness = dark ? 0.28 + 0.72 * place : 0.86 * place;
+  const at = Math.min(Math.max(lightness, 0), 1) * (viridis.length - 1);
+  const k = Math.min(Math.floor(at), viridis.length - 2);
+  const [low, high] = [viridis[k], viridis[k + 1]];
+  if (!low || !high) return "#31688e";
+  const mixed = low.map((value, i) => Math.round(value + (at - k) * ((high[i] ?? value) - value)));
+  return `rgb(${mixed.join(",")})`;
+};
+
+// A bar of the scale with what its ends mean, at the right edge of a drawing, from `top_px` down.
+export const sequence_bar = (
+  first: string,
+  last: string,
+  dark: boolean,
+  ink: string,
+  font: string,
+  top_px: number,
+): Record<string, unknown> => {
+  // Names of files may be long: each has its half of the bar.
+  const half = { width: kBar_px / 2 - 4, overflow: "truncate", ellipsis: "…" };
+  const name = { y: 12, fill: ink, fontSize: 11, fontFamily: font, ...half };
+  return {
+    type: "group",
+    right: 20,
+    top: top_px,
+    silent: true,
+    children: [
+      {
+        type: "rect",
+        shape: { x: 0, y: 0, width: kBar_px, height: 8 },
+        style: {
+          fill: {
+            type: "linear",
+            x: 0,
+            y: 0,
+            x2: 1,
+            y2: 0,
+            colorStops: Array.from({ length: 11 }, (_, k) => ({ offset: k / 10, color: sequence_colour(k / 10, dark) })),
+          },
+        },
+      },
+      { type: "text", style: { ...name, text: first, x: 0 } },
+      { type: "text", style: { ...name, text: last, x: kBar_px, align: "right" } },
+    ],
+  };
+};

@@ -1,22 +1,22 @@
 // The drift of the spindle over time.
-import { axes_of_points, axes_of_probes, axis_curve, type DriftAxis } from "./drift_axes";
-import { largest_of, largest_table, points_table } from "./drift_tables";
-import { command_of, data_files } from "../drawing/command";
+import {
+  axes_of_points, axes_of_probes, axis_curve, type DriftAxis, largest_of, largest_table, points_table,
+} from "./drift_axes";
+import { data_files, report_command } from "../drawing/command";
 import type { First, Picture, Range, Section, TextTable } from "../picture";
 import type { DriftPart, ProbesPart, Report } from "../report";
 import { whole_of } from "./signals";
-import { capital } from "../drawing/text";
+import { capital, words } from "../drawing/text";
 import { minutes, shown } from "../drawing/theme";
 import { time_curves } from "./time_curves";
-import { words } from "../drawing/units";
-import { english, t, type Said } from "../texts/texts";
+import { english, type Sentence, t } from "../texts/texts";
 
 const span_min = (axes: readonly DriftAxis[]): number => {
   const clock = axes[0]?.time_min ?? [];
   return clock.length > 0 ? (clock[clock.length - 1] as number) - (clock[0] as number) : 0;
 };
 
-const drift_sentences = (drift: DriftPart, axes: readonly DriftAxis[]): Said[] => [
+const drift_sentences = (drift: DriftPart, axes: readonly DriftAxis[]): Sentence[] => [
   t.drift_method({
     method: words(drift.method),
     tests: drift.points.length,
@@ -26,7 +26,7 @@ const drift_sentences = (drift: DriftPart, axes: readonly DriftAxis[]): Said[] =
   ...(drift.not_cancelled ? [english(drift.not_cancelled)] : []),
 ];
 
-const probes_sentences = (probes: ProbesPart, axes: readonly DriftAxis[]): Said[] => [
+const probes_sentences = (probes: ProbesPart, axes: readonly DriftAxis[]): Sentence[] => [
   t.drift_probes_method({
     what: capital(probes.what),
     readings: probes.time_s.length,
@@ -41,7 +41,6 @@ const drift_picture = (axes: readonly DriftAxis[], whole: Range): Picture =>
     name: "drift",
     title: t.drift_picture_title,
     caption: t.drift_picture_caption,
-    about: "",
     quantity: t.drift_axis_quantity,
     unit: "um",
     curves: axes.map(axis_curve),
@@ -54,7 +53,7 @@ const probe_pictures = (axes: readonly DriftAxis[], whole: Range): Picture[] => 
     const curves = axes.filter((axis) => axis.unit === unit).map(axis_curve);
     const caption = t.drift_probes_caption;
     return curves.length > 0
-      ? [time_curves({ name, title, caption, about: "", quantity, unit, curves, whole_min: whole, height_px: 320 })]
+      ? [time_curves({ name, title, caption, quantity, unit, curves, whole_min: whole, height_px: 320 })]
       : [];
   };
   return [
@@ -70,14 +69,11 @@ const result_of = (axes: readonly DriftAxis[]): string => {
 
 const first_of = (report: Report, axes: readonly DriftAxis[], picture: string): First => ({
   picture,
-  kind: "",
-  label: "",
-  told: () => ({
+  conclusion: () => ({
     verdict: t.drift_verdict({ largest: largest_of(axes)?.text ?? "–", at: largest_of(axes)?.at_text ?? "–" }),
     next: {
       label: t.drift_next,
-      text: "",
-      command: command_of("report", data_files(report).slice(0, 1), ["--diagnose", "--out", "page.html"]),
+      command: report_command(data_files(report).slice(0, 1)),
     },
   }),
 });

@@ -1,12 +1,75 @@
-// What was recorded beside the drift: one picture a unit, each column on the clock of its file.
-import type { Picture, Range } from "../picture";
+// What was measured and recorded, as the files have it: raw data.
+import { extent } from "../drawing/columns";
+import { command_of, data_files, report_command } from "../drawing/command";
+import type { First, Picture, Range, Section } from "../picture";
 import type { Column, Report } from "../report";
-import { clamped, plain, slug } from "../drawing/text";
-import { minutes } from "../drawing/theme";
-import { time_curves, type TimeCurve } from "./time_curves";
-import { whole_min } from "../drawing/time_axis";
-import { split_name, words } from "../drawing/units";
+import { clamped, plain, slug, split_name, words } from "../drawing/text";
+import { minutes, rounded, shown } from "../drawing/theme";
 import { named as named_of, t } from "../texts/texts";
+import { time_curves, type TimeCurve } from "./time_curves";
+import { whole_min } from "../drawing/axes";
+
+const counted = (n: number, text: (counted: { n: number }) => string): string[] => (n === 0 ? [] : [text({ n })]);
+
+// "5 measured columns, 16 temperatures, 1 speed over 1664 min"
+const result_of = (signals: readonly Signal[], span_min: number): string => {
+  const measured = signals.filter(({ column }) => column.role === "measured").length;
+  const rest = signals.filter(({ column }) => column.role !== "measured");
+  const of = (unit: string): number => rest.filter(({ column }) => column.unit === unit).length;
+  const [warm, speeds] = [of("degC"), of("rpm")];
+  const all = [
+    ...counted(measured, t.drift_count_measured),
+    ...counted(warm, t.drift_count_temperatures),
+    ...counted(speeds, t.drift_count_speeds),
+    ...counted(rest.length - warm - speeds, t.drift_count_others),
+  ];
+  return t.drift_signals_result({ counts: all.join(", "), minutes: shown(span_min, 0) });
+};
+
+// "y changes most: by 31.7 µm, from -0.2 to 31.5"
+const most_moved = (signals: readonly Signal[]): string | null => {
+  let most: { signal: Signal; least: number; largest: number } | null = null;
+  for (const signal of signals) {
+    const [least, largest] = extent([signal.column.values]);
+    if (largest > least && largest - least > (most ? most.largest - most.least : 0)) most = { signal, least, largest };
+  }
+  if (!most) return null;
+  const { signal, least, largest } = most;
+  const { quantity, unit } = split_name(signal.column.name);
+  const [range, from, to] = [largest - least, least, largest].map((value) => rounded(value, 3));
+  return t.drift_moves_most({ what: words(plain(quantity, 40)), range: `${range} ${unit}`, from: from ?? "", to: to ?? "" });
+};
+
+export const signals_section = (report: Report): Section[] => {
+  const signals = signals_of(report);
+  if (signals.length === 0) return [];
+  const whole = whole_of(report);
+  const pictures = [...measured_pictures(report, signals, whole), ...signal_pictures(report, signals, whole)];
+  const measured = signals.some(({ column }) => column.role === "measured");
+  const moved = most_moved(signals.filter(({ column }) => column.role === "measured"));
+  const result = result_of(signals, (whole[1] - whole[0]) / 1.03);
+  const first = (picture: string): First => ({
+    picture,
+    conclusion: () => ({
+      verdict: moved ?? t.drift_sentence({ text: result }),
+      next: {
+        label: measured ? t.drift_next : t.drift_signals_next,
+        command: measured ? report_command(data_files(report)) : command_of("could", data_files(report)),
+      },
+    }),
+  });
+  return [
+    {
+      id: "signals",
+      heading: measured ? t.drift_measured_and_signals : t.drift_signals,
+      result,
+      ...(pictures[0] ? { first: first(pictures[0].name) } : {}),
+      pictures,
+    },
+  ];
+};
+
+// What was recorded beside the drift: one picture a unit, each column on the clock of its file.
 
 export interface Signal {
   column: Column;
@@ -39,13 +102,13 @@ const kind_of = (unit: string): Kind => {
 const measured = ({ column }: Signal): boolean => column.role === "measured";
 
 // Roles that say more than the name and the unit do.
-const told_roles = ["ambient", "coolant", "bearing", "housing", "bar"];
+const noteworthy_roles = ["ambient", "coolant", "bearing", "housing", "bar"];
 
 const label_of = ({ column: { name, role }, run }: Signal): string => {
   const { quantity } = split_name(name);
-  const told = told_roles.includes(role) && !quantity.includes(role);
+  const has_role = noteworthy_roles.includes(role) && !quantity.includes(role);
   const read = words(quantity) + (run ? ` (${run.number})` : "");
-  return plain(told ? t.drift_with_role({ name: clamped(read, 40), role: named_of(t.roles, role) }) : read, 64);
+  return plain(has_role ? t.drift_with_role({ name: clamped(read, 40), role: named_of(t.roles, role) }) : read, 64);
 };
 
 const curves_of = (signals: readonly Signal[]): TimeCurve[] =>
@@ -123,8 +186,7 @@ export const measured_pictures = (report: Report, signals: readonly Signal[], wh
       name: unit === "um" ? "measured" : `measured-${slug(unit)}`,
       title: unit === "um" ? t.drift_measured_displacements : t.drift_measured_in({ unit: clamped(unit, 20) }),
       caption: t.drift_measured_caption,
-      about: "",
-      quantity: unit === "um" ? t.drift_quantity_displacement : t.drift_quantity_measured,
+      quantity: unit === "um" ? t.drift_quantity_displacement : t.measured,
       unit,
       curves: in_groups(curves_of(of), of, named_columns(report)),
       whole_min,
@@ -137,7 +199,6 @@ export const signal_pictures = (report: Report, signals: readonly Signal[], whol
     return time_curves({
       ...kind_of(unit),
       caption: unit === "rpm" ? t.drift_speed_caption : t.drift_signals_caption,
-      about: "",
       unit,
       curves: in_groups(curves_of(of), of, named_columns(report)),
       whole_min,

@@ -1,15 +1,12 @@
 // A picture of curves over time in one unit: a drift, temperatures, the speed.
-import { on_one_clock } from "./clocks";
-import { curve } from "../drawing/curve";
-import { decimated, first_at } from "../drawing/decimate";
-import type { Picture, Range, State, Toggle } from "../picture";
-import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
-import { reading_in } from "../drawing/reading";
+import { curve, sigma_band, sigma_bars, type Uncertain } from "../drawing/curve";
+import { decimated, first_at } from "../drawing/columns";
+import type { Numbers, Picture, Range, State, Toggle } from "../picture";
+import { kBottom_px, kLeft_px, kRight_px, time_axis, top_px, value_axis } from "../drawing/axes";
+import { reading_in } from "../drawing/hover";
 import type { Num } from "../report";
-import { sigma_band, sigma_bars, type Uncertain } from "../drawing/sigma_marks";
-import { base, curve_colour, dashes, legend, tooltip } from "../drawing/theme";
-import { time_axis, value_axis } from "../drawing/time_axis";
-import { unit_shown } from "../drawing/units";
+import { base, curve_colour, dashes, legend, mark_of, toggle, tooltip } from "../drawing/theme";
+import { unit_shown } from "../drawing/text";
 import { t } from "../texts/texts";
 
 const kMarked = 150; // points; of more the marks would hide the curve
@@ -31,7 +28,6 @@ export interface TimeCurves {
   name: string;
   title: string;
   caption: string;
-  about: string;
   quantity: string; // "drift"
   unit: string; // as files spell it
   curves: readonly TimeCurve[];
@@ -40,16 +36,10 @@ export interface TimeCurves {
   height_px?: number;
 }
 
-const mark_of = (dash: number): Toggle["mark"] => (dash === 0 ? "line" : dash === 2 ? "dotted" : "dashed");
-
 const toggle_of = ({ key, label, colour, dash, on, quiet, group }: TimeCurve): Toggle => ({
   ...(quiet ? { quiet } : {}),
   ...(group === undefined ? {} : { group }),
-  key,
-  label,
-  colour: (dark) => curve_colour(colour, dark),
-  mark: mark_of(dash % dashes.length),
-  on,
+  ...toggle(key, label, colour, mark_of(dash), on),
 });
 
 // Four points for two pixels look like all of them.
@@ -75,15 +65,13 @@ const series_of = (one: TimeCurve, state: State, step: boolean): Record<string, 
 export const time_curves = (of: TimeCurves): Picture => {
   const toggles = of.curves.map(toggle_of);
   const unit = unit_shown(of.unit);
-  const seen = (state: State): TimeCurve[] => of.curves.filter((one) => !state.hidden.has(one.key));
+  const visible = (state: State): TimeCurve[] => of.curves.filter((one) => !state.hidden.has(one.key));
   return {
     name: of.name,
     title: of.title,
     caption: of.caption,
-    about: of.about,
     height_px: of.height_px ?? 300,
     zoom: "time",
-    choices: [],
     toggles: () => toggles,
     draw: (state) => ({
       ...base(state.look),
@@ -93,7 +81,7 @@ export const time_curves = (of: TimeCurves): Picture => {
         right: kRight_px,
         top: top_px(
           state.look,
-          seen(state).map((one) => one.label),
+          visible(state).map((one) => one.label),
         ),
         bottom: kBottom_px,
         outerBoundsMode: "none",
@@ -101,11 +89,11 @@ export const time_curves = (of: TimeCurves): Picture => {
       tooltip: { ...tooltip(state.look), trigger: "axis", formatter: reading_in(unit) },
       xAxis: time_axis(state.look, state.window ?? of.whole_min),
       yAxis: value_axis(state.look, t.model_in_unit({ name: of.quantity, unit })),
-      series: seen(state).flatMap((one) => series_of(one, state, of.step ?? false)),
+      series: visible(state).flatMap((one) => series_of(one, state, of.step ?? false)),
     }),
     numbers: (state) =>
       on_one_clock(
-        seen(state).flatMap(({ key, time_min, values, sigma }) => [
+        visible(state).flatMap(({ key, time_min, values, sigma }) => [
           { name: key, time_min, values },
           ...(sigma ? [{ name: sigma_name(key, of.unit), time_min, values: sigma }] : []),
         ]),
@@ -116,3 +104,36 @@ export const time_curves = (of: TimeCurves): Picture => {
 // "x_um" has the standard deviation "x_sigma_um".
 const sigma_name = (name: string, unit: string): string =>
   name.endsWith(`_${unit}`) ? `${name.slice(0, -unit.length - 1)}_sigma_${unit}` : `${name}_sigma`;
+
+// Columns on several clocks, brought onto one: at a time that a clock does not have, its columns have no value.
+
+export interface Timed {
+  name: string;
+  time_min: readonly number[]; // rises
+  values: readonly Num[];
+}
+
+const union_of = (clocks: readonly (readonly number[])[]): readonly number[] => {
+  if (clocks.length === 1) return clocks[0] as readonly number[];
+  const all = Float64Array.from(clocks.flatMap((clock) => [...clock])).sort();
+  return Array.from(all.filter((time, k) => k === 0 || time !== all[k - 1]));
+};
+
+const spread = (timed: Timed, clock: readonly number[]): readonly Num[] => {
+  if (timed.time_min === clock) return timed.values;
+  let next = 0;
+  return clock.map((time) => {
+    while (next < timed.time_min.length && (timed.time_min[next] as number) < time) next += 1;
+    return timed.time_min[next] === time ? (timed.values[next] ?? null) : null;
+  });
+};
+
+export const on_one_clock = (columns: readonly Timed[]): Numbers => {
+  const clock = union_of([...new Set(columns.map((column) => column.time_min))]);
+  return {
+    columns: [
+      { name: "time_min", values: clock },
+      ...columns.map((column) => ({ name: column.name, values: spread(column, clock) })),
+    ],
+  };
+};

@@ -1,7 +1,6 @@
 // What of a picture can be chosen and switched off. The switches are its legend.
-import { button, element } from "../elements/elements";
-import { mark_of } from "./mark";
-import type { Choice, Picture, State, Toggle } from "../picture";
+import { button, element, select_of, svg_element } from "../elements/elements";
+import type { Picture, State, Toggle } from "../picture";
 import { clamped } from "../drawing/text";
 import { t } from "../texts/texts";
 
@@ -9,16 +8,6 @@ export interface Controls {
   element: HTMLElement;
   update(state: State): void;
 }
-
-const select_of = (
-  choice: Choice,
-  choose: (value: string) => void,
-): { label: HTMLElement; select: HTMLSelectElement } => {
-  const select = element("select");
-  for (const { value, label } of choice.values) select.add(new Option(clamped(label, 120), value));
-  select.addEventListener("change", () => choose(select.value));
-  return { label: element("label", { class: "choice" }, element("span", {}, choice.label), select), select };
-};
 
 const switch_of = (toggle: Toggle, state: State, change: (on: boolean) => void): HTMLElement => {
   const box = element("input", { type: "checkbox" });
@@ -67,9 +56,13 @@ export const controls_of = (
   choose: (key: string, value: string) => void,
   change: Change,
 ): Controls => {
-  const choices = picture.choices.map((choice) => ({
+  const choices = (picture.choices ?? []).map((choice) => ({
     choice,
-    ...select_of(choice, (value) => choose(choice.key, value)),
+    ...select_of(
+      choice.label,
+      choice.values.map(({ value, label }) => [value, clamped(label, 120)]),
+      (value) => choose(choice.key, value),
+    ),
   }));
   const legend = element("div", { class: "legend", role: "group", "aria-label": t.figure_curves });
   let shown = "";
@@ -86,4 +79,30 @@ export const controls_of = (
   };
   const all = element("div", { class: "controls" }, ...choices.map(({ label }) => label), legend);
   return { element: all, update };
+};
+
+// The mark of a curve in its legend.
+
+const drawn = (mark: Toggle["mark"], colour: string): SVGElement => {
+  const line = { x1: "1", y1: "6", x2: "23", y2: "6", stroke: colour, "stroke-width": "2.5" };
+  switch (mark) {
+    case "line":
+      return svg_element("line", line);
+    case "dashed":
+      return svg_element("line", { ...line, "stroke-dasharray": "6 3.5" });
+    case "dotted":
+      return svg_element("line", { ...line, "stroke-dasharray": "2 2.5" });
+    case "dot":
+      return svg_element("circle", { cx: "12", cy: "6", r: "4", fill: colour });
+    case "band":
+      return svg_element("rect", { x: "1", y: "1", width: "22", height: "10", fill: colour, "fill-opacity": "0.35" });
+    case "bar":
+      return svg_element("rect", { x: "6", y: "1", width: "12", height: "10", fill: colour });
+  }
+};
+
+export const mark_of = (toggle: Toggle, dark: boolean): SVGElement => {
+  const svg = svg_element("svg", { width: "24", height: "12", viewBox: "0 0 24 12", "aria-hidden": "true" });
+  svg.append(drawn(toggle.mark, toggle.colour(dark)));
+  return svg;
 };

@@ -1,18 +1,13 @@
 // One picture on the page with all that belongs to it. It holds the state: any change draws the picture anew.
-import { canvas_of, chart_in, px_at, x_at, x_extent, type Chart } from "./charts";
+import { canvas_of, type Chart, chart_in, px_at, x_at, x_extent } from "./charts";
 import { controls_of } from "./controls";
-import { next_row, row_said } from "./cursor";
-import { button, element } from "../elements/elements";
-import { explained } from "../elements/explained";
+import { listen_to_keys, listen_to_pointer, next_row, row_text } from "./input";
+import { button, element, explained } from "../elements/elements";
 import { save_csv, save_png, save_svg } from "./files";
-import { listen_to_keys } from "./keyboard";
-import { numbers_table } from "./numbers_table";
+import { numbers_table, stretch_panel } from "./numbers";
 import type { Numbers, Picture, Range, State, Toggle } from "../picture";
-import { listen_to_pointer } from "./pointer";
-import type { PageState } from "./page_state";
+import type { PageState, View } from "./view";
 import { drawn, initial_state, stilled } from "./still";
-import { stretch_panel } from "./stretch_panel";
-import type { View } from "./view";
 import { t } from "../texts/texts";
 
 const kPaper_px = 680; // the width between the margins of a sheet
@@ -80,7 +75,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     role: picture.zoom === "none" ? "img" : "application",
     "aria-label": `${picture.title}. ${picture.caption}`,
     "aria-describedby": [
-      ...(picture.about === "" ? [] : [`${picture.name}-about`]),
+      ...(picture.about ? [`${picture.name}-about`] : []),
       ...(picture.zoom === "none" ? [] : [`${picture.name}-keys`]),
     ].join(" "),
   });
@@ -111,7 +106,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   };
 
   const choose = (key: string, value: string): void => {
-    const choice = picture.choices.find((one) => one.key === key);
+    const choice = picture.choices?.find((one) => one.key === key);
     const offered = !choice || choice.values.some((one) => one.value === value);
     if (!offered || state.chosen[key] === value) return;
     const chosen = { ...state.chosen, [key]: value };
@@ -151,7 +146,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     },
   );
   const reset = button(t.figure_show_all, t.figure_show_all_title, () => see(null));
-  const beside = (): void => {
+  const update_parts = (): void => {
     controls.update(state);
     reset.disabled = state.window === null;
     mode.setAttribute("aria-pressed", String(selecting));
@@ -182,7 +177,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     chart.setOption(drawn(picture, state), { notMerge: true });
     if (!state.window && picture.zoom !== "none") whole = x_extent(chart);
     line.hidden = true;
-    beside();
+    update_parts();
   };
 
   // A picture first drawn in a window, or of another recording, has not shown all of its axis yet.
@@ -199,8 +194,8 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   };
 
   const point = (x: number | null): void => {
-    const seen = state.window ?? whole;
-    line.hidden = x === null || !chart || !seen || x < seen[0] || x > seen[1];
+    const visible = state.window ?? whole;
+    line.hidden = x === null || !chart || !visible || x < visible[0] || x > visible[1];
     if (x !== null && chart && !line.hidden) line.style.left = `${px_at(chart, x)}px`;
   };
 
@@ -213,7 +208,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
       view.hover(x);
       chart.dispatchAction({ type: "showTip", x: px_at(chart, x), y: 0.3 * state.look.height_px });
     }
-    page.say(row_said(all, row));
+    page.say(row_text(all, row));
   };
 
   const view: View = {
@@ -239,7 +234,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   );
   const caption = element("p", { class: "caption" }, picture.caption);
   const heading = element("figcaption", {}, element("h3", {}, picture.title), caption);
-  if (picture.about !== "") {
+  if (picture.about) {
     const { button: more, note } = explained(`${picture.name}-about`, picture.title, picture.about);
     caption.append(" ", more);
     heading.append(note);
@@ -295,8 +290,8 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     },
   };
   new IntersectionObserver(
-    (seen) => {
-      near = seen[seen.length - 1]?.isIntersecting ?? false;
+    (entries) => {
+      near = entries[entries.length - 1]?.isIntersecting ?? false;
       if (near && stale) draw_now();
     },
     { rootMargin: "600px" },

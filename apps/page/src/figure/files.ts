@@ -1,10 +1,9 @@
 // Files that the reader saves from the page.
 import { canvas_of } from "./charts";
-import { csv_of } from "./csv";
-import type { Picture, State } from "../picture";
-import { save } from "./save";
+import type { Numbers, Picture, State } from "../picture";
 import { caption_of, drawn, kCaption_px, stilled, svg_file } from "./still";
 import { colours, font } from "../drawing/theme";
+import type { Num } from "../report";
 
 const kPixels = 2; // of a PNG, for one of the page
 
@@ -36,4 +35,43 @@ export const save_png = (picture: Picture, state: State): void => {
   const option = drawn(picture, stilled(state, dark, width_px, picture.height_px));
   pen.drawImage(canvas_of(option, width_px, picture.height_px, kPixels), 0, kCaption_px * kPixels);
   canvas.toBlob((blob) => blob && save(`${picture.name}.png`, blob), "image/png");
+};
+
+// A file for the reader.
+export const save = (name: string, content: Blob): void => {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(content);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+};
+
+// Numbers as a CSV file (RFC 4180).
+
+// A text that a spreadsheet would take for a formula is preceded by an apostrophe, which makes it text; numbers stay.
+const field = (value: Num | string | undefined): string => {
+  if (value === null || value === undefined) return "";
+  if (typeof value === "number") return Number.isFinite(value) ? String(value) : "";
+  const text = /^[=+\-@\t\r]/.test(value) ? `'${value}` : value;
+  return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+};
+
+export const rows_of = (numbers: Numbers): number =>
+  Math.max(0, ...numbers.columns.map((column) => column.values.length));
+
+const spelled: ReadonlyMap<string, string> = new Map(
+  Object.entries({ "µ": "u", "μ": "u", "°": "deg", "−": "-", "–": "-", "±": "+-", "…": "...", "×": "x" }),
+);
+
+// A name in ASCII, which every program reads alike: letters without their accents, and others by their number, "U+6E29".
+const ascii = (name: string): string =>
+  Array.from(name.replace(/\s*→\s*/g, " to "), (letter) => spelled.get(letter) ?? letter.normalize("NFKD").replace(/[\u0300-\u036f]/g, ""))
+    .join("")
+    .replace(/[^\x00-\x7f]/gu, (letter) => `U+${(letter.codePointAt(0) ?? 0).toString(16).toUpperCase().padStart(4, "0")}`);
+
+export const csv_of = (numbers: Numbers): string => {
+  const lines = [numbers.columns.map((column) => field(ascii(column.name))).join(",")];
+  const rows = rows_of(numbers);
+  for (let row = 0; row < rows; ++row) lines.push(numbers.columns.map((column) => field(column.values[row])).join(","));
+  return `${lines.join("\r\n")}\r\n`;
 };

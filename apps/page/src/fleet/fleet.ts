@@ -1,13 +1,13 @@
 // Many machines: the ranking, then a section a machine that needs something, its quantities with what was found.
 import { history_picture } from "../history/history_picture";
-import { typed } from "../history/history_words";
+import { typed } from "../history/history";
 import { command_of } from "../drawing/command";
 import type { Next, Section } from "../picture";
 import type { FleetMachine, Report } from "../report";
 import { plain } from "../drawing/text";
 import { english, named, t, with_decimal_sign } from "../texts/texts";
 
-const next = (): Next => ({ label: t.fleet_next, text: "", command: command_of("history", ["."], ["--all"]) });
+const next = (): Next => ({ label: t.fleet_next, command: command_of("history", ["."], ["--all"]) });
 
 const cell = (text: string): string => with_decimal_sign(named(t.fleet_words, text));
 
@@ -26,10 +26,9 @@ const machine_section = (machine: FleetMachine, row: readonly string[], k: numbe
     result: row_text(row),
     says: Math.max(0, 4 - k),
     ...(drawn
-      ? { first: { picture: name, kind: t.fleet_kind, label: plain(label, 80), told: () => ({ verdict: english(reason), next: next() }) } }
+      ? { first: { picture: name, kind: t.fleet_kind, label: plain(label, 80), conclusion: () => ({ verdict: english(reason), next: next() }) } }
       : {}),
     sentences: findings.map(english),
-    tables: [],
     pictures: drawn ? [history_picture(machine, shown)] : [],
   };
 };
@@ -42,7 +41,6 @@ export const fleet_sections = ({ fleet }: Report): Section[] => {
       id: "fleet",
       heading: t.fleet_ranking,
       result: t.fleet_count({ n: fleet.rows.length }),
-      sentences: [],
       tables: [
         {
           title: t.fleet_ranking,
@@ -56,7 +54,6 @@ export const fleet_sections = ({ fleet }: Report): Section[] => {
           ]),
         },
       ],
-      pictures: [],
     },
   ];
 };

@@ -5,13 +5,13 @@ import { line_at, paragraph_at, sheet_of, table_at, text_at } from "./drawing";
 import { error_tests, type ErrorTest } from "../machine_errors/error_curves";
 import { errors_table, stated_table } from "../machine_errors/error_tables";
 import { verdict_of } from "../machine_errors/machine_errors";
-import { errors_picture } from "../machine_errors/errors_picture";
+import { errors_picture } from "../machine_errors/errors_pictures";
 import { initial_state, svg_file } from "../figure/still";
 import { micrometres, plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import type { FitPart, Report, Result } from "../report";
 import { full_labels } from "../recordings/recording_tables";
-import { said_text, t } from "../texts/texts";
+import { sentence_text, t } from "../texts/texts";
 
 export const kSheet_px = { width: 794, height: 1123 } as const; // A4 at 96 to the inch
 
@@ -57,7 +57,7 @@ const head_rows = (test: ErrorTest): Row[] => {
     ...blank.map((key): Row => [t.stated[key], ""]),
     ...stated,
     [
-      t.handover_circle,
+      t.recordings_circle,
       t.handover_circle_of({
         plane: first?.plane ?? "",
         length: shown(first?.nominal_length_mm),
@@ -186,7 +186,7 @@ export const handover_sheet = (report: Report, error?: string): string | null =>
   if (!test || others.length > 0 || !report.fit) return null;
   const head = head_at(report, test);
   const late = paragraph_at(kLeft, head.below + 4, kAcross, late_text(test), 1, { size_px: 10, bold: true, fill: kRed });
-  const verdict = paragraph_at(kLeft, late.below + 10, kAcross, micrometres(said_text(verdict_of(test))), 3, { size_px: 10.5, bold: true });
+  const verdict = paragraph_at(kLeft, late.below + 10, kAcross, micrometres(sentence_text(verdict_of(test))), 3, { size_px: 10.5, bold: true });
   const middle = verdict.below + 4;
   const picture = picture_at(test, error, kLeft - 8, middle);
   const iso = iso_at(report.fit, test, kLeft + kPicture_px + 8, middle + 22);

@@ -4,23 +4,23 @@ import { command_of } from "../drawing/command";
 import type { Next, Section, State } from "../picture";
 import type { HistoryGroup, Report } from "../report";
 import { plain } from "../drawing/text";
-import { english, t } from "../texts/texts";
-import { heading_of, table_text, typed } from "./history_words";
+import { english, named, t, with_decimal_sign } from "../texts/texts";
+import { typed_name } from "../machine_errors/error_names";
 
-const next = (): Next => ({ label: t.history_next, text: "", command: command_of("history", ["."], ["--all"]) });
+const next = (): Next => ({ label: t.history_next, command: command_of("history", ["."], ["--all"]) });
 
 // The columns of the table: quantity, unit, last, change, sigmas, a year, tolerance, met.
 const quantity_sentence = ({ rows }: HistoryGroup, name: string): string => {
   const row = rows.find(([quantity]) => quantity === name);
   if (!row) return t.history_count({ n: rows.length });
   const [, unit = "", last = "", change = "", sigmas = "", a_year = "", tolerance = "", met = ""] = row.map(table_text);
-  const told = (text: string): boolean => text !== "" && text !== "-";
+  const is_stated = (text: string): boolean => text !== "" && text !== "-";
   return t.history_says({
     name: typed(name),
     last,
     unit,
-    changed: told(change) ? t.history_says_changed({ change: change.replace(" *", ""), sigmas }) : "",
-    trend: told(a_year) ? t.history_says_trend({ a_year: a_year.replace(" *", "") }) : "",
+    changed: is_stated(change) ? t.history_says_changed({ change: change.replace(" *", ""), sigmas }) : "",
+    trend: is_stated(a_year) ? t.history_says_trend({ a_year: a_year.replace(" *", "") }) : "",
     met: /\d{4}-/.test(met) ? t.history_says_met({ tolerance, met }) : "",
   });
 };
@@ -49,11 +49,10 @@ const group_section = (group: HistoryGroup, k: number): Section => ({
           picture: `history-${k + 1}`,
           kind: t.history_tests_kind,
           label: plain(group.label, 80),
-          told: ({ quantity }: State["chosen"]) => ({ verdict: quantity_sentence(group, quantity ?? group.first), next: next() }),
+          conclusion: ({ quantity }: State["chosen"]) => ({ verdict: quantity_sentence(group, quantity ?? group.first), next: next() }),
         },
       }
     : {}),
-  sentences: [],
   tables: [
     {
       title: t.history_quantities,
@@ -83,7 +82,6 @@ export const history_sections = ({ history }: Report): Section[] => {
                 rows: geometry_rows.map((row) => row.map(table_text)),
               },
             ],
-            pictures: [],
           },
         ]
       : []),
@@ -93,12 +91,37 @@ export const history_sections = ({ history }: Report): Section[] => {
             id: "skipped",
             heading: t.history_skipped,
             result: t.history_files({ n: skipped.length }),
-            sentences: [],
-            tables: [],
-            pictures: [],
             lists: [{ title: t.history_why, items: skipped.map(english) }],
           },
         ]
       : []),
   ];
+};
+
+// What the program writes into the table of a history, in the language of the page.
+
+export const typed = (quantity: string): string => typed_name(quantity, 120);
+
+export const heading_of = (heading: string): string => named(t.history_headings, heading);
+
+const kDate = /^(\S+) \((\S+) to (\S+)\)$/; // "2026-03-01 (2025-12-01 to open)"
+const kYears = /^not within (\S+) years$/;
+const kRange = /^(?:(\S+) )?to (\S+)$/; // "-5 to 10", "to 5"
+const kFrom = /^from (\S+)$/;
+const kOf = /^(squareness|scale) (\S+)$/; // "squareness XY"
+
+// A cell: a number, a name, or one of few phrases.
+export const table_text = (text: string): string => {
+  const date = kDate.exec(text);
+  if (date) return t.history_span({ at: date[1] ?? "", from: date[2] ?? "", to: date[3] === "open" ? t.history_open : (date[3] ?? "") });
+  const years = kYears.exec(text);
+  if (years) return t.history_not_within({ years: years[1] ?? "" });
+  const range = kRange.exec(text);
+  const [from, to] = [with_decimal_sign(range?.[1] ?? ""), with_decimal_sign(range?.[2] ?? "")];
+  if (range) return from === "" ? t.history_to({ limit: to }) : t.several_from_to({ from, to });
+  const least = kFrom.exec(text);
+  if (least) return t.history_at_least({ limit: with_decimal_sign(least[1] ?? "") });
+  const of = kOf.exec(text);
+  if (of) return `${named(t.history_words, of[1] ?? "")} ${of[2] ?? ""}`;
+  return with_decimal_sign(named(t.history_words, text));
 };

@@ -1,35 +1,15 @@
 // One quantity over the tests of a group: its values with sigma, the trend with its own, the tolerance.
-import { curve } from "../drawing/curve";
-import { hover_text } from "../drawing/hover";
-import { lines_across } from "../drawing/lines_across";
+import { curve, lines_across, sigma_band, sigma_bars, type Uncertain } from "../drawing/curve";
+import { curves_base } from "../drawing/hover";
 import type { Numbers, Picture, State, Toggle } from "../picture";
-import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
+import { kBottom_px, kLeft_px, kRight_px, top_px, x_axis } from "../drawing/axes";
 import type { HistoryGroup, HistoryQuantity, Num } from "../report";
-import { sigma_band, sigma_bars, type Uncertain } from "../drawing/sigma_marks";
 import { plain } from "../drawing/text";
-import { axis, base, colours, curve_colour, legend, tooltip } from "../drawing/theme";
-import { x_axis } from "../drawing/two_grids";
+import { axis, colours, toggle } from "../drawing/theme";
 import { t } from "../texts/texts";
 import { typed_name } from "../machine_errors/error_names";
 
 type Series = Record<string, unknown>;
-
-const kTests: Toggle = {
-  key: "tests",
-  get label() {
-    return t.history_tests;
-  },
-  colour: (dark) => curve_colour(0, dark),
-  mark: "dot",
-  on: true,
-};
-const curve_toggle = (label: string): Toggle => ({
-  key: "trend",
-  label,
-  colour: (dark) => curve_colour(1, dark),
-  mark: "line",
-  on: true,
-});
 
 const uncertain = (year: readonly number[], values: readonly Num[], sigmas: readonly Num[]): Uncertain[] =>
   year.map((at, i) => [at, values[i] ?? null, sigmas[i] ?? null]);
@@ -85,7 +65,8 @@ export interface Shown {
 export const history_picture = (group: Pick<HistoryGroup, "label" | "first" | "quantities">, shown: Shown): Picture => {
   const { quantities } = group;
   const { trend: called, ...head } = shown;
-  const kTrend = curve_toggle(called);
+  const kTests = toggle("tests", t.history_tests, 0, "dot");
+  const kTrend = toggle("trend", called, 1, "line");
   const chosen_of = ({ chosen }: Pick<State, "chosen">): HistoryQuantity =>
     quantities.find(({ name }) => name === chosen["quantity"]) ?? (quantities[0] as HistoryQuantity);
   const toggles = (state: Pick<State, "chosen">): Toggle[] => (chosen_of(state).trend ? [kTests, kTrend] : [kTests]);
@@ -116,14 +97,8 @@ export const history_picture = (group: Pick<HistoryGroup, "label" | "first" | "q
     ];
     const limits = limits_near(quantity);
     return {
-      ...base(look),
+      ...curves_base(state, toggles(state), { drawn, head: date_of, unit }),
       grid: { left: kLeft_px, right: kRight_px, top: top_px(look, toggles(state).map(({ label }) => label)), bottom: kBottom_px },
-      legend: legend(state, toggles(state)),
-      tooltip: {
-        ...tooltip(look),
-        trigger: "axis",
-        formatter: hover_text({ drawn, x: 0, y: 1, head: date_of, unit }),
-      },
       xAxis: x_axis(look, t.history_year_axis, window, ends_of(quantity)),
       yAxis: {
         ...axis(look, t.model_in_unit({ name: typed_name(quantity.name, 60), unit }), "y"),

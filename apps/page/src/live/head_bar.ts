@@ -1,18 +1,18 @@
 // Above the report: the files, what of them is looked at and how, what is running, what can be saved.
-import type { Subject } from "./commands";
-import type { Dropped } from "./dropped_files";
-import { button, element } from "../elements/elements";
-import type { Group } from "./groups";
+import type { Subject } from "./runs";
+import type { Dropped, Group, Held } from "./files";
+import { button, element, select_of } from "../elements/elements";
 import { choosing } from "./start";
 import { plain } from "../drawing/text";
 import { t } from "../texts/texts";
+import { size_spoken } from "./spoken";
 
 export interface HeadOf {
   take(files: readonly Dropped[]): void;
   close(): void;
   saves: HTMLElement;
   work: HTMLElement;
-  told: HTMLElement;
+  message: HTMLElement;
 }
 
 export interface Head {
@@ -29,16 +29,14 @@ export interface HeadBar {
 }
 
 const choice = (label: string, values: readonly (readonly [string, string])[], now: string, choose: (value: string) => void): HTMLElement => {
-  const select = element("select");
-  for (const [value, shown] of values) select.add(new Option(plain(shown, 60), value));
-  select.value = now;
-  select.addEventListener("change", () => choose(select.value));
-  return element("label", { class: "choice" }, element("span", {}, label), select);
+  const made = select_of(label, values.map(([value, shown]) => [value, plain(shown, 60)]), choose);
+  made.select.value = now;
+  return made.label;
 };
 
 const last = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
 
-export const head_bar = ({ take, close, saves, work, told }: HeadOf): HeadBar => {
+export const head_bar = ({ take, close, saves, work, message }: HeadOf): HeadBar => {
   const shelf = element("div");
   const choices = element("div", { class: "choices" });
   const bar = element(
@@ -55,7 +53,7 @@ export const head_bar = ({ take, close, saves, work, told }: HeadOf): HeadBar =>
     ),
   );
   bar.hidden = true;
-  const all = element("div", { class: "live-head" }, bar, work, told);
+  const all = element("div", { class: "live-head" }, bar, work, message);
 
   return {
     element: all,
@@ -90,4 +88,39 @@ export const head_bar = ({ take, close, saves, work, told }: HeadOf): HeadBar =>
       }
     },
   };
+};
+
+// The files that are here, in the groups they are opened by, and beside each what is wrong with it.
+
+export interface ShelfOf {
+  held: readonly Held[];
+  groups: readonly Group[];
+  faults: ReadonlyMap<string, string>; // by path
+  open: string; // key of the group that is
+  choose(group: Group): void;
+}
+
+const row_of = (one: Held, fault: string | undefined): HTMLElement =>
+  element(
+    "li",
+    fault === undefined ? {} : { class: "faulty" },
+    element("bdi", {}, plain(one.name, 200)),
+    element("span", { class: "note" }, `${t.live_file_kinds[one.kind]}, ${size_spoken(one.bytes)}`),
+    ...(fault === undefined ? [] : [element("span", { class: "fault" }, plain(fault, 600))]),
+  );
+
+export const shelf_of = ({ held, groups, faults, open, choose }: ShelfOf): HTMLElement => {
+  const tabs = groups.map((group) => {
+    const tab = button(plain(group.title, 60), t.live_open_group({ title: plain(group.title, 200) }), () => choose(group));
+    tab.setAttribute("aria-pressed", String(group.key === open));
+    return element("li", {}, tab, element("span", { class: "note" }, t.live_group_kinds[group.kind]));
+  });
+  const files = element(
+    "details",
+    { class: "live-files" },
+    element("summary", {}, t.live_files({ count: held.length })),
+    element("ul", {}, ...held.map((one) => row_of(one, faults.get(one.path)))),
+  );
+  files.open = faults.size > 0;
+  return element("div", { class: "live-shelf" }, ...(groups.length > 1 ? [element("ul", { class: "groups" }, ...tabs)] : []), files);
 };

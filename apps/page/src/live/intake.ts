@@ -1,12 +1,8 @@
 // Files as they come in: to the engine under safe paths, and to what the browser keeps; one that will not fit is told and
 // left out.
-import { safe_paths, type Dropped } from "./dropped_files";
+import { type Dropped, head_of, type Held, kind_of, read_report_file, type ReportFile, safe_paths } from "./files";
 import { bytes_of, type Engine, type Sample } from "../engine";
-import { head_of, kind_of, type Held } from "./file_kinds";
-import type { Kept, Store } from "./kept_files";
-import { read_report_file, type ReportFile } from "./report_file";
-import { reason } from "./reason";
-import type { Work } from "./work";
+import { reason, type Work } from "./runs";
 import { plain } from "../drawing/text";
 import { size_spoken } from "./spoken";
 import { t } from "../texts/texts";
@@ -27,7 +23,7 @@ export interface Intake {
   sample(sample: Sample): Promise<Held[]>;
   again(kept: Kept): Promise<void>; // what the browser kept
   // The files that a report page carries, and which words of a command they are.
-  carried(page: Held): Promise<{ read: ReportFile; held: Held[]; data: string[]; model: string }>;
+  files_of_page(page: Held): Promise<{ read: ReportFile; held: Held[]; data: string[]; model: string }>;
   written(path: string): Promise<void>; // by the program: kept with the rest
   clear(): Promise<void>;
 }
@@ -99,7 +95,7 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
     async again({ files }) {
       await put_all(files);
     },
-    async carried(page) {
+    async files_of_page(page) {
       const read = read_report_file(new TextDecoder().decode(await engine.get(page.path)));
       const folder = page.path.replace(/\.[^./]*$/, "");
       const paths = safe_paths(
@@ -136,4 +132,67 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
       await store?.clear().catch(() => undefined);
     },
   };
+};
+
+// What was dropped, and the model as it stands, kept by the browser so that a crash or a reload loses nothing; until it
+// is deleted. Where the browser keeps nothing, as in a private window, everything else works.
+
+export interface KeptState {
+  when: number; // ms since 1970
+  title: string;
+  data: readonly string[]; // words of a command
+  model: string; // path; "": none
+  target: string;
+}
+
+export interface Kept {
+  state: KeptState;
+  files: { path: string; name: string; file: Blob }[];
+}
+
+export interface Store {
+  put(path: string, name: string, file: Blob): Promise<void>;
+  say(state: KeptState): Promise<void>;
+  kept(): Promise<Kept | null>;
+  clear(): Promise<void>;
+}
+
+const kName = "ballbar";
+
+const done = <T>(request: IDBRequest<T>): Promise<T> =>
+  new Promise((fulfil, fail) => {
+    request.onsuccess = () => fulfil(request.result);
+    request.onerror = () => fail(request.error);
+  });
+
+// null: the browser keeps nothing here.
+export const open_store = async (): Promise<Store | null> => {
+  try {
+    const opening = indexedDB.open(kName, 1);
+    opening.onupgradeneeded = () => {
+      opening.result.createObjectStore("files", { keyPath: "path" });
+      opening.result.createObjectStore("state");
+    };
+    const base = await done(opening);
+    const store = (name: string, mode: IDBTransactionMode): IDBObjectStore => base.transaction(name, mode).objectStore(name);
+    return {
+      async put(path, name, file) {
+        await done(store("files", "readwrite").put({ path, name, file }));
+      },
+      async say(state) {
+        await done(store("state", "readwrite").put(state, "now"));
+      },
+      async kept() {
+        const state = (await done(store("state", "readonly").get("now"))) as KeptState | undefined;
+        const files = (await done(store("files", "readonly").getAll())) as Kept["files"];
+        return files.length === 0 || state === undefined ? null : { state, files };
+      },
+      async clear() {
+        await done(store("files", "readwrite").clear());
+        await done(store("state", "readwrite").clear());
+      },
+    };
+  } catch {
+    return null;
+  }
 };

@@ -1,13 +1,11 @@
 // The page below the live part: drawn anew for each report, in the place of the one before.
 import { element } from "../elements/elements";
-import type { Inside } from "../shell";
+import { type Inside, report_page } from "../shell";
 import type { Loop } from "./loop";
-import type { PageState } from "../figure/page_state";
+import type { PageState } from "../figure/view";
 import type { Report } from "../report";
-import { report_page } from "../shell";
-import { kept_view } from "../page/kept_view";
+import { kept_view, type Shared, shared_by_figures } from "../page/shared";
 import { page_tools } from "../page/page_tools";
-import { shared_by_figures, shared_now, type Shared } from "../page/shared";
 
 // What the page does for its live part.
 export interface LivePage {
@@ -31,37 +29,32 @@ export type Open = (
 export const live_page = (voice: HTMLElement, given: Report | null, open: Open): LivePage & { shared: Shared } => {
   const place = element("div", { class: "live-report" });
   document.body.append(place);
-  let shared = shared_by_figures(voice);
-  let act: (command: string) => void = () => undefined;
-  const state: Shared = Object.assign(shared_now(() => shared), { act: (command: string) => act(command) });
-  const tools = page_tools(state);
+  const shared = shared_by_figures(voice);
+  shared.act = () => undefined;
+  const tools = page_tools(shared);
   place.append(tools);
 
   return {
-    state,
-    shared: state,
+    state: shared,
+    shared,
     given,
     show(report, loop, again) {
       const bring_back = kept_view(shared);
-      const dark = shared.dark();
       const focused = document.activeElement;
       const kept = loop?.figure();
-      for (const figure of shared.figures.values()) if (figure !== kept) figure.leave();
-      shared = shared_by_figures(voice);
-      shared.look(dark);
-      const { parts, draw } = open(report, state, tools, loop && { element: loop.element, proves: loop.proves() });
+      shared.clear(kept);
+      const { parts, draw } = open(report, shared, tools, loop && { element: loop.element, proves: loop.proves() });
       place.replaceChildren(...parts);
       draw();
-      if (again) bring_back(shared);
+      if (again) bring_back();
       if (kept) shared.add(kept);
       if (focused instanceof HTMLElement && focused.isConnected) focused.focus({ preventScroll: true });
     },
-    on_command(act_now) {
-      act = act_now;
+    on_command(act) {
+      shared.act = act;
     },
     clear() {
-      for (const figure of shared.figures.values()) figure.leave();
-      shared = shared_by_figures(voice);
+      shared.clear();
       place.replaceChildren(tools);
     },
     page_with: (report, inside) => report_page(document, report, inside),

@@ -1,22 +1,15 @@
 // The loop with the hand: what a model leaves, its effects under sliders, what may be missing, and a step forth and back.
-import { candidate_list } from "./candidate_list";
-import type { Catalogue } from "./catalogue";
-import { added_by, words_of, type Subject } from "./commands";
-import { button, element } from "../elements/elements";
-import { fall_shown } from "./fall";
-import { fit_picture, type Now } from "./fit_picture";
-import { figure_of, type Figure } from "../figure/figure";
-import { model_list } from "./model_list";
+import { candidate_list, fall_shown, posterior_bars } from "./candidates";
+import { type Catalogue, model_list } from "./model_list";
+import { added_by, Interrupted, type Part, reason, type Runs, type Subject, words_of, type Work } from "./runs";
+import { button, element, select_of } from "../elements/elements";
+import { fit_picture, type Now, slid } from "./fit_picture";
+import { type Figure, figure_of } from "../figure/figure";
 import { next_test, type NextTestOf } from "./next_test";
-import { posterior_bars } from "./posterior_bars";
-import type { PageState } from "../figure/page_state";
+import type { PageState } from "../figure/view";
 import type { Candidate, Checked, Diagnosed, Report } from "../report";
-import { reason } from "./reason";
-import type { Part, Runs } from "./subject_runs";
-import { slid } from "./slid";
-import { Interrupted, type Work } from "./work";
 import { micrometres, plain } from "../drawing/text";
-import { english, language, said_text, t, type Said } from "../texts/texts";
+import { english, language, type Sentence, sentence_text, t } from "../texts/texts";
 import { verdict_of } from "../diagnosis/verdict";
 import { verdict_of as verdict_of_check } from "../model/model";
 
@@ -69,9 +62,9 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const forth: Uint8Array[] = []; // models that were taken back, the last one first to come again
 
   const sentence = element("p", { class: "said", role: "status", "aria-live": "polite" });
-  const say = (said: Said): void => {
-    sentence.textContent = micrometres(said_text(said));
-    sentence.lang = typeof said === "string" ? language : "en";
+  const say = (text: Sentence): void => {
+    sentence.textContent = micrometres(sentence_text(text));
+    sentence.lang = typeof text === "string" ? language : "en";
   };
   // What to do next, where the program proposes a step.
   const next = button("", "", () => loop.act(found?.command ?? ""));
@@ -143,15 +136,13 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const search = button(t.live_search, t.live_search_title, () => void loop.search());
   const plan = next_test({ plan: of.plan, subject: () => subject, took_ms: () => took_ms });
 
-  const target_choice = element("select");
-  for (const target of targets) target_choice.add(new Option(plain(target, 60), target));
-  target_choice.value = subject.target;
-  target_choice.addEventListener("change", () => {
-    subject = { ...subject, target: target_choice.value };
+  const target_list = targets.map((target) => [target, plain(target, 60)] as const);
+  const { select: target_choice, label: target_label } = select_of(t.live_explained, target_list, (target) => {
+    subject = { ...subject, target };
     before = null;
     if (subject.model !== "") void attempt(async () => loop.show(await runs.report(subject)));
   });
-  const target_label = element("label", { class: "choice" }, element("span", {}, t.live_explained), target_choice);
+  target_choice.value = subject.target;
   target_label.hidden = targets.length < 2;
 
   const asked = element("div", {}, element("h3", {}, t.live_what_moves), element("p", { class: "about" }, t.live_what_moves_about));

@@ -1,14 +1,13 @@
 // The model as a list: each effect with its curve, and each of its parameters under a slider.
-import type { Catalogue } from "./catalogue";
-import type { Setting } from "./commands";
-import { element } from "../elements/elements";
+import type { Setting } from "./runs";
+import { decimated, extent } from "../drawing/columns";
+import { element, svg_element } from "../elements/elements";
 import type { Checked, Num, Parameter } from "../report";
-import { is_scaled, kConstant, key_of } from "./slid";
-import { slider_of, type Optimum, type Slider } from "./sliders";
-import { extent_of, small_curve } from "./small_curve";
-import { plain } from "../drawing/text";
-import { unit_shown } from "../drawing/units";
+import { is_scaled, kConstant, key_of } from "./fit_picture";
+import { plain, unit_shown } from "../drawing/text";
 import { t } from "../texts/texts";
+import { decimals_for, shown, with_sigma } from "../drawing/theme";
+import type { Engine } from "../engine";
 
 export interface ModelList {
   element: HTMLElement;
@@ -45,8 +44,9 @@ export const model_list = (catalogue: Catalogue, changed: (key: string) => void)
   };
   const draw = (checked: Checked): void => {
     const { contributions } = checked.series;
-    const extent = extent_of(contributions.map(({ values_um }) => values_um.map((value): Num => value)));
-    for (const { effect, values_um } of contributions) curves.get(effect)?.replaceChildren(small_curve(values_um, extent));
+    const [least, largest] = extent(contributions.map(({ values_um }) => values_um));
+    const ends = least <= largest ? ([least, largest] as const) : ([0, 1] as const);
+    for (const { effect, values_um } of contributions) curves.get(effect)?.replaceChildren(small_curve(values_um, ends));
   };
   const moved = (): boolean => [...sliders.values()].some(({ one, slider }) => slider.value() !== one.value);
 
@@ -118,5 +118,148 @@ export const model_list = (catalogue: Catalogue, changed: (key: string) => void)
       if (fitted) draw(fitted);
     },
     slider: (effect) => [...sliders.values()].find(({ one }) => one.effect === effect)?.slider,
+  };
+};
+
+// A parameter to move by hand: where the optimum is, how wide a sigma, and how far it was moved.
+
+const kSteps = 400;
+const kSigmas = 6; // to either side at least
+
+export interface Optimum {
+  label: string; // of the parameter
+  of: string; // the effect
+  unit: string;
+  value: number;
+  sigma: Num;
+  lower: Num; // bounds of the catalogue
+  upper: Num;
+}
+
+export interface Slider {
+  element: HTMLElement;
+  value(): number;
+  move(value: number): void; // as a hand does
+  back(): void; // to the optimum
+  renew(optimum: Optimum): void;
+}
+
+const range_of = ({ value, sigma, lower, upper }: Optimum): [number, number] => {
+  const half = Math.max(kSigmas * (sigma ?? 0), 0.5 * Math.abs(value)) || 1;
+  return [Math.max(lower ?? -Infinity, value - half), Math.min(upper ?? Infinity, value + half)];
+};
+
+export const slider_of = (first: Optimum, changed: () => void): Slider => {
+  let optimum = first;
+  let exact = true; // at the optimum, between two steps
+  const input = element("input", { type: "range" });
+  const band = element("span", { class: "band" });
+  const mark = element("span", { class: "optimum" });
+  const output = element("output");
+  const name = element("span", { class: "name" });
+  const track = element("span", { class: "track" }, band, mark, input);
+
+  const value = (): number => (exact ? optimum.value : Number(input.value));
+  const text = (): string => {
+    const decimals = Math.min(9, decimals_for(optimum.value, optimum.sigma) + (exact ? 0 : 1));
+    const number = exact && optimum.sigma !== null ? with_sigma(value(), optimum.sigma, decimals) : shown(value(), decimals);
+    return optimum.unit === "1" ? number : `${number} ${optimum.unit}`;
+  };
+  const tell = (): void => {
+    output.textContent = text();
+    input.setAttribute("aria-valuetext", exact ? t.live_at_optimum({ value: text() }) : text());
+    track.classList.toggle("moved", !exact);
+  };
+  const renew = (now: Optimum): void => {
+    optimum = now;
+    exact = true;
+    const [from, to] = range_of(now);
+    const share = (at: number): number => Math.min(1, Math.max(0, to > from ? (at - from) / (to - from) : 0.5));
+    input.min = String(from);
+    input.max = String(to);
+    input.step = String((to - from) / kSteps || 1);
+    input.value = String(now.value);
+    input.disabled = !(to > from);
+    input.setAttribute("aria-label", `${now.of}: ${now.label}`);
+    name.textContent = now.label;
+    track.style.setProperty("--optimum", String(share(now.value)));
+    track.style.setProperty("--from", String(share(now.value - (now.sigma ?? 0))));
+    track.style.setProperty("--to", String(share(now.value + (now.sigma ?? 0))));
+    band.hidden = now.sigma === null;
+    tell();
+  };
+  input.addEventListener("input", () => {
+    exact = false;
+    tell();
+    changed();
+  });
+  renew(first);
+  return {
+    element: element("label", { class: "slider" }, name, track, output),
+    value,
+    move(to) {
+      input.value = String(to);
+      exact = false;
+      tell();
+      changed();
+    },
+    back() {
+      exact = true;
+      input.value = String(optimum.value);
+      tell();
+    },
+    renew,
+  };
+};
+
+// What an effect adds, as small as a word. Of many rows the extremes of each stretch are drawn.
+
+const kWidth = 120;
+const kHeight = 26;
+
+const path_of = (values: readonly Num[], [least, largest]: readonly [number, number]): string => {
+  const high = largest - least || 1;
+  const points = decimated(
+    values.map((_, i) => i),
+    values,
+    null,
+    kWidth,
+  );
+  return points
+    .map(([i, value]) => {
+      const x = (kWidth * i) / Math.max(1, values.length - 1);
+      return value === null ? "" : `${x.toFixed(1)},${(kHeight - 1 - ((value - least) / high) * (kHeight - 2)).toFixed(1)}`;
+    })
+    .filter((point) => point !== "")
+    .join(" ");
+};
+
+export const small_curve = (values: readonly Num[], extent: readonly [number, number]): SVGElement => {
+  const svg = svg_element("svg", { viewBox: `0 0 ${kWidth} ${kHeight}`, class: "small-curve", "aria-hidden": "true" });
+  svg.append(svg_element("polyline", { points: path_of(values, extent) }));
+  return svg;
+};
+
+// What the catalogue says of the parameters of an effect.
+
+interface Entry {
+  name: string;
+  parameters: { name: string; kind: "gain" | "shape"; lower: Num; upper: Num; meaning: string }[];
+}
+
+export type Known = Entry["parameters"][number];
+
+export interface Catalogue {
+  parameter(label: string, name: string): Known | undefined; // label: "lagged_expansion(T_room_degC)"
+}
+
+const name_in = (label: string): string => /^[A-Za-z_0-9]+/.exec(label)?.[0] ?? label;
+
+export const catalogue_of = async (engine: Engine): Promise<Catalogue> => {
+  const { out } = await engine.run(["effects", "--json"]);
+  const all = JSON.parse(out) as Entry[] | { effects: Entry[] };
+  const by_name = new Map((Array.isArray(all) ? all : all.effects).map((entry) => [entry.name, entry]));
+  return {
+    parameter: (label, name) => by_name.get(name_in(label))?.parameters.find((one) => one.name === name),
   };
 };

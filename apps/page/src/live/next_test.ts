@@ -1,13 +1,13 @@
 // The run of the machine that would decide what is open: asked for by a button, because it takes long.
-import { button, element } from "../elements/elements";
+import { button, element, select_of, table_of } from "../elements/elements";
 import type { Diagnosed, Num } from "../report";
-import type { Subject } from "./commands";
-import { save } from "../figure/save";
-import { table_of } from "../elements/table";
+import { answer_of, plan_words, reason, type Runs, type Subject, type Work } from "./runs";
+import { save } from "../figure/files";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { duration_spoken } from "./spoken";
 import { t } from "../texts/texts";
+import type { Engine } from "../engine";
 
 export interface Planned {
   sentence: string;
@@ -50,8 +50,10 @@ export interface NextTestOf {
 }
 
 export const next_test = ({ plan, subject, took_ms }: NextTestOf): NextTest => {
-  const hours = element("select");
-  for (const one of kHours) hours.add(new Option(t.live_hours({ count: one }), String(one)));
+  const { select: hours, label: hours_label } = select_of(
+    t.live_longest,
+    kHours.map((one) => [String(one), t.live_hours({ count: one })]),
+  );
   hours.value = "12";
   const takes = element("span");
   const answer = element("div", { "aria-live": "polite" });
@@ -61,7 +63,7 @@ export const next_test = ({ plan, subject, took_ms }: NextTestOf): NextTest => {
     { class: "live-plan" },
     element("summary", {}, t.live_next_test),
     element("p", { class: "about" }, t.live_next_test_about, " ", takes),
-    element("div", { class: "buttons" }, element("label", { class: "choice" }, element("span", {}, t.live_longest), hours), start),
+    element("div", { class: "buttons" }, hours_label, start),
     answer,
   );
   box.hidden = true;
@@ -106,3 +108,20 @@ export const next_test = ({ plan, subject, took_ms }: NextTestOf): NextTest => {
     },
   };
 };
+
+// A plan of the program, with the files that it wrote.
+
+export const planned_with =
+  (engine: Engine, work: Work, runs: Runs): NextTestOf["plan"] =>
+  async (subject, hours) => {
+    try {
+      const folder = runs.free_name("plans", "plan");
+      const plan = answer_of<Planned>(await work.run(plan_words(subject, hours, folder), { what: t.live_planning }));
+      const paths = engine.list().flatMap(({ path }) => (path.startsWith(`${folder}/`) ? [path] : []));
+      const name_of = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
+      const files = await Promise.all(paths.map(async (path) => ({ name: name_of(path), bytes: await engine.get(path) })));
+      return { plan, files };
+    } catch (error) {
+      return reason(error);
+    }
+  };

@@ -1,31 +1,24 @@
 // The page with the program in it: files come in, the program is asked, and the page shows what it answers.
-import type { Dropped } from "./dropped_files";
+import { type Dropped, folder_as_session } from "./files";
 import { button, element } from "../elements/elements";
 import type { Engine, Sample } from "../engine";
-import { folder_as_session } from "./groups";
-import { head_bar, type HeadBar } from "./head_bar";
-import { intake_of } from "./intake";
-import { open_store, type Kept } from "./kept_files";
-import { listen } from "./listen";
+import { head_bar, type HeadBar, shelf_of } from "./head_bar";
+import { intake_of, type Kept, open_store } from "./intake";
+import { listen, start_of } from "./start";
 import type { LivePage } from "./live_page";
 import { opened_with } from "./opened";
-import { reason } from "./reason";
-import { saves_of, type Saves } from "./saves";
-import { shelf_of } from "./shelf";
+import { reason, runs_with, work_with } from "./runs";
+import { type Saves, saves_of } from "./saves";
 import { ago_spoken } from "./spoken";
-import { start_of } from "./start";
-import { runs_with } from "./subject_runs";
-import { tour } from "./tour";
-import { tour_steps } from "./tour_steps";
-import { work_with } from "./work";
+import { tour, tour_steps } from "./tour";
 import { t, when_spoken } from "../texts/texts";
 
 export const open_live = async (engine: Engine, page: LivePage): Promise<void> => {
   const place = element("div", { class: "live" });
   document.body.prepend(place);
-  const told = element("p", { class: "live-told", role: "alert" });
+  const message = element("p", { class: "live-told", role: "alert" });
   const tell = (text: string): void => {
-    told.textContent = text;
+    message.textContent = text;
   };
   const work = work_with(engine, (text) => page.state.say(text));
   const runs = runs_with(engine, work);
@@ -141,7 +134,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
       },
       fault: tell,
     });
-    head = head_bar({ take, close, saves: saves.element, work: work.element, told });
+    head = head_bar({ take, close, saves: saves.element, work: work.element, message });
     const toured = samples.find(({ name }) => name === "hidden-effect");
     start = start_of({
       samples,

@@ -1,20 +1,15 @@
 // What is looked at: a group of files, opened, with its report and its loop; what the program has against a file.
-import { catalogue_of } from "./catalogue";
-import type { Subject } from "./commands";
+import { catalogue_of } from "./model_list";
+import { answer_of, reason, Refused, type Runs, type Subject, type Work } from "./runs";
 import type { Engine, Sample } from "../engine";
-import type { Held } from "./file_kinds";
-import { groups_of, type Group } from "./groups";
-import type { Intake } from "./intake";
-import type { Kept, Store } from "./kept_files";
+import { type Group, groups_of, type Held } from "./files";
+import type { Intake, Kept, Store } from "./intake";
 import type { LivePage } from "./live_page";
-import { loop_of, type Loop } from "./loop";
-import { planned_with } from "./planned";
-import { reason } from "./reason";
+import { type Loop, loop_of } from "./loop";
+import { planned_with } from "./next_test";
 import type { Report } from "../report";
-import { answer_of, Refused, type Runs } from "./subject_runs";
-import { targets_in } from "./targets";
-import type { Work } from "./work";
 import { t } from "../texts/texts";
+import { extent } from "../drawing/columns";
 
 export interface OpenedOf {
   engine: Engine;
@@ -46,7 +41,7 @@ export interface Opened {
 const kShort_ms = 3000; // to fit
 
 // Such lie beside data, and are no data.
-const lies_beside = ({ name, head }: Held): boolean =>
+const is_no_data = ({ name, head }: Held): boolean =>
   /\.(md|sh|py|svg|png|jpe?g)$|(^|\/)[A-Z]+$/i.test(name) || head.includes('"ballbar-');
 
 const kind_of_data = (files: readonly Held[], data: readonly string[]): Group["kind"] => {
@@ -183,7 +178,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     const [file] = group.files;
     if (!file) return;
     try {
-      const { read, held, data, model } = await intake.carried(file);
+      const { read, held, data, model } = await intake.files_of_page(file);
       if (data.length > 0) return await open(group_of(group.title, held, data), { model });
       show_alone({ group, data: [], model: "", target: "", compared: "" }, read.report);
     } catch (error) {
@@ -226,7 +221,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     open,
     async came(paths) {
       for (const one of intake.held()) {
-        if (!paths.includes(one.path) || one.kind !== "other" || intake.faults().has(one.path) || lies_beside(one)) continue;
+        if (!paths.includes(one.path) || one.kind !== "other" || intake.faults().has(one.path) || is_no_data(one)) continue;
         await sound_of([one.path]);
       }
       const next = groups().find(({ files }) => files.some(({ path }) => paths.includes(path)));
@@ -257,4 +252,28 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     leave,
     forget: () => stated.clear(),
   };
+};
+
+// Columns that a model may explain.
+
+const axis = /^(.*)_(um|urad|mm)$/;
+
+// Those of a drift, or the measured columns of a series; the one that moves most first.
+export const targets_in = (report: Report): string[] => {
+  const ranges = new Map<string, number>();
+  const hold = (name: string, values: readonly (number | null)[]): void => {
+    const known = values.filter((value): value is number => value !== null);
+    if (known.length < 2) return;
+    const [least, largest] = extent([known]);
+    ranges.set(name, largest - least);
+  };
+  for (const name of Object.keys(report.drift?.points[0] ?? {})) {
+    if (axis.test(name) && !/sigma|correction|change|shift/.test(name)) hold(name, report.drift?.points.map((point) => point[name] ?? null) ?? []);
+  }
+  if (ranges.size === 0) {
+    for (const { columns } of report.signals) {
+      for (const { name, role, values } of columns) if (role === "measured" && axis.test(name)) hold(name, values);
+    }
+  }
+  return [...ranges].sort(([, a], [, b]) => b - a).map(([name]) => name);
 };

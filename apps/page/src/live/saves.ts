@@ -1,9 +1,9 @@
 // What can be kept: the report as a page, the same with its files to go on from, the model, the drift, any file.
-import type { Subject } from "./commands";
+import type { Subject } from "./runs";
 import { button, element } from "../elements/elements";
 import type { Report } from "../report";
 import type { Inside } from "../shell";
-import { save } from "../figure/save";
+import { save } from "../figure/files";
 import { plain, slug } from "../drawing/text";
 import { t } from "../texts/texts";
 

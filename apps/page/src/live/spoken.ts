@@ -1,6 +1,4 @@
 // Sizes, times and kinds in the words of the page's language.
-import type { Kind } from "./file_kinds";
-import type { GroupKind } from "./groups";
 import { t, with_decimal_sign } from "../texts/texts";
 
 export const size_spoken = (bytes: number): string =>
@@ -16,24 +14,3 @@ export const ago_spoken = (ms: number): string => {
 
 export const duration_spoken = (ms: number): string =>
   ms < 90_000 ? `${Math.max(5, 5 * Math.round(ms / 5000))} s` : `${Math.round(ms / 60_000)} min`;
-
-export const file_kind_spoken = (kind: Kind): string =>
-  ({
-    recording: t.live_file_recording,
-    session: t.live_file_session,
-    runs: t.live_file_runs,
-    model: t.live_file_model,
-    trained: t.live_file_trained,
-    series: t.live_file_series,
-    report: t.live_file_report,
-    other: t.live_file_other,
-  })[kind];
-
-export const group_kind_spoken = (kind: GroupKind): string =>
-  ({
-    recordings: t.live_kind_recordings,
-    session: t.live_kind_session,
-    runs: t.live_kind_runs,
-    series: t.live_kind_series,
-    report: t.live_kind_report,
-  })[kind];

@@ -1,5 +1,6 @@
 // One test's readings about the fitted circle, what an error adds to them, and what they would be without it.
-import type { MachineErrorsPart, Num, Recording, Report } from "../report";
+import { difference, extent } from "../drawing/columns";
+import type { MachineErrorRow, MachineErrorsPart, Num, Recording, Report } from "../report";
 
 export interface ErrorTest {
   value: string; // of a choice
@@ -14,15 +15,9 @@ export const error_tests = ({ fit, machine_errors }: Report): ErrorTest[] =>
     return all.length > 0 && all.length === recordings.length ? [{ value: String(k), part, recordings: all as Recording[] }] : [];
   });
 
-const less = (a: readonly Num[], b: readonly Num[]): Num[] =>
-  a.map((value, i) => {
-    const other = b[i] ?? null;
-    return value === null || other === null ? null : value - other;
-  });
-
 // Of the k-th recording: each reading less the circle that is fitted to all of them.
 export const about_circle = ({ part, recordings }: ErrorTest, k: number): Num[] =>
-  less(recordings[k]?.trace?.deviation_um ?? [], part.circle_um[k] ?? []);
+  difference(recordings[k]?.trace?.deviation_um ?? [], part.circle_um[k] ?? []);
 
 // What an error adds to the k-th recording; undefined: it was not looked for in this test.
 export const error_curve = ({ part }: ErrorTest, error: string, k: number): readonly Num[] | undefined =>
@@ -32,26 +27,43 @@ export const error_curve = ({ part }: ErrorTest, error: string, k: number): read
 export const without_error = (test: ErrorTest, error: string, k: number): Num[] => {
   const measured = about_circle(test, k);
   const curve = error_curve(test, error, k);
-  return curve ? less(measured, curve) : measured;
+  return curve ? difference(measured, curve) : measured;
 };
 
 // Of all that may be drawn, so that the scale is the same for each error, with it and without.
-export const extent_of_test = (test: ErrorTest): [number, number] => {
-  let least = 0;
-  let largest = 0;
-  const hold = (values: readonly Num[]): void => {
-    for (const value of values) {
-      if (value === null) continue;
-      least = Math.min(least, value);
-      largest = Math.max(largest, value);
-    }
-  };
-  test.recordings.forEach((_, k) => {
-    hold(about_circle(test, k));
-    for (const error of Object.keys(test.part.curves)) {
-      hold(error_curve(test, error, k) ?? []);
-      hold(without_error(test, error, k));
-    }
-  });
-  return [least, largest];
+export const extent_of_test = (test: ErrorTest): [number, number] =>
+  extent(
+    test.recordings.flatMap((_, k) => [
+      about_circle(test, k),
+      ...Object.keys(test.part.curves).flatMap((error) => [error_curve(test, error, k) ?? [], without_error(test, error, k)]),
+    ]),
+    [0, 0],
+  );
+
+// The rows of a test in the order they are read: by rank, then what is not significant by the size of its curve.
+
+export interface RankedError {
+  effect: string;
+  first: MachineErrorRow; // what all rows have alike is read from it
+  rows: readonly MachineErrorRow[];
+}
+
+const kUnranked = 1e9;
+
+const compared = ({ first: a }: RankedError, { first: b }: RankedError): number =>
+  (a.rank ?? kUnranked) - (b.rank ?? kUnranked) ||
+  (b.individual_circularity_um ?? 0) - (a.individual_circularity_um ?? 0);
+
+export const ranked_errors = ({ errors }: MachineErrorsPart): RankedError[] => {
+  const by_effect = new Map<string, RankedError>();
+  for (const row of errors) {
+    if (row.effect === undefined) continue;
+    const { first = row, rows = [] } = by_effect.get(row.effect) ?? {};
+    by_effect.set(row.effect, { effect: row.effect, first, rows: [...rows, row] });
+  }
+  return [...by_effect.values()].sort(compared);
 };
+
+// Of the circle: where the test was set up, and scale.
+export const circle_rows = ({ errors }: MachineErrorsPart): MachineErrorRow[] =>
+  errors.filter(({ effect }) => effect === undefined);

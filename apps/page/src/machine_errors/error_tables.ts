@@ -1,13 +1,11 @@
 // The ranked table of a machine's errors, and below it those of the circle.
 import { error_name, unit_shown } from "./error_names";
-import { kErrors_picture, kWithout } from "./errors_picture";
-import type { ErrorTest } from "./error_curves";
+import { kErrors_picture, kWithout } from "./errors_pictures";
+import { circle_rows, type ErrorTest, ranked_errors, type RankedError } from "./error_curves";
 import type { TextTable } from "../picture";
-import { circle_rows, ranked_errors, type RankedError } from "./ranked_errors";
 import type { MachineErrorRow } from "../report";
 import { plain } from "../drawing/text";
-import { shown } from "../drawing/theme";
-import { decimals_for, with_sigma } from "../drawing/with_sigma";
+import { decimals_for, shown, with_sigma } from "../drawing/theme";
 import { named, t } from "../texts/texts";
 
 const decimals_of = (row: MachineErrorRow): number => Math.min(4, decimals_for(row.value, row.sigma));
@@ -19,10 +17,10 @@ const stored = (row: MachineErrorRow): string =>
   row.stored === null || row.stored_rank === null ? stored_value(row) : `${stored_value(row)} (${row.stored_rank})`;
 
 // What the instrument's software would say, with its rank.
-const as_instrument = ({ as_instrument: said, unit }: MachineErrorRow, is_first: boolean): string => {
-  if (!said) return "–";
-  const value = shown(said.value, unit === "ms" ? 2 : 1);
-  return is_first && said.rank !== null ? `${value} (${said.rank})` : value;
+const as_instrument = ({ as_instrument: software, unit }: MachineErrorRow, is_first: boolean): string => {
+  if (!software) return "–";
+  const value = shown(software.value, unit === "ms" ? 2 : 1);
+  return is_first && software.rank !== null ? `${value} (${software.rank})` : value;
 };
 
 const rank_of = ({ rank, significant }: MachineErrorRow): string =>

@@ -1,29 +1,26 @@
 // The errors of the machine, found from one test: the circle and the ranked table beside it.
-import { error_tests, type ErrorTest } from "./error_curves";
+import { error_tests, type ErrorTest, ranked_errors } from "./error_curves";
 import { error_name, unit_shown } from "./error_names";
 import { circle_table, errors_table, stated_table } from "./error_tables";
-import { errors_picture, kErrors_picture } from "./errors_picture";
-import { without_picture } from "./without_picture";
+import { errors_picture, kErrors_picture, without_picture } from "./errors_pictures";
 import { command_of } from "../drawing/command";
 import { capital } from "../drawing/text";
-import type { Section, Told, ToldFirst } from "../picture";
-import { ranked_errors } from "./ranked_errors";
+import type { Section, Notes, Conclusion } from "../picture";
 import type { Report } from "../report";
-import { shown } from "../drawing/theme";
-import { decimals_for } from "../drawing/with_sigma";
-import { english, english_after, language, named, t, type Said } from "../texts/texts";
+import { decimals_for, shown } from "../drawing/theme";
+import { english, english_after, language, named, type Sentence, t } from "../texts/texts";
 
 const kRemedies = 3;
 
 // Of "backlash_a" that of "backlash"; one that the language does not have stays as the program says it.
-const remedy_said = (error: string, effect: string, remedy: string): Said => {
+const remedy_sentence = (error: string, effect: string, remedy: string): Sentence => {
   const what = effect.replace(/_[ab]$/, "");
   const known = language !== "en" && Object.hasOwn(t.remedies, what);
   return known ? t.errors_remedy({ error, remedy: named(t.remedies, what) }) : english_after(`${error}:`, remedy);
 };
 
 // In English the program's own sentences.
-export const verdict_of = ({ part, recordings }: ErrorTest): Said => {
+export const verdict_of = ({ part, recordings }: ErrorTest): Sentence => {
   const circularity = shown(part.circularity_um, 1);
   if (part.conclusion === "") return t.errors_circularity_is({ value: shown(part.circularity_um, 2) });
   if (language === "en") return english(part.conclusion);
@@ -37,15 +34,15 @@ export const verdict_of = ({ part, recordings }: ErrorTest): Said => {
 };
 
 // What is concluded from the only test stands at the head of the page.
-const told_of = (test: ErrorTest, alone: boolean): Told => {
+const notes_of = (test: ErrorTest, alone: boolean): Notes => {
   const { part, recordings } = test;
   const plane = recordings[0]?.plane;
   const remedies = ranked_errors(part)
     .filter(({ first }) => first.rank !== null && first.remedy)
     .slice(0, kRemedies)
-    .map(({ effect, first }) => remedy_said(error_name(effect, plane), effect, first.remedy ?? ""));
+    .map(({ effect, first }) => remedy_sentence(error_name(effect, plane), effect, first.remedy ?? ""));
   return {
-    beside: errors_table(test),
+    table: errors_table(test),
     sentences: [
       ...(alone || part.conclusion === "" ? [] : [verdict_of(test)]),
       ...(part.left_text === "" ? [] : [english(part.left_text)]),
@@ -78,7 +75,7 @@ const result_of = (tests: readonly ErrorTest[]): string => {
 };
 
 // The error that gains most is mended, and the test made again.
-const told_first = (test: ErrorTest): ToldFirst => {
+const conclusion_of = (test: ErrorTest): Conclusion => {
   const { part, recordings } = test;
   const largest = ranked_errors(part).find(({ first }) => first.rank !== null && first.remedy);
   return {
@@ -87,7 +84,7 @@ const told_first = (test: ErrorTest): ToldFirst => {
     next: {
       label: t.errors_next,
       text: largest
-        ? remedy_said(capital(error_name(largest.effect, recordings[0]?.plane)), largest.effect, largest.first.remedy ?? "")
+        ? remedy_sentence(capital(error_name(largest.effect, recordings[0]?.plane)), largest.effect, largest.first.remedy ?? "")
         : "",
       command: command_of("history", ["."], ["--out", "history.html"]),
     },
@@ -105,17 +102,13 @@ export const machine_errors_section = (report: Report): Section[] => {
       result: result_of(tests),
       first: {
         picture: kErrors_picture,
-        kind: "",
-        label: "",
-        told: ({ test }) => told_first(tests.find(({ value }) => value === test) ?? first),
+        conclusion: ({ test }) => conclusion_of(tests.find(({ value }) => value === test) ?? first),
       },
-      sentences: [],
-      tables: [],
       pictures: [errors_picture(tests), without_picture(tests)],
-      beside: {
+      companion: {
         picture: kErrors_picture,
         key: "test",
-        told: (chosen) => told_of(tests.find(({ value }) => value === chosen) ?? first, tests.length === 1),
+        notes: (chosen) => notes_of(tests.find(({ value }) => value === chosen) ?? first, tests.length === 1),
       },
     },
   ];

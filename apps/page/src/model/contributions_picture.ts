@@ -1,18 +1,16 @@
 // What each effect adds to the model, stacked: what raises it upwards from zero, what lowers it downwards. A drift counts
 // from its start, where every effect is taken as zero; a recording from the nominal circle. Up less down is the model.
-import { place_for_name, type Place } from "./band_name";
 import { curve, type Point } from "../drawing/curve";
-import { first_at } from "../drawing/decimate";
-import { largest_of, stack_of, type Part, type Stack } from "./effect_stack";
-import { hover_text } from "../drawing/hover";
+import { first_at } from "../drawing/columns";
+import { curves_base } from "../drawing/hover";
 import type { Look, Numbers, Picture, State, Toggle } from "../picture";
 import { kept_readings } from "../recordings/recording_curves";
-import { chosen_strands, recording_choice } from "../recordings/recording_names";
+import { chosen_strands, recording_choice } from "../recordings/recording_groups";
 import type { Checked, Num, Report } from "../report";
 import type { Strand } from "../drawing/strands";
-import { plain } from "../drawing/text";
-import { axis, base, colours, curve_colour, dashes, font, legend, shown, tooltip } from "../drawing/theme";
-import { time_limits, x_axis } from "../drawing/two_grids";
+import { labels_once, plain } from "../drawing/text";
+import { axis, base, colours, curve_colour, dashes, font, shown, toggle } from "../drawing/theme";
+import { time_limits, x_axis } from "../drawing/axes";
 import { angle_limits } from "../recordings/unrolled_picture";
 import { t } from "../texts/texts";
 
@@ -95,14 +93,8 @@ export const contributions_picture = (
     return stack;
   };
   const toggles = (chosen: State["chosen"]): Toggle[] => [
-    { key: "model", label: t.model, colour: (dark) => curve_colour(1, dark), mark: "line", on: true },
-    ...(stack_for(chosen)?.parts ?? []).map((part): Toggle => ({
-      key: part.key,
-      label: part.label,
-      colour: part.colour,
-      mark: "band",
-      on: true,
-    })),
+    toggle("model", t.model, 1, "line"),
+    ...(stack_for(chosen)?.parts ?? []).map(({ key, label, colour }) => toggle(key, label, colour, "band")),
   ];
 
   const draw = (state: State): Record<string, unknown> => {
@@ -156,16 +148,10 @@ export const contributions_picture = (
     const drawn = [...(hidden.has("model") ? [] : [{ name: t.model, data: model }]), ...values];
     const unit = over_angle ? "°" : "min";
     return {
-      ...base(look),
+      ...curves_base(state, toggles(state.chosen), { drawn, head: (at) => `${shown(at, 1)} ${unit}`, unit: "µm" }),
       grid: { left: 64, right: 20, top: look.still ? 64 : 14, bottom: 48 },
       xAxis: x_axis(look, over_angle ? t.angle_axis : t.time_axis, window, over_angle ? angle_limits(x) : time_limits(x)),
       yAxis: axis(look, over_angle ? t.model_added_axis : t.model_added_since_axis, "y"),
-      legend: legend(state, toggles(state.chosen)),
-      tooltip: {
-        ...tooltip(look),
-        trigger: "axis",
-        formatter: hover_text({ drawn, x: 0, y: 1, head: (at) => `${shown(at, 1)} ${unit}`, unit: "µm" }),
-      },
       series,
     };
   };
@@ -194,4 +180,97 @@ export const contributions_picture = (
     draw,
     numbers,
   };
+};
+
+// What each effect adds to a model, ready to be stacked: of a drift counted from its start, where every effect is taken
+// as zero; of a recording from the nominal circle.
+
+export interface Part {
+  key: string;
+  name: string; // in a file
+  label: string;
+  values_um: readonly Num[]; // at the strand's rows
+  colour: (dark: boolean) => string;
+}
+
+export interface Stack {
+  strand: Strand;
+  parts: Part[];
+  model_um: Num[];
+}
+
+const kUnseen_um = 1e-6; // a part that never differs more from zero is none
+
+export const largest_of = (values: readonly Num[]): number =>
+  values.reduce((largest: number, value) => Math.max(largest, Math.abs(value ?? 0)), 0);
+
+const colour_of =
+  (k: number) =>
+  (dark: boolean): string =>
+    curve_colour([2, 3, 4, 5, 6, 7, 0][k % 7] ?? 2, dark);
+
+export const stack_of = (checked: Checked, strand: Strand): Stack => {
+  const { series } = checked;
+  const from_start = checked.level === "series";
+  const counted = (values: readonly Num[]): Num[] => {
+    const at_rows = strand.rows.map((row) => values[row] ?? null);
+    const start = from_start ? (at_rows.find((value) => value !== null) ?? 0) : 0;
+    return at_rows.map((value) => (value === null ? null : value - start));
+  };
+  const model_um = counted(series.predicted_um);
+  const columns = series.contributions.map(({ values_um }) => counted(values_um));
+  // What is in the model and in no effect: a constant.
+  const rest = model_um.map((model, i): Num => {
+    if (model === null) return null;
+    const sum = columns.reduce((total, column) => total + (column[i] ?? 0), 0);
+    return Math.abs(model - sum) < 1e-4 * Math.max(1, Math.abs(model)) ? 0 : model - sum;
+  });
+  const labels = labels_once(series.contributions.map(({ effect }) => plain(effect, 60)));
+  const parts = [...columns, rest].map((values_um, k): Part => ({
+    key: `part${k}`,
+    name: labels[k] ?? "constant",
+    label: labels[k] ?? t.model_constant,
+    values_um,
+    colour: colour_of(k),
+  }));
+  return { strand, parts: parts.filter((part) => largest_of(part.values_um) > kUnseen_um), model_um };
+};
+
+// Where a name fits into a band between two curves, so that names of bands that stand on each other cannot overlap.
+export interface Place {
+  x: number; // middle of the name
+  y: number;
+  height: number; // that is free there
+}
+
+const kTried = 40; // places along the band
+
+// The place where a name `width` wide, in units of x, has the most height within the band. x rises.
+export const place_for_name = (
+  x: readonly number[],
+  lower: readonly number[],
+  upper: readonly number[],
+  range: readonly [number, number],
+  width: number,
+): Place | null => {
+  let best: Place | null = null;
+  const first = range[0] + width / 2;
+  const last = range[1] - width / 2;
+  let from = 0;
+  for (let k = 0; k <= kTried && last > first; ++k) {
+    const middle = first + (k * (last - first)) / kTried;
+    while (from < x.length && (x[from] ?? 0) < middle - width / 2) ++from;
+    let floor = -Infinity;
+    let ceiling = Infinity;
+    let points = 0;
+    // One point beyond on either side, because the curve runs on to it.
+    for (let i = Math.max(0, from - 1); i < x.length; ++i, ++points) {
+      floor = Math.max(floor, lower[i] ?? 0);
+      ceiling = Math.min(ceiling, upper[i] ?? 0);
+      if ((x[i] ?? 0) > middle + width / 2) break;
+    }
+    const height = ceiling - floor;
+    if (points > 0 && height > (best?.height ?? 0)) best = { x: middle, y: (floor + ceiling) / 2, height };
+  }
+  return best;
 };

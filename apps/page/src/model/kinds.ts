@@ -1,6 +1,6 @@
 // What a row of a checked series belongs to: the machine heats or cools, or, of recordings, the direction.
 import type { Checked, Num } from "../report";
-import { curve_colour, colours } from "../drawing/theme";
+import { colours, curve_colour } from "../drawing/theme";
 import { t } from "../texts/texts";
 
 export interface Kind {
@@ -79,9 +79,9 @@ export interface Kinds {
 
 // Kinds as places in all_kinds, to those that occur.
 const occurring = (places: Uint8Array): Kinds => {
-  const seen = [...new Set(places)].sort();
-  const kinds = seen.map((place) => all_kinds[place] ?? unknown);
-  return { kinds, of_row: places.map((place) => seen.indexOf(place)) };
+  const present = [...new Set(places)].sort();
+  const kinds = present.map((place) => all_kinds[place] ?? unknown);
+  return { kinds, of_row: places.map((place) => present.indexOf(place)) };
 };
 
 const by_regime = ({ series }: Checked): Uint8Array => {

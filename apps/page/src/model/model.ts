@@ -1,17 +1,16 @@
 // A fitted model, target by target: what it leaves and where, what each effect adds, and how each answers.
-import { against_choice } from "./against_axes";
+import { against_choice, residual_against_picture } from "./residual_against_picture";
 import { contributions_picture } from "./contributions_picture";
 import { model_fit_picture } from "./model_fit_picture";
 import { parameter_table, sigma_notes, step_table, where_table, worst_first } from "./model_tables";
 import type { Next, Picture, Section, TextTable } from "../picture";
-import { command_of, data_files } from "../drawing/command";
-import { residual_against_picture } from "./residual_against_picture";
+import { command_of, data_files, model_options } from "../drawing/command";
 import type { Checked, Report } from "../report";
 import { steps_picture } from "./steps_picture";
 import { strands_of } from "../drawing/strands";
 import { plain, slug } from "../drawing/text";
 import { shown } from "../drawing/theme";
-import { english, language, t, type Said } from "../texts/texts";
+import { english, language, type Sentence, t } from "../texts/texts";
 
 // A row of the table of misfits chooses the axis that it speaks of.
 const choose_axis = (checked: Checked, picture: string): TextTable["choose"] => {
@@ -29,7 +28,7 @@ const result_of = ({ rmse_um, floor_um, parameters }: Checked): string => {
 };
 
 // In English the program's own sentence.
-export const verdict_of = (checked: Checked): Said => {
+export const verdict_of = (checked: Checked): Sentence => {
   const { rmse_um, floor_um, sentences } = checked;
   if (language === "en") return english(sentences[0] ?? result_of(checked));
   const times = rmse_um !== null && floor_um ? shown(rmse_um / floor_um, 1) : "";
@@ -37,13 +36,11 @@ export const verdict_of = (checked: Checked): Said => {
 };
 
 const diagnose_next = (report: Report, { target }: Checked): Next => {
-  const model = report.files.find((file) => file.endsWith(".toml") && file !== "session.toml");
   return {
     label: t.model_find,
-    text: "",
     command: report.machine_errors
-      ? command_of("errors", data_files(report), model ? ["--model", model] : [])
-      : command_of("diagnose", data_files(report), [...(model ? ["--model", model] : []), "--target", target]),
+      ? command_of("errors", data_files(report), model_options(report))
+      : command_of("diagnose", data_files(report), [...model_options(report), "--target", target]),
   };
 };
 
@@ -66,7 +63,7 @@ const section_of = (report: Report, checked: Checked, id: string): Section => {
       picture: `${id}-fit`,
       kind: t.model_target,
       label: plain(checked.target, 60),
-      told: () => ({ verdict: verdict_of(checked), concluded: checked.sentences[0], next: diagnose_next(report, checked) }),
+      conclusion: () => ({ verdict: verdict_of(checked), concluded: checked.sentences[0], next: diagnose_next(report, checked) }),
     },
     sentences: [...checked.sentences, checked.floor_text, ...checked.remarks]
       .filter((sentence) => sentence !== "")

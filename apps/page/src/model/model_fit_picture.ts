@@ -1,47 +1,26 @@
 // What was measured, what the model says, and below what is left: over time, or for recordings over the angle.
-import { curve, type Point } from "../drawing/curve";
-import { decimated, first_at } from "../drawing/decimate";
-import { hover_text } from "../drawing/hover";
+import { curve, type Dash, type Point } from "../drawing/curve";
+import { decimated, first_at } from "../drawing/columns";
+import { curves_base } from "../drawing/hover";
 import type { Numbers, Picture, State, Toggle } from "../picture";
-import { chosen_strands, recording_choice } from "../recordings/recording_names";
-import { regime_bands, regime_toggles } from "./regime_bands";
+import { chosen_strands, recording_choice } from "../recordings/recording_groups";
 import type { Checked, Num, Report } from "../report";
-import { points_of, type Strand } from "../drawing/strands";
-import { base, colours, curve_colour, legend, minutes, shown, tooltip } from "../drawing/theme";
-import { time_limits, two_grids, x_axis } from "../drawing/two_grids";
+import { place_text, points_of, type Strand, strand_numbers } from "../drawing/strands";
+import { colours, curve_colour, minutes, regime_colour, toggle } from "../drawing/theme";
+import { time_limits, two_grids, x_axis } from "../drawing/axes";
 import { angle_limits } from "../recordings/unrolled_picture";
-import { ways_of, type Way } from "./ways";
-import { t } from "../texts/texts";
+import { named, t } from "../texts/texts";
+import { plain } from "../drawing/text";
 
 const kMost_bars = 400; // error bars drawn, beyond them they are a blur
 
 const toggles_of = (checked: Checked, ways: readonly Way[]): Toggle[] => [
-  ...ways.map(({ suffix, measured }): Toggle => ({
-    key: `measured${suffix}`,
-    label: `${t.measured}${suffix}`,
-    colour: (dark) => curve_colour(measured, dark),
-    mark: "dot",
-    on: true,
-  })),
-  { key: "model", label: t.model, colour: (dark) => curve_colour(1, dark), mark: "line", on: true },
-  ...ways.map(({ suffix, residual, dash }): Toggle => ({
-    key: `residual${suffix}`,
-    label: `${t.residual}${suffix}`,
-    colour: (dark) => curve_colour(residual, dark),
-    mark: dash === "solid" ? "line" : "dashed",
-    on: true,
-  })),
-  ...(checked.floor_um === null
-    ? []
-    : [
-        {
-          key: "floor",
-          label: t.model_floor_band,
-          colour: (dark: boolean) => colours(dark).faint,
-          mark: "dashed",
-          on: true,
-        } as const,
-      ]),
+  ...ways.map(({ suffix, measured }) => toggle(`measured${suffix}`, `${t.measured}${suffix}`, measured, "dot")),
+  toggle("model", t.model, 1, "line"),
+  ...ways.map(({ suffix, residual, dash }) =>
+    toggle(`residual${suffix}`, `${t.residual}${suffix}`, residual, dash === "solid" ? "line" : "dashed"),
+  ),
+  ...(checked.floor_um === null ? [] : [toggle("floor", t.model_floor_band, (dark) => colours(dark).faint, "dashed")]),
   ...regime_toggles(checked.series.regimes),
 ];
 
@@ -82,20 +61,20 @@ export const model_fit_picture = (
 
   const draw = (state: State): Record<string, unknown> => {
     const { look, window, hidden } = state;
-    const seen = chosen_strands(strands, state.chosen);
+    const shown_strands = chosen_strands(strands, state.chosen);
     const c = colours(look.dark);
     const colour = (k: number): string => curve_colour(k, look.dark);
-    const all = over_angle ? angle_limits(seen.flatMap((strand) => strand.x)) : time_limits(seen[0]?.x ?? []);
+    const all = over_angle ? angle_limits(shown_strands.flatMap((strand) => strand.x)) : time_limits(shown_strands[0]?.x ?? []);
     const grids = two_grids(
       look,
       x_axis(look, over_angle ? t.angle_axis : t.time_axis, window, all),
       t.deviation_axis,
       t.residual_axis,
     );
-    const width = grids.width_px / Math.max(1, seen.length);
+    const width = grids.width_px / Math.max(1, shown_strands.length);
     const below = { xAxisIndex: 1, yAxisIndex: 1 };
     const drawn: Record<string, unknown>[] = [];
-    const ways = ways_of(checked, seen);
+    const ways = ways_of(checked, shown_strands);
     for (const way of ways) {
       // The rows of a drift are in order as they are; there may be very many.
       const points = (values: readonly Num[]): [number, Num][] =>
@@ -148,10 +127,10 @@ export const model_fit_picture = (
     const floor = hidden.has("floor") ? null : checked.floor_um;
     const marks = [
       line_at(0, "solid", c.faint, ""),
-      ...(floor === null ? [] : [line_at(floor, "dashed", c.ink, t.model_floor), line_at(-floor, "dashed", c.ink, "")]),
+      ...(floor === null ? [] : [line_at(floor, "dashed", c.ink, t.floor), line_at(-floor, "dashed", c.ink, "")]),
     ];
     // Its points, which are not drawn, keep the floor within the axis.
-    const start = window?.[0] ?? seen[0]?.x[0] ?? 0;
+    const start = window?.[0] ?? shown_strands[0]?.x[0] ?? 0;
     const reach: Point[] =
       floor === null
         ? []
@@ -166,45 +145,19 @@ export const model_fit_picture = (
       markLine: { silent: true, symbol: "none", data: marks },
     });
     return {
-      ...base(look),
+      ...curves_base(state, toggles_of(checked, ways), { drawn, head: place_text(checked, 2), unit: "µm" }),
       ...grids.drawn,
-      legend: legend(state, toggles_of(checked, ways)),
-      tooltip: {
-        ...tooltip(look),
-        trigger: "axis",
-        formatter: hover_text({
-          drawn,
-          x: 0,
-          y: 1,
-          head: (at) => (over_angle ? `${shown(at, 2)}°` : `${shown(at, 2)} min`),
-          unit: "µm",
-        }),
-      },
       series: [...regime_bands(series.regimes, hidden, look.dark, 2), lines, ...drawn],
     };
   };
 
-  const numbers = (state: State): Numbers => {
-    const seen = chosen_strands(strands, state.chosen);
-    const one = seen.length === 1 && seen[0]?.rows.length === series.time_s.length && !over_angle;
-    const rows = one ? [] : seen.flatMap((strand) => strand.rows);
-    const column = (values: readonly Num[]): readonly Num[] => (one ? values : rows.map((i) => values[i] ?? null));
-    return {
-      columns: [
-        {
-          name: over_angle ? "angle_deg" : "time_min",
-          values: one ? (seen[0]?.x ?? []) : seen.flatMap((strand) => strand.x),
-        },
-        ...(over_angle
-          ? [{ name: "recording", values: seen.flatMap(({ rows: of, recording }) => of.map(() => recording)) }]
-          : []),
-        { name: "measured_um", values: column(series.measured_um) },
-        ...(series.sigma_um ? [{ name: "sigma_um", values: column(series.sigma_um) }] : []),
-        { name: "model_um", values: column(series.predicted_um) },
-        { name: "residual_um", values: column(series.residual_um) },
-      ],
-    };
-  };
+  const numbers = ({ chosen }: State): Numbers =>
+    strand_numbers(checked, chosen_strands(strands, chosen), [
+      { name: "measured_um", values: series.measured_um },
+      ...(series.sigma_um ? [{ name: "sigma_um", values: series.sigma_um }] : []),
+      { name: "model_um", values: series.predicted_um },
+      { name: "residual_um", values: series.residual_um },
+    ]);
 
   return {
     name,
@@ -222,4 +175,70 @@ export const model_fit_picture = (
     draw,
     numbers,
   };
+};
+
+// Regimes of the speed as shades behind curves over time.
+
+type Regimes = Checked["series"]["regimes"];
+
+export const regime_names = (regimes: Regimes): string[] => [...new Set(regimes.map(({ regime }) => regime))];
+
+// A small mark in a legend needs more than a shade.
+const stronger = (regime: string, dark: boolean, alpha: number): string =>
+  regime_colour(regime, dark).replace(/[\d.]+\)$/, `${alpha})`);
+
+export const regime_toggles = (regimes: Regimes): Toggle[] =>
+  regime_names(regimes).map((regime) =>
+    toggle(`regime ${regime}`, plain(named(t.regimes, regime), 40), (dark) => stronger(regime, dark, 1), "band"),
+  );
+
+// One series a regime, in each grid; without points, so that only its shade is seen.
+export const regime_bands = (
+  regimes: Regimes,
+  hidden: ReadonlySet<string>,
+  dark: boolean,
+  grids: number,
+): Record<string, unknown>[] =>
+  regime_names(regimes)
+    .filter((regime) => !hidden.has(`regime ${regime}`))
+    .flatMap((regime) =>
+      Array.from({ length: grids }, (_, grid) => ({
+        type: "line",
+        name: plain(named(t.regimes, regime), 40),
+        data: [],
+        silent: true,
+        xAxisIndex: grid,
+        yAxisIndex: grid,
+        itemStyle: { color: stronger(regime, dark, 0.4) },
+        markArea: {
+          silent: true,
+          itemStyle: { color: regime_colour(regime, dark) },
+          data: regimes
+            .filter((one) => one.regime === regime)
+            .map((one) => [{ xAxis: minutes(one.from_s) }, { xAxis: minutes(one.to_s) }]),
+        },
+      })),
+    );
+
+// The directions of checked recordings, each with a look of its own.
+
+// Strands that look the same: all of a drift, or those of one direction.
+export interface Way {
+  suffix: string; // of names and keys
+  strands: Strand[];
+  measured: number; // colour
+  residual: number;
+  symbol: string;
+  dash: Dash;
+}
+
+export const ways_of = (checked: Checked, strands: readonly Strand[]): Way[] => {
+  const direction = checked.series.inputs.find((column) => column.name === "direction")?.values ?? [];
+  const clockwise = (strand: Strand): boolean => (direction[strand.rows[0] ?? 0] ?? 1) < 0;
+  const one = { suffix: "", measured: 0, residual: 2, symbol: "circle", dash: "solid" as const };
+  if (!strands.some(clockwise) || strands.every(clockwise)) return [{ ...one, strands: [...strands] }];
+  return [
+    { ...one, suffix: ", CCW", strands: strands.filter((strand) => !clockwise(strand)) },
+    { suffix: ", CW", measured: 4, residual: 3, symbol: "triangle", dash: [7, 2], strands: strands.filter(clockwise) },
+  ];
 };

@@ -1,10 +1,8 @@
 // Where a model fails, its parameters, and what its effects answer to a step.
 import type { Section, TextTable } from "../picture";
 import type { Checked, Parameter, Report } from "../report";
-import { plain } from "../drawing/text";
-import { minutes, shown } from "../drawing/theme";
-import { unit_shown } from "../drawing/units";
-import { decimals_for, with_sigma } from "../drawing/with_sigma";
+import { plain, unit_shown } from "../drawing/text";
+import { decimals_for, minutes, shown, with_sigma } from "../drawing/theme";
 import { named, t, with_decimal_sign } from "../texts/texts";
 import { typed_name } from "../machine_errors/error_names";
 

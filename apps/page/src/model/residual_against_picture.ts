@@ -1,18 +1,77 @@
+// What a residual can be drawn against: the time, every column of the data that varies, and what the model says.
+import { worst_first } from "./model_tables";
+import type { Checked, Num, Report } from "../report";
+import { plain, split_name, unit_shown, words } from "../drawing/text";
+import { axis, base, colours, legend, minutes, shown, toggle, tooltip } from "../drawing/theme";
+import { t } from "../texts/texts";
+import { extent, kFewest_in_bin, running_quartiles, subsampled_rows } from "../drawing/columns";
+import { curve, zero_line } from "../drawing/curve";
+import { type Kinds, kinds_of } from "./kinds";
+import type { Numbers, Picture, State, Toggle } from "../picture";
+import { chosen_strands, recording_choice } from "../recordings/recording_groups";
+import type { Strand } from "../drawing/strands";
+import { x_axis } from "../drawing/axes";
+
+export interface AgainstAxis {
+  value: string; // of the choice
+  label: string;
+  column: string; // name, as in the numbers
+  name: string; // of the axis, with its unit
+  unit: string;
+  values: readonly Num[];
+}
+
+const varies = (values: readonly Num[]): boolean => {
+  const first = values.find((value) => value !== null);
+  return values.some((value) => value !== null && value !== first);
+};
+
+const axes_of = (checked: Checked): AgainstAxis[] => {
+  const { series } = checked;
+  const in_s = checked.level === "recording";
+  const time = in_s ? series.time_s : series.time_s.map(minutes);
+  const unit = in_s ? "s" : "min";
+  const columns = series.inputs
+    .filter((column) => varies(column.values))
+    .map((column, k): AgainstAxis => {
+      const { quantity } = split_name(column.name);
+      const written = unit_shown(plain(column.unit, 16));
+      const name = plain(words(quantity), 60);
+      return {
+        value: `input${k}`,
+        label: name,
+        column: column.name,
+        name: written ? t.model_in_unit({ name, unit: written }) : name,
+        unit: written,
+        values: column.values,
+      };
+    });
+  return [
+    { value: "time", label: t.model_time, column: "time", name: t.model_time_in({ unit }), unit, values: time },
+    ...columns,
+    {
+      value: "model",
+      label: t.model_says,
+      column: "model_um",
+      name: t.model_axis,
+      unit: "µm",
+      values: series.predicted_um,
+    },
+  ];
+};
+
+// At first the axis along which the model fails most.
+export const against_choice = (checked: Checked): { values: AgainstAxis[]; initial: string } => {
+  const values = axes_of(checked);
+  const worst = worst_first(checked.where).map(({ what }) =>
+    values.find(({ column, value }) => column === what && value !== "time"),
+  );
+  const usual = values.find(({ column }) => column === "angle_deg") ?? values.find(({ unit }) => unit === "°C");
+  return { values, initial: (worst.find((one) => one) ?? usual ?? values[0])?.value ?? "time" };
+};
+
 // What the model leaves against anything that the data have: a trend says that the model lacks it, or has it wrong; two
 // branches, heating and cooling, say that it comes or goes at another pace.
-import { against_choice, type AgainstAxis } from "./against_axes";
-import { curve, zero_line } from "../drawing/curve";
-import { kinds_of, type Kinds } from "./kinds";
-import type { Numbers, Picture, State, Toggle } from "../picture";
-import { chosen_strands, recording_choice } from "../recordings/recording_names";
-import { kFewest_in_bin, running_quartiles } from "../drawing/running_quartiles";
-import type { Checked, Num, Report } from "../report";
-import type { Strand } from "../drawing/strands";
-import { plain } from "../drawing/text";
-import { axis, base, colours, legend, minutes, shown, tooltip } from "../drawing/theme";
-import { subsampled_rows } from "../drawing/subsampled_rows";
-import { x_axis } from "../drawing/two_grids";
-import { t } from "../texts/texts";
 
 const kMost_points = 4000;
 const kMost_of_trend = 50000;
@@ -23,24 +82,18 @@ const kFewest_bins = 3; // that make a trend
 // Few values, as a speed has: marks that would hide each other stand side by side, by kind and then by row.
 const kFew_values = 12;
 const few_values = (values: readonly Num[], rows: readonly number[]): boolean => {
-  const seen = new Set<Num>();
-  for (const row of rows) if (seen.add(values[row] ?? null).size > kFew_values) return false;
-  return rows.length > 2 * seen.size;
+  const different = new Set<Num>();
+  for (const row of rows) if (different.add(values[row] ?? null).size > kFew_values) return false;
+  return rows.length > 2 * different.size;
 };
-const beside_px = (row: number, kind: number, kinds: number): [number, number] => [
+const offset_px = (row: number, kind: number, kinds: number): [number, number] => [
   14 * (kind - (kinds - 1) / 2) + ((row * 7919) % 11) - 5,
   0,
 ];
 
 // So that no mark is cut in half at the edge.
 const room_around = (rows: readonly number[], values: readonly Num[]): Record<string, unknown> => {
-  let least = Infinity;
-  let largest = -Infinity;
-  for (const row of rows) {
-    const value = values[row] ?? least;
-    if (value < least) least = value;
-    if (value > largest) largest = value;
-  }
+  const [least, largest] = extent([rows.map((row) => values[row])]);
   const room = 0.04 * (largest - least);
   return room > 0 && Number.isFinite(room) ? { min: least - room, max: largest + room } : {};
 };
@@ -63,15 +116,9 @@ export const residual_against_picture = (
     return kinds;
   };
   const enough_for_trend = series.time_s.length >= kFewest_bins * kFewest_in_bin;
-  const trend: Toggle = { key: "trend", label: t.model_trend, colour: (dark) => colours(dark).ink, mark: "line", on: true };
+  const trend = toggle("trend", t.model_trend, (dark) => colours(dark).ink, "line");
   const toggles = (chosen: State["chosen"]): Toggle[] => [
-    ...kinds_for(axis_of(chosen)).kinds.map((kind): Toggle => ({
-      key: kind.key,
-      label: kind.name(),
-      colour: kind.colour,
-      mark: "dot",
-      on: true,
-    })),
+    ...kinds_for(axis_of(chosen)).kinds.map(({ key, name, colour }) => toggle(key, name(), colour, "dot")),
     ...(enough_for_trend ? [trend] : []),
   ];
   const rows_of = ({ chosen, window }: Pick<State, "chosen" | "window">, x: readonly Num[]): number[] => {
@@ -111,7 +158,7 @@ export const residual_against_picture = (
                 .filter((row) => of_row[row] === k)
                 .map((row) => {
                   const value = [against.values[row] ?? null, series.residual_um[row] ?? null, row];
-                  return side_by_side ? { value, symbolOffset: beside_px(row, k, kinds.length) } : value;
+                  return side_by_side ? { value, symbolOffset: offset_px(row, k, kinds.length) } : value;
                 }),
               z: 2,
             },
@@ -158,8 +205,8 @@ export const residual_against_picture = (
       ];
     };
     const on = kinds.map((_, k) => k).filter((k) => !hidden.has(kinds[k]?.key ?? ""));
-    const apart = checked.level === "recording" ? on.map((k) => [k]) : [on];
-    const trend = hidden.has("trend") ? [] : apart.flatMap((places) => trend_of(places, places.join(), c.ink));
+    const groups = checked.level === "recording" ? on.map((k) => [k]) : [on];
+    const trend = hidden.has("trend") ? [] : groups.flatMap((places) => trend_of(places, places.join(), c.ink));
     const zero = { type: "line", name: "", data: [], silent: true, markLine: zero_line(look) };
     const row_text = (row: number): string =>
       checked.level === "recording" ? "" : `\n${t.model_at_min({ minutes: shown(minutes(series.time_s[row] ?? 0), 1) })}`;

@@ -1,13 +1,12 @@
 // What each effect answers to a step of its input: how much, and how fast.
 import { curve } from "../drawing/curve";
-import { decimated } from "../drawing/decimate";
-import { hover_text } from "../drawing/hover";
-import type { Picture, Toggle } from "../picture";
+import { decimated } from "../drawing/columns";
+import { curves_base } from "../drawing/hover";
+import type { Picture } from "../picture";
 import type { Checked, Num } from "../report";
-import { plain } from "../drawing/text";
-import { axis, base, colours, curve_colour, dashes, digits, legend, minutes, shown, tooltip } from "../drawing/theme";
-import { unit_shown } from "../drawing/units";
-import { x_axis } from "../drawing/two_grids";
+import { labels_once, plain, unit_shown } from "../drawing/text";
+import { axis, colours, curve_colour, dashes, digits, mark_of, minutes, shown, toggle } from "../drawing/theme";
+import { x_axis } from "../drawing/axes";
 import { t } from "../texts/texts";
 
 type Step = Checked["steps"][number];
@@ -16,22 +15,14 @@ const name_of = (step: Step, number: (value: Num) => string): string =>
   `${plain(step.effect, 50)}: ${plain(step.input, 40)} ${number(step.from)} → ${number(step.to)} ${unit_shown(plain(step.unit, 20))}`;
 
 // One of a name twice, as two steps in time, would be one in the legend.
-const names_of = (steps: readonly Step[], number: (value: Num) => string): string[] => {
-  const names = steps.map((step) => name_of(step, number));
-  return names.map((name, k) => (names.indexOf(name) === k ? name : `${name} (${k + 1})`));
-};
+const names_of = (steps: readonly Step[], number: (value: Num) => string): string[] =>
+  labels_once(steps.map((step) => name_of(step, number)));
 
 export const steps_picture = (checked: Checked, name: string): Picture => {
   const { steps } = checked;
   const names = names_of(steps, shown);
   const names_in_files = names_of(steps, digits);
-  const toggles = steps.map((_, k): Toggle => ({
-    key: `step${k}`,
-    label: names[k] ?? "",
-    colour: (dark) => curve_colour(k, dark),
-    mark: k % dashes.length === 0 ? "line" : k % dashes.length === 2 ? "dotted" : "dashed",
-    on: true,
-  }));
+  const toggles = steps.map((_, k) => toggle(`step${k}`, names[k] ?? "", k, mark_of(k)));
   const times = steps.map((step) => step.time_s.map(minutes));
   return {
     name,
@@ -40,7 +31,6 @@ export const steps_picture = (checked: Checked, name: string): Picture => {
     about: t.model_steps_about,
     height_px: 360,
     zoom: "own",
-    choices: [],
     toggles: () => toggles,
     draw: (state) => {
       const { look, window } = state;
@@ -64,16 +54,10 @@ export const steps_picture = (checked: Checked, name: string): Picture => {
         },
       };
       return {
-        ...base(look),
+        ...curves_base(state, toggles, { drawn, head: (at) => `${shown(at, 1)} min`, unit: "µm" }),
         grid: { left: 64, right: 20, top: look.still ? 64 : 14, bottom: 48 },
         xAxis: x_axis(look, t.model_steps_axis, window, { min: "dataMin", max: "dataMax" }),
         yAxis: axis(look, t.model_added_axis, "y"),
-        legend: legend(state, toggles),
-        tooltip: {
-          ...tooltip(look),
-          trigger: "axis",
-          formatter: hover_text({ drawn, x: 0, y: 1, head: (at) => `${shown(at, 1)} min`, unit: "µm" }),
-        },
         series: [...drawn, moment],
       };
     },

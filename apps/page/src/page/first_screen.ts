@@ -1,13 +1,12 @@
 // The first screen: the verdict in one sentence, a button with what to do next, and the picture that proves it. Of several
 // of a kind, as targets, that with most to say, and a choice for the others.
-import { element, text_in } from "../elements/elements";
+import { element, select_of, text_in } from "../elements/elements";
 import type { Figure } from "../figure/figure";
 import { folded } from "./folded";
-import { next_step } from "./next_step";
-import type { First } from "../picture";
+import type { First, Next } from "../picture";
 import type { Shared } from "./shared";
 import { clamped, first_sentence } from "../drawing/text";
-import { english, said_text, t } from "../texts/texts";
+import { english, sentence_text, t } from "../texts/texts";
 
 export interface Proved {
   first: First;
@@ -16,39 +15,38 @@ export interface Proved {
 }
 
 // The rest of what the program concludes; the verdict itself may be told with its target before it.
-const rest_of = (summary: readonly string[], told: string): HTMLElement[] => {
-  const rest = summary.filter((one) => one !== told && !one.endsWith(`: ${told}`));
+const rest_of = (summary: readonly string[], concluded: string): HTMLElement[] => {
+  const rest = summary.filter((one) => one !== concluded && !one.endsWith(`: ${concluded}`));
   if (rest.length === 0) return [];
   const head = rest.length === 1 ? t.page_one_more : t.page_more({ n: rest.length });
   return [folded("summary", [head], rest.map((text) => text_in("p", english(text))))];
 };
 
-const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: HTMLElement; told: () => string } => {
+const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: HTMLElement; concluded: () => string } => {
   const verdict = element("div", { class: "verdict" });
   const next = next_step(shared);
   let shown = "";
-  let told = "";
+  let concluded = "";
   figure.watch(({ chosen }) => {
-    const now = first.told(chosen);
-    const said = said_text(now.verdict);
-    const sentence = first_sentence(said);
-    if (said !== shown) verdict.replaceChildren(text_in("p", typeof now.verdict === "string" ? sentence : english(sentence)));
-    shown = said;
-    told = now.concluded ?? said;
+    const now = first.conclusion(chosen);
+    const text = sentence_text(now.verdict);
+    const sentence = first_sentence(text);
+    if (text !== shown) verdict.replaceChildren(text_in("p", typeof now.verdict === "string" ? sentence : english(sentence)));
+    shown = text;
+    concluded = now.concluded ?? text;
     next.show(now.next);
   });
   return {
     element: element("div", { class: "panel" }, element("div", { class: "conclusion" }, verdict, next.element), ...proof),
-    told: () => told,
+    concluded: () => concluded,
   };
 };
 
 const chooser = (all: readonly Proved[], panels: readonly HTMLElement[]): HTMLElement[] => {
   if (all.length < 2) return [];
-  const select = element("select");
-  all.forEach(({ first }, k) => select.add(new Option(clamped(first.label, 80), String(k))));
-  select.addEventListener("change", () => panels.forEach((one, k) => (one.hidden = select.value !== String(k))));
-  return [element("label", { class: "choice" }, element("span", {}, all[0]?.first.kind ?? ""), select)];
+  const labels = all.map(({ first }, k) => [String(k), clamped(first.label ?? "", 80)] as const);
+  const show = (value: string): void => panels.forEach((one, k) => (one.hidden = value !== String(k)));
+  return [select_of(all[0]?.first.kind ?? "", labels, show).label];
 };
 
 export const first_screen = (proved: readonly Proved[], summary: readonly string[], shared: Shared): HTMLElement[] => {
@@ -68,7 +66,69 @@ export const first_screen = (proved: readonly Proved[], summary: readonly string
       { class: wide ? "first wide" : "first", "aria-label": t.page_verdict },
       ...chooser(proved, elements),
       ...elements,
-      ...rest_of(summary, panels[0]?.told() ?? ""),
+      ...rest_of(summary, panels[0]?.concluded() ?? ""),
     ),
   ];
+};
+
+// The button that says what to do next. It copies the command, and says so; where the page itself can do it, it does.
+
+const kMessage_ms = 4000;
+
+const selected = (text: HTMLElement): void => {
+  const range = document.createRange();
+  range.selectNodeContents(text);
+  const selection = getSelection();
+  selection?.removeAllRanges();
+  selection?.addRange(range);
+};
+
+// A page from a file may not be let at the clipboard: then the command is selected, and a key copies it.
+const copied = async (text: HTMLElement): Promise<boolean> => {
+  try {
+    await navigator.clipboard.writeText(text.textContent ?? "");
+    return true;
+  } catch {
+    selected(text);
+    return document.execCommand("copy");
+  }
+};
+
+export interface NextStep {
+  element: HTMLElement;
+  show(next: Next): void;
+}
+
+export const next_step = (shared: Shared): NextStep => {
+  let text: HTMLElement = element("p", { class: "why" });
+  const command = element("code", { class: "command", tabindex: "0" });
+  const message = element("span", { class: "told", role: "status" });
+  const button = element("button", { type: "button", class: "act" });
+  let awaited = 0;
+  const tell = (what: string): void => {
+    clearTimeout(awaited);
+    message.textContent = what;
+    awaited = setTimeout(() => (message.textContent = ""), kMessage_ms);
+  };
+  button.addEventListener("click", () => {
+    const typed = command.textContent ?? "";
+    if (shared.act) shared.act(typed);
+    else
+      void copied(command).then((done) => {
+        tell(done ? t.page_copied : t.page_press_to_copy);
+        button.dataset.copied = String(done);
+      });
+  });
+  const show = ({ label, text: reason = "", command: typed }: Next): void => {
+    const why = text_in("p", reason);
+    why.className = "why";
+    why.hidden = sentence_text(reason) === "";
+    text.replaceWith(why);
+    text = why;
+    command.textContent = typed;
+    button.textContent = label;
+    button.title = shared.act ? typed : t.page_copies;
+  };
+  const made = element("div", { class: "next" }, text, element("div", { class: "do" }, button, command, message));
+  return { element: made, show };
 };

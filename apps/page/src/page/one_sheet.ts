@@ -2,7 +2,7 @@
 // in its picture is the one that is chosen on the page.
 import { button, element } from "../elements/elements";
 import { handover_sheet, kSheet_px } from "../handover/handover";
-import { kErrors_picture } from "../machine_errors/errors_picture";
+import { kErrors_picture } from "../machine_errors/errors_pictures";
 import type { Report } from "../report";
 import type { Shared } from "./shared";
 import { t } from "../texts/texts";

@@ -1,19 +1,17 @@
 // A section of the page, folded: its heading and its result on one line, below them sentences, pictures, tables and
 // lists. What proves its verdict may stand on the first screen instead.
-import { beside_figure, lists_of } from "./beside";
 import { choosing_rows } from "./choosing_rows";
-import { element, text_in } from "../elements/elements";
-import { figure_of, type Figure } from "../figure/figure";
+import { element, table_of, text_in } from "../elements/elements";
+import { type Figure, figure_of } from "../figure/figure";
 import { folded } from "./folded";
-import type { Section, TextTable } from "../picture";
+import type { Companion, List, Section, TextTable } from "../picture";
 import type { Shared } from "./shared";
-import { table_of } from "../elements/table";
 import { micrometres } from "../drawing/text";
 
 const text_table = (table: TextTable, shared: Shared): HTMLElement =>
   table_of(table.choose ? { ...table, row: choosing_rows(table.choose, shared) } : table);
 
-const sentences_of = ({ sentences, command }: Section): HTMLElement[] => {
+const sentences_of = ({ sentences = [], command }: Section): HTMLElement[] => {
   const [first, ...rest] = sentences.map((sentence) => text_in("p", sentence));
   const typed = command ? [element("pre", { class: "command", tabindex: "0" }, command)] : [];
   return [...(first ? [first] : []), ...typed, ...rest];
@@ -26,24 +24,25 @@ interface Parts {
 
 // What follows the sentences.
 const parts_of = (section: Section, proof: string | undefined, shared: Shared): Parts => {
+  const { pictures = [], tables = [] } = section;
   const made: Parts = { proof: [], rest: (section.above ?? []).map((table) => text_table(table, shared)) };
-  const of_none = ({ choose }: TextTable): boolean => !section.pictures.some(({ name }) => name === choose?.picture);
-  for (const picture of section.pictures) {
+  const of_none = ({ choose }: TextTable): boolean => !pictures.some(({ name }) => name === choose?.picture);
+  for (const picture of pictures) {
     const figure = figure_of(picture, shared);
     shared.add(figure);
     const above = picture.name === proof ? made.proof : made.rest;
-    if (section.beside?.picture === picture.name) {
-      const [both, below] = beside_figure(figure, section.beside, (table) => text_table(table, shared));
+    if (section.companion?.picture === picture.name) {
+      const [both, below] = figure_with_notes(figure, section.companion, (table) => text_table(table, shared));
       above.push(both);
       made.rest.push(below);
       continue;
     }
     above.push(figure.element);
     // What is chosen in a table is looked at right above it.
-    const choosing = section.tables.filter(({ choose }) => choose?.picture === picture.name);
+    const choosing = tables.filter(({ choose }) => choose?.picture === picture.name);
     made.rest.push(...choosing.map((table) => text_table(table, shared)));
   }
-  made.rest.push(...section.tables.filter(of_none).map((table) => text_table(table, shared)));
+  made.rest.push(...tables.filter(of_none).map((table) => text_table(table, shared)));
   made.rest.push(...lists_of(section.lists ?? []));
   return made;
 };
@@ -67,4 +66,49 @@ export const section_of = (section: Section, on_first_screen: boolean, shared: S
     folded(section.id, head, [...sentences_of(section), ...parts.rest]),
   );
   return { element: made, proof: parts.proof, figure: proof === undefined ? undefined : shared.figures.get(proof) };
+};
+
+// A picture with what tells of it: a table beside it, the rest below both. Made when a choice is first looked at.
+
+export const lists_of = (lists: readonly List[]): HTMLElement[] =>
+  lists.flatMap(({ title, items }) =>
+    items.length === 0
+      ? []
+      : [element("h3", {}, title), element("ul", {}, ...items.map((item) => text_in("li", item)))],
+  );
+
+export const figure_with_notes = (
+  figure: Figure,
+  { key, notes }: Companion,
+  made_table: (table: TextTable) => HTMLElement,
+): [HTMLElement, HTMLElement] => {
+  const side = element("div");
+  const below = element("div");
+  const made = new Map<string, { side: HTMLElement; below: HTMLElement }>();
+  const make = (chosen: string): { side: HTMLElement; below: HTMLElement } => {
+    const { table, sentences, lists, tables } = notes(chosen);
+    const parts = {
+      side: element("div", {}, made_table(table)),
+      below: element(
+        "div",
+        {},
+        ...sentences.map((sentence) => text_in("p", sentence)),
+        ...lists_of(lists),
+        ...tables.map(made_table),
+      ),
+    };
+    side.append(parts.side);
+    below.append(parts.below);
+    made.set(chosen, parts);
+    return parts;
+  };
+  let shown: string | null = null;
+  figure.watch(({ chosen }) => {
+    const now = chosen[key] ?? "";
+    if (now === shown) return;
+    shown = now;
+    const parts = made.get(now) ?? make(now);
+    for (const other of made.values()) other.side.hidden = other.below.hidden = other !== parts;
+  });
+  return [element("div", { class: "side-by-side" }, figure.element, side), below];
 };

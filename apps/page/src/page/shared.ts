@@ -1,12 +1,13 @@
 // What the figures of a page have in common: light or dark, and the window of those over time.
 import type { Figure } from "../figure/figure";
 import { without_turns } from "../drawing/text";
-import type { PageState } from "../figure/page_state";
+import type { PageState } from "../figure/view";
 import type { Range } from "../picture";
 
 export interface Shared extends PageState {
   readonly figures: ReadonlyMap<string, Figure>;
   add(figure: Figure): void;
+  clear(but?: Figure | null): void; // the page goes on without its figures, or with one of them
   look(dark: boolean): void;
   act?: (command: string) => void; // does what a command says; where it is not there, commands are copied
 }
@@ -35,6 +36,11 @@ export const shared_by_figures = (voice: HTMLElement): Shared => {
     hover_time(x) {
       for (const figure of over_time()) figure.point(x);
     },
+    clear(but) {
+      for (const figure of figures.values()) if (figure !== but) figure.leave();
+      figures.clear();
+      time_window = null;
+    },
     look(dark_now) {
       dark = dark_now;
       for (const figure of figures.values()) figure.redraw();
@@ -45,17 +51,19 @@ export const shared_by_figures = (voice: HTMLElement): Shared => {
   };
 };
 
-// One that stays the same, of whatever the page shows now.
-export const shared_now = (now: () => Shared): Shared => ({
-  get figures() {
-    return now().figures;
-  },
-  dark: () => now().dark(),
-  time_window: () => now().time_window(),
-  time_whole: () => now().time_whole(),
-  add: (figure) => now().add(figure),
-  see_time: (window) => now().see_time(window),
-  hover_time: (x) => now().hover_time(x),
-  look: (dark) => now().look(dark),
-  say: (text) => now().say(text),
-});
+// What a reader chose, zoomed, switched off and unfolded, for when the page is written anew in another language.
+
+const unfolded = "section[id]:has(> details[open])";
+
+// Returns what brings it back, once the new page stands in the place of the old one.
+export const kept_view = (shared: Shared): (() => void) => {
+  const states = [...shared.figures].map(([name, figure]) => ({ name, state: figure.state() }));
+  const ids = [...document.querySelectorAll(unfolded)].map(({ id }) => id);
+  const [window, top] = [shared.time_window(), scrollY];
+  return () => {
+    for (const id of ids) document.getElementById(id)?.querySelector(":scope > details")?.setAttribute("open", "");
+    for (const { name, state } of states) shared.figures.get(name)?.take(state);
+    shared.see_time(window);
+    scrollTo({ top, behavior: "instant" });
+  };
+};

@@ -1,13 +1,12 @@
 // The same figure test after test, over each other: how the circle drifts. Colours run from the first test to the last,
 // lines grow wider, and the first and the last carry their names.
 import { unwrapped_together } from "../drawing/angles";
-import { first_at } from "../drawing/decimate";
+import { extent, first_at } from "../drawing/columns";
 import { kept_readings, picked } from "./recording_curves";
-import type { Choice, State, Toggle } from "../picture";
-import { labels_of, type Group } from "./recording_groups";
+import type { Choice, Numbers, State, Toggle } from "../picture";
+import { type Group, labels_of } from "./recording_groups";
 import type { Num, Recording } from "../report";
-import { sequence_bar, sequence_colour } from "../drawing/sequence_colour";
-import { colours, font, minutes, shown } from "../drawing/theme";
+import { colours, font, minutes, sequence_bar, sequence_colour, shown, toggle } from "../drawing/theme";
 import { t } from "../texts/texts";
 
 export const kStretches = 180; // of a recording, up to four points each
@@ -105,13 +104,7 @@ export const subsampled = (test: Test, stretches = kStretches): Test => {
 export const toggles_of_tests = (tests: readonly Test[]): Toggle[] =>
   tests.length > kMost_toggles
     ? []
-    : tests.map((test) => ({
-        key: test.key,
-        label: test.name,
-        colour: (dark) => sequence_colour(test.place, dark),
-        mark: "line",
-        on: true,
-      }));
+    : tests.map(({ key, name, place }) => toggle(key, name, (dark) => sequence_colour(place, dark), "line"));
 
 export const bar_of_tests = (tests: readonly Test[], state: State, top_px: number): Record<string, unknown>[] => {
   const { dark } = state.look;
@@ -122,11 +115,21 @@ export const bar_of_tests = (tests: readonly Test[], state: State, top_px: numbe
 };
 
 // Largest distance from zero, of those within the radial axis.
-export const extent_of_tests = (tests: readonly Test[]): [number, number] => {
-  let extent: [number, number] = [0, 0];
-  for (const test of tests) {
-    for (const value of test.value_um)
-      if (value !== null) extent = [Math.min(extent[0], value), Math.max(extent[1], value)];
-  }
-  return extent;
-};
+export const extent_of_tests = (tests: readonly Test[]): [number, number] =>
+  extent(tests.map(({ value_um }) => value_um), [0, 0]);
+
+// The readings of many tests in one table: a row a reading, one test after the other.
+
+export const test_numbers = (tests: readonly Test[], quantity: string): Numbers => ({
+  columns: [
+    { name: "angle_deg", values: tests.flatMap((test) => test.angle_deg) },
+    { name: `${quantity || "deviation"}_um`, values: tests.flatMap((test) => test.value_um) },
+    { name: "test", values: tests.flatMap((test) => test.angle_deg.map(() => test.name)) },
+    {
+      name: "test_time_min",
+      values: tests.flatMap(({ angle_deg, recording: { time_s } }) =>
+        angle_deg.map(() => (time_s === null ? null : minutes(time_s))),
+      ),
+    },
+  ],
+});

@@ -1,14 +1,15 @@
 // Recordings with the bar along the spindle: its length over the time of a recording, all tests or one.
 import { kMost_toggles, places_of, times_named } from "./all_tests";
 import { curve, type Point } from "../drawing/curve";
-import { decimated } from "../drawing/decimate";
-import { hover_text } from "../drawing/hover";
+import { decimated } from "../drawing/columns";
+import { curves_base } from "../drawing/hover";
 import type { Numbers, Picture, State, Toggle } from "../picture";
 import { labels_of } from "./recording_groups";
 import type { Num, Recording } from "../report";
-import { sequence_bar, sequence_colour } from "../drawing/sequence_colour";
-import { axis, base, colours, curve_colour, font, legend, minutes, shown, tooltip } from "../drawing/theme";
-import { x_axis } from "../drawing/two_grids";
+import {
+  axis, colours, curve_colour, font, minutes, sequence_bar, sequence_colour, shown, toggle,
+} from "../drawing/theme";
+import { x_axis } from "../drawing/axes";
 import { t } from "../texts/texts";
 
 interface Axial {
@@ -36,20 +37,15 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
       time_s: times.map((time) => time - (times[0] ?? 0)),
     };
   });
-  const seen = (chosen: State["chosen"]): Axial[] => {
+  const shown_recordings = (chosen: State["chosen"]): Axial[] => {
     const one = all[Number(chosen["recording"])];
     return chosen["recording"] && one ? [one] : all;
   };
   const toggles = (chosen: State["chosen"]): Toggle[] => {
-    const shown_now = seen(chosen);
+    const shown_now = shown_recordings(chosen);
     if (shown_now.length > kMost_toggles) return [];
-    return shown_now.map((one) => ({
-      key: one.key,
-      label: one.name,
-      colour: (dark) => (shown_now.length > 1 ? sequence_colour(one.place, dark) : curve_colour(0, dark)),
-      mark: "line",
-      on: true,
-    }));
+    const several = shown_now.length > 1;
+    return shown_now.map(({ key, name, place }) => toggle(key, name, several ? (dark) => sequence_colour(place, dark) : 0, "line"));
   };
   return {
     name: "axial",
@@ -73,7 +69,7 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
     draw: (state) => {
       const { look, window } = state;
       const { dark } = look;
-      const drawn = seen(state.chosen);
+      const drawn = shown_recordings(state.chosen);
       const many = drawn.length > 1;
       const top = (look.still ? 64 : 14) + (many ? 26 : 0);
       const series = drawn
@@ -96,7 +92,7 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
                 ];
           return [
             curve(one.name, colour, "solid", many ? 1 + one.place : 1.4, points),
-            curve(t.recordings_mean, many ? colour : curve_colour(1, dark), "dashed", 1.4, level, {
+            curve(t.figure_mean, many ? colour : curve_colour(1, dark), "dashed", 1.4, level, {
               silent: true,
               tooltip: { show: false },
             }),
@@ -104,23 +100,10 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
         });
       const c = colours(dark);
       return {
-        ...base(look),
+        ...curves_base(state, toggles(state.chosen), { drawn: series, head: (time) => `${shown(time)} s`, unit: "µm", most: 12 }),
         grid: { left: 64, right: 20, top, bottom: 48 },
         xAxis: x_axis(look, t.recordings_time_axis, window),
         yAxis: axis(look, t.deviation_axis, "y"),
-        legend: legend(state, toggles(state.chosen)),
-        tooltip: {
-          ...tooltip(look),
-          trigger: "axis",
-          formatter: hover_text({
-            drawn: series,
-            x: 0,
-            y: 1,
-            head: (time) => `${shown(time)} s`,
-            unit: "µm",
-            most: 12,
-          }),
-        },
         graphic: many
           ? [sequence_bar(all[0]?.name ?? "", all[all.length - 1]?.name ?? "", dark, c.faint, font, top - 28)]
           : [],
@@ -128,7 +111,7 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
       };
     },
     numbers: ({ chosen }): Numbers => {
-      const of = seen(chosen);
+      const of = shown_recordings(chosen);
       return {
         columns: [
           { name: "time_s", values: of.flatMap((one) => one.time_s) },

@@ -1,55 +1,31 @@
 // The picture that every user of a ballbar knows: the deviation, magnified, on a circle.
-import { within_turn } from "../drawing/angles";
-import { centre_mark, extreme_marks } from "./circle_marks";
-import { magnifications, radial_scale } from "./magnification";
-import type { Picture, State, Toggle } from "../picture";
-import { effects_of, fitted_at, kept_readings, measured, picked, recording_numbers } from "./recording_curves";
-import { direction_colour, effect_colour } from "./recording_colours";
-import { chosen_group, group_choice, type Group } from "./recording_groups";
+import { nearest_reading, within_turn } from "../drawing/angles";
+import { extent } from "../drawing/columns";
+import { magnification_choice, type RadialScale, round_curve, round_option, type RoundCurve } from "./round";
+import type { Look, Picture, State, Toggle } from "../picture";
+import {
+  dash_of, direction_colour, effect_colour, effect_toggles, effects_of, fitted_at, kept_readings, measured,
+  recording_numbers, trace_name, trace_toggles,
+} from "./recording_curves";
+import { chosen_group, type Group, group_choice } from "./recording_groups";
 import type { Num, Recording } from "../report";
-import { round_option, type RoundCurve } from "./round";
 import { plain } from "../drawing/text";
-import { colours, curve_colour, dashes, legend } from "../drawing/theme";
+import { colours, curve_colour, dashes, kNarrow_px, shown, toggle } from "../drawing/theme";
 import { t } from "../texts/texts";
+import { curve } from "../drawing/curve";
 
-const kStretches = 720; // of a turn, four points each
-
-const trace_name = (recording: Recording): string => 
-  t.measured_of({ which: recording.direction ?? t.recordings_circle });
+const kStretches = 720; // of a turn, of the fitted circle four times fewer
 
 const toggles_of = (recordings: readonly Recording[], centred: boolean): Toggle[] => [
-  ...recordings.map((recording, k): Toggle => ({
-    key: `trace${k}`,
-    label: trace_name(recording),
-    colour: direction_colour(recording),
-    mark: recording.direction === "CW" ? "dashed" : "line",
-    on: true,
-  })),
-  ...(centred
-    ? []
-    : [
-        {
-          key: "fitted",
-          label: t.recordings_fitted_and_centre,
-          colour: (dark: boolean) => curve_colour(2, dark),
-          mark: "dashed",
-          on: true,
-        } as const,
-      ]),
-  {
-    key: "extremes",
-    label: t.recordings_extremes,
-    colour: (dark) => (recordings.length > 1 ? colours(dark).ink : curve_colour(3, dark)),
-    mark: "dot",
-    on: true,
-  },
-  ...effects_of(recordings).map((effect, k): Toggle => ({
-    key: `effect ${effect}`,
-    label: plain(effect, 60),
-    colour: (dark) => effect_colour(k, dark),
-    mark: "dashed",
-    on: false,
-  })),
+  ...trace_toggles(recordings),
+  ...(centred ? [] : [toggle("fitted", t.recordings_fitted_and_centre, 2, "dashed")]),
+  toggle(
+    "extremes",
+    t.recordings_extremes,
+    (dark) => (recordings.length > 1 ? colours(dark).ink : curve_colour(3, dark)),
+    "dot",
+  ),
+  ...effect_toggles(recordings),
 ];
 
 // Over the readings as `fitted_um` has it, and on around the rest of the turn.
@@ -74,15 +50,6 @@ const curves_of = (recordings: readonly Recording[], state: State, centred: bool
   const on = (key: string): boolean => !state.hidden.has(key);
   const { dark } = state.look;
   return recordings.flatMap((recording, k) => {
-    const angles = recording.trace?.angle_deg ?? [];
-    const drawn = (
-      name: string,
-      values: readonly Num[],
-      style: Pick<RoundCurve, "colour" | "dash" | "width_px">,
-    ): RoundCurve => {
-      const kept = kept_readings(values, kStretches);
-      return { name, angle_deg: picked(angles, kept), value_um: picked(values, kept), ...style };
-    };
     const curves: RoundCurve[] = [];
     if (on("fitted") && !centred) {
       curves.push({
@@ -90,41 +57,36 @@ const curves_of = (recordings: readonly Recording[], state: State, centred: bool
         colour: curve_colour(2, dark),
         dash: "dashed",
         width_px: 1.5,
-        beside: true,
+        no_readings: true,
         ...fitted_curve(recording),
       });
     }
     if (on(`trace${k}`)) {
       const style = {
+        name: trace_name(recording),
         colour: direction_colour(recording)(dark),
-        dash: recording.direction === "CW" ? [7, 2] : "solid",
+        dash: dash_of(recording),
         width_px: 1.6,
       } as const;
-      curves.push(drawn(trace_name(recording), measured(recording, centred), style));
+      curves.push(round_curve(recording, measured(recording, centred), style));
     }
     effects_of(recordings).forEach((effect, e) => {
       const values = recording.trace?.effects.find((one) => one.effect === effect)?.values_um;
       if (!values || !on(`effect ${effect}`)) return;
       const dash = dashes[(1 + e + 2 * k) % dashes.length] ?? "dotted";
-      curves.push(drawn(plain(effect, 60), values, { colour: effect_colour(e, dark), dash, width_px: 2 }));
+      const style = { name: plain(effect, 60), colour: effect_colour(e, dark), dash, width_px: 2 };
+      curves.push(round_curve(recording, values, style));
     });
     return curves;
   });
 };
 
 // Also of what is switched off, so that the scale stays when a curve goes.
-const extent_of = (recordings: readonly Recording[], centred: boolean): [number, number] => {
-  let least = 0;
-  let largest = 0;
-  for (const recording of recordings) {
-    for (const value of [...measured(recording, centred), ...(centred ? [] : fitted_curve(recording).value_um)]) {
-      if (value === null) continue;
-      least = Math.min(least, value);
-      largest = Math.max(largest, value);
-    }
-  }
-  return [least, largest];
-};
+const extent_of = (recordings: readonly Recording[], centred: boolean): [number, number] =>
+  extent(
+    recordings.flatMap((one) => [measured(one, centred), ...(centred ? [] : [fitted_curve(one).value_um])]),
+    [0, 0],
+  );
 
 export const circle_picture = (groups: readonly Group[]): Picture => {
   const chosen_of = (chosen: State["chosen"]): readonly Recording[] => chosen_group(groups, chosen["recording"]);
@@ -146,45 +108,135 @@ export const circle_picture = (groups: readonly Group[]): Picture => {
         ],
         initial: "nominal",
       },
-      {
-        key: "magnification",
-        label: t.recordings_magnification,
-        values: [
-          { value: "", label: t.recordings_automatic },
-          ...magnifications.map((m) => ({ value: String(m), label: t.recordings_times({ times: m }) })),
-        ],
-        initial: "",
-      },
+      magnification_choice(),
     ],
     toggles: ({ chosen }) => toggles_of(chosen_of(chosen), chosen["from"] === "fitted"),
     draw: (state) => {
       const recordings = chosen_of(state.chosen);
       const centred = state.chosen["from"] === "fitted";
-      const curves = curves_of(recordings, state, centred);
-      const nominal_um = (recordings[0]?.nominal_length_mm ?? 100) * 1000;
-      const [least_um, largest_um] = extent_of(recordings, centred);
-      const scale = radial_scale(least_um, largest_um, nominal_um, Number(state.chosen["magnification"]) || null);
       const { dark } = state.look;
       const alone = recordings.length === 1;
-      const marks = recordings.flatMap((recording, k) => [
-        ...(state.hidden.has("fitted") || centred || state.hidden.has(`trace${k}`)
-          ? []
-          : centre_mark(recording, scale, curve_colour(2, dark), state.look)),
-        ...(state.hidden.has("extremes") || state.hidden.has(`trace${k}`)
-          ? []
-          : extreme_marks(
-              recording,
-              centred,
-              alone ? curve_colour(3, dark) : direction_colour(recording)(dark),
-              alone,
-              state.look,
-            )),
-      ]);
-      return {
-        ...round_option(state.look, scale, recordings[0]?.plane, curves, marks),
-        legend: legend(state, toggles_of(recordings, centred)),
-      };
+      const marks = (scale: RadialScale): Record<string, unknown>[] =>
+        recordings.flatMap((recording, k) => [
+          ...(state.hidden.has("fitted") || centred || state.hidden.has(`trace${k}`)
+            ? []
+            : centre_mark(recording, scale, curve_colour(2, dark), state.look)),
+          ...(state.hidden.has("extremes") || state.hidden.has(`trace${k}`)
+            ? []
+            : extreme_marks(
+                recording,
+                centred,
+                alone ? curve_colour(3, dark) : direction_colour(recording)(dark),
+                alone,
+                state.look,
+              )),
+        ]);
+      return round_option(state, {
+        first: recordings[0],
+        extent_um: extent_of(recordings, centred),
+        curves: curves_of(recordings, state, centred),
+        toggles: toggles_of(recordings, centred),
+        marks,
+      });
     },
     numbers: ({ chosen }) => recording_numbers(chosen_of(chosen)),
   };
+};
+
+// Marks on a magnified circle: the way to the fitted centre, the largest and the least radius.
+
+const mark = (name: string, colour: string, more: Record<string, unknown>): Record<string, unknown> => ({
+  type: "scatter",
+  name,
+  coordinateSystem: "polar",
+  itemStyle: { color: colour, opacity: 1 },
+  silent: true,
+  tooltip: { show: false },
+  z: 5,
+  ...more,
+});
+
+const named = (text: string, colour: string, look: Look, position: string): Record<string, unknown> => ({
+  show: true,
+  position,
+  formatter: text,
+  color: colour,
+  fontSize: 11,
+  backgroundColor: colours(look.dark).paper,
+  padding: [1, 3],
+});
+
+// The way from the middle of the nominal circle to the fitted centre, in the magnification of the deviations.
+export const centre_mark = (
+  recording: Recording,
+  scale: RadialScale,
+  colour: string,
+  look: Look,
+): Record<string, unknown>[] => {
+  const { centre_a_um: a, centre_b_um: b } = recording;
+  if (typeof a !== "number" || typeof b !== "number") return [];
+  const end = [scale.middle_um + Math.hypot(a, b), within_turn((Math.atan2(b, a) * 180) / Math.PI)];
+  if ((end[0] ?? 0) > scale.outside_um) return [];
+  const text = t.recordings_centre({ a: shown(a, 1), b: shown(b, 1) });
+  return [
+    curve(t.recordings_fitted_and_centre, colour, "solid", 1.2, [[scale.middle_um, 0], end], {
+      coordinateSystem: "polar",
+      silent: true,
+      tooltip: { show: false },
+      z: 5,
+    }),
+    mark(t.recordings_fitted_and_centre, colour, {
+      symbol: "diamond",
+      symbolSize: 9,
+      data: [{ value: end, label: named(text, colour, look, b > 0 ? "top" : "bottom") }],
+    }),
+  ];
+};
+
+// Beside a mark at this angle, outside the circle or inside.
+const side_of = (at_deg: number, inside: boolean): string => {
+  const across = Math.cos((at_deg * Math.PI) / 180) * (inside ? -1 : 1);
+  const up = Math.sin((at_deg * Math.PI) / 180) * (inside ? -1 : 1);
+  return Math.abs(across) > 0.4 ? (across > 0 ? "right" : "left") : up > 0 ? "top" : "bottom";
+};
+
+export const extreme_marks = (
+  recording: Recording,
+  centred: boolean,
+  colour: string,
+  alone: boolean,
+  look: Look,
+): Record<string, unknown>[] => {
+  const angles = recording.trace?.angle_deg ?? [];
+  const one = (at_deg: Num | undefined, value_um: Num | undefined, least: boolean): Record<string, unknown>[] => {
+    if (typeof at_deg !== "number" || typeof value_um !== "number") return [];
+    const i = nearest_reading(angles, at_deg);
+    const radial = measured(recording, centred)[i];
+    if (radial === undefined || radial === null) return [];
+    const value = `${value_um > 0 ? "+" : ""}${shown(value_um, 2)}`;
+    const text = least ? t.recordings_least({ value }) : t.recordings_largest({ value });
+    const direction = recording.direction ?? "";
+    return [
+      mark(t.recordings_extremes, colour, {
+        symbol: "triangle",
+        symbolRotate: least ? 180 : 0,
+        symbolSize: 10,
+        data: [
+          {
+            value: [radial, within_turn(angles[i] ?? 0)],
+            label: named(
+              look.width_px < kNarrow_px ? value : alone ? text : t.recordings_of_direction({ text, direction }),
+              colour,
+              look,
+              side_of(at_deg, least),
+            ),
+          },
+        ],
+      }),
+    ];
+  };
+  return [
+    ...one(recording.max_at_deg, recording.max_circular_um, false),
+    ...one(recording.min_at_deg, recording.min_circular_um, true),
+  ];
 };

@@ -1,9 +1,12 @@
 // The columns of a recording's trace, as they are drawn and as they are saved.
 import { unwrapped_together } from "../drawing/angles";
-import { decimated } from "../drawing/decimate";
-import type { Numbers } from "../picture";
+import { decimated } from "../drawing/columns";
+import type { Dash } from "../drawing/curve";
+import type { Numbers, Toggle } from "../picture";
 import type { Num, Recording } from "../report";
 import { plain } from "../drawing/text";
+import { curve_colour, toggle } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 // Readings that a curve of this column needs, in their order: all, or of many the first, last and extremes of each
 // stretch. Over the place in the order, because angles do not always rise.
@@ -30,8 +33,8 @@ export const effects_of = (recordings: readonly Recording[]): string[] => [
 export const fitted_at = (recording: Recording, angle_deg: number): Num => {
   const { centre_a_um: a, centre_b_um: b, radius_mm } = recording;
   if (typeof a !== "number" || typeof b !== "number" || typeof radius_mm !== "number") return null;
-  const t = (angle_deg * Math.PI) / 180;
-  return a * Math.cos(t) + b * Math.sin(t) + (radius_mm - recording.nominal_length_mm) * 1000;
+  const angle = (angle_deg * Math.PI) / 180;
+  return a * Math.cos(angle) + b * Math.sin(angle) + (radius_mm - recording.nominal_length_mm) * 1000;
 };
 
 // One table for several recordings, one below the other: a column of its own for each curve of each, so that the
@@ -69,3 +72,27 @@ export const recording_numbers = (recordings: readonly Recording[]): Numbers =>
         ]
       : [],
   );
+
+export const trace_name = ({ direction }: Recording): string => t.measured_of({ which: direction ?? t.recordings_circle });
+
+export const dash_of = ({ direction }: Pick<Recording, "direction">): Dash => (direction === "CW" ? [7, 2] : "solid");
+
+export const trace_toggles = (recordings: readonly Recording[]): Toggle[] =>
+  recordings.map((one, k) =>
+    toggle(`trace${k}`, trace_name(one), direction_colour(one), one.direction === "CW" ? "dashed" : "line"),
+  );
+
+export const effect_toggles = (recordings: readonly Recording[]): Toggle[] =>
+  effects_of(recordings).map((effect, k) =>
+    toggle(`effect ${effect}`, plain(effect, 60), (dark) => effect_colour(k, dark), "dashed", false),
+  );
+
+// Colours of recordings and of what a model adds to them.
+
+export const direction_colour =
+  (recording: Recording) =>
+  (dark: boolean): string =>
+    curve_colour(recording.direction === "CW" ? 1 : 0, dark);
+
+// Of the k-th effect; away from those of the directions.
+export const effect_colour = (k: number, dark: boolean): string => curve_colour([4, 6, 7, 3, 5][k % 5] ?? 4, dark);

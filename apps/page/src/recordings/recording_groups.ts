@@ -1,8 +1,9 @@
 // Which recordings are looked at together.
 import type { Choice } from "../picture";
-import type { FitPart, Recording } from "../report";
+import type { FitPart, Num, Recording, Report } from "../report";
 import { plain } from "../drawing/text";
 import { t } from "../texts/texts";
+import type { Strand } from "../drawing/strands";
 
 export interface Group {
   value: string; // of a choice
@@ -18,7 +19,7 @@ const both = (a: Recording, b: Recording): boolean =>
   a.test === b.test && a.file === b.file && a.plane === b.plane && a.direction !== b.direction;
 
 // Labels from files may be long and may be the same; those of a list must differ.
-const once_each = (labels: readonly string[]): string[] =>
+export const once_each = (labels: readonly string[]): string[] =>
   labels.map((label, k) =>
     labels.indexOf(label) === k && labels.lastIndexOf(label) === k ? label : `${label} (${k + 1})`,
   );
@@ -47,7 +48,7 @@ const name_of_pair = (a: Recording, b: Recording): string => {
   const [name, other] = [a, b].map(({ label }) => plain(label, 60).replace(/[,\s]*(CCW|CW)$/, ""));
   return name === other
     ? t.recordings_both_ways({ name: name ?? "", a: a.direction ?? "", b: b.direction ?? "" })
-    : t.recordings_two({ a: plain(a.label, 60), b: plain(b.label, 60) });
+    : t.a_and_b({ a: plain(a.label, 60), b: plain(b.label, 60) });
 };
 
 // The two directions of a test together first, because their difference shows play and lag; then each recording alone.
@@ -99,3 +100,28 @@ export const group_choice = (groups: readonly Group[], key: string, label: strin
 
 export const chosen_group = (groups: readonly Group[], value: string | undefined): readonly Recording[] =>
   (groups.find((group) => group.value === value) ?? groups[0])?.of ?? [];
+
+// The recordings that a model of recordings was fitted to, by the labels that they have elsewhere on the page.
+
+const kMost_together = 4; // recordings drawn over each other at first
+
+// Recordings are numbered as they were read, from 0; only circles have a model.
+export const recording_name = (report: Report, strands: readonly Strand[], recording: Num): string => {
+  const circles = report.fit?.recordings.filter(is_circle) ?? [];
+  const label = circles.length >= strands.length ? labels_of(circles)[recording ?? -1] : undefined;
+  return label ?? t.recordings_numbered({ number: (recording ?? 0) + 1 });
+};
+
+export const recording_choice = (report: Report, strands: readonly Strand[], together: boolean): Choice[] => {
+  if (strands.length < 2) return [];
+  const each = strands.map(({ recording }) => ({
+    value: String(recording),
+    label: recording_name(report, strands, recording),
+  }));
+  const all = together ? [{ value: "", label: t.recordings_all }] : [];
+  const initial = together && strands.length <= kMost_together ? "" : (each[0]?.value ?? "");
+  return [{ key: "recording", label: t.recording, values: [...all, ...each], initial }];
+};
+
+export const chosen_strands = (strands: readonly Strand[], chosen: Readonly<Record<string, string>>): Strand[] =>
+  strands.filter(({ recording }) => !chosen["recording"] || String(recording) === chosen["recording"]);

@@ -2,10 +2,8 @@
 import type { TextTable } from "../picture";
 import { labels_of } from "./recording_groups";
 import type { FitPart, Num, Recording, Result, StoredAlone } from "../report";
-import { plain } from "../drawing/text";
-import { shown } from "../drawing/theme";
-import { unit_shown } from "../drawing/units";
-import { with_sigma } from "../drawing/with_sigma";
+import { plain, unit_shown } from "../drawing/text";
+import { shown, with_sigma } from "../drawing/theme";
 import { named, t } from "../texts/texts";
 
 const scaled = (value: Num | undefined, by: number): Num => (typeof value === "number" ? value * by : null);
@@ -70,7 +68,7 @@ const table_of = (group: readonly Results[]): TextTable => {
   const labels = full_labels(first);
   const stored = group.some(has_stored);
   const title = of_a_recording(group[0] as Results)
-    ? t.recordings_beside_stored
+    ? t.recordings_and_stored
     : t.recordings_both_directions;
   const names = group.map((results) => plain(results.of, 60));
   if (group.length <= 2) {

@@ -1,6 +1,5 @@
 // The recordings of the ballbar: each on its circle and unrolled, all of a kind over each other, and their results.
-import { all_round_picture } from "./all_round_picture";
-import { all_unrolled_picture } from "./all_unrolled_picture";
+import { all_round_picture, all_unrolled_picture } from "./all_tests_pictures";
 import { axial_picture } from "./axial_picture";
 import { circle_picture } from "./circle_picture";
 import { command_of, data_files } from "../drawing/command";
@@ -28,7 +27,6 @@ const result_of = (recordings: readonly Recording[]): string => {
 
 const next_of = (report: Report): Next => ({
   label: t.recordings_next,
-  text: "",
   command: command_of(report.machine_errors ? "errors" : "diagnose", data_files(report)),
 });
 
@@ -69,9 +67,7 @@ export const recordings_section = (report: Report): Section[] => {
         ? {
             first: {
               picture: first.name,
-              kind: "",
-              label: "",
-              told: () => ({ verdict: capital(result_of(fit.recordings)), next: next_of(report) }),
+              conclusion: () => ({ verdict: capital(result_of(fit.recordings)), next: next_of(report) }),
             },
           }
         : {}),

@@ -1,47 +1,29 @@
 // A recording against the angle: its deviation with the fitted circle, and below what the circle leaves.
 import { unwrapped_together } from "../drawing/angles";
-import { curve, zero_line, type Dash, type Point } from "../drawing/curve";
-import { hover_text } from "../drawing/hover";
+import { extent } from "../drawing/columns";
+import { curve, type Dash, type Point, zero_line } from "../drawing/curve";
+import { curves_base } from "../drawing/hover";
 import type { Picture, State, Toggle } from "../picture";
-import { effects_of, kept_readings, picked, recording_numbers } from "./recording_curves";
-import { direction_colour, effect_colour } from "./recording_colours";
-import { chosen_group, group_choice, type Group } from "./recording_groups";
+import {
+  dash_of, direction_colour, effect_colour, effect_toggles, effects_of, kept_readings, picked, recording_numbers,
+  trace_name, trace_toggles,
+} from "./recording_curves";
+import { chosen_group, type Group, group_choice } from "./recording_groups";
 import type { Num, Recording } from "../report";
 import { plain } from "../drawing/text";
-import { base, colours, curve_colour, dashes, legend, shown, tooltip } from "../drawing/theme";
-import { two_grids, x_axis } from "../drawing/two_grids";
+import { colours, curve_colour, dashes, shown, toggle } from "../drawing/theme";
+import { two_grids, x_axis } from "../drawing/axes";
 import { t } from "../texts/texts";
 
-const dash_of = (recording: Recording): Dash => (recording.direction === "CW" ? [7, 2] : "solid");
-const name_of = (recording: Recording): string => 
-  t.measured_of({ which: recording.direction ?? t.recordings_circle });
-
 const toggles_of = (recordings: readonly Recording[]): Toggle[] => [
-  ...recordings.map((recording, k): Toggle => ({
-    key: `trace${k}`,
-    label: name_of(recording),
-    colour: direction_colour(recording),
-    mark: recording.direction === "CW" ? "dashed" : "line",
-    on: true,
-  })),
-  { key: "fitted", label: t.recordings_fitted_circle, colour: (dark) => curve_colour(2, dark), mark: "dashed", on: true },
-  ...effects_of(recordings).map((effect, k): Toggle => ({
-    key: `effect ${effect}`,
-    label: plain(effect, 60),
-    colour: (dark) => effect_colour(k, dark),
-    mark: "dashed",
-    on: false,
-  })),
+  ...trace_toggles(recordings),
+  toggle("fitted", t.recordings_fitted_circle, 2, "dashed"),
+  ...effect_toggles(recordings),
 ];
 
 // Degrees: a turn in steps that people count in, an arc as it comes.
 export const angle_limits = (angles: readonly number[]): Record<string, unknown> => {
-  let least = Infinity;
-  let largest = -Infinity;
-  for (const angle of angles) {
-    least = Math.min(least, angle);
-    largest = Math.max(largest, angle);
-  }
+  const [least, largest] = extent([angles]);
   if (!(largest - least > 180)) return {};
   return { min: Math.floor(least / 30 + 0.01) * 30, max: Math.ceil(largest / 30 - 0.01) * 30, interval: 30 };
 };
@@ -72,8 +54,8 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
       const angles = unwrapped_together(recordings.map((recording) => recording.trace?.angle_deg ?? []));
       const x = x_axis(look, t.angle_axis, window, angle_limits(angles.flat()));
       const grids = two_grids(look, x, t.deviation_axis, t.residual_axis, 0.4);
-      const seen = window ? Math.max(0.05, (window[1] - window[0]) / 360) : 1;
-      const stretches = grids.width_px / seen;
+      const share = window ? Math.max(0.05, (window[1] - window[0]) / 360) : 1;
+      const stretches = grids.width_px / share;
       const below = { xAxisIndex: 1, yAxisIndex: 1 };
       const c = colours(look.dark);
       const series = recordings.flatMap((recording, k) => {
@@ -92,8 +74,8 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
         return [
           ...(on(`trace${k}`)
             ? [
-                line(name_of(recording), trace.deviation_um, colour, dash_of(recording), 1.4),
-                line(name_of(recording), trace.residual_um, colour, dash_of(recording), 1.2, {
+                line(trace_name(recording), trace.deviation_um, colour, dash_of(recording), 1.4),
+                line(trace_name(recording), trace.residual_um, colour, dash_of(recording), 1.2, {
                   ...below,
                   hover_name: t.residual_of({ which: recording.direction ?? t.recordings_circle }),
                 }),
@@ -129,14 +111,8 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
       });
       const zero = curve("", c.faint, "solid", 0, [], { ...below, silent: true, markLine: zero_line(look) });
       return {
-        ...base(look),
+        ...curves_base(state, toggles_of(recordings), { drawn: series, head: (angle) => `${shown(angle, 2)}°`, unit: "µm" }),
         ...grids.drawn,
-        legend: legend(state, toggles_of(recordings)),
-        tooltip: {
-          ...tooltip(look),
-          trigger: "axis",
-          formatter: hover_text({ drawn: series, x: 0, y: 1, head: (angle) => `${shown(angle, 2)}°`, unit: "µm" }),
-        },
         series: [...series, zero],
       };
     },

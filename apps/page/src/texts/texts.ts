@@ -47,12 +47,12 @@ export interface Quoted {
   readonly before: string;
   readonly english: string;
 }
-export type Said = string | Quoted;
+export type Sentence = string | Quoted;
 
 export const english = (text: string): Quoted => ({ before: "", english: text });
 export const english_after = (before: string, text: string): Quoted => ({ before, english: text });
-export const said_text = (said: Said): string =>
-  typeof said === "string" ? said : [said.before, said.english].filter((part) => part !== "").join(" ");
+export const sentence_text = (sentence: Sentence): string =>
+  typeof sentence === "string" ? sentence : [sentence.before, sentence.english].filter((part) => part !== "").join(" ");
 
 // A name of the program by a glossary of the language; one that it does not have stays as it is.
 export const named = (glossary: Readonly<Record<string, string>>, name: string): string =>

@@ -1,0 +1,188 @@
+// Mouse, pen and fingers on a chart: a drag moves, two fingers or the wheel zoom, a double click shows all, a drag with
+// shift selects a stretch. The wheel alone scrolls the page until the chart has the focus.
+import type { Numbers, Range, State } from "../picture";
+import type { View } from "./view";
+import type { Num } from "../report";
+import { shown } from "../drawing/theme";
+import { split_name, words } from "../drawing/text";
+
+interface Drag {
+  kind: "move" | "select" | "pinch";
+  from_px: number; // where it began, from the left of the box
+  from: number; // the same on the x axis
+  window: Range | null; // then
+  spread_px: number; // two fingers, then
+}
+
+export const listen_to_pointer = (view: View): void => {
+  const { box } = view;
+  const down = new Map<number, number>(); // pointers that are down, from the left of the box
+  let drag: Drag | null = null;
+
+  const x_px = (event: MouseEvent): number => event.clientX - box.getBoundingClientRect().left;
+  const y_px = (event: MouseEvent): number => event.clientY - box.getBoundingClientRect().top;
+  const middle = (): number => [...down.values()].reduce((sum, px) => sum + px, 0) / Math.max(1, down.size);
+  const spread = (): number => Math.max(20, Math.max(...down.values()) - Math.min(...down.values()));
+
+  const begin = (kind: Drag["kind"]): void => {
+    drag = { kind, from_px: middle(), from: view.x_at(middle()), window: view.window(), spread_px: spread() };
+  };
+
+  box.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0 || !view.whole() || !view.in_plot(x_px(event), y_px(event))) return;
+    down.set(event.pointerId, x_px(event));
+    box.setPointerCapture(event.pointerId);
+    if (down.size > 1) begin("pinch");
+    else begin(event.shiftKey || view.selecting() ? "select" : "move");
+  });
+
+  box.addEventListener("pointermove", (event) => {
+    const inside = view.in_plot(x_px(event), y_px(event));
+    const whole = view.whole();
+    if (!whole) return;
+    view.hover(inside ? view.x_at(x_px(event)) : null);
+    if (!drag || !down.has(event.pointerId)) return;
+    down.set(event.pointerId, x_px(event));
+    const [from, to] = drag.window ?? whole;
+    switch (drag.kind) {
+      case "select":
+        if (Math.abs(middle() - drag.from_px) > 2) view.select(ordered(drag.from, view.x_at(middle())), false);
+        break;
+      case "move": {
+        // Per pixel as it was when the drag began, for the axis moves under the pointer.
+        const plot_px = (view.x_at(1) - view.x_at(0)) * (drag.from_px - middle());
+        if (drag.window) view.see(panned(drag.window, whole, plot_px));
+        break;
+      }
+      case "pinch":
+        if (to > from) view.see(zoomed(drag.window, whole, drag.from, spread() / drag.spread_px));
+        break;
+    }
+  });
+
+  const end = (event: PointerEvent): void => {
+    if (!down.has(event.pointerId)) return;
+    if (drag?.kind === "select" && Math.abs(middle() - drag.from_px) > 2) {
+      view.select(ordered(drag.from, view.x_at(middle())), true);
+    }
+    down.delete(event.pointerId);
+    drag = null;
+    if (down.size > 0) begin("move");
+  };
+  box.addEventListener("pointerup", end);
+  box.addEventListener("pointercancel", end);
+  box.addEventListener("pointerleave", () => view.hover(null));
+
+  box.addEventListener("dblclick", () => view.see(null));
+
+  box.addEventListener(
+    "wheel",
+    (event) => {
+      const whole = view.whole();
+      const asked = event.ctrlKey || event.metaKey || document.activeElement === box;
+      if (!whole || !asked || !view.in_plot(x_px(event), y_px(event))) return;
+      // All is seen already: a focused chart gives the wheel back to the page.
+      if (!view.window() && event.deltaY > 0 && !event.ctrlKey && !event.metaKey) return;
+      event.preventDefault();
+      const lines = event.deltaMode === 1 ? 16 : 1;
+      const factor = Math.exp(-Math.max(-200, Math.min(200, event.deltaY * lines)) * 0.003);
+      view.see(zoomed(view.window(), whole, view.x_at(x_px(event)), factor));
+    },
+    { passive: false },
+  );
+};
+
+// Keys on a focused chart. What they do is said in the hint below it.
+
+export const listen_to_keys = (view: View, step: (by: number) => void): void => {
+  view.box.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey) return;
+    if (act(event.key, event.altKey)) event.preventDefault();
+  });
+
+  const act = (key: string, alt: boolean): boolean => {
+    if (key === "," || (alt && key === "ArrowLeft")) return (step(-1), true);
+    if (key === "." || (alt && key === "ArrowRight")) return (step(1), true);
+    const whole = view.whole();
+    if (!whole || alt) return false;
+    const window = view.window();
+    const [from, to] = window ?? whole;
+    switch (key) {
+      case "+":
+      case "=":
+        view.see(zoomed(window, whole, (from + to) / 2, 1.5));
+        return true;
+      case "-":
+      case "_":
+        view.see(zoomed(window, whole, (from + to) / 2, 1 / 1.5));
+        return true;
+      case "ArrowLeft":
+        view.see(panned(window, whole, -(to - from) / 8));
+        return true;
+      case "ArrowRight":
+        view.see(panned(window, whole, (to - from) / 8));
+        return true;
+      case "Home":
+      case "0":
+        view.see(null);
+        return true;
+      case "Escape":
+        view.select(null, true);
+        return true;
+      default:
+        return false;
+    }
+  };
+};
+
+// Reads a picture's numbers out point by point.
+
+const value_text = (name: string, value: Num | string): string => {
+  const { quantity, unit } = split_name(name);
+  const text = typeof value === "string" ? value : shown(value);
+  return [words(quantity), text, unit].filter((part) => part !== "").join(" ");
+};
+
+// "time 64 min, x 4.4 µm, ..."; what is not known is left out.
+export const row_text = (numbers: Numbers, row: number): string =>
+  numbers.columns
+    .flatMap(({ name, values }) => {
+      const value = values[row] ?? null;
+      return value === null ? [] : [value_text(name, value)];
+    })
+    .join(", ");
+
+// The row `by` points after `row`, among those in the window; of very many points not every one.
+export const next_row = (numbers: Numbers, window: State["window"], row: number | null, by: number): number | null => {
+  const x = numbers.columns[0]?.values ?? [];
+  const rows: number[] = [];
+  x.forEach((value, index) => {
+    if (!window || typeof value !== "number" || (value >= window[0] && value <= window[1])) rows.push(index);
+  });
+  if (rows.length === 0) return null;
+  const step = Math.ceil(rows.length / 500);
+  const place = row === null ? -1 : rows.indexOf(row);
+  if (place < 0) return (by > 0 ? rows[0] : rows[rows.length - 1]) ?? null;
+  return rows[Math.min(rows.length - 1, Math.max(0, place + by * step))] ?? null;
+};
+
+// The part of the x axis that is seen. Pure arithmetic; `all` is the whole axis.
+
+// Within the whole axis; all of it is no window at all, so that a picture drawn without one looks the same.
+export const within = (window: Range, all: Range): Range | null => {
+  const width = Math.max(window[1] - window[0], (all[1] - all[0]) * 1e-6);
+  if (!(width < (all[1] - all[0]) * 0.999)) return null;
+  const from = Math.min(Math.max(window[0], all[0]), all[1] - width);
+  return [from, from + width];
+};
+
+// Closer by the factor, or farther where it is below one; the point `at` stays where it is.
+export const zoomed = (window: Range | null, all: Range, at: number, factor: number): Range | null => {
+  const [from, to] = window ?? all;
+  return within([at - (at - from) / factor, at + (to - at) / factor], all);
+};
+
+export const panned = (window: Range | null, all: Range, by: number): Range | null =>
+  window && within([window[0] + by, window[1] + by], all);
+
+export const ordered = (a: number, b: number): Range => (a <= b ? [a, b] : [b, a]);

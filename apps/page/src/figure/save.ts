@@ -1,8 +1,0 @@
-// A file for the reader.
-export const save = (name: string, content: Blob): void => {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(content);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-};

@@ -1,0 +1,263 @@
+// Commands one after the other, with their progress, and a button and a key that stop them. Work that is soon done shows
+// nothing.
+import { type Engine, Failed, type Ran, Stopped, type Watch } from "../engine";
+import { button, element } from "../elements/elements";
+import { t } from "../texts/texts";
+import type { Group } from "./files";
+import type { Report } from "../report";
+
+const kSoon_ms = 300;
+
+export interface Job {
+  what: string; // "Searching what is missing"
+  progress?: (line: string) => void;
+}
+
+export interface Work {
+  readonly element: HTMLElement;
+  run(command: readonly string[], job: Job): Promise<Ran>; // throws Interrupted, or what the engine threw
+  call(call: object, job: Job): Promise<Ran>; // likewise
+  during<T>(what: string, work: (share: (of_it: number) => void) => Promise<T>): Promise<T>; // of work that cannot be stopped
+  stop(): void;
+  busy(): boolean;
+  rewrite(): void; // in another language
+}
+
+// With what was being done.
+export class Interrupted extends Error {}
+
+// "12 of 40"
+const share_of = (line: string): number | null => {
+  const [, part, whole] = /(\d+) of (\d+)/.exec(line) ?? [];
+  return part !== undefined && whole !== undefined && Number(whole) > 0 ? Number(part) / Number(whole) : null;
+};
+
+export const work_with = (engine: Engine, say: (text: string) => void): Work => {
+  const text = element("span", { class: "what" });
+  const bar = element("progress", { max: "1" });
+  const stop = button(t.live_stop, t.live_stop_title, () => made.stop());
+  const shown = element("div", { class: "live-work" }, text, bar, stop);
+  shown.hidden = true;
+  shown.dataset.waiting = "0";
+  const stopping = new Set<AbortController>(); // of what runs and what waits
+  let last: Promise<unknown> = Promise.resolve();
+  let waiting = 0;
+
+  const show = (what: string, can_stop: boolean): (() => void) => {
+    const began = performance.now();
+    text.textContent = what;
+    bar.removeAttribute("value");
+    bar.setAttribute("aria-label", what);
+    stop.hidden = !can_stop;
+    const soon = setTimeout(() => {
+      shown.hidden = false;
+      say(what);
+    }, kSoon_ms);
+    const clock = setInterval(() => {
+      text.textContent = t.live_since({ what, seconds: Math.round((performance.now() - began) / 1000) });
+    }, 1000);
+    return () => {
+      clearTimeout(soon);
+      clearInterval(clock);
+      shown.hidden = true;
+    };
+  };
+
+  // Each waits for the one before, whatever became of it.
+  const queued = <T>(work: () => Promise<T>): Promise<T> => {
+    const count = (more: number): void => {
+      waiting += more;
+      shown.dataset.waiting = String(waiting);
+    };
+    count(1);
+    const mine = last.then(work, work).finally(() => count(-1));
+    last = mine.catch(() => undefined);
+    return mine;
+  };
+
+  const stoppable = ({ what, progress }: Job, ask: (watch: Watch) => Promise<Ran>): Promise<Ran> => {
+    const mine = new AbortController();
+    stopping.add(mine);
+    return queued(async () => {
+      const hide = show(what, true);
+      const take_line = (line: string): void => {
+        const share = share_of(line);
+        if (share !== null) bar.value = share;
+        progress?.(line);
+      };
+      try {
+        return await ask({ progress: take_line, stop: mine.signal });
+      } catch (error) {
+        throw error instanceof Stopped ? new Interrupted(what) : error;
+      } finally {
+        stopping.delete(mine);
+        hide();
+      }
+    });
+  };
+
+  const made: Work = {
+    element: shown,
+    run: (command, job) => stoppable(job, (watch) => engine.run(command, watch)),
+    call: (call, job) => stoppable(job, (watch) => engine.call(call, watch)),
+    during: (what, work) =>
+      queued(async () => {
+        const hide = show(what, false);
+        try {
+          return await work((share) => (bar.value = share));
+        } finally {
+          hide();
+        }
+      }),
+    stop() {
+      for (const one of stopping) one.abort();
+    },
+    busy: () => waiting > 0,
+    rewrite() {
+      stop.textContent = t.live_stop;
+      stop.title = t.live_stop_title;
+    },
+  };
+  return made;
+};
+
+// The command lines that the page runs, and those that the program proposes.
+
+// What is looked at.
+export interface Subject {
+  group: Group;
+  data: readonly string[]; // words: the group's own, or the folder it lies in
+  model: string; // path; "": none
+  target: string; // "": the model's own, or all
+  compared: string; // data to compare with; "": none
+}
+
+const targeted = ({ group, target }: Subject): string[] =>
+  target === "" || group.kind === "recordings" ? [] : ["--target", target];
+
+const of_model = (subject: Subject): string[] =>
+  subject.model === "" ? [] : ["--model", subject.model, ...targeted(subject)];
+
+// What is looked at, as behind `ballbar report`.
+export const look_words = (subject: Subject): string[] => [
+  ...subject.data,
+  ...of_model(subject),
+  ...(subject.compared === "" ? [] : ["--compare", subject.compared]),
+];
+
+// The same with a model in any case: without a file what every model has before its first effect.
+export const model_words = (subject: Subject): string[] => [
+  ...look_words(subject),
+  ...(subject.model === "" ? ["--diagnose", ...targeted(subject)] : []),
+];
+
+export interface Setting {
+  effect: string;
+  parameter: string;
+  value: number;
+}
+
+// As --set has it.
+export const setting_text = ({ effect, parameter, value }: Setting): string => `${effect}.${parameter}=${value}`;
+
+const of_model_and_target = (subject: Subject): string[] => [
+  ...subject.data,
+  ...(subject.model === "" ? targeted(subject) : of_model(subject)),
+];
+
+export const try_words = (subject: Subject, effect: string): string[] => [
+  "add", effect, ...of_model_and_target(subject), "--dry-run", "--json",
+];
+
+export const plan_words = (subject: Subject, hours: number, folder: string): string[] => [
+  "plan", ...of_model_and_target(subject), "--hours", String(hours), "--out", folder, "--json",
+];
+
+// A line as the program prints it, in words: blanks part them, but not within '...'; \ keeps the next letter.
+export const words_of = (line: string): string[] => {
+  const words: string[] = [];
+  for (const [word] of line.matchAll(/(?:'[^']*'|\\.|[^\s'\\])+/g)) {
+    words.push(word.replace(/'([^']*)'|\\(.)/g, (_, quoted?: string, kept?: string) => quoted ?? kept ?? ""));
+  }
+  return words[0] === "ballbar" ? words.slice(1) : words;
+};
+
+// The effects of `ballbar add EFFECT... DATA ...`; none: it adds none.
+export const added_by = (line: string, { data }: Subject): string[] => {
+  const [verb, ...rest] = words_of(line);
+  if (verb !== "add") return [];
+  const end = rest.findIndex((word) => word === data[0] || word.startsWith("--"));
+  return rest.slice(0, end < 0 ? rest.length : end);
+};
+
+// What is asked of the program about what is looked at, and what it answers: the report, the search, a step forth and
+// back.
+
+// What the program said why it did not.
+export class Refused extends Error {}
+
+const sentence_of = ({ err, status }: Ran): string => {
+  const lines = err.trim().split("\n");
+  const fault = lines.filter((line) => line.startsWith("ballbar: ")).at(-1) ?? lines.at(-1) ?? "";
+  return fault.replace(/^ballbar: /, "") || t.live_ended_with({ status });
+};
+
+export const answer_of = <T>(ran: Ran): T => {
+  if (ran.status !== 0) throw new Refused(sentence_of(ran));
+  return JSON.parse(ran.out) as T;
+};
+
+// Keys of a report, to put in the place of its own.
+export type Part = Partial<Report>;
+
+export interface Runs {
+  report(subject: Subject): Promise<Report>; // with the fit
+  fitted(subject: Subject): Promise<Part>; // of another model
+  search(subject: Subject, progress: (line: string) => void): Promise<Part>;
+  set(subject: Subject, settings: readonly Setting[]): Promise<Part>;
+  add(subject: Subject, effects: readonly string[]): Promise<Part>; // the fit alone: no file is written
+  revise(subject: Subject, model: string): Promise<Part & { sentence: string; supported: boolean }>; // the file too
+  take_back(subject: Subject): Promise<void>; // what was added, and is in no file
+  try(subject: Subject, effect: string): Promise<string>; // what it would change
+  undo(model: string): Promise<void>;
+  free_name(folder: string, name: string): string;
+}
+
+export const runs_with = (engine: Engine, work: Work): Runs => {
+  const call = async <T>(name: string, words: string[], job: Job, more: object = {}): Promise<T> =>
+    answer_of<T>(await work.call({ call: name, words, ...more }, job));
+  return {
+    report: (subject) => call("report", look_words(subject), { what: t.live_reading }),
+    fitted: (subject) => call("fitted", model_words(subject), { what: t.live_reading }),
+    search: (subject, progress) => call("search", model_words(subject), { what: t.live_searching, progress }),
+    set: (subject, settings) =>
+      call("hold", model_words(subject), { what: t.live_moving }, { settings: settings.map(setting_text) }),
+    add: (subject, effects) =>
+      call("add", model_words(subject), { what: t.live_adding({ effect: effects.join(", ") }) }, { effects }),
+    revise: (subject, model) => call("revise", model_words(subject), { what: t.live_testing }, { model }),
+    take_back: (subject) => call("take_back", model_words(subject), { what: t.live_undoing }),
+    try: async (subject, effect) =>
+      answer_of<{ sentence: string }>(await work.run(try_words(subject, effect), { what: t.live_trying({ effect }) })).sentence,
+    async undo(model) {
+      const ran = await work.run(["undo", "--model", model], { what: t.live_undoing });
+      if (ran.status !== 0) throw new Refused(sentence_of(ran));
+    },
+    free_name(folder, name) {
+      const taken = new Set(engine.list().map(({ path }) => path));
+      const [stem = name, ending = ""] = name.split(/(?=\.[a-z]+$)/);
+      let free = `${folder}/${name}`;
+      for (let number = 2; taken.has(free); ++number) free = `${folder}/${stem}-${number}${ending}`;
+      return free;
+    },
+  };
+};
+
+// Why something was not done, in words for a reader.
+
+export const reason = (error: unknown): string => {
+  const text = error instanceof Error ? error.message : String(error);
+  if (error instanceof Interrupted) return t.live_stopped({ what: text });
+  if (error instanceof Refused) return text;
+  if (!(error instanceof Failed)) return text;
+  return /memory|bad_alloc|OOM/i.test(text) ? t.live_out_of_memory : t.live_failed({ why: text });
+};
