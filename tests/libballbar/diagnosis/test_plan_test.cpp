@@ -7,7 +7,7 @@
 #include <random>
 
 #include "ballbar/error.hpp"
-#include "diagnosis/next_test/columns_alike.hpp"
+#include "diagnosis/next_test/distinct_columns.hpp"
 #include "diagnosis/next_test/menu.hpp"
 #include "diagnosis/next_test/planned_inputs.hpp"
 #include "effects/low_pass.hpp"
