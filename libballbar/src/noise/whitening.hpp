@@ -18,6 +18,7 @@ using RowMajorBlock = Eigen::Ref<RowMajorMatrix>;
 // The filter's gains for these times, to be applied to any column.
 class Whitening {
  public:
+  Whitening() = default;  // of no rows
   explicit Whitening(const Covariance& covariance, std::span<const double> time_s, const RowScatter& rows = {});
   // left_out: rows, rising, of which the filter does not learn (outliers): each still gives its innovation, on what the
   // other rows tell.
