@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <set>
 
-#include "ballbar/diagnosis/verdict/search_options.hpp"
+#include "ballbar/diagnosis/posterior/search_options.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/revision/replacement.hpp"
+#include "diagnose/diagnosis_result.hpp"
 #include "diagnose/follow_results.hpp"
 #include "diagnose/next_command.hpp"
 #include "terminal/progress.hpp"
@@ -57,10 +58,9 @@ std::vector<StandIn> stand_ins_of(const ModelOptions& options, const DiagnoseOpt
   const ProgressLine line;
   if (how_to.progress)
     show_progress(fmt::format("{}: asking {} earlier effects again", model.targets.front(), added.size()));
-  DiagnosisOptions how;
+  DiagnosisOptions how = how_to.diagnosis;
+  how.tolerance_um = 0.0;
   how.search.motion = data.motion;
-  how.search.seed = how_to.seed;
-  how.most_rows = how_to.most_rows;
   for (const Replacement& one : replacements(model, added, *data.series, 0, how))
     result.push_back({one.label, labels(one.without.named, ", "), replace_command(options, one)});
   return result;
@@ -76,9 +76,9 @@ std::string next_text(const DiagnosisReport& diagnosis_report) {
 
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {
   std::vector<std::string> texts;
-  const std::size_t said = bounds.size() > kLabels + 1 ? kLabels : bounds.size();
-  for (std::size_t i = 0; i < said; ++i) texts.push_back(label_of(bounds[i]));
-  if (said < bounds.size()) texts.push_back(fmt::format("one of {} more", bounds.size() - said));
+  const std::size_t shown = bounds.size() > kLabels + 1 ? kLabels : bounds.size();
+  for (std::size_t i = 0; i < shown; ++i) texts.push_back(label_of(bounds[i]));
+  if (shown < bounds.size()) texts.push_back(fmt::format("one of {} more", bounds.size() - shown));
   return fmt::format("{}", fmt::join(texts, between));
 }
 
@@ -93,10 +93,7 @@ std::string not_searched_text(const Diagnosis& found) {
 }
 
 DiagnosisOptions diagnosis_options(const DiagnoseOptions& how_to, const std::string& target) {
-  DiagnosisOptions how;
-  how.tolerance_um = how_to.tolerance_um;
-  how.search.seed = how_to.seed;
-  how.most_rows = how_to.most_rows;
+  DiagnosisOptions how = how_to.diagnosis;
   if (!how_to.progress) return how;
   how.search.progress = [target](std::string_view step) { show_progress(fmt::format("{}: {}", target, step)); };
   if (progress_is_taken()) how.search.so_far = show_so_far;
@@ -115,6 +112,12 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& benc
     report.hint = next_hint(options, found);
     return report;
   });
+}
+
+std::optional<DecidingTest> deciding_test(const DiagnosisReport& report) {
+  if (!report.plan_command.empty()) return DecidingTest{next_text(report), {}, {report.plan_command}};
+  if (report.next_tests.empty()) return std::nullopt;
+  return DecidingTest{report.next_tests.front().text, {report.next_tests.front().separation}, {}};
 }
 
 }  // namespace ballbar

@@ -9,9 +9,9 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/model/model.hpp"
 #include "ballbar/model/recording_base_model.hpp"
 #include "ballbar/model/run_terms.hpp"
-#include "ballbar/model/target_columns.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "model/held_values.hpp"
 #include "terminal/command_line.hpp"
@@ -184,7 +184,7 @@ FitOptions fit_options(const ModelOptions& options) {
   FitOptions how;
   how.robust = options.robust;
   how.white = options.white;
-  how.beside_all_errors = !options.white && !options.robust;
+  how.among_all_errors = !options.white && !options.robust;
   return how;
 }
 

@@ -12,7 +12,6 @@
 #include "commands.hpp"
 #include "page/pdf_file.hpp"
 #include "page/report_page.hpp"
-#include "page/report_page.hpp"
 #include "programs/child_process.hpp"
 #include "report/report_inside.hpp"
 #include "report/report_subject.hpp"

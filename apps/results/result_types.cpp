@@ -116,7 +116,7 @@ std::string with_tables(std::string page, const std::vector<ResultSchema>& schem
 std::vector<ResultSchema> all_schemas() {
   return schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsOfSeveral, PosteriorSoFar, Looked, Followed,
                     CheckedTargets, PreflightTargets, EffectPages, TestPlan, EffectTest, Added, Ledger, Undone,
-                    InjectedResult, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult,
+                    Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult,
                     History, ImportedLog, MergedLogs, SimulatedRun, SimulatedFleet, TrainedOnTemperatures,
                     TrainedOnEffects, TrainedForJob, PredictedSeries, PredictedTarget, ReplayResult, MadeSets, NextRun,
                     ScoredSets, MeanPointsResult, MeanPointPart, PageReport, ModelPart, HeldPart, RevisedPart,

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "ballbar/error.hpp"
-#include "diagnosis/next_test/columns_alike.hpp"
+#include "diagnosis/next_test/distinct_columns.hpp"
 #include "diagnosis/next_test/menu.hpp"
 #include "diagnosis/next_test/planned_inputs.hpp"
 #include "effects/low_pass.hpp"
@@ -50,9 +50,9 @@ Model constant() {
 
 TEST(test_plan, every_test_of_the_menu_is_as_long_as_it_says_and_not_too_fast) {
   const Series data = one_speed(false);
-  const std::vector<MenuItem> menu = menu_of(data, "z_um", {12.0, 5000.0, true, true, true});
+  const std::vector<ExpectedTest> menu = menu_of(data, "z_um", {12.0, 5000.0, true, true, true});
   ASSERT_GE(menu.size(), 9u);
-  for (const MenuItem& item : menu) {
+  for (const ExpectedTest& item : menu) {
     EXPECT_NEAR(duration_s(item.schedule), 3600.0 * item.hours, 1e-6) << item.kind;
     EXPECT_LE(item.hours, 12.0);
     for (const Dwell& dwell : item.schedule.dwells) {
@@ -61,12 +61,12 @@ TEST(test_plan, every_test_of_the_menu_is_as_long_as_it_says_and_not_too_fast) {
     }
     EXPECT_LE(duration_s(item.schedule) / item.schedule.reading_s, 2000.0 + 1e-6);
   }
-  const auto moves_the_room = [](const MenuItem& item) {
+  const auto moves_the_room = [](const ExpectedTest& item) {
     return std::any_of(item.schedule.dwells.begin(), item.schedule.dwells.end(),
                        [](const Dwell& dwell) { return dwell.room_K > 0.0; });
   };
   EXPECT_TRUE(std::any_of(menu.begin(), menu.end(), moves_the_room));
-  const std::vector<MenuItem> speeds_alone = menu_of(data, "z_um", {12.0, 5000.0, false, false, false});
+  const std::vector<ExpectedTest> speeds_alone = menu_of(data, "z_um", {12.0, 5000.0, false, false, false});
   EXPECT_TRUE(std::none_of(speeds_alone.begin(), speeds_alone.end(), moves_the_room));
 }
 
@@ -95,12 +95,12 @@ TEST(test_plan, a_step_of_the_room_is_in_the_room_and_in_what_follows_it) {
 }
 
 TEST(test_plan, a_sensor_logged_twice_is_one) {
-  const Alike alike = alike_columns_of(one_speed(true), constant());
-  ASSERT_EQ(alike.twins.size(), 1u);
-  EXPECT_EQ(alike.twins[0].kept, "T_housing_degC");
-  EXPECT_EQ(alike.twins[0].other, "T_twin_degC");
-  EXPECT_EQ(find_column(alike.data, "T_twin_degC"), nullptr);
-  EXPECT_TRUE(alike_columns_of(one_speed(false), constant()).twins.empty());
+  const DistinctColumns distinct = distinct_columns_of(one_speed(true), constant());
+  ASSERT_EQ(distinct.twins.size(), 1u);
+  EXPECT_EQ(distinct.twins[0].kept, "T_housing_degC");
+  EXPECT_EQ(distinct.twins[0].other, "T_twin_degC");
+  EXPECT_EQ(find_column(distinct.data, "T_twin_degC"), nullptr);
+  EXPECT_TRUE(distinct_columns_of(one_speed(false), constant()).twins.empty());
 }
 
 TEST(test_plan, what_is_inseparable_is_said_before_any_test) {
