@@ -10,7 +10,6 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/model/model.hpp"
-#include "ballbar/model/model.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "ballbar/predict/effect_regression.hpp"
 #include "effects/temperature_at_start.hpp"
