@@ -61,7 +61,9 @@ struct BaseColumns {
 
 BaseColumns base_columns(const Model& base, const Series& data, std::size_t target, std::size_t rows,
                          const Design& design, const Thin& thin) {
-  const Fit fitted = fit(base, rows_of(data, {0, rows}), target);
+  Series head = rows_of(data, {0, rows});
+  head.runs = data.runs;
+  const Fit fitted = fit(base, head, target);
   const Prediction prediction = predict(base, fitted.parameters, data);
   const auto at_thin = [&](const std::vector<double>& values) {
     Eigen::VectorXd column(static_cast<Eigen::Index>(thin.rows.size()));

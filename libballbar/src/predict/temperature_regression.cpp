@@ -204,16 +204,16 @@ TrainedRange widened(const TrainedRange& range, const Eigen::MatrixXd& inputs) {
 }
 
 double half_width_95_um(std::span<const double> sigma_um, std::span<const double> weights) {
+  const auto weight_of = [&](std::size_t k) { return weights.empty() ? 1.0 : weights[k]; };
   double high = 0.0, all = 0.0;
   for (std::size_t k = 0; k < sigma_um.size(); ++k) {
-    high = std::max(high, 2.0 * sigma_um[k]);
-    all += weights.empty() ? 1.0 : weights[k];
+    if (weight_of(k) > 0.0) high = std::max(high, 2.0 * sigma_um[k]);
+    all += weight_of(k);
   }
   const auto outside = [&](double width) {
     double sum = 0.0;
     for (std::size_t k = 0; k < sigma_um.size(); ++k) {
-      if (!(sigma_um[k] > 0.0)) continue;
-      sum += (weights.empty() ? 1.0 : weights[k]) * std::erfc(width / sigma_um[k] / std::sqrt(2.0));
+      if (sigma_um[k] > 0.0) sum += weight_of(k) * std::erfc(width / sigma_um[k] / std::sqrt(2.0));
     }
     return sum / all;
   };

@@ -2,8 +2,7 @@
 // 8) or ridge. Inputs are centred, not scaled, as there.
 //
 //   PCR    y = b0 + sum_j g_j x_j with g = L_p D_p^-1 L_p' S_xy: the first p eigenvectors L and eigenvalues D of S_xx
-//   ridge  g = (S_xx + n k I)^-1 S_xy, k in K^2; directions with less than 1e-12 of the largest eigenvalue are left at
-//   0
+//   ridge  g = (S_xx + n k I)^-1 S_xy, k in K^2; 0 along eigenvectors of less than 1e-12 of the largest eigenvalue
 //
 // p and k are chosen by leaving out one batch at a time, or p by the explained share of the inputs' variance. All
 // components, or k = 0, are ordinary least squares.
@@ -13,6 +12,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ballbar/predict/batch.hpp"
