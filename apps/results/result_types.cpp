@@ -116,11 +116,11 @@ std::string with_tables(std::string page, const std::vector<ResultSchema>& schem
 std::vector<ResultSchema> all_schemas() {
   return schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsReports, PosteriorSoFar, Looked, Followed,
                     CheckedTargets, PreflightTargets, EffectPages, TestPlan, EffectTest, Added, Ledger, Undone,
-                    Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult,
-                    History, ImportedLog, MergedLogs, SimulatedRun, SimulatedFleet, TrainedOnTemperatures,
-                    TrainedOnEffects, TrainedForJob, PredictedSeries, PredictedTarget, ReplayResult, MadeSets, NextRun,
-                    ScoredSets, MeanPointsResult, MeanPointPart, PageReport, ModelPart, HeldPart, RevisedPart,
-                    HistoryReport, FleetReport, PageFiles>();
+                    Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult, History,
+                    ImportedLog, MergedLogs, SimulatedRun, SimulatedFleet, TrainedOnTemperatures, TrainedOnEffects,
+                    TrainedForJob, PredictedSeries, PredictedTarget, ReplayResult, MadeSets, NextRun, ScoredSets,
+                    MeanPointsResult, MeanPointPart, PageReport, ModelPart, HeldPart, RevisedPart, HistoryReport,
+                    FleetReport, PageFiles>();
 }
 
 int run_readmes(const std::filesystem::path& folder, bool update) {
