@@ -50,9 +50,8 @@ namespace {
 constexpr std::size_t kLargest = 1 << 22;
 
 std::string typescript_file(const std::vector<ResultSchema>& schemas) {
-  return "// Results of the program: the keys of its `--json`. Made by apps/results from their lists of "
-         "fields.\n\nexport "
-         "type Num = number | null; // null: not known\n\n" +
+  return "// Results of the program: the keys of its `--json`, made of their lists of fields by apps/results.\n\n"
+         "export type Num = number | null; // null: not known\n\n" +
          typescript_of(schemas);
 }
 
@@ -81,11 +80,10 @@ std::vector<PythonClass> python_classes() {
 }
 
 std::string python_file(const std::vector<ResultSchema>& schemas) {
-  return "\"\"\"The results, with their keys. Made by apps/results from their lists of fields.\n\nA key that does not "
-         "apply is not there. A number that is not known is None, in an array NaN.\n\"\"\"\nfrom __future__ import "
-         "annotations\n\nfrom typing import Any\n\nimport numpy as np\nfrom numpy.typing import NDArray\n\nfrom "
-         "._results "
-         "import Result, Rows\n\nArray = NDArray[np.float64]\n" +
+  return "\"\"\"The results, with their keys, made of their lists of fields by apps/results.\n\n"
+         "A key that does not apply is not there. A number that is not known is None, in an array NaN.\n\"\"\"\n"
+         "from __future__ import annotations\n\nfrom typing import Any\n\nimport numpy as np\n"
+         "from numpy.typing import NDArray\n\nfrom ._results import Result, Rows\n\nArray = NDArray[np.float64]\n" +
          python_of(python_classes(), schemas);
 }
 
@@ -102,11 +100,11 @@ std::string with_tables(std::string page, const std::vector<ResultSchema>& schem
   std::size_t at = 0;
   while ((at = page.find(kBegin, at)) != std::string::npos) {
     const std::size_t name = at + kBegin.size(), line = page.find('\n', at), end = page.find(kEnd, at);
-    const std::string wanted = page.substr(name, page.find(" -->", name) - name);
+    const std::string result = page.substr(name, page.find(" -->", name) - name);
     const auto schema =
-        std::find_if(schemas.begin(), schemas.end(), [&](const ResultSchema& one) { return one.name == wanted; });
+        std::find_if(schemas.begin(), schemas.end(), [&](const ResultSchema& one) { return one.name == result; });
     if (schema == schemas.end() || end == std::string::npos)
-      throw Error(fmt::format("expected the name of a result and an end of its keys, found {}.", wanted));
+      throw Error(fmt::format("expected the name of a result and an end of its keys, found {}.", result));
     page.replace(line + 1, end - line - 1, "\n" + markdown_of(*schema) + "\n");
     at = line;
   }

@@ -8,7 +8,7 @@ const shown_properties = new Set([
   "about", "caption", "formatter", "head", "heading", "hover_name", "items", "label", "quantity", "result", "sentences",
   "short", "text", "title", "verdict", "what", "aria-label", "placeholder", "alt",
 ]);
-const shown_arguments = { axis: [1], value_axis: [1], x_axis: [1], two_grids: [2, 3], curve: [0], button: [0, 1], text_in: [1], group_choice: [2], toggle: [1], select_of: [0], Option: [0], sequence_bar: [0, 1] };
+const shown_arguments = { axis: [1], value_axis: [1], x_axis: [1], two_grids: [2, 3], curve: [0], button: [0, 1], text_in: [1], group_choice: [2], toggle: [1], details_of: [1], select_of: [0], Option: [0], sequence_bar: [0, 1] };
 const from_third = new Set(["element"]); // what an element holds
 
 // Symbols and units are the same in all languages.

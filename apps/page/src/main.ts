@@ -2,7 +2,7 @@
 import { kept_view, shared_by_figures } from "./page/shared";
 import { one_sheet } from "./page/one_sheet";
 import { page_tools } from "./page/page_tools";
-import { element, text_in } from "./elements/elements";
+import { details_of, element, text_in } from "./elements/elements";
 import { first_screen, type Proved } from "./page/first_screen";
 import type { Section } from "./picture";
 import type { Report } from "./report";
@@ -20,7 +20,7 @@ const files_of = (files: readonly string[]): HTMLElement => {
     { class: "files", tabindex: "0" },
     ...files.flatMap((file) => [element("bdi", {}, file), " "]),
   );
-  return files.length <= 3 ? list : element("details", { class: "files-of" }, element("summary", {}, t.page_from_files({ files: files.length })), list);
+  return files.length <= 3 ? list : details_of("files-of", t.page_from_files({ files: files.length }), list);
 };
 
 const header_of = (report: Report, wide: boolean): HTMLElement =>

@@ -1,6 +1,6 @@
 // What was measured, the model as it is and with what it lacks; below, what either leaves. It proves the verdict.
 import { difference, sum } from "../drawing/columns";
-import { curve, zero_line } from "../drawing/curve";
+import { curve, zero_series } from "../drawing/curve";
 import { curves_base } from "../drawing/hover";
 import type { Numbers, Picture, State, Toggle } from "../picture";
 import { best_set, set_name } from "./ranking";
@@ -63,7 +63,6 @@ export const with_without_picture = (report: Report, checked: Checked, found: Di
     };
     const dots = points(measured_um);
     const [measured, without, with_set] = toggles;
-    const zero = { type: "line", name: "", data: [], silent: true, ...below, markLine: zero_line(look) };
     const drawn: Series[] = [
       ...(measured && !hidden.has(measured.key)
         ? [
@@ -84,7 +83,7 @@ export const with_without_picture = (report: Report, checked: Checked, found: Di
     return {
       ...curves_base(state, toggles, { drawn, head: place_text(checked, 1), unit: "µm" }),
       ...grids.drawn,
-      series: [zero, ...drawn],
+      series: [zero_series(look, below), ...drawn],
     };
   };
 

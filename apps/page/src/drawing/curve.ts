@@ -27,6 +27,16 @@ export const curve = (
   ...more,
 });
 
+// A line at zero by itself, whatever curves there are.
+export const zero_series = (look: Look, more: Record<string, unknown> = {}): Record<string, unknown> => ({
+  type: "line",
+  name: "",
+  data: [],
+  silent: true,
+  ...more,
+  markLine: zero_line(look),
+});
+
 // The mark of a series: a line at zero, all along x.
 export const zero_line = (look: Look): Record<string, unknown> => ({
   silent: true,

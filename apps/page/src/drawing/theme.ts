@@ -2,7 +2,7 @@
 // people with any kind of colour vision; curves differ in their dashes as well.
 import type { EChartsCoreOption } from "echarts/core";
 import type { Look, State, Toggle } from "../picture";
-import { with_decimal_sign } from "../texts/texts";
+import { t, with_decimal_sign } from "../texts/texts";
 import type { Num } from "../report";
 
 export interface Colours {
@@ -68,6 +68,12 @@ export const shown = (value: number | null | undefined, decimals?: number): stri
 export const rounded = (value: number | null, digits: number): string =>
   shown(value === null ? null : Number(value.toPrecision(digits)));
 
+// "4.62 to 5.13", of the least and the largest; one number where they read the same.
+export const range_text = (values: readonly number[], decimals: number): string => {
+  const [from, to] = [shown(Math.min(...values), decimals), shown(Math.max(...values), decimals)];
+  return values.length === 0 ? "" : from === to ? from : t.several_from_to({ from, to });
+};
+
 export const base = (look: Look): EChartsCoreOption => ({
   animation: false,
   backgroundColor: look.still ? colours(look.dark).paper : "transparent",
@@ -123,7 +129,7 @@ export const legend = (state: State, toggles: readonly Toggle[]): Record<string,
         textStyle: { color: colours(state.look.dark).ink },
         itemWidth: 20,
         itemHeight: 10,
-        data: toggles.filter((t) => !state.hidden.has(t.key)).map((t) => ({ name: t.label, icon: icons[t.mark] })),
+        data: toggles.filter(({ key }) => !state.hidden.has(key)).map(({ label, mark }) => ({ name: label, icon: icons[mark] })),
       }
     : { show: false };
 

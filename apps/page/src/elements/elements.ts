@@ -33,6 +33,10 @@ export const select_of = (
   return { label: element("label", { class: "choice" }, element("span", {}, name), select), select };
 };
 
+// What is opened if wanted.
+export const details_of = (name: string, summary: string, ...parts: readonly Node[]): HTMLDetailsElement =>
+  element("details", { class: name }, element("summary", {}, summary), ...parts);
+
 // Text longer than a paragraph, as a hostile name may be, scrolls in a box of its own. Paragraphs and items are sentences;
 // headings and cells may be names. What is English on a page that is not is marked, for those who hear it.
 export const text_in = <K extends keyof HTMLElementTagNameMap>(tag: K, text: Sentence): HTMLElementTagNameMap[K] => {

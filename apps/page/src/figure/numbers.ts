@@ -1,6 +1,6 @@
 // The numbers behind a picture, as a table that is made when it is opened and only then.
 import { rows_of } from "./files";
-import { button, element, table_of } from "../elements/elements";
+import { button, details_of, element, table_of } from "../elements/elements";
 import type { Numbers, Range } from "../picture";
 import { shown } from "../drawing/theme";
 import { t } from "../texts/texts";
@@ -23,12 +23,7 @@ export interface NumbersTable {
 
 export const numbers_table = (title: string, numbers: () => Numbers): NumbersTable => {
   const body = element("div");
-  const details = element(
-    "details",
-    { class: "numbers" },
-    element("summary", {}, t.figure_numbers),
-    body,
-  );
+  const details = details_of("numbers", t.figure_numbers, body);
   let shown_last: Numbers | null = null;
   const update = (): void => {
     if (!details.open) return;

@@ -171,12 +171,12 @@ const folder_of_all = (files: readonly Held[]): string => {
   return folders.size === 1 ? ([...folders][0] ?? "") : "";
 };
 
-const short = (name: string): string => name.slice(name.lastIndexOf("/") + 1);
+export const last_part = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
 
 const titled = (files: readonly Held[]): string => {
   const [first] = files;
   if (!first) return "";
-  return files.length === 1 ? short(first.name) : `${short(first.name)} + ${files.length - 1}`;
+  return files.length === 1 ? last_part(first.name) : `${last_part(first.name)} + ${files.length - 1}`;
 };
 
 export const groups_of = (held: readonly Held[]): Group[] => {
@@ -210,8 +210,8 @@ export const groups_of = (held: readonly Held[]): Group[] => {
     drops.set(drop, [...(drops.get(drop) ?? []), one]);
   }
   for (const files of drops.values()) add("recordings", titled(files), files.map(({ path }) => path), files);
-  for (const one of free("series")) add("series", short(one.name), [one.path], [one]);
-  for (const one of free("report")) add("report", short(one.name), [one.path], [one]);
+  for (const one of free("series")) add("series", last_part(one.name), [one.path], [one]);
+  for (const one of free("report")) add("report", last_part(one.name), [one.path], [one]);
   return groups;
 };
 

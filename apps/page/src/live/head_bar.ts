@@ -1,7 +1,7 @@
 // Above the report: the files, what of them is looked at and how, what is running, what can be saved.
 import type { Subject } from "./runs";
-import type { Dropped, Group, Held } from "./files";
-import { button, element, select_of } from "../elements/elements";
+import { type Dropped, type Group, type Held, last_part } from "./files";
+import { button, details_of, element, select_of } from "../elements/elements";
 import { choosing } from "./start";
 import { plain } from "../drawing/text";
 import { t } from "../texts/texts";
@@ -33,8 +33,6 @@ const choice = (label: string, values: readonly (readonly [string, string])[], n
   made.select.value = now;
   return made.label;
 };
-
-const last = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
 
 export const head_bar = ({ take, close, saves, work, message }: HeadOf): HeadBar => {
   const shelf = element("div");
@@ -68,7 +66,7 @@ export const head_bar = ({ take, close, saves, work, message }: HeadOf): HeadBar
       const own = subject.model !== "" && !models.some(({ path }) => path === subject.model) ? [subject.model] : [];
       const paths = [...models.map(({ path }) => path), ...own];
       if (paths.length > 0) {
-        const values = [["", t.live_no_model] as const, ...paths.map((path) => [path, last(path)] as const)];
+        const values = [["", t.live_no_model] as const, ...paths.map((path) => [path, last_part(path)] as const)];
         choices.append(choice(t.live_model_of, values, subject.model, (model) => choose({ model })));
       }
       if (folder !== "") {
@@ -115,12 +113,8 @@ export const shelf_of = ({ held, groups, faults, open, choose }: ShelfOf): HTMLE
     tab.setAttribute("aria-pressed", String(group.key === open));
     return element("li", {}, tab, element("span", { class: "note" }, t.live_group_kinds[group.kind]));
   });
-  const files = element(
-    "details",
-    { class: "live-files" },
-    element("summary", {}, t.live_files({ count: held.length })),
-    element("ul", {}, ...held.map((one) => row_of(one, faults.get(one.path)))),
-  );
+  const list = element("ul", {}, ...held.map((one) => row_of(one, faults.get(one.path))));
+  const files = details_of("live-files", t.live_files({ count: held.length }), list);
   files.open = faults.size > 0;
   return element("div", { class: "live-shelf" }, ...(groups.length > 1 ? [element("ul", { class: "groups" }, ...tabs)] : []), files);
 };

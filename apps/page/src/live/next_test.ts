@@ -1,5 +1,6 @@
 // The run of the machine that would decide what is open: asked for by a button, because it takes long.
-import { button, element, select_of, table_of } from "../elements/elements";
+import { last_part } from "./files";
+import { button, details_of, element, select_of, table_of } from "../elements/elements";
 import type { Diagnosed, Num } from "../report";
 import { answer_of, plan_words, reason, type Runs, type Subject, type Work } from "./runs";
 import { save } from "../figure/files";
@@ -58,10 +59,9 @@ export const next_test = ({ plan, subject, took_ms }: NextTestOf): NextTest => {
   const takes = element("span");
   const answer = element("div", { "aria-live": "polite" });
   const start = button(t.live_plan, t.live_plan_title, () => void ask());
-  const box = element(
-    "details",
-    { class: "live-plan" },
-    element("summary", {}, t.live_next_test),
+  const box = details_of(
+    "live-plan",
+    t.live_next_test,
     element("p", { class: "about" }, t.live_next_test_about, " ", takes),
     element("div", { class: "buttons" }, hours_label, start),
     answer,
@@ -118,8 +118,7 @@ export const planned_with =
       const folder = runs.free_name("plans", "plan");
       const plan = answer_of<Planned>(await work.run(plan_words(subject, hours, folder), { what: t.live_planning }));
       const paths = engine.list().flatMap(({ path }) => (path.startsWith(`${folder}/`) ? [path] : []));
-      const name_of = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
-      const files = await Promise.all(paths.map(async (path) => ({ name: name_of(path), bytes: await engine.get(path) })));
+      const files = await Promise.all(paths.map(async (path) => ({ name: last_part(path), bytes: await engine.get(path) })));
       return { plan, files };
     } catch (error) {
       return reason(error);

@@ -1,6 +1,7 @@
 // What can be kept: the report as a page, the same with its files to go on from, the model, the drift, any file.
+import { last_part } from "./files";
 import type { Subject } from "./runs";
-import { button, element } from "../elements/elements";
+import { button, details_of, element } from "../elements/elements";
 import type { Report } from "../report";
 import type { Inside } from "../shell";
 import { save } from "../figure/files";
@@ -28,11 +29,9 @@ const base64_of = (bytes: Uint8Array): string => {
   return btoa(signs);
 };
 
-const last = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
-
 export const saves_of = (of: SavesOf): Saves => {
   const menu = element("div", { class: "menu" });
-  const box = element("details", { class: "live-saves" }, element("summary", {}, t.live_save), menu);
+  const box = details_of("live-saves", t.live_save, menu);
   const html = (text: string): Blob => new Blob([text], { type: "text/html" });
   const name = (): string => slug(of.report()?.title ?? "") || "ballbar";
   const entry = (label: string, title: string, act: () => Promise<void>): HTMLElement =>
@@ -68,7 +67,7 @@ export const saves_of = (of: SavesOf): Saves => {
       if (subject && subject.model !== "") {
         const { model } = subject;
         entries.push(
-          entry(t.live_save_model, t.live_save_model_title, async () => save(last(model), new Blob([new Uint8Array(await of.bytes_of(model))]))),
+          entry(t.live_save_model, t.live_save_model_title, async () => save(last_part(model), new Blob([new Uint8Array(await of.bytes_of(model))]))),
         );
       }
       if (subject && report.drift) {
@@ -81,8 +80,8 @@ export const saves_of = (of: SavesOf): Saves => {
         );
       }
       for (const { path, name: shown } of subject?.group.files ?? []) {
-        const file = last(shown);
-        entries.push(entry(plain(file, 60), t.live_save_file({ name: plain(file, 60) }), async () => save(last(path), new Blob([new Uint8Array(await of.bytes_of(path))]))));
+        const file = last_part(shown);
+        entries.push(entry(plain(file, 60), t.live_save_file({ name: plain(file, 60) }), async () => save(last_part(path), new Blob([new Uint8Array(await of.bytes_of(path))]))));
       }
       menu.replaceChildren(...entries);
     },

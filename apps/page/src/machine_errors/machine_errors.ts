@@ -7,7 +7,7 @@ import { command_of } from "../drawing/command";
 import { capital } from "../drawing/text";
 import type { Section, Notes, Conclusion } from "../picture";
 import type { Report } from "../report";
-import { decimals_for, shown } from "../drawing/theme";
+import { decimals_for, range_text, shown } from "../drawing/theme";
 import { english, english_after, language, named, type Sentence, t } from "../texts/texts";
 
 const kRemedies = 3;
@@ -64,14 +64,9 @@ const notes_of = (test: ErrorTest, alone: boolean): Notes => {
   };
 };
 
-const range_text = (least: string, most: string): string =>
-  least === most ? least : t.several_from_to({ from: least, to: most });
-
 const result_of = (tests: readonly ErrorTest[]): string => {
-  const values = tests.map(({ part }) => part.circularity_um).filter((value) => value !== null);
-  const [least, most] = [Math.min(...values), Math.max(...values)].map((value) => shown(value, 2));
-  const circularity = values.length === 0 ? "" : range_text(least ?? "", most ?? "");
-  return t.errors_result({ circularity, tests: tests.length });
+  const values = tests.flatMap(({ part }) => part.circularity_um ?? []);
+  return t.errors_result({ circularity: range_text(values, 2), tests: tests.length });
 };
 
 // The error that gains most is mended, and the test made again.

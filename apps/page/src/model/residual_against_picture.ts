@@ -5,7 +5,7 @@ import { plain, split_name, unit_shown, words } from "../drawing/text";
 import { axis, base, colours, legend, minutes, shown, toggle, tooltip } from "../drawing/theme";
 import { t } from "../texts/texts";
 import { extent, kFewest_in_bin, running_quartiles, subsampled_rows } from "../drawing/columns";
-import { curve, zero_line } from "../drawing/curve";
+import { curve, zero_series } from "../drawing/curve";
 import { type Kinds, kinds_of } from "./kinds";
 import type { Numbers, Picture, State, Toggle } from "../picture";
 import { chosen_strands, recording_choice } from "../recordings/recording_groups";
@@ -207,7 +207,6 @@ export const residual_against_picture = (
     const on = kinds.map((_, k) => k).filter((k) => !hidden.has(kinds[k]?.key ?? ""));
     const groups = checked.level === "recording" ? on.map((k) => [k]) : [on];
     const trend = hidden.has("trend") ? [] : groups.flatMap((places) => trend_of(places, places.join(), c.ink));
-    const zero = { type: "line", name: "", data: [], silent: true, markLine: zero_line(look) };
     const row_text = (row: number): string =>
       checked.level === "recording" ? "" : `\n${t.model_at_min({ minutes: shown(minutes(series.time_s[row] ?? 0), 1) })}`;
     return {
@@ -224,7 +223,7 @@ export const residual_against_picture = (
           return `${against.name}  ${shown(x)}\n${t.residual}  ${shown(y, 3)} µm\n${hovered.seriesName ?? ""}${row_text(row ?? 0)}`;
         },
       },
-      series: [zero, ...clouds, ...trend],
+      series: [zero_series(look), ...clouds, ...trend],
     };
   };
 

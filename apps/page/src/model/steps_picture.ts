@@ -1,5 +1,5 @@
 // What each effect answers to a step of its input: how much, and how fast.
-import { curve } from "../drawing/curve";
+import { curve, lines_across } from "../drawing/curve";
 import { decimated } from "../drawing/columns";
 import { curves_base } from "../drawing/hover";
 import type { Picture } from "../picture";
@@ -39,20 +39,7 @@ export const steps_picture = (checked: Checked, name: string): Picture => {
         const points = decimated(times[k] ?? [], step.response_um, window, look.width_px);
         return [curve(names[k] ?? "", curve_colour(k, look.dark), dashes[k % dashes.length] ?? "solid", 2, points)];
       });
-      const c = colours(look.dark);
-      const moment = {
-        type: "line",
-        name: "",
-        data: [],
-        silent: true,
-        markLine: {
-          silent: true,
-          symbol: "none",
-          label: { show: false },
-          lineStyle: { color: c.faint, type: "dashed" },
-          data: [{ xAxis: 0 }],
-        },
-      };
+      const moment = lines_across([{ xAxis: 0 }], { show: false }, { color: colours(look.dark).faint, type: "dashed", width: 1 });
       return {
         ...curves_base(state, toggles, { drawn, head: (at) => `${shown(at, 1)} min`, unit: "µm" }),
         grid: { left: 64, right: 20, top: look.still ? 64 : 14, bottom: 48 },

@@ -4,7 +4,7 @@ import { axial_picture } from "./axial_picture";
 import { circle_picture } from "./circle_picture";
 import { command_of, data_files } from "../drawing/command";
 import { capital, plain } from "../drawing/text";
-import { shown } from "../drawing/theme";
+import { range_text } from "../drawing/theme";
 import type { Next, Picture, Section } from "../picture";
 import { is_axial, is_circle, pairs_and_singles, pairs_of, repeated } from "./recording_groups";
 import { recording_tables } from "./recording_tables";
@@ -18,11 +18,9 @@ const each = (recordings: readonly Recording[]): string[] => recordings.map((_, 
 
 // "10 recordings, circularity 4.62 to 5.13 µm"
 const result_of = (recordings: readonly Recording[]): string => {
-  const known = recordings.map(({ circularity_um }) => circularity_um ?? null).filter((value) => value !== null);
+  const known = recordings.flatMap(({ circularity_um }) => circularity_um ?? []);
   const count = t.recordings_count({ n: recordings.length });
-  const [from = "", to = ""] = [Math.min(...known), Math.max(...known)].map((value) => shown(value, 2));
-  const circularity = from === to ? from : t.several_from_to({ from, to });
-  return known.length === 0 ? count : t.recordings_result({ count, circularity });
+  return known.length === 0 ? count : t.recordings_result({ count, circularity: range_text(known, 2) });
 };
 
 const next_of = (report: Report): Next => ({
