@@ -13,6 +13,7 @@
 #include "fit/multi_start.hpp"
 #include "fit/series_cost.hpp"
 #include "model/model_rows.hpp"
+#include "noise/whitening.hpp"
 #include "numerics/median.hpp"
 #include "numerics/not_finite.hpp"
 #include "numerics/tukey.hpp"

@@ -7,6 +7,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/numerics/range.hpp"
 #include "fit/inlier_rows.hpp"
+#include "noise/whitening.hpp"
 #include "numerics/median.hpp"
 #include "numerics/not_finite.hpp"
 #include "numerics/tukey.hpp"

@@ -89,7 +89,7 @@ class SeriesCost : public ceres::CostFunction {
     rows_.evaluate(p, columns > 0, evaluated_);
     const Eigen::Index n = target_.size();
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(columns + 1, columns + 1);
-    Eigen::RowVectorXd state = Eigen::RowVectorXd::Zero(columns + 1);
+    RowMajorMatrix state = RowMajorMatrix::Zero(3, columns + 1);
     block_.resize(std::min(kBlockRows, n), columns + 1);
     for (Eigen::Index first = 0; first < n; first += kBlockRows) {
       const Eigen::Index rows = std::min(kBlockRows, n - first);

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "ballbar/noise/noise.hpp"
 #include "model/model_rows.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 

@@ -5,6 +5,7 @@
 
 #include "ballbar/fit/residual.hpp"
 #include "fit/inlier_rows.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 namespace {

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "ballbar/units.hpp"
+#include "noise/linear_filter.hpp"
 #include "noise/restricted_likelihood.hpp"
 
 namespace ballbar {
@@ -91,31 +93,31 @@ struct Restricted {
   double variance = 0.0;  // s^2: of q^2 = 1
 };
 
-// Every column becomes its innovations over their standard deviation, for q = 1.
-Restricted restricted(const ErrorRows& rows, const RowMajorMatrix& data, const RowMemory& memory, double white) {
-  const Eigen::Index n = rows.size(), p = data.cols() - 1;
-  RowMajorMatrix innovations = data;
-  Eigen::RowVectorXd predicted = Eigen::RowVectorXd::Zero(p + 1);
-  double known = 0.0;  // variance of the prediction
-  double log_variances = 0.0;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const double decay = memory.decay[at], with_others = memory.with_others[at];
-    known = decay * decay * known + (1.0 - decay * decay);
-    const double variance =
-        std::max(with_others * with_others * known + memory.own[at] + white * white / rows.count[i], kLeastVariance);
-    const double gain = known * with_others / variance;
-    predicted *= decay;
-    innovations.row(i) -= with_others * predicted;
-    predicted += gain * innovations.row(i);
-    innovations.row(i) /= std::sqrt(variance);
-    known *= 1.0 - gain * with_others;
-    log_variances += std::log(variance);
+// Recordings, rows after one another, that remember nothing of the one before.
+std::vector<std::size_t> starts_of(const ErrorRows& rows) {
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < rows.recording.size(); ++i) {
+    if (i == 0 || rows.recording[i] != rows.recording[i - 1]) starts.push_back(i);
   }
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(p + 1, p + 1);
-  gram.selfadjointView<Eigen::Upper>().rankUpdate(innovations.transpose());
-  const Kalman::Sums sums = restricted_sums(gram, log_variances);
-  const auto freedom = static_cast<double>(std::max<Eigen::Index>(n - p, 1));
+  return starts;
+}
+
+LinearFilter filter_of(const ErrorRows& rows, double memory_s) {
+  const RowMemory memory = row_memory(rows, memory_s);
+  const Eigen::ArrayXd of_white = rows.count.array().inverse();
+  const std::vector<std::size_t> starts = starts_of(rows);
+  return LinearFilter({rows.time_s.data(), rows.recording.size()},
+                      {.variance = memory.own,
+                       .relative_variance = {of_white.data(), rows.recording.size()},
+                       .memory_share = memory.with_others,
+                       .starts = starts});
+}
+
+// For q = 1.
+Restricted restricted(const RestrictedLikelihood& likelihood, const LinearFilter& filter, double memory_s, double white,
+                      Eigen::Index rows) {
+  const LinearFilter::Sums sums = likelihood.sums(filter, {white * white, 1.0, memory_s});
+  const auto freedom = static_cast<double>(std::max<Eigen::Index>(rows - likelihood.columns(), 1));
   Restricted result;
   result.variance = std::max(sums.squares / freedom, kLeast_um * kLeast_um);
   result.log_likelihood = -0.5 * (freedom * std::log(result.variance) + sums.log_variances);
@@ -124,11 +126,11 @@ Restricted restricted(const ErrorRows& rows, const RowMajorMatrix& data, const R
 
 // Of these memories and kWhiteOfCorrelated, from the middle on: all that lie beside one with a weight. Weights are
 // logarithms of the likelihood.
-std::vector<WeightedNoise> likely_noises(const ErrorRows& rows, const RowMajorMatrix& data,
+std::vector<WeightedNoise> likely_noises(const ErrorRows& rows, const RestrictedLikelihood& likelihood,
                                          const std::vector<double>& memories_s) {
   constexpr std::size_t kWhites = kWhiteOfCorrelated.size();
-  std::vector<RowMemory> memories(memories_s.size());
-  std::vector<bool> looked_at(memories.size() * kWhites, false);
+  std::vector<std::optional<LinearFilter>> filters(memories_s.size());
+  std::vector<bool> looked_at(filters.size() * kWhites, false);
   struct Place {
     std::size_t memory = 0, white = 0;
     bool open = true;  // what lies beside it was not looked at
@@ -140,14 +142,15 @@ std::vector<WeightedNoise> likely_noises(const ErrorRows& rows, const RowMajorMa
   const auto look_at = [&](std::size_t memory, std::size_t white) {
     if (looked_at[memory * kWhites + white]) return;
     looked_at[memory * kWhites + white] = true;
-    if (memories[memory].decay.empty()) memories[memory] = row_memory(rows, memories_s[memory]);
-    const Restricted found = restricted(rows, data, memories[memory], kWhiteOfCorrelated[white]);
+    if (!filters[memory]) filters[memory] = filter_of(rows, memories_s[memory]);
+    const Restricted found =
+        restricted(likelihood, *filters[memory], memories_s[memory], kWhiteOfCorrelated[white], rows.size());
     const double correlated_um = std::sqrt(found.variance);
     const double white_um = kWhiteOfCorrelated[white] * correlated_um;
     noises.push_back({found.log_likelihood, {white_um, correlated_um, memories_s[memory], found.log_likelihood}});
     places.push_back({memory, white});
   };
-  look_at(memories.size() / 2, kUsualWhite);
+  look_at(filters.size() / 2, kUsualWhite);
   for (;;) {
     double most = noises.front().weight;
     std::size_t next = noises.size();  // the likeliest that is open
@@ -159,7 +162,7 @@ std::vector<WeightedNoise> likely_noises(const ErrorRows& rows, const RowMajorMa
     places[next].open = false;
     const auto [memory, white, open] = places[next];
     const auto before = [](std::size_t k) { return k - std::min<std::size_t>(k, 1); };
-    for (std::size_t m = before(memory); m < std::min(memory + 2, memories.size()); ++m) {
+    for (std::size_t m = before(memory); m < std::min(memory + 2, filters.size()); ++m) {
       for (std::size_t w = before(white); w < std::min(white + 2, kWhites); ++w) look_at(m, w);
     }
   }
@@ -183,15 +186,14 @@ Eigen::MatrixXd span_of(const Eigen::MatrixXd& columns) {
 std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::MatrixXd& columns) {
   // Of what the columns span: on a short arc some are the sum of others, and their X' V^-1 X has no root.
   const Eigen::MatrixXd span = span_of(columns);
-  RowMajorMatrix data(rows.size(), span.cols() + 1);
-  data.leftCols(span.cols()) = span;
-  data.col(span.cols()) = rows.deviation_um;
+  const RestrictedLikelihood likelihood({rows.deviation_um.data(), rows.recording.size()}, span);
   const std::array<double, kMemories> memories = memories_s(rows);
   std::size_t best = 0;
   double most = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < memories.size(); ++k) {
-    const RowMemory memory = row_memory(rows, memories[k]);
-    const double log_likelihood = restricted(rows, data, memory, kWhiteOfCorrelated[kUsualWhite]).log_likelihood;
+    const double log_likelihood =
+        restricted(likelihood, filter_of(rows, memories[k]), memories[k], kWhiteOfCorrelated[kUsualWhite], rows.size())
+            .log_likelihood;
     if (log_likelihood > most) most = log_likelihood, best = k;
   }
   std::vector<double> fine_s;
@@ -199,7 +201,7 @@ std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::Matri
   for (const double times : kFineMemories) {
     if (times * memories[best] <= 1.0001 * memories.back()) fine_s.push_back(times * memories[best]);
   }
-  std::vector<WeightedNoise> noises = likely_noises(rows, data, fine_s);
+  std::vector<WeightedNoise> noises = likely_noises(rows, likelihood, fine_s);
   const auto likelier = [](const WeightedNoise& a, const WeightedNoise& b) { return a.weight > b.weight; };
   std::stable_sort(noises.begin(), noises.end(), likelier);
   most = noises.front().weight;

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
+#include <vector>
 
 #include "ballbar/units.hpp"
-#include "noise/kalman.hpp"
-#include "noise/memory_limit.hpp"
+#include "noise/linear_filter.hpp"
 #include "noise/restricted_likelihood.hpp"
+#include "noise/whitening.hpp"
 #include "numerics/nelder_mead.hpp"
 
 namespace ballbar {
@@ -19,55 +19,55 @@ constexpr double kFewest = 8.0;
 constexpr double kWorthIt = 2.0;  // gain of ln L by two parameters
 const double kLogTwoPi = std::log(2.0 * kPi);
 
-double log_likelihood(const Kalman::Sums& sums, double n) {
+double log_likelihood(const LinearFilter::Sums& sums, double n) {
   return -0.5 * (n * kLogTwoPi + sums.log_variances + sums.squares);
 }
 
-double log_likelihood(const Kalman& kalman, const Noise& noise, std::span<const double> residual_um) {
-  return log_likelihood(kalman.sums(variances_of(noise), residual_um), static_cast<double>(residual_um.size()));
+double log_likelihood(const LinearFilter& filter, const Noise& noise, std::span<const double> residual_um) {
+  return log_likelihood(filter.sums(variances_of(noise), residual_um), static_cast<double>(residual_um.size()));
 }
 
 // Noise in unknowns that any number suits and that the likelihood depends on evenly:
 //   x = ln theta,  y = ln w^2 / (q^2 (1 - a^2)), a the decay in a usual step: white against what is new of s in a step,
 //   z = ln (w^2 + q^2)
 struct Likelihood {
+  const LinearFilter& filter;
   RestrictedLikelihood restricted;
   double degrees = 0.0;  // of freedom: n less the fitted columns
   bool stated = false;
   double shortest_s = 0.0, longest_s = 0.0;  // bounds of theta
   double mean_square = 0.0;
 
-  Likelihood(const Kalman& kalman, std::span<const double> time_s, std::span<const double> residual, bool is_stated,
-             const RowMajorMatrix& fitted)
-      : restricted(kalman, residual, fitted),
+  Likelihood(const LinearFilter& of_times, std::span<const double> time_s, std::span<const double> residual,
+             bool is_stated, const RowMajorMatrix& fitted)
+      : filter(of_times),
+        restricted(residual, fitted),
         degrees(static_cast<double>(residual.size()) - static_cast<double>(restricted.columns())),
         stated(is_stated) {
     if (time_s.empty()) return;
     const auto [first, last] = std::minmax_element(time_s.begin(), time_s.end());
     longest_s = *last - *first;
-    shortest_s = std::max(restricted.kalman().shortest_step_s() / 3.0, 1e-6 * longest_s);
+    shortest_s = std::max(filter.shortest_step_s() / 3.0, 1e-6 * longest_s);
+    longest_s = std::max(shortest_s, longest_s);
     for (const double value : residual) mean_square += value * value / degrees;
     mean_square = std::max(mean_square, kLeastVariance_um2);
   }
 
-  NoiseVariances at(double x, double y, double z) const {
+  Covariance at(double x, double y, double z) const {
     const double theta_s = std::exp(std::clamp(x, std::log(shortest_s), std::log(longest_s)));
-    const double fresh = -std::expm1(-2.0 * restricted.kalman().usual_step_s() / theta_s);
-    const double ratio = std::exp(y) * fresh;  // w^2 / q^2
-    const double total = std::exp(z);
-    return {total * ratio / (1.0 + ratio), total / (1.0 + ratio), theta_s};
+    return with_memory(std::exp(z), y, filter.usual_step_s(), theta_s);
   }
 
-  double log_likelihood_of(const NoiseVariances& noise) { return log_likelihood(restricted.sums(noise), degrees); }
+  double log_likelihood_of(const Covariance& noise) { return log_likelihood(restricted.sums(filter, noise), degrees); }
 
   // Without stated sigma the total variance of largest likelihood is sum(v^2 / S) / n times the one of gains `noise`.
-  NoiseVariances scaled(NoiseVariances noise) {
-    const double factor = restricted.sums(noise).squares / degrees;
+  Covariance scaled(Covariance noise) {
+    const double factor = restricted.sums(filter, noise).squares / degrees;
     return {noise.white * factor, noise.correlated * factor, noise.time_s};
   }
 
-  double log_likelihood_scaled(const NoiseVariances& noise) {
-    const Kalman::Sums sum = restricted.sums(noise);
+  double log_likelihood_scaled(const Covariance& noise) {
+    const LinearFilter::Sums sum = restricted.sums(filter, noise);
     return -0.5 * (degrees * (kLogTwoPi + 1.0 + std::log(sum.squares / degrees)) + sum.log_variances);
   }
 };
@@ -75,8 +75,8 @@ struct Likelihood {
 // How far a value is outside [low, high].
 double outside(double value, double low, double high) { return std::max({0.0, low - value, value - high}); }
 
-NoiseVariances white(Likelihood& likelihood) {
-  NoiseVariances none{0.0, 0.0, 0.0};
+Covariance white(Likelihood& likelihood) {
+  Covariance none{0.0, 0.0, 0.0};
   if (!likelihood.stated) return {likelihood.mean_square, 0.0, 0.0};
   const double largest = std::log(likelihood.mean_square);
   const auto cost = [&](const std::array<double, 1>& z) {
@@ -142,13 +142,13 @@ Minimum<3> best_of_grid(Likelihood& likelihood) {
 
 // Where columns were fitted, the largest of the plain likelihood, which costs less, is the start for the restricted
 // one.
-NoiseVariances with_memory(Likelihood& likelihood, Likelihood& plain) {
+Covariance likeliest_memory(Likelihood& likelihood, Likelihood& plain) {
   Minimum<3> best = best_of_grid(plain);
   if (likelihood.restricted.columns() > 0) best = Cost{likelihood}.down_from(best.x);
-  NoiseVariances noise = likelihood.at(best.x[0], best.x[1], best.x[2]);
+  Covariance noise = likelihood.at(best.x[0], best.x[1], best.x[2]);
   if (!likelihood.stated) noise = likelihood.scaled(noise);
   // No white part where none is needed.
-  NoiseVariances pure{0.0, noise.white + noise.correlated, noise.time_s};
+  Covariance pure{0.0, noise.white + noise.correlated, noise.time_s};
   if (!likelihood.stated) pure = likelihood.scaled(pure);
   return likelihood.log_likelihood_of(pure) >= likelihood.log_likelihood_of(noise) - 1e-3 ? pure : noise;
 }
@@ -157,11 +157,6 @@ NoiseVariances with_memory(Likelihood& likelihood, Likelihood& plain) {
 
 Noise noise_of(std::span<const double> time_s, std::span<const double> residual_um, std::span<const double> sigma_um,
                const Eigen::MatrixXd& fitted) {
-  return noise_of(time_s, residual_um, sigma_um, fitted, std::numeric_limits<double>::infinity());
-}
-
-Noise noise_of(std::span<const double> time_s, std::span<const double> residual_um, std::span<const double> sigma_um,
-               const Eigen::MatrixXd& fitted, double longest_memory_s) {
   if (residual_um.empty()) return {};
   RowMajorMatrix columns = unit_basis(fitted);
   if (static_cast<std::size_t>(columns.cols()) >= residual_um.size()) columns = RowMajorMatrix(fitted.rows(), 0);
@@ -170,52 +165,24 @@ Noise noise_of(std::span<const double> time_s, std::span<const double> residual_
     Eigen::Map<Eigen::VectorXd> left(left_um.data(), columns.rows());
     left -= columns * (columns.transpose() * left).eval();
   }
-  const Kalman kalman(time_s, sigma_um);
-  Likelihood likelihood(kalman, time_s, left_um, !sigma_um.empty(), columns);
-  likelihood.longest_s = std::max(likelihood.shortest_s, std::min(likelihood.longest_s, longest_memory_s));
-  NoiseVariances noise = white(likelihood);
+  const LinearFilter filter(time_s, {.variance = squares_of(sigma_um)});
+  Likelihood likelihood(filter, time_s, left_um, !sigma_um.empty(), columns);
+  Covariance noise = white(likelihood);
   const bool enough =
-      likelihood.degrees >= kFewest && kalman.usual_step_s() > 0.0 && likelihood.mean_square > kLeastVariance_um2;
+      likelihood.degrees >= kFewest && filter.usual_step_s() > 0.0 && likelihood.mean_square > kLeastVariance_um2;
   if (enough) {
-    Likelihood plain(kalman, time_s, left_um, !sigma_um.empty(), RowMajorMatrix(0, 0));
-    plain.longest_s = likelihood.longest_s;
-    const NoiseVariances other = with_memory(likelihood, plain);
+    Likelihood plain(filter, time_s, left_um, !sigma_um.empty(), RowMajorMatrix(0, 0));
+    const Covariance other = likeliest_memory(likelihood, plain);
     if (likelihood.log_likelihood_of(other) > likelihood.log_likelihood_of(noise) + kWorthIt) noise = other;
   }
   Noise result{std::sqrt(noise.white), std::sqrt(noise.correlated), noise.correlated > 0.0 ? noise.time_s : 0.0, 0.0};
-  result.log_likelihood = log_likelihood(kalman, result, residual_um);
+  result.log_likelihood = log_likelihood(filter, result, residual_um);
   return result;
 }
 
 double log_likelihood(const Noise& noise, std::span<const double> time_s, std::span<const double> residual_um,
                       std::span<const double> sigma_um) {
-  return log_likelihood(Kalman(time_s, sigma_um), noise, residual_um);
-}
-
-Whitening::Whitening(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um,
-                     std::span<const std::size_t> left_out) {
-  Kalman(time_s, sigma_um, left_out).for_each_gain(variances_of(noise), [&](const Kalman::Gain& of) {
-    const auto rows = static_cast<std::size_t>(of.rows);
-    decay_.insert(decay_.end(), rows, of.decay);
-    gain_.insert(gain_.end(), rows, of.gain);
-    scale_.insert(scale_.end(), rows, std::sqrt(of.weight));
-  });
-}
-
-void Whitening::apply(const double* column, std::size_t stride, double* out, std::size_t out_stride) const {
-  double s = 0.0;
-  for (std::size_t i = 0; i < decay_.size(); ++i) {
-    double value = column[i * stride];
-    filter_row(decay_[i], gain_[i], scale_[i], value, s);
-    out[i * out_stride] = value;
-  }
-}
-
-void Whitening::apply(std::size_t first, RowMajorBlock block, Eigen::Ref<Eigen::RowVectorXd> state) const {
-  for (Eigen::Index i = 0; i < block.rows(); ++i) {
-    const std::size_t row = first + static_cast<std::size_t>(i);
-    filter_row(decay_[row], gain_[row], scale_[row], block.row(i), state);
-  }
+  return log_likelihood(LinearFilter(time_s, {.variance = squares_of(sigma_um)}), noise, residual_um);
 }
 
 double effective_samples(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um) {
@@ -225,7 +192,7 @@ double effective_samples(const Noise& noise, std::span<const double> time_s, std
   std::vector<double> ones(n, 1.0);
   whitening.apply(ones.data(), 1, ones.data(), 1);
   double information = 0.0, inverse_variances = 0.0;
-  const NoiseVariances variances = variances_of(noise);
+  const Covariance variances = variances_of(noise);
   for (std::size_t i = 0; i < n; ++i) {
     information += ones[i] * ones[i];
     const double stated = sigma_um.empty() ? 0.0 : sigma_um[i] * sigma_um[i];
@@ -238,7 +205,7 @@ double effective_samples(const Noise& noise, std::span<const double> time_s, std
 double sigma_of_mean(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um) {
   const std::size_t n = time_s.size();
   if (n == 0) return 0.0;
-  const NoiseVariances variances = variances_of(noise);
+  const Covariance variances = variances_of(noise);
   double sum = 0.0, earlier = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     const double stated = sigma_um.empty() ? 0.0 : sigma_um[i] * sigma_um[i];

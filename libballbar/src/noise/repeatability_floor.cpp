@@ -8,7 +8,7 @@
 #include "ballbar/noise/noise.hpp"
 #include "ballbar/series/speed_steps.hpp"
 #include "ballbar/units.hpp"
-#include "noise/kalman.hpp"
+#include "noise/linear_filter.hpp"
 #include "numerics/interpolation.hpp"
 #include "series/standstill.hpp"
 
@@ -120,8 +120,9 @@ std::optional<Floor> of_innovations(const Noise& noise, std::span<const double> 
                                     std::span<const double> sigma_um) {
   if (time_s.size() < kFewestOfResidual) return std::nullopt;
   double variances = 0.0;
-  Kalman(time_s, sigma_um).for_each_gain(variances_of(noise), [&](const Kalman::Gain& of) {
-    variances += static_cast<double>(of.rows) / of.weight;
+  const LinearFilter filter(time_s, {.variance = squares_of(sigma_um)});
+  filter.for_each_gain(variances_of(noise), [&](const FilterGain& of, Eigen::Index rows) {
+    variances += static_cast<double>(rows) / of.weight;
   });
   return Floor{std::sqrt(variances / static_cast<double>(time_s.size())), "innovations of the residual"};
 }

@@ -3,8 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "numerics/orthonormal.hpp"
 
@@ -23,10 +21,10 @@ class FilteredGram {
         white_(kBlockRows, columns.cols()),
         gram_(Eigen::MatrixXd::Zero(columns.cols(), columns.cols())) {}
 
-  void add(const Kalman::Gain& of) {
+  void add(const FilterGain& of, Eigen::Index count) {
     using Group = Eigen::Array<double, 1, kGroup>;
     const double keeps = (1.0 - of.gain) * of.decay, scale = std::sqrt(of.weight);
-    for (Eigen::Index left = of.rows; left > 0;) {
+    for (Eigen::Index left = count; left > 0;) {
       const Eigen::Index rows = std::min(left, kBlockRows - filled_);
       for (Eigen::Index k = 0; k < columns_.cols(); k += kGroup) {
         Group s = state_.segment<kGroup>(k);
@@ -63,15 +61,9 @@ class FilteredGram {
   Eigen::Index first_ = 0, filled_ = 0;
 };
 
-}  // namespace
-
-RowMajorMatrix unit_basis(const Eigen::MatrixXd& columns) {
-  if (columns.cols() == 0) return {columns.rows(), 0};
-  const Eigen::VectorXd norm = columns.colwise().norm().transpose().cwiseMax(1e-300);
-  return orthonormal(columns * norm.cwiseInverse().asDiagonal());
-}
-
-Kalman::Sums restricted_sums(const Eigen::MatrixXd& gram, double log_variances) {
+// What fitted columns leave, of the products of these, white, with a residual behind them (the upper half) and of the
+// filter's sum of ln S_i.
+LinearFilter::Sums restricted_sums(const Eigen::MatrixXd& gram, double log_variances) {
   const Eigen::Index p = gram.cols() - 1;
   const Eigen::MatrixXd g = gram.topLeftCorner(p, p).selfadjointView<Eigen::Upper>();
   const Eigen::LLT<Eigen::MatrixXd> factor(g);
@@ -80,19 +72,27 @@ Kalman::Sums restricted_sums(const Eigen::MatrixXd& gram, double log_variances) 
   return {log_variances + 2.0 * diagonal.array().log().sum(), gram(p, p) - right.dot(factor.solve(right))};
 }
 
-RestrictedLikelihood::RestrictedLikelihood(Kalman kalman, std::span<const double> residual_um,
-                                           const RowMajorMatrix& columns)
-    : kalman_(std::move(kalman)), residual_um_(residual_um), p_(columns.cols()) {
+}  // namespace
+
+RowMajorMatrix unit_basis(const Eigen::MatrixXd& columns) {
+  if (columns.cols() == 0) return {columns.rows(), 0};
+  const Eigen::VectorXd norm = columns.colwise().norm().transpose().cwiseMax(1e-300);
+  return orthonormal(columns * norm.cwiseInverse().asDiagonal());
+}
+
+RestrictedLikelihood::RestrictedLikelihood(std::span<const double> residual_um, const RowMajorMatrix& columns)
+    : residual_um_(residual_um), p_(columns.cols()) {
   if (p_ == 0) return;
   all_ = RowMajorMatrix::Zero(columns.rows(), (p_ / kGroup + 1) * kGroup);
   all_.leftCols(p_) = columns;
   all_.col(p_) = Eigen::VectorXd::Map(residual_um.data(), columns.rows());
 }
 
-Kalman::Sums RestrictedLikelihood::sums(const NoiseVariances& noise) const {
-  if (p_ == 0) return kalman_.sums(noise, residual_um_);
+LinearFilter::Sums RestrictedLikelihood::sums(const LinearFilter& filter, const Covariance& noise) const {
+  if (p_ == 0) return filter.sums(noise, residual_um_);
   FilteredGram filtered(all_);
-  const double log_variances = kalman_.for_each_gain(noise, [&](const Kalman::Gain& of) { filtered.add(of); });
+  const double log_variances =
+      filter.for_each_gain(noise, [&](const FilterGain& of, Eigen::Index rows) { filtered.add(of, rows); });
   return restricted_sums(filtered.gram().topLeftCorner(p_ + 1, p_ + 1), log_variances);
 }
 

@@ -4,31 +4,25 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "noise/kalman.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 
 // An orthonormal basis of columns of any length, row after row.
 RowMajorMatrix unit_basis(const Eigen::MatrixXd& columns);
 
-// What fitted columns leave, of the products of these, white, with a residual behind them (the upper half) and of the
-// filter's sum of ln S_i.
-Kalman::Sums restricted_sums(const Eigen::MatrixXd& gram, double log_variances);
-
-// Of one residual (n, referred to) and orthonormal columns X (n by p), for one noise after the other.
+// Of one residual (n, referred to) and orthonormal columns X (n by p), for one filter and noise after the other.
 class RestrictedLikelihood {
  public:
-  RestrictedLikelihood(Kalman kalman, std::span<const double> residual_um, const RowMajorMatrix& columns);
+  RestrictedLikelihood(std::span<const double> residual_um, const RowMajorMatrix& columns);
 
   // G = X' C^-1 X and g = X' C^-1 r take g' G^-1 g from the squares r' C^-1 r and add ln det G to the variances
-  // ln det C: -1/2 their sum is ln of the likelihood, up to a constant.
-  Kalman::Sums sums(const NoiseVariances& noise) const;
+  // ln det C: -1/2 their sum is ln of the likelihood, up to a constant. noise: without a discrepancy.
+  LinearFilter::Sums sums(const LinearFilter& filter, const Covariance& noise) const;
 
-  const Kalman& kalman() const { return kalman_; }
   Eigen::Index columns() const { return p_; }
 
  private:
-  Kalman kalman_;
   std::span<const double> residual_um_;
   Eigen::Index p_ = 0;
   RowMajorMatrix all_;  // X, the residual behind it, and zeros up to whole groups; empty where p is 0

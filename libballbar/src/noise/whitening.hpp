@@ -1,12 +1,56 @@
-// Columns by the filter of the noise.
+// Columns by the filter of the noise: its innovations over their standard deviation. W is linear, W' W the inverse of
+// the covariance.
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <vector>
 
 #include "ballbar/noise/noise.hpp"
+#include "noise/linear_filter.hpp"
 
 namespace ballbar {
 
+using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using RowMajorBlock = Eigen::Ref<RowMajorMatrix>;
+
+// The filter's gains for these times, to be applied to any column.
+class Whitening {
+ public:
+  Whitening() = default;  // of no rows
+  explicit Whitening(const Covariance& covariance, std::span<const double> time_s, const RowScatter& rows = {});
+  // left_out: rows, rising, of which the filter does not learn (outliers): each still gives its innovation, on what the
+  // other rows tell.
+  Whitening(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um,
+            std::span<const std::size_t> left_out = {});
+
+  std::size_t size() const { return gain_.size(); }
+  double log_determinant() const { return log_determinant_; }  // of the covariance
+
+  // n innovations over their standard deviation. `stride`: distance of the column's values in memory. `out` may be the
+  // column itself.
+  void apply(const double* column, std::size_t stride, double* out, std::size_t out_stride) const;
+
+  // Several columns at once, block of rows after block: rows first, first + 1, ... become white. state: 3 by the
+  // columns, 0 before the first block.
+  void apply(std::size_t first, RowMajorBlock block, RowMajorMatrix& state) const;
+
+  // W' w of white columns w: their products with the columns before the filter.
+  RowMajorMatrix transposed(RowMajorMatrix white) const;
+
+  // |W s|^2 of each column that is 0 before a row and 1 from it on, n of them.
+  Eigen::VectorXd squares_of_steps() const;
+
+ private:
+  std::vector<FilterGain> gain_;
+  std::vector<double> scale_;
+  bool has_slow_ = false, has_memory_ = false;
+  double log_determinant_ = 0.0;
+};
+
+// All rows at once, and columns in groups whose block of rows stays in the cache.
+RowMajorMatrix whitened_rows(const Whitening& whitening, RowMajorMatrix columns);
 Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::Ref<const Eigen::MatrixXd>& columns);
 
 // Student's t with 4 degrees of freedom is more likely than the normal distribution, each of its own most likely width.

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "ballbar/fit/fit.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 namespace {

@@ -12,6 +12,7 @@
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/lab/challenge/blind.hpp"
 #include "ballbar/numerics/range.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 namespace {

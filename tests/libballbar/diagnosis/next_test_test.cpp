@@ -16,6 +16,7 @@
 #include "diagnosis/next_test/planned_test.hpp"
 #include "diagnosis/next_test/thermal_forecast.hpp"
 #include "effects/low_pass.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 namespace {

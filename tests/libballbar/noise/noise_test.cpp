@@ -10,6 +10,7 @@
 #include <random>
 
 #include "ballbar/units.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 namespace {
@@ -148,7 +149,7 @@ TEST(Noise, whitening_learns_nothing_from_rows_left_out) {
 
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> block(20, 2);
   for (Eigen::Index i = 0; i < 20; ++i) block.row(i) << r[static_cast<std::size_t>(i)], 1.0;
-  Eigen::RowVectorXd state = Eigen::RowVectorXd::Zero(2);
+  RowMajorMatrix state = RowMajorMatrix::Zero(3, 2);
   whitening.apply(0, block.topRows(12), state);
   whitening.apply(12, block.bottomRows(8), state);
   for (Eigen::Index i = 0; i < 20; ++i) EXPECT_NEAR(block(i, 0), whitened[static_cast<std::size_t>(i)], 1e-14);
@@ -158,7 +159,7 @@ TEST(Noise, whitening_white_noise_of_1_um_changes_nothing) {
   const std::vector<double> time_s = uneven_times(50, 15.0, 8);
   std::vector<double> column = drawn({1.0, 0.0, 0.0, 0.0}, time_s, {}, 9);
   const std::vector<double> before = column;
-  Whitening({1.0, 0.0, 0.0, 0.0}, time_s, {}).apply(column.data(), 1, column.data(), 1);
+  Whitening(Noise{1.0, 0.0, 0.0, 0.0}, time_s, {}).apply(column.data(), 1, column.data(), 1);
   for (std::size_t i = 0; i < column.size(); ++i) EXPECT_NEAR(column[i], before[i], 1e-15);
 }
 

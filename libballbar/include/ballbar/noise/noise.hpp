@@ -43,28 +43,6 @@ Noise noise_of(std::span<const double> time_s, std::span<const double> residual_
 double log_likelihood(const Noise& noise, std::span<const double> time_s, std::span<const double> residual_um,
                       std::span<const double> sigma_um);
 
-using RowMajorBlock = Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
-
-// The filter's gains for these times, to be applied to any column.
-class Whitening {
- public:
-  // left_out: rows, rising, of which the filter does not learn (outliers): each still gives its innovation, on what the
-  // other rows tell.
-  Whitening(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um,
-            std::span<const std::size_t> left_out = {});
-  // n innovations over their standard deviation. `stride`: distance of the column's values in memory. `out` may be the
-  // column itself.
-  void apply(const double* column, std::size_t stride, double* out, std::size_t out_stride) const;
-  // Several columns at once, block of rows after block: rows first, first + 1, ... become their innovations. `state`:
-  // one a column, 0 before the first block.
-  void apply(std::size_t first, RowMajorBlock block, Eigen::Ref<Eigen::RowVectorXd> state) const;
-  std::size_t size() const { return decay_.size(); }
-
- private:
-  std::vector<double> decay_, gain_,
-      scale_;  // s predicted = decay * s; s += gain * innovation; out = scale * innovation
-};
-
 // Number of independent samples whose mean would be as certain: 1' C^-1 1 times the rows' (harmonic) mean variance;
 // n for white noise.
 double effective_samples(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um);

@@ -12,6 +12,14 @@ constexpr double kJitter = 1e-10;  // of a diagonal of 1: columns that are nearl
 
 }  // namespace
 
+Gram gram_of(const Whitening& whitening, const RowMajorMatrix& pool) {
+  const RowMajorMatrix white = whitened_rows(whitening, pool);
+  Gram result{pool.rows(), whitening.log_determinant(), Eigen::MatrixXd::Zero(pool.cols(), pool.cols())};
+  result.pool.selfadjointView<Eigen::Lower>().rankUpdate(white.transpose());
+  result.pool.triangularView<Eigen::StrictlyUpper>() = result.pool.transpose();
+  return result;
+}
+
 double log_sum(std::span<const double> logarithms) {
   double most = -std::numeric_limits<double>::infinity();
   for (const double one : logarithms) most = std::max(most, one);

@@ -12,9 +12,19 @@
 #include <span>
 #include <vector>
 
-#include "diagnosis/evidence/gram.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
+
+// All that the evidence of a line needs of the readings at one covariance: products of white columns.
+struct Gram {
+  Eigen::Index rows = 0;         // n
+  double log_determinant = 0.0;  // of the covariance
+  Eigen::MatrixXd pool;          // P by P
+};
+
+// pool: n by P.
+Gram gram_of(const Whitening& whitening, const RowMajorMatrix& pool);
 
 double log_sum(std::span<const double> logarithms);  // ln of the sum of e^x
 

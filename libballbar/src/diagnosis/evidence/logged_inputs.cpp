@@ -1,13 +1,16 @@
 #include "diagnosis/evidence/logged_inputs.hpp"
 
+#include <Eigen/Core>
+#include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/series/runs.hpp"
+#include "noise/linear_filter.hpp"
 #include "series/resolution.hpp"
 
 namespace ballbar {
@@ -142,132 +145,121 @@ struct Observation {
   double time_s = 0.0, value = 0.0, variance = 1.0;  // in units of the scatter
 };
 
-// Integrated random walk x'' = white noise of this spectral density, seen at the observations.
+// Integrated random walk x'' = white noise of this spectral density, seen at the observations. States (x, x'); it has
+// no stationary variance, so that its gains are not those of a noise (linear_filter.hpp), its steps are.
 struct Smoother {
-  const std::vector<Observation>& seen;
+  const std::vector<Observation>& observations;
   double density;
 
-  struct State {
-    std::array<double, 2> x;
-    std::array<double, 3> p;  // xx, xv, vv
-  };
-  State predicted(const State& s, double dt) const {
-    const auto& [pxx, pxv, pvv] = s.p;
-    return {{s.x[0] + dt * s.x[1], s.x[1]},
-            {pxx + 2.0 * dt * pxv + dt * dt * pvv + density * dt * dt * dt / 3.0,
-             pxv + dt * pvv + density * dt * dt / 2.0, pvv + density * dt}};
+  static Eigen::Matrix2d transition(double dt) { return Eigen::Matrix2d{{1.0, dt}, {0.0, 1.0}}; }
+  StateEstimate<2> moved(const StateEstimate<2>& from, double dt) const {
+    const Eigen::Matrix2d added = density * Eigen::Matrix2d{{dt * dt * dt / 3.0, dt * dt / 2.0}, {dt * dt / 2.0, dt}};
+    return predicted(from, transition(dt), added);
   }
-  State updated(const State& s, const Observation& o, double* log_variances, double* squares) const {
-    const double variance = s.p[0] + o.variance, v = o.value - s.x[0];
-    const double kx = s.p[0] / variance, kv = s.p[1] / variance;
-    if (log_variances != nullptr) {
-      *log_variances += std::log(variance);
-      *squares += v * v / variance;
-    }
-    return {{s.x[0] + kx * v, s.x[1] + kv * v}, {s.p[0] * (1.0 - kx), s.p[1] * (1.0 - kx), s.p[2] - kv * s.p[1]}};
+  static StateUpdate<2> with(const StateEstimate<2>& before, const Observation& one) {
+    return updated(before, {1.0, 0.0}, one.variance, one.value);
   }
-  State start() const {
-    const double span = seen.back().time_s - seen.front().time_s;
+  StateEstimate<2> start() const {
+    const double span = observations.back().time_s - observations.front().time_s;
     const double slope = 1e6 / (span * span) + density * span;
-    return {{seen.front().value, 0.0}, {1e6, 0.0, slope}};
+    return {{observations.front().value, 0.0}, Eigen::Vector2d(1e6, slope).asDiagonal()};
   }
   // The scatter at its most likely; the first two observations tell where the curve begins.
   double log_likelihood() const {
     double log_variances = 0.0, squares = 0.0;
-    State s = start();
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      if (i > 0) s = predicted(s, seen[i].time_s - seen[i - 1].time_s);
-      s = i < 2 ? updated(s, seen[i], nullptr, nullptr) : updated(s, seen[i], &log_variances, &squares);
+    StateEstimate<2> now = start();
+    for (std::size_t i = 0; i < observations.size(); ++i) {
+      if (i > 0) now = moved(now, observations[i].time_s - observations[i - 1].time_s);
+      const StateUpdate<2> update = with(now, observations[i]);
+      now = update.after;
+      if (i < 2) continue;
+      log_variances += std::log(update.variance);
+      squares += update.innovation * update.innovation / update.variance;
     }
-    return -0.5 * log_variances - 0.5 * static_cast<double>(seen.size() - 2) * std::log(std::max(squares, 1e-300));
+    return -0.5 * log_variances -
+           0.5 * static_cast<double>(observations.size() - 2) * std::log(std::max(squares, 1e-300));
   }
   // The smoothed curve at rising times: forwards, then Rauch, Tung and Striebel backwards.
   std::vector<double> at(const std::vector<double>& time_s) const {
     struct Step {
       double time_s;
-      State before, after;
-      std::ptrdiff_t wanted;
+      StateEstimate<2> before, after;
+      std::optional<std::size_t> row;  // of time_s
     };
     std::vector<Step> steps;
-    steps.reserve(time_s.size() + seen.size());
-    State s = start();
-    double last = std::min(seen.front().time_s, time_s.front());
+    steps.reserve(time_s.size() + observations.size());
+    StateEstimate<2> now = start();
+    double last = std::min(observations.front().time_s, time_s.front());
     std::size_t next = 0;
     for (std::size_t i = 0; i <= time_s.size(); ++i) {
-      while (next < seen.size() && (i == time_s.size() || seen[next].time_s <= time_s[i])) {
-        const State before = predicted(s, seen[next].time_s - last);
-        s = updated(before, seen[next], nullptr, nullptr);
-        last = seen[next].time_s;
-        steps.push_back({last, before, s, -1});
-        ++next;
+      for (; next < observations.size() && (i == time_s.size() || observations[next].time_s <= time_s[i]); ++next) {
+        const StateEstimate<2> before = moved(now, observations[next].time_s - last);
+        now = with(before, observations[next]).after;
+        last = observations[next].time_s;
+        steps.push_back({last, before, now, std::nullopt});
       }
       if (i == time_s.size()) break;
-      s = predicted(s, time_s[i] - last);
+      now = moved(now, time_s[i] - last);
       last = time_s[i];
-      steps.push_back({last, s, s, static_cast<std::ptrdiff_t>(i)});
+      steps.push_back({last, now, now, i});
     }
     std::vector<double> values(time_s.size());
-    std::array<double, 2> smooth = steps.back().after.x;
+    Eigen::Vector2d smooth = steps.back().after.x;
     for (std::size_t k = steps.size(); k-- > 0;) {
-      if (k + 1 < steps.size()) {
-        const double dt = steps[k + 1].time_s - steps[k].time_s;
-        const auto& [pxx, pxv, pvv] = steps[k].after.p;
-        const auto& [qxx, qxv, qvv] = steps[k + 1].before.p;
-        const double det = qxx * qvv - qxv * qxv;
-        if (dt > 0.0 && det > 0.0) {
-          // x = after + P F' Q^-1 (smooth - before), P after this step, Q before the next
-          const double ax = pxx + dt * pxv, av = pxv, bx = pxv + dt * pvv, bv = pvv;
-          const double rx = smooth[0] - steps[k + 1].before.x[0], rv = smooth[1] - steps[k + 1].before.x[1];
-          const double gx = (qvv * rx - qxv * rv) / det, gv = (qxx * rv - qxv * rx) / det;
-          smooth = {steps[k].after.x[0] + ax * gx + av * gv, steps[k].after.x[1] + bx * gx + bv * gv};
-        } else {
-          smooth = dt > 0.0 ? steps[k].after.x : smooth;
-        }
+      const StateEstimate<2>& after = steps[k].after;
+      const double dt = k + 1 < steps.size() ? steps[k + 1].time_s - steps[k].time_s : 0.0;
+      if (dt > 0.0) {
+        // x = after + P F' Q^-1 (smooth - before), P after this step, Q before the next
+        const StateEstimate<2>& before = steps[k + 1].before;
+        smooth = before.p.determinant() > 0.0
+                     ? Eigen::Vector2d(after.x + after.p * transition(dt).transpose() *
+                                                     (before.p.inverse() * (smooth - before.x)))
+                     : after.x;
       }
-      if (steps[k].wanted >= 0) values[static_cast<std::size_t>(steps[k].wanted)] = smooth[0];
+      if (steps[k].row) values[*steps[k].row] = smooth[0];
     }
     return values;
   }
 };
 
 // The curve through these, its roughness by maximum likelihood.
-std::vector<double> smoothed(const std::vector<Observation>& seen, const std::vector<double>& time_s) {
+std::vector<double> smoothed(const std::vector<Observation>& observations, const std::vector<double>& time_s) {
   double best = 0.0, most = -std::numeric_limits<double>::infinity();
-  const double span = seen.back().time_s - seen.front().time_s;
-  const double usual = std::max(span / static_cast<double>(seen.size() - 1), 1e-3);
+  const double span = observations.back().time_s - observations.front().time_s;
+  const double usual = std::max(span / static_cast<double>(observations.size() - 1), 1e-3);
   for (double step = 0.2 * usual; step < 0.3 * span; step *= 2.0) {
     // A walk that goes by as much as the scatter in this time.
     const double density = 3.0 / (step * step * step);
-    const double now = Smoother{seen, density}.log_likelihood();
+    const double now = Smoother{observations, density}.log_likelihood();
     if (now > most) {
       most = now;
       best = density;
     }
   }
-  return Smoother{seen, best}.at(time_s);
+  return Smoother{observations, best}.at(time_s);
 }
 
 // Runs of a coarse column where it spends several rows each; else its samples.
 std::vector<double> continuous(const std::vector<double>& time_s, const std::vector<double>& values, std::size_t held) {
   const std::vector<RowRange> runs = equal_rows(values);
   if (runs.size() < kFewestChanges) return values;
-  std::vector<Observation> seen;
-  seen.reserve(runs.size());
+  std::vector<Observation> observations;
+  observations.reserve(runs.size());
   const bool coarse = resolution_of(values) > 0.0 && 3 * runs.size() < values.size() / held;
   if (coarse) {
     for (const RowRange& run : runs) {
       const bool is_short = run.end - run.begin < 3 * held;
       // A value that is held is that of the beginning.
       const double late_s = held > 1 ? 0.5 * (time_s[1] - time_s[0]) * static_cast<double>(held - 1) : 0.0;
-      seen.push_back(
+      observations.push_back(
           {0.5 * (time_s[run.begin] + time_s[run.end - 1]) - late_s, values[run.begin], is_short ? 4.0 : 1.0});
     }
   } else {
     for (std::size_t i = held > 1 ? runs[1].begin % held : 0; i < values.size(); i += held) {
-      seen.push_back({time_s[i], values[i], 1.0});
+      observations.push_back({time_s[i], values[i], 1.0});
     }
   }
-  return smoothed(seen, time_s);
+  return smoothed(observations, time_s);
 }
 
 // The largest changes from sample to sample: on which way a value went there, straight or at once, is not known.

@@ -17,7 +17,7 @@ struct At {
 };
 
 At at(const BaseModel& base, const std::vector<double>& parameters, const std::vector<std::size_t>& free,
-      const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known, std::size_t fixed) {
+      const Eigen::MatrixXd& times, const Whitening& filter, const KnownScatter& known, std::size_t fixed) {
   At result;
   result.columns = base.at(parameters, free, fixed);
   const Gram gram = gram_of(filter, pool_of(result.columns, times));
@@ -71,7 +71,7 @@ RowMajorMatrix pool_of(const BaseColumns& columns, const Eigen::MatrixXd& times)
 }
 
 Refined refined(const BaseModel& base, std::vector<double> parameters, const std::vector<std::size_t>& free,
-                const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known, Steps steps,
+                const Eigen::MatrixXd& times, const Whitening& filter, const KnownScatter& known, Steps steps,
                 std::size_t fixed) {
   At now = at(base, parameters, free, times, filter, known, fixed);
   for (int round = 0; round < steps.most; ++round) {

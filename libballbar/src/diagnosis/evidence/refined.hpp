@@ -7,6 +7,7 @@
 
 #include "diagnosis/evidence/base_columns.hpp"
 #include "diagnosis/evidence/evidence.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 
@@ -27,7 +28,7 @@ inline constexpr Steps kToTheEnd{60, 1e-9};  // of numbers that are printed
 // Gauss-Newton, shapes within their bounds. times: columns of Kind::time. free: shapes that are free though held;
 // fixed: as BaseModel::at.
 Refined refined(const BaseModel& base, std::vector<double> parameters, const std::vector<std::size_t>& free,
-                const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known, Steps steps,
+                const Eigen::MatrixXd& times, const Whitening& filter, const KnownScatter& known, Steps steps,
                 std::size_t fixed = 0);
 
 // Line of these columns in a pool where they stand from `first` on: y, the columns, times.

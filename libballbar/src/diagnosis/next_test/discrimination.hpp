@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "ballbar/noise/noise.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 

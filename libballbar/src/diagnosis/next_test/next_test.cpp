@@ -15,6 +15,7 @@
 #include "diagnosis/next_test/discrimination_matrix.hpp"
 #include "diagnosis/next_test/planned_test.hpp"
 #include "diagnosis/next_test/undecided_pairs.hpp"
+#include "noise/whitening.hpp"
 #include "series/subsampled.hpp"
 
 namespace ballbar {

@@ -14,18 +14,6 @@ constexpr double kSurviving = 1e-3;            // share of the square of a colum
 constexpr double kJitter = 1e-10;              // of a diagonal of 1
 constexpr Eigen::Index kColumnsTogether = 64;  // white ones that stay in the cache
 
-RowMajorMatrix filtered_rows(const CovarianceFilter& filter, RowMajorMatrix columns) {
-  RowMajorMatrix state = RowMajorMatrix::Zero(3, columns.cols());
-  filter.apply(0, columns, state);
-  return columns;
-}
-
-// W' w of white columns w: their products with the columns before the filter.
-RowMajorMatrix filtered_back(const CovarianceFilter& filter, RowMajorMatrix white) {
-  filter.apply_transposed(white);
-  return white;
-}
-
 // Products with jumps at each row.
 RowMajorMatrix sums_from_each_row(RowMajorMatrix columns) {
   for (Eigen::Index i = columns.rows() - 2; i >= 0; --i) columns.row(i) += columns.row(i + 1);
@@ -51,24 +39,24 @@ ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const
   for (Eigen::Index k = 0; k < line_; ++k)
     pool.col(1 + k) = variant.pool.col(variant.line.columns[static_cast<std::size_t>(k)]);
   if (dense > 0) pool.rightCols(dense) = background.columns;
-  pool = filtered_rows(filter_, std::move(pool));
+  pool = whitened_rows(filter_, std::move(pool));
   pool_ = pool.transpose() * pool;
   cross_ = Eigen::MatrixXd::Zero(pool.cols(), identities.size());
   squares_ = Eigen::VectorXd::Zero(identities.size());
   for (Eigen::Index first = 0; first < c; first += kColumnsTogether) {
     const Eigen::Index columns = std::min(kColumnsTogether, c - first);
-    const RowMajorMatrix white = filtered_rows(filter_, identities.columns.middleCols(first, columns));
+    const RowMajorMatrix white = whitened_rows(filter_, identities.columns.middleCols(first, columns));
     cross_.middleCols(first, columns).noalias() = pool.transpose() * white;
     squares_.segment(first, columns) = white.colwise().squaredNorm().transpose();
   }
   if (identities.jump) {
-    cross_.rightCols(n) = sums_from_each_row(filtered_back(filter_, pool)).transpose();
+    cross_.rightCols(n) = sums_from_each_row(filter_.transposed(pool)).transpose();
     squares_.tail(n) = filter_.squares_of_steps();
   }
   for (std::size_t s = 0; s < identities.shapes.size(); ++s) {
     const Shape& shape = identities.shapes[s];
     if (shape.width == 1) continue;
-    const RowMajorMatrix white = filtered_rows(filter_, identities.columns.middleCols(shape.first, shape.width));
+    const RowMajorMatrix white = whitened_rows(filter_, identities.columns.middleCols(shape.first, shape.width));
     blocks.push_back({s, {}, {}, {}, white.transpose() * white});
   }
   // About the scatter that nothing at all leaves.
@@ -201,13 +189,13 @@ ColumnsAt::Curve ColumnsAt::curve_of(const std::vector<std::pair<Eigen::Index, d
     }
   }
   std::partial_sum(jumps.begin(), jumps.end(), jumps.begin());
-  curve.white = filtered_rows(filter_, curve.white + jumps);
+  curve.white = whitened_rows(filter_, curve.white + jumps);
   return curve;
 }
 
 Eigen::VectorXd ColumnsAt::products(const Curve& curve) const {
   const Eigen::Index n = identities_.columns.rows(), c = identities_.columns.cols();
-  const RowMajorMatrix back = filtered_back(filter_, curve.white);
+  const RowMajorMatrix back = filter_.transposed(curve.white);
   Eigen::VectorXd result = -(solved_.transpose() * curve.line);
   result.head(c) += identities_.columns.transpose() * back.col(0);
   if (identities_.jump) result.tail(n) += sums_from_each_row(back).col(0);

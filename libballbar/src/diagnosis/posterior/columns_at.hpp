@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "diagnosis/posterior/identities.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 
@@ -65,7 +66,7 @@ class ColumnsAt {
   void settle_blocks();
 
   const Identities& identities_;
-  const CovarianceFilter& filter_;
+  const Whitening& filter_;
   double log_determinant_ = 0.0, background_d_ = 0.0;
   Eigen::Index line_ = 0;         // columns of the line, the background's behind them
   std::vector<char> is_free_;     // of the line's

@@ -11,7 +11,7 @@
 namespace ballbar {
 
 struct Found {
-  Point point{{}, {{}, {}, {}}};
+  Point point;
   double background = 0.0;  // d of a little of every input
   Ascent ascent;
   double log_weight = kLogZero;                        // bound and prior of the covariance

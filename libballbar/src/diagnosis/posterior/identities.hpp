@@ -2,7 +2,7 @@
 //
 // An identity is an effect on its columns (a family of the library), an input of any form, or a value that the model
 // holds and that may be another one: the curve there less the curve at the held value. Of an effect that jumps at a
-// moment every row is a shape; these columns are not written down (evidence/covariance.hpp).
+// moment every row is a shape; these columns are not written down (noise/whitening.hpp).
 #pragma once
 
 #include <Eigen/Core>

@@ -155,7 +155,8 @@ std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vecto
 }  // namespace
 
 Point point_at(const Problem& problem, const Covariance& covariance) {
-  return {covariance, CovarianceFilter(covariance, problem.time_s, problem.relative_variance, problem.shock)};
+  return {covariance, Whitening(covariance, problem.time_s,
+                                {.relative_variance = problem.relative_variance, .shock = problem.shock})};
 }
 
 std::vector<double> fitted_parameters(const Problem& problem) {

@@ -14,10 +14,11 @@
 #include "ballbar/model/model.hpp"
 #include "ballbar/series/series.hpp"
 #include "diagnosis/evidence/base_columns.hpp"
-#include "diagnosis/evidence/covariance.hpp"
 #include "diagnosis/evidence/evidence.hpp"
 #include "diagnosis/evidence/logged_inputs.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
+#include "noise/noise_grid.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 
@@ -33,7 +34,7 @@ struct OwnParameter {
 // A covariance at which the readings are likely.
 struct Point {
   Covariance covariance;
-  CovarianceFilter filter;
+  Whitening filter;
 };
 
 struct Problem {

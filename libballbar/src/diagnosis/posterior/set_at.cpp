@@ -8,13 +8,6 @@
 namespace ballbar {
 namespace {
 
-Eigen::MatrixXd filtered(const CovarianceFilter& filter, const Eigen::MatrixXd& columns) {
-  RowMajorMatrix block = columns;
-  RowMajorMatrix state = RowMajorMatrix::Zero(3, columns.cols());
-  filter.apply(0, block, state);
-  return block;
-}
-
 Eigen::MatrixXd side_by_side(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   Eigen::MatrixXd all(a.rows(), a.cols() + b.cols());
   all << a, b;
@@ -27,9 +20,9 @@ Eigen::MatrixXd without(const Eigen::MatrixXd& columns, Eigen::Index first, Eige
 
 }  // namespace
 
-Eigen::MatrixXd SetAt::white(const CovarianceFilter& filter, const Eigen::MatrixXd& columns) const {
+Eigen::MatrixXd SetAt::white(const Whitening& filter, const Eigen::MatrixXd& columns) const {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(white_y.size(), columns.cols());
-  result.topRows(columns.rows()) = filtered(filter, columns);
+  result.topRows(columns.rows()) = whitened(filter, columns);
   return result;
 }
 
@@ -64,8 +57,8 @@ SetAt set_at(const Problem& problem, const Posterior& posterior, const EffectSet
   const auto known =
       static_cast<Eigen::Index>(std::count(variant.line.is_free.begin(), variant.line.is_free.end(), char{0}));
   const Eigen::MatrixXd all = side_by_side(result.line, result.members);
-  const Eigen::MatrixXd white_all = filtered(point.filter, all);
-  const Eigen::VectorXd white_y = filtered(point.filter, result.y);
+  const Eigen::MatrixXd white_all = whitened(point.filter, all);
+  const Eigen::VectorXd white_y = whitened(point.filter, result.y);
   result.degrees = std::max(1.0, static_cast<double>(n - result.line.cols() + known - width));
   // The scatter and the prior of the known columns by turns.
   Eigen::MatrixXd x = Eigen::MatrixXd::Zero(n + known, all.cols());

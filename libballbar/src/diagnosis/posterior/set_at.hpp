@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagnosis/posterior/posterior.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 
@@ -20,7 +21,7 @@ struct SetAt {
   double variance = 0.0;  // of the scatter with the set, in units of the covariance
   double degrees = 0.0;
 
-  Eigen::MatrixXd white(const CovarianceFilter& filter, const Eigen::MatrixXd& columns) const;  // rows of 0 more
+  Eigen::MatrixXd white(const Whitening& filter, const Eigen::MatrixXd& columns) const;  // rows of 0 more
   Eigen::MatrixXd white_columns() const;                        // of the line, then of all members
   Eigen::MatrixXd white_columns_but(std::size_t member) const;  // without those of one member
   Eigen::MatrixXd columns_but(std::size_t member) const;        // likewise, not white

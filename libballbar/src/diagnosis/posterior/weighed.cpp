@@ -45,7 +45,7 @@ bool has_late_clock(const Problem& problem, const Posterior& posterior, const Se
     column += 2;
   }
   if (column == 0) return false;
-  const CovarianceFilter& filter = posterior.points[posterior.sets[posterior.best].point].filter;
+  const Whitening& filter = posterior.points[posterior.sets[posterior.best].point].filter;
   const Eigen::MatrixXd basis = orthonormal(at.white_columns());
   const Eigen::VectorXd r = freed(at.white_y, basis);
   const Eigen::MatrixXd left = freed(at.white(filter, pulses.leftCols(column)), basis);

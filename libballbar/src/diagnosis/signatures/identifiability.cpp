@@ -16,6 +16,7 @@
 #include "diagnosis/signatures/signature_library.hpp"
 #include "fit/model_columns.hpp"
 #include "model/bindings.hpp"
+#include "noise/whitening.hpp"
 #include "series/subsampled.hpp"
 
 namespace ballbar {

@@ -18,6 +18,7 @@
 #include "ballbar/model/bound_effect.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/series/series.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "diagnosis/evidence/covariance.hpp"
 #include "diagnosis/posterior/weighed.hpp"
+#include "noise/noise_grid.hpp"
 
 namespace ballbar {
 

@@ -45,8 +45,7 @@ Model with_set(const Problem& problem, const EffectSet& set) {
 // Where the likelihood, all other parameters at their most likely, has fallen so far: an end of a 95 % interval.
 // towards: a first guess of it.
 double profile_end(const BaseModel& model, const Refined& best, std::size_t parameter, double towards,
-                   const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known,
-                   double degrees) {
+                   const Eigen::MatrixXd& times, const Whitening& filter, const KnownScatter& known, double degrees) {
   const double value = best.parameters[parameter];
   const Setting& setting = model.setting(parameter);
   const bool in_logarithm = value > 0.0 && towards > 0.0;
@@ -84,7 +83,7 @@ double profile_end(const BaseModel& model, const Refined& best, std::size_t para
 
 FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const EffectSet& set, bool with_profiles) {
   const Variant& variant = posterior.variants[set.variant];
-  const CovarianceFilter& filter = posterior.points[set.point].filter;
+  const Whitening& filter = posterior.points[set.point].filter;
   FittedSet result;
   result.model = with_set(problem, set);
   std::vector<double> start = variant.parameters;

@@ -89,7 +89,7 @@ std::optional<BestSurrogate> surrogate_of(const Problem& problem, const Posterio
   const Signature& signature = problem.library.signatures[set.signatures[member]];
   const Family& family = problem.library.families[signature.family];
   if (family.bound.effect->time_only || family.bound.effect->inputs.empty() || count == 0) return std::nullopt;
-  const CovarianceFilter& filter = posterior.points[set.point].filter;
+  const Whitening& filter = posterior.points[set.point].filter;
   Background background;
   background.row = problem.base.row;
   background.whiten = [&](const Eigen::MatrixXd& columns) { return at.white(filter, columns); };

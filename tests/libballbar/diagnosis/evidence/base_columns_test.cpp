@@ -162,7 +162,7 @@ TEST(Refined, finds_the_parameters_again) {
   const BaseModel base = base_of(*rows);
   std::vector<double> time_s;
   for (const std::size_t row : rows->rows) time_s.push_back(rows->data.time_s[row]);
-  const CovarianceFilter filter({0.5, 0.5, 200.0}, time_s, {});
+  const Whitening filter(Covariance{0.5, 0.5, 200.0}, time_s);
   const std::vector<double> start{0.0, 0.3, 1400.0, 5.0 / 3.0, 1.0, 250.0, 0.0, 2.0};
   const Eigen::MatrixXd none(80, 0);
   const Refined found = refined(base, start, {}, none, filter, {}, {60});
@@ -180,7 +180,7 @@ TEST(Refined, finds_a_held_exponent_again) {
   const BaseModel base = base_of(*rows);
   std::vector<double> time_s;
   for (const std::size_t row : rows->rows) time_s.push_back(rows->data.time_s[row]);
-  const CovarianceFilter filter({}, time_s, {});
+  const Whitening filter(Covariance{}, time_s);
   const Refined found =
       refined(base, {4.0, 0.7, 900.0, 5.0 / 3.0, 3.0, 400.0}, {3}, Eigen::MatrixXd(80, 0), filter, {}, {60});
   EXPECT_NEAR(found.parameters[3], 1.0, 0.01);
@@ -195,7 +195,7 @@ TEST(Refined, stays_within_the_bounds) {
   std::vector<double> time_s;
   for (const std::size_t row : rows->rows) time_s.push_back(rows->data.time_s[row]);
   const Refined found = refined(base, {0.0, 0.3, 1400.0, 5.0 / 3.0, 1.0, 250.0, 0.0, 2.0}, {}, Eigen::MatrixXd(80, 0),
-                                CovarianceFilter({}, time_s, {}), {}, {30});
+                                Whitening(Covariance{}, time_s), {}, {30});
   EXPECT_NEAR(found.parameters[2], 1100.0, 1e-9);
 }
 

@@ -9,11 +9,11 @@
 #include <numbers>
 #include <vector>
 
-#include "diagnosis/evidence/covariance.hpp"
+#include "noise/noise_grid.hpp"
 
 namespace ballbar::dense {
 
-// C of covariance.hpp, written out. A row whose time goes back begins anew: nothing before it goes with it.
+// C of linear_filter.hpp, written out. A row whose time goes back begins anew: nothing before it goes with it.
 inline Eigen::MatrixXd matrix_of(const Covariance& one, const std::vector<double>& time_s,
                                  const std::vector<double>& relative_variance = {}) {
   const std::size_t n = time_s.size();

@@ -60,7 +60,7 @@ Weighing weighing(const Made& made, const Covariance& covariance, bool with_know
     line.columns.push_back(k);
     line.is_free.push_back(k <= made.flat.cols() ? 1 : 0);
   }
-  const CovarianceFilter filter(covariance, made.time_s, {});
+  const Whitening filter(covariance, made.time_s);
   Gram gram = gram_of(filter, pool);
   Solved solution = solved(gram, line, known);
   return {std::move(gram), std::move(solution)};
@@ -116,7 +116,7 @@ TEST(Evidence, of_a_known_scatter) {
 TEST(Evidence, three_readings_by_hand) {
   RowMajorMatrix pool(3, 2);
   pool << 0, 1, 0, 1, 3, 1;
-  const CovarianceFilter filter({}, std::vector<double>{0.0, 1.0, 2.0}, {});
+  const Whitening filter(Covariance{}, std::vector<double>{0.0, 1.0, 2.0});
   const Solved found = solved(gram_of(filter, pool), {0, {1}, {1}}, {});
   EXPECT_NEAR(found.square, 6.0, 1e-8);
   EXPECT_NEAR(found.degrees, 2.0, 0.0);

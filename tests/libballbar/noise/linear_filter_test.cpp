@@ -1,6 +1,4 @@
 // The filter against the covariance matrix written out.
-#include "diagnosis/evidence/covariance.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,8 @@
 #include <string>
 
 #include "diagnosis/evidence/dense.hpp"
+#include "noise/noise_grid.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 namespace {
@@ -54,7 +54,7 @@ Eigen::MatrixXd normal_columns(Eigen::Index n, Eigen::Index columns) {
 
 // Innovations are columns of a triangular W with W' W = C^-1: their products are those of C^-1, whatever is chosen.
 void expect_dense(const Covariance& covariance, const Rows& rows, const std::string& what) {
-  const CovarianceFilter filter(covariance, rows.time_s, rows.relative_variance);
+  const Whitening filter(covariance, rows.time_s, {.relative_variance = rows.relative_variance});
   const auto n = static_cast<Eigen::Index>(rows.time_s.size());
   const Eigen::MatrixXd c = dense::matrix_of(covariance, rows.time_s, rows.relative_variance);
   const Eigen::MatrixXd columns = normal_columns(n, 3);
@@ -100,7 +100,7 @@ TEST(Covariance, a_settled_filter_goes_on_rightly) {
 // Columns in blocks of rows are columns in one.
 TEST(Covariance, blocks_are_the_whole) {
   const Rows rows = uneven(60);
-  const CovarianceFilter filter(all(), rows.time_s, {});
+  const Whitening filter(all(), rows.time_s);
   const Eigen::MatrixXd columns = normal_columns(60, 2);
   RowMajorMatrix whole = columns, state = RowMajorMatrix::Zero(3, 2);
   filter.apply(0, whole, state);
@@ -116,7 +116,7 @@ TEST(Covariance, blocks_are_the_whole) {
 // C = (1, r; r, 1), r = 0.8 exp(-1/4): |C| = 1 - r^2.
 TEST(Covariance, two_rows_by_hand) {
   const std::vector<double> time_s{0.0, 50.0};
-  const CovarianceFilter filter(memory(), time_s, {});
+  const Whitening filter(memory(), time_s);
   const double r = 0.8 * std::exp(-0.25);
   EXPECT_NEAR(filter.log_determinant(), std::log(1.0 - r * r), 1e-12);
   RowMajorMatrix column(2, 1), state = RowMajorMatrix::Zero(3, 1);
@@ -130,11 +130,11 @@ TEST(Covariance, two_rows_by_hand) {
 TEST(Covariance, transposed_is_the_adjoint) {
   for (const Covariance& covariance : {white(), memory(), slow_alone(), all()}) {
     for (const Rows& rows : {uneven(60), weighted(even(60)), runs()}) {
-      const CovarianceFilter filter(covariance, rows.time_s, rows.relative_variance);
+      const Whitening filter(covariance, rows.time_s, {.relative_variance = rows.relative_variance});
       const Eigen::MatrixXd x = normal_columns(60, 3), w = normal_columns(60, 2);
-      RowMajorMatrix white_x = x, state = RowMajorMatrix::Zero(3, 3), adjoint = w;
+      RowMajorMatrix white_x = x, state = RowMajorMatrix::Zero(3, 3);
       filter.apply(0, white_x, state);
-      filter.apply_transposed(adjoint);
+      const RowMajorMatrix adjoint = filter.transposed(w);
       EXPECT_LT((white_x.transpose() * w - x.transpose() * adjoint).cwiseAbs().maxCoeff(), 1e-9);
     }
   }
@@ -144,7 +144,7 @@ TEST(Covariance, transposed_is_the_adjoint) {
 TEST(Covariance, squares_of_steps) {
   for (const Covariance& covariance : {white(), memory(), slow_alone(), all()}) {
     for (const Rows& rows : {uneven(40), weighted(even(40))}) {
-      const CovarianceFilter filter(covariance, rows.time_s, rows.relative_variance);
+      const Whitening filter(covariance, rows.time_s, {.relative_variance = rows.relative_variance});
       const Eigen::VectorXd squares = filter.squares_of_steps();
       for (Eigen::Index k = 0; k < 40; ++k) {
         RowMajorMatrix step = RowMajorMatrix::Zero(40, 1), state = RowMajorMatrix::Zero(3, 1);
@@ -159,7 +159,7 @@ TEST(Covariance, squares_of_steps) {
 // What is new in the memory from row 0 to row 1 has four times its variance: C(1, 1) is r^2 + 4 (1 - r^2) of it.
 TEST(Covariance, a_shock_by_hand) {
   const std::vector<double> time_s{0.0, 50.0}, shock{1.0, 4.0};
-  const CovarianceFilter filter(memory(), time_s, {}, shock);
+  const Whitening filter(memory(), time_s, {.shock = shock});
   const double r = std::exp(-0.25), c01 = 0.8 * r, c11 = 0.2 + 0.8 * (r * r + 4.0 * (1.0 - r * r));
   EXPECT_NEAR(filter.log_determinant(), std::log(c11 - c01 * c01), 1e-12);
 }
