@@ -49,7 +49,7 @@ struct AddArguments {
 };
 
 // What was added so far; the model's file is written once, at the end.
-struct Story {
+struct Additions {
   RevisedModel model;
   std::vector<EffectTest> effect_tests;
   std::vector<Driver> drivers;      // that the last diagnosis knows
@@ -85,9 +85,9 @@ RevisedModel opened_model(const ModelOptions& options, const std::shared_ptr<con
 }
 
 // named: the terms were found by a diagnosis, not chosen.
-void add_terms(const AddArguments& options, const std::vector<Term>& terms, bool named, Story& story) {
-  story.model.add(terms, options.replace);
-  story.effect_tests.push_back(story.model.revise({.prune = options.prune, .named = named}));
+void add_terms(const AddArguments& options, const std::vector<Term>& terms, bool named, Additions& additions) {
+  additions.model.add(terms, options.replace);
+  additions.effect_tests.push_back(additions.model.revise({.prune = options.prune, .named = named}));
 }
 
 // A new effect may not read what the file is to explain beside the target chosen here.
@@ -151,16 +151,16 @@ Term as_diagnosed(const BoundEffect& bound, const Diagnosis& diagnosis) {
 
 // The errors of the axes that are significant, each a revision, first the one that leaves least. Returns why it
 // stopped.
-std::string add_errors(const AddArguments& options, const ModelData& data, Story& story) {
+std::string add_errors(const AddArguments& options, const ModelData& data, Additions& additions) {
   const MachineErrors found =
       with_source(options.effect.model.data.front().name(), [&] { return machine_errors_of_trace(*data.series); });
   for (const AddedError& one : found.one_by_one) {
-    const std::vector<Term>& terms = story.model.model().terms;
+    const std::vector<Term>& terms = additions.model.model().terms;
     const bool has =
         std::any_of(terms.begin(), terms.end(), [&](const Term& term) { return term.effect.get() == one.effect; });
     if (has) continue;
-    add_terms(options, {term_of(one.effect->name, {}, Level::recording)}, false, story);
-    story.effect_tests.back().after.verdict = name_of(Verdict::named);
+    add_terms(options, {term_of(one.effect->name, {}, Level::recording)}, false, additions);
+    additions.effect_tests.back().after.verdict = name_of(Verdict::named);
   }
   const double left_um = found.residual_rms_um;
   return found.left ? fmt::format(
@@ -174,20 +174,20 @@ std::string add_errors(const AddArguments& options, const ModelData& data, Story
 }
 
 // Effects that diagnose() names, until it names none. Returns why it stopped.
-std::string add_named(const AddArguments& options, Story& story, Verdict& verdict) {
+std::string add_named(const AddArguments& options, Additions& additions, Verdict& verdict) {
   while (true) {
-    show_progress(fmt::format("searching, {} revisions so far", story.effect_tests.size()));
+    show_progress(fmt::format("searching, {} revisions so far", additions.effect_tests.size()));
     const Diagnosis diagnosis =
-        with_source(options.effect.model.data.front().name(), [&] { return story.model.bench().diagnosis(); });
+        with_source(options.effect.model.data.front().name(), [&] { return additions.model.bench().diagnosis(); });
     verdict = diagnosis.verdict;
-    story.drivers = diagnosis.drivers;
+    additions.drivers = diagnosis.drivers;
     if (diagnosis.named.empty()) return stop_text(options, diagnosis);
     std::vector<Term> terms;
     for (const BoundEffect& bound : diagnosis.named) {
       terms.push_back(as_diagnosed(bound, diagnosis));
     }
-    add_terms(options, terms, true, story);
-    if (story.effect_tests.size() < kMostAdditions) continue;
+    add_terms(options, terms, true, additions);
+    if (additions.effect_tests.size() < kMostAdditions) continue;
     return fmt::format("Stopped after {} revisions: a model that grows further fits these data alone.", kMostAdditions);
   }
 }
@@ -198,23 +198,23 @@ bool is_left(Verdict verdict) {
          verdict == Verdict::unexplained;
 }
 
-void add_grown(const AddArguments& options, const ModelData& data, Story& story) {
+void add_grown(const AddArguments& options, const ModelData& data, Additions& additions) {
   const ProgressLine progress;
-  story.grown = grown_model(story.model.text(), options.effect.model.model.name(), story.model.model(), data,
-                            names_of(options.effect.model.data), story.drivers);
-  story.model.set_text(story.grown->bytes);
+  additions.grown = grown_model(additions.model.text(), options.effect.model.model.name(), additions.model.model(),
+                                data, names_of(options.effect.model.data), additions.drivers);
+  additions.model.set_text(additions.grown->bytes);
 }
 
-std::vector<std::string> causes_of(const Story& story) {
+std::vector<std::string> causes_of(const Additions& additions) {
   std::vector<std::string> causes;
-  for (const EffectTest& tried : story.effect_tests) {
+  for (const EffectTest& tried : additions.effect_tests) {
     for (const Candidate& added : tried.added) causes.push_back(added.label);
   }
   return causes;
 }
 
-std::size_t revisions_of(const Story& story) {
-  return story.effect_tests.size() + (story.grown ? story.grown->rows.size() : 0);
+std::size_t revisions_of(const Additions& additions) {
+  return additions.effect_tests.size() + (additions.grown ? additions.grown->rows.size() : 0);
 }
 
 std::string unneeded_text(const EffectTest& tried) {
@@ -225,34 +225,35 @@ std::string unneeded_text(const EffectTest& tried) {
                      labels.size() == 1 ? "it" : "them");
 }
 
-Added added_of(const Story& story) {
+Added added_of(const Additions& additions) {
   Added added;
-  for (const EffectTest& tried : story.effect_tests)
+  for (const EffectTest& tried : additions.effect_tests)
     added.rows.push_back({tried.after, sentence(tried.after, &tried.before)});
-  added.revisions = story.effect_tests;
-  if (!story.grown) return added;
-  const LedgerRow& before = story.effect_tests.empty() ? story.grown->before : story.effect_tests.back().after;
-  for (LedgerEntry& entry : ledger_of(story.grown->rows, &before).rows) added.rows.push_back(std::move(entry));
-  added.growth.value = steps_of(*story.grown);
-  added.sentence.value = conclusion(*story.grown, causes_of(story), story.drivers);
+  added.revisions = additions.effect_tests;
+  if (!additions.grown) return added;
+  const LedgerRow& before =
+      additions.effect_tests.empty() ? additions.grown->before : additions.effect_tests.back().after;
+  for (LedgerEntry& entry : ledger_of(additions.grown->rows, &before).rows) added.rows.push_back(std::move(entry));
+  added.growth.value = steps_of(*additions.grown);
+  added.sentence.value = conclusion(*additions.grown, causes_of(additions), additions.drivers);
   return added;
 }
 
-void print_text(const Story& story, const std::string& stopped, const std::string& title) {
+void print_text(const Additions& additions, const std::string& stopped, const std::string& title) {
   fmt::print("{}\n\n", title);
-  for (const EffectTest& tried : story.effect_tests) {
+  for (const EffectTest& tried : additions.effect_tests) {
     fmt::print("{}{}", wrapped(conclusion(tried)), wrapped(sentence(tried.after, &tried.before)));
     const std::string unneeded = unneeded_text(tried);
     if (!unneeded.empty()) fmt::print("{}", wrapped(unneeded));
   }
-  if (story.grown) {
-    fmt::print("{}{}\n{}\n{}", story.effect_tests.empty() ? "" : "\n",
-               wrapped(conclusion(*story.grown, causes_of(story), story.drivers)), tables(*story.grown),
+  if (additions.grown) {
+    fmt::print("{}{}\n{}\n{}", additions.effect_tests.empty() ? "" : "\n",
+               wrapped(conclusion(*additions.grown, causes_of(additions), additions.drivers)), tables(*additions.grown),
                wrapped(stopped));
     return;
   }
-  if (!stopped.empty()) fmt::print("{}{}", story.effect_tests.empty() ? "" : "\n", wrapped(stopped));
-  if (!story.effect_tests.empty()) fmt::print("\n{}", tables(story.effect_tests.back()));
+  if (!stopped.empty()) fmt::print("{}{}", additions.effect_tests.empty() ? "" : "\n", wrapped(stopped));
+  if (!additions.effect_tests.empty()) fmt::print("\n{}", tables(additions.effect_tests.back()));
 }
 
 // The model with and without the effects; no file is needed, none is written.
@@ -290,50 +291,51 @@ void run(AddArguments options) {
   const ModelOptions& how = options.effect.model;
   const auto opened = std::make_shared<const ModelData>(open_data(how));
   const ModelData& data = *opened;
-  Story story{opened_model(how, opened), {}, {}, {}};
+  Additions additions{opened_model(how, opened), {}, {}, {}};
   const Source to = written_to(options).model;
   const std::string& out = to.name();
-  if (story.model.is_new()) stderr_line(fmt::format("{} is new: it starts from {} alone", out, start_of(data.level)));
+  if (additions.model.is_new())
+    stderr_line(fmt::format("{} is new: it starts from {} alone", out, start_of(data.level)));
   if (!options.out.empty()) expect_no_input({options.out}, data.files);
   std::string stopped;
   Verdict verdict = Verdict::named;
   if (options.automatic) {
-    if (is_of_machine_errors(story.model.model(), *data.series)) {
-      stopped = add_errors(options, data, story);
+    if (is_of_machine_errors(additions.model.model(), *data.series)) {
+      stopped = add_errors(options, data, additions);
       verdict = Verdict::nothing;
     } else {
-      stopped = add_named(options, story, verdict);
+      stopped = add_named(options, additions, verdict);
       const bool is_one_run = data.series->runs.size() < 2;
       if (!options.named_only && data.level == Level::series && is_left(verdict)) {
-        if (is_one_run) add_grown(options, data, story);
+        if (is_one_run) add_grown(options, data, additions);
         if (!is_one_run) stderr_line("of several runs a model grows by names alone; `ballbar train` takes runs");
       }
     }
   } else {
     show_progress("fitting with and without what is added");
-    add_terms(options, terms_of(options.effect.effects, story.model.model(), data), false, story);
+    add_terms(options, terms_of(options.effect.effects, additions.model.model(), data), false, additions);
   }
   show_progress({});
-  expect_file_suits(options, data, story.model.text());
-  const bool changed = revisions_of(story) > 0;
-  if (changed && to.is_path()) write_bytes(out, story.model.text());
+  expect_file_suits(options, data, additions.model.text());
+  const bool changed = revisions_of(additions) > 0;
+  if (changed && to.is_path()) write_bytes(out, additions.model.text());
   if (options.effect.json) {
-    Added added = added_of(story);
+    Added added = added_of(additions);
     if (options.automatic) added.stopped.value = {verdict, stopped};
     if (changed && to.is_path()) added.written = out;
-    if (changed && !to.is_path()) added.text.value = story.model.text();
+    if (changed && !to.is_path()) added.text.value = additions.model.text();
     print_json(json_of(added));
   } else {
-    print_text(story, stopped, data.title);
+    print_text(additions, stopped, data.title);
   }
   if (!changed) {
     stderr_line("nothing added, nothing written");
     return;
   }
-  const std::vector<std::string> targets = read_model(story.model.text(), how.model.name()).targets;
+  const std::vector<std::string> targets = read_model(additions.model.text(), how.model.name()).targets;
   if (targets.size() > 1) {
     stderr_line(fmt::format("the effects of {} hold for all its targets, {}; the row is of {}", out,
-                            fmt::join(targets, ", "), story.model.model().targets.front()));
+                            fmt::join(targets, ", "), additions.model.model().targets.front()));
   }
   if (to.is_path()) wrote_line(out);
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "ballbar/diagnosis/verdict/search_options.hpp"
+#include "ballbar/diagnosis/posterior/search_options.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
@@ -76,9 +76,9 @@ std::string next_text(const DiagnosisReport& diagnosis_report) {
 
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {
   std::vector<std::string> texts;
-  const std::size_t said = bounds.size() > kLabels + 1 ? kLabels : bounds.size();
-  for (std::size_t i = 0; i < said; ++i) texts.push_back(label_of(bounds[i]));
-  if (said < bounds.size()) texts.push_back(fmt::format("one of {} more", bounds.size() - said));
+  const std::size_t shown = bounds.size() > kLabels + 1 ? kLabels : bounds.size();
+  for (std::size_t i = 0; i < shown; ++i) texts.push_back(label_of(bounds[i]));
+  if (shown < bounds.size()) texts.push_back(fmt::format("one of {} more", bounds.size() - shown));
   return fmt::format("{}", fmt::join(texts, between));
 }
 

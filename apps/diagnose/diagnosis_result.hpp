@@ -65,7 +65,7 @@ struct ResultType<DiagnosisReport> {
       Field{"reasons", &Diagnosis::reasons, "why it is not named, or not all of it"},
       Field{"gains_by_run", &Diagnosis::gains_by_run, "of several runs: gains that differ"}};
   // Of the report, about its effects and its candidates, which a page has more of.
-  static constexpr std::tuple told =
+  static constexpr std::tuple verdict_fields =
       std::tuple_cat(fields_through(&DiagnosisReport::diagnosis, of_diagnosis),
                      std::tuple{Field{"command", &DiagnosisReport::command, "to type next; empty: none"}},
                      fields_through(&DiagnosisReport::diagnosis, found));
@@ -76,8 +76,8 @@ struct ResultType<DiagnosisReport> {
   static constexpr std::tuple of_effects{Field{"effects", &Diagnosis::effects, kEffects}};
   static constexpr std::tuple of_candidates{Field{"candidates", &Diagnosis::candidates, kCandidates}};
   static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&DiagnosisReport::residual_report, ResultType<ResidualReport>::fields), told,
-                     fields_through(&DiagnosisReport::diagnosis, of_effects),
+      std::tuple_cat(fields_through(&DiagnosisReport::residual_report, ResultType<ResidualReport>::fields),
+                     verdict_fields, fields_through(&DiagnosisReport::diagnosis, of_effects),
                      fields_through(&DiagnosisReport::diagnosis, probabilities),
                      fields_through(&DiagnosisReport::diagnosis, of_candidates), open);
 };

@@ -46,7 +46,7 @@ std::string ranges(std::vector<std::size_t> numbers) {
 }
 
 // Numbers of the rows of the table, and how many more there are.
-std::string not_told_from(const Candidate& candidate, const std::vector<Candidate>& all) {
+std::string inseparable_rows(const Candidate& candidate, const std::vector<Candidate>& all) {
   const std::set<std::string> others(candidate.inseparable_from.begin(), candidate.inseparable_from.end());
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -72,7 +72,7 @@ Table candidate_table(const Diagnosis& found) {
                held_out ? fmt::format("{:.{}f} -> {:.{}f}", candidate.held_out_before_um, decimals,
                                       candidate.held_out_after_um, decimals)
                         : "-",
-               not_told_from(candidate, found.candidates)});
+               inseparable_rows(candidate, found.candidates)});
   }
   return table;
 }

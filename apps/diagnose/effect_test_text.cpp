@@ -104,12 +104,12 @@ std::string first_words(const EffectTest& effect_test, bool supported) {
   texts.reserve(effect_test.added.size());
   for (const Candidate& tried : effect_test.added) {
     const double odds = std::exp(-0.5 * tried.likelihood_ratio);  // against it: 1 / B
-    const bool weighed = supported && !is_of_axes(effect_test) && std::isfinite(tried.likelihood_ratio);
+    const bool has_odds = supported && !is_of_axes(effect_test) && std::isfinite(tried.likelihood_ratio);
     texts.push_back(fmt::format(
         "{}{}{}", tried.label,
         tried.amplitude_um > 0.0 ? fmt::format(", {} um of {}", size_text(tried.amplitude_um), effect_test.after.target)
                                  : "",
-        weighed ? ", " + sure_text(1.0 / (1.0 + odds)) : ""));
+        has_odds ? ", " + sure_text(1.0 / (1.0 + odds)) : ""));
   }
   return fmt::format("The data {} {}", supported ? "support" : "do not support", fmt::join(texts, ", and "));
 }

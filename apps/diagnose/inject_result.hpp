@@ -10,7 +10,7 @@ namespace ballbar {
 
 struct Sighting {
   Verdict verdict = Verdict::nothing;
-  Sight seen = Sight::not_seen;
+  Sight sight = Sight::undetected;
 };
 
 template <>
@@ -19,17 +19,18 @@ struct ResultType<Sighting> {
   static constexpr std::string_view meaning = "What a diagnosis makes of an effect that is there.";
   static constexpr std::tuple fields{
       Field{"verdict", &Sighting::verdict, "of the diagnosis"},
-      Field{"seen", &Sighting::seen, "named, probable, in the reported set, driver, candidate, unexplained, not seen"}};
+      Field{"seen", &Sighting::sight,
+            "named, probable, in the reported set, driver, candidate, unexplained, not seen"}};
 };
 
 template <>
-struct ResultType<SmallestSeen> {
+struct ResultType<DetectionLimit> {
   static constexpr std::string_view name = "SmallestSeen";
   static constexpr std::string_view meaning = "From which amplitude on an effect is seen.";
   static constexpr std::tuple fields{
-      Field{"not_seen_um", &SmallestSeen::not_seen_um, "the largest that was tried and not seen"},
-      Field{"seen_um", &SmallestSeen::seen_um, "the smallest that was seen; null: none"},
-      Field{"diagnoses", &SmallestSeen::diagnoses, "that were made"}};
+      Field{"not_seen_um", &DetectionLimit::undetected_um, "the largest that was tried and not seen"},
+      Field{"seen_um", &DetectionLimit::detected_um, "the smallest that was seen; null: none"},
+      Field{"diagnoses", &DetectionLimit::diagnoses, "that were made"}};
 };
 
 struct InjectedResult {
@@ -39,7 +40,7 @@ struct InjectedResult {
   double amplitude_um = 0.0, d = 0.0, detectable_um = 0.0, identifiable_um = 0.0;
   Sighting without, with;
   std::string answer;
-  SmallestSeen smallest;
+  DetectionLimit smallest;
 };
 
 template <>

@@ -33,7 +33,7 @@ struct Injected {
   Fit base;        // of the model, without it
   double d = 0.0;  // of that amplitude, by the noise of that fit
   Diagnosis without, with;
-  SmallestSeen smallest;
+  DetectionLimit smallest;
 };
 
 // --set NAME=VALUE
@@ -82,7 +82,7 @@ std::string answer_text(const Injected& result) {
   const std::string label = label_of(result.injection.bound);
   const Sight before = sight_of(result.without, result.injection.bound);
   const Sight now = sight_of(result.with, result.injection.bound);
-  if (is_seen(before)) {
+  if (is_detected(before)) {
     return fmt::format(
         "These data already show {}: it is {} without anything added, so that what is added proves "
         "nothing.",
@@ -109,21 +109,23 @@ std::string answer_text(const Injected& result) {
       text = before == Sight::unexplained ? "It would not be seen: something unexplained is there already."
                                           : "It would show as something unexplained, not under its name.";
       break;
-    case Sight::not_seen:
+    case Sight::undetected:
       text = "It would not be seen.";
       break;
   }
-  const SmallestSeen& smallest = result.smallest;
-  if (!std::isfinite(smallest.seen_um)) {
-    text += fmt::format(" Up to {:.2g} um it is neither named nor in the set", smallest.not_seen_um);
-  } else if (smallest.not_seen_um > 0.0) {
+  const DetectionLimit& smallest = result.smallest;
+  if (!std::isfinite(smallest.detected_um)) {
+    text += fmt::format(" Up to {:.2g} um it is neither named nor in the set", smallest.undetected_um);
+  } else if (smallest.undetected_um > 0.0) {
     text += fmt::format(" The smallest amplitude that is named or in the set lies between {:.2g} and {:.2g} um",
-                        smallest.not_seen_um, smallest.seen_um);
+                        smallest.undetected_um, smallest.detected_um);
   } else {
-    text += fmt::format(" The smallest amplitude that is named or in the set is at most {:.2g} um", smallest.seen_um);
+    text +=
+        fmt::format(" The smallest amplitude that is named or in the set is at most {:.2g} um", smallest.detected_um);
   }
   text += fmt::format(" ({} diagnoses).", smallest.diagnoses);
-  if (smallest.seen_um < amplitude_of(result, 3.0)) text += " That is chance: the noise already has some of its shape.";
+  if (smallest.detected_um < amplitude_of(result, 3.0))
+    text += " That is chance: the noise already has some of its shape.";
   return text;
 }
 
@@ -225,10 +227,11 @@ Injected tested(const InjectionOptions& options, const ModelOptions& of, const M
   result.with = diagnose(model, changed, 0, how);
   result.d = result.amplitude_um * d_per_um;
   result.smallest = {0.0, std::numeric_limits<double>::infinity(), 2};
-  if (!is_seen(sight_of(result.without, result.injection.bound))) {
-    const bool seen = is_seen(sight_of(result.with, result.injection.bound));
-    (seen ? result.smallest.seen_um : result.smallest.not_seen_um) = result.amplitude_um;
-    result.smallest = smallest_seen(model, series, result.injection, d_per_um, result.smallest, how, show_progress_of);
+  if (!is_detected(sight_of(result.without, result.injection.bound))) {
+    const bool detected = is_detected(sight_of(result.with, result.injection.bound));
+    (detected ? result.smallest.detected_um : result.smallest.undetected_um) = result.amplitude_um;
+    result.smallest =
+        detection_limit(model, series, result.injection, d_per_um, result.smallest, how, show_progress_of);
   }
   return result;
 }

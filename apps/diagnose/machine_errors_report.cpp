@@ -147,11 +147,11 @@ std::vector<std::string> difference_texts(const ErrorsReport& report) {
     for (const std::size_t row : one.rows) {
       const MachineError& error = found.errors[row];
       if (!error.as_instrument) continue;
-      const double apart = std::abs(error.value - *error.as_instrument);
+      const double difference = std::abs(error.value - *error.as_instrument);
       const double um = error.unit == "um" || error.value == 0.0
-                            ? apart
-                            : apart * one.individual_circularity_um / std::abs(error.value);
-      if (apart <= kDiffers * error.sigma || um <= kDiffers_um) continue;
+                            ? difference
+                            : difference * one.individual_circularity_um / std::abs(error.value);
+      if (difference <= kDiffers * error.sigma || um <= kDiffers_um) continue;
       const int decimals = error.unit == "ms" ? 2 : 1;
       texts.push_back(fmt::format("{}: {:.{}f} here, {:.{}f} there; {}.", error.name, error.value, decimals,
                                   *error.as_instrument, decimals, why));

@@ -196,7 +196,7 @@ struct ResultType<ErrorsReport> {
   using Report = const ErrorsReport&;
   static constexpr std::string_view name = "MachineErrors";
   static constexpr std::string_view meaning = "The errors of a machine from recordings of one plane and one bar.";
-  static constexpr std::tuple told{
+  static constexpr std::tuple verdict_fields{
       Field{"conclusion", [](Report of) { return conclusion(of); }, "what it says in plain words"},
       Field{"verdict", [](Report of) { return verdict_of(of); }, "named, unexplained, nothing"},
       Field{"named", &significant_effects, "errors that the test shows"},
@@ -216,8 +216,8 @@ struct ResultType<ErrorsReport> {
       Field{"plane", [](Report of) { return of.recordings.front().plane; }, "XY, YZ, ZX"},
       Field{"nominal_length_mm", [](Report of) { return of.recordings.front().nominal_length_mm; }, ""}};
   static constexpr std::tuple rest = std::tuple_cat(
-      std::tuple{Field{"file", [](Report of) { return MayLack<B5r>{of.b5r}; }, "what the only file states"}}, told,
-      fields_through(&ErrorsReport::found, found),
+      std::tuple{Field{"file", [](Report of) { return MayLack<B5r>{of.b5r}; }, "what the only file states"}},
+      verdict_fields, fields_through(&ErrorsReport::found, found),
       std::tuple{Field{"differences", &difference_texts, "where ours and the instrument's values differ, and why"}},
       fields_through(&ErrorsReport::found, left),
       std::tuple{

@@ -147,12 +147,12 @@ void print_group(const ErrorsReport& report) {
               "software would say; same: the file stores it so; predicts: the other run is predicted better with "
               "it."));
   for (const std::string& text : difference_texts(report)) fmt::print("{}", wrapped(text));
-  std::size_t said = 0;
+  std::size_t shown = 0;
   for (const RankedError& ranked : found.ranked) {
-    if (!ranked.significant || said == kRemedies) continue;
-    ++said;
-    fmt::print("{}{}", said == 1 ? "\n" : "",
-               wrapped(fmt::format("{}. {}: {}", said, ranked.effect->name, ranked.effect->explanation.remedy)));
+    if (!ranked.significant || shown == kRemedies) continue;
+    ++shown;
+    fmt::print("{}{}", shown == 1 ? "\n" : "",
+               wrapped(fmt::format("{}. {}: {}", shown, ranked.effect->name, ranked.effect->explanation.remedy)));
   }
   fmt::print("\n{}", wrapped(left_text(report)));
   if (!found.undetermined.empty()) {

@@ -43,7 +43,7 @@ struct ResultType<LedgerEntry> {
   static constexpr std::tuple change{
       Field{"revision", &LedgerRow::revision, "0: the model as it started"},
       Field{"change", &LedgerRow::change, "+ what was added, - what was taken out; start"}};
-  static constexpr std::tuple weighed{
+  static constexpr std::tuple evidence{
       Field{"likelihood_ratio", &LedgerRow::likelihood_ratio, "2 ln B of the change, of errors of axes chi^2"},
       Field{"threshold", &LedgerRow::threshold, "from which that counts"},
       Field{"best_surrogate_fall", &LedgerRow::best_surrogate_fall,
@@ -60,7 +60,7 @@ struct ResultType<LedgerEntry> {
       Field{"still_needed", &LedgerRow::still_needed, "earlier effects, tested anew"},
       Field{"no_longer_needed", &LedgerRow::no_longer_needed, ""}};
   static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&LedgerEntry::row, std::tuple_cat(change, ResultType<LedgerRow>::fields, judged, weighed, grown)),
+      fields_through(&LedgerEntry::row, std::tuple_cat(change, ResultType<LedgerRow>::fields, judged, evidence, grown)),
       std::tuple{Field{"sentence", &LedgerEntry::sentence, "what it says in plain words"}});
 };
 
@@ -123,7 +123,7 @@ struct ResultType<EffectTest> {
                  Field{"data", [](Test of) { return of.after.data; }, "files, as they were named"},
                  Field{"before", &EffectTest::before, "how well the model does without them"},
                  Field{"after", &EffectTest::after, "how well it does with them"}},
-      fields_through(&EffectTest::after, ResultType<LedgerEntry>::weighed),
+      fields_through(&EffectTest::after, ResultType<LedgerEntry>::evidence),
       std::tuple{Field{"verdict", [](Test of) { return of.after.verdict; }, "supported, time only, not supported"},
                  Field{"effects", &added_effects, "that were added"},
                  Field{"earlier", &EffectTest::earlier, "effects of the model, tested anew"},

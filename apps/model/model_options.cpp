@@ -184,7 +184,7 @@ FitOptions fit_options(const ModelOptions& options) {
   FitOptions how;
   how.robust = options.robust;
   how.white = options.white;
-  how.beside_all_errors = !options.white && !options.robust;
+  how.among_all_errors = !options.white && !options.robust;
   return how;
 }
 

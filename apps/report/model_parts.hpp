@@ -164,7 +164,7 @@ struct ResultType<DiagnosisPart> {
   static constexpr std::tuple of_check =
       fields_through(&DiagnosisReport::residual_report, std::tuple_cat(Checked::figures, Checked::end));
   static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&DiagnosisPart::report, std::tuple_cat(of_check, Report::told)),
+      fields_through(&DiagnosisPart::report, std::tuple_cat(of_check, Report::verdict_fields)),
       std::tuple{Field{"effects", &DiagnosisPart::effects, Report::kEffects}},
       fields_through(&DiagnosisPart::report, fields_through(&DiagnosisReport::diagnosis, Report::probabilities)),
       std::tuple{Field{"candidates", &DiagnosisPart::candidates, Report::kCandidates}},

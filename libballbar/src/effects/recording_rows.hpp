@@ -20,8 +20,8 @@ inline Input bar_input() { return {"bar", {"degC"}, "temperature of the bar"}; }
 
 // Whether a term whose parameter names the recording `wanted` has this row; -1: all rows.
 template <class T>
-bool belongs_to(const T& wanted, double recording) {
-  return wanted < T(-0.5) || (wanted > T(recording - 0.5) && wanted < T(recording + 0.5));
+bool belongs_to(const T& chosen, double recording) {
+  return chosen < T(-0.5) || (chosen > T(recording - 0.5) && chosen < T(recording + 0.5));
 }
 
 enum class Axis { A, B };

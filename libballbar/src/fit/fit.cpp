@@ -99,7 +99,7 @@ Eigen::VectorXd values_of(const std::vector<FittedParameter>& parameters) {
 
 Fit fit(const Model& model, const Series& data, std::size_t target, const FitOptions& options) {
   expect_suits(model, data);
-  if (options.beside_all_errors && is_of_machine_errors(model, data)) {
+  if (options.among_all_errors && is_of_machine_errors(model, data)) {
     return fit_of_machine_errors(model, data, target, error_fitted(data, MachineErrorOptions{}));
   }
   Fit result;

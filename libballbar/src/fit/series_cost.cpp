@@ -62,12 +62,12 @@ class SeriesCost : public ceres::CostFunction {
   }
 
   bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override {
-    const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
+    const bool with_jacobian = jacobians != nullptr && jacobians[0] != nullptr;
     const auto count = static_cast<Eigen::Index>(free_.size());
-    const Eigen::MatrixXd gram = gram_at(parameters_of(blocks[0]), wanted ? count : 0);
+    const Eigen::MatrixXd gram = gram_at(parameters_of(blocks[0]), with_jacobian ? count : 0);
     Eigen::Map<Eigen::VectorXd> f(residuals, count + 1);
     if (!gram.allFinite()) return false;
-    if (!wanted) {
+    if (!with_jacobian) {
       f.setZero();
       f[count] = std::sqrt(gram(0, 0));
       return true;

@@ -42,13 +42,13 @@ void expect_in_data(const Effect& effect, const std::vector<Choice>& choices, co
   if (choices.empty() && !bindings_of(effect, model, data).empty()) {
     throw Error(fmt::format("{}: expected a choice of columns that is not in the model yet, found none.", effect.name));
   }
-  std::vector<std::string> wanted;
+  std::vector<std::string> expected;
   for (const Input& input : effect.inputs) {
-    wanted.push_back(fmt::format("{}{}", input.role,
-                                 input.units.empty() ? "" : fmt::format(" in {}", fmt::join(input.units, " or "))));
+    expected.push_back(fmt::format("{}{}", input.role,
+                                   input.units.empty() ? "" : fmt::format(" in {}", fmt::join(input.units, " or "))));
   }
   throw Error(fmt::format("{}: expected columns of the data for {}{}, found none that suit.", effect.name,
-                          fmt::join(wanted, " and "), choices.empty() ? "" : " beside those named"));
+                          fmt::join(expected, " and "), choices.empty() ? "" : " beside those named"));
 }
 
 }  // namespace

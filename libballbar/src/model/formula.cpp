@@ -64,7 +64,7 @@ class Reader {
     }
     open_.emplace_back();
     while (skip_blanks(), at_ < formula_.size()) token();
-    if (value_wanted_) fail(at_, "expected a value, found the end.");
+    if (expects_value_) fail(at_, "expected a value, found the end.");
     expect_no_conditional(at_, "the end");
     if (open_.size() > 1) {
       fail(at_, fmt::format("expected \")\" for the \"(\" at column {}, found the end.", open_.back().column));
@@ -110,12 +110,12 @@ class Reader {
   }
 
   void expect_operand(std::string_view found) const {
-    if (!value_wanted_) fail(at_, fmt::format("expected an operator, found {}.", in_quotes(found)));
+    if (!expects_value_) fail(at_, fmt::format("expected an operator, found {}.", in_quotes(found)));
   }
 
   void value(std::string_view text) {
     open_.back().text += text;
-    value_wanted_ = signed_ = false;
+    expects_value_ = signed_ = false;
   }
 
   void number() {
@@ -178,15 +178,15 @@ class Reader {
     }
     open_.push_back({function, column_of(at_)});
     ++at_;
-    value_wanted_ = true;
+    expects_value_ = true;
     signed_ = false;
   }
 
   void close() {
     if (open_.size() == 1) fail(at_, "expected \"(\" before its \")\", found none.");
     const Open& last = open_.back();
-    const bool empty = value_wanted_ && last.arguments == 0 && last.text.empty();
-    if (value_wanted_ && !(empty && last.function != nullptr)) fail(at_, "expected a value, found \")\".");
+    const bool empty = expects_value_ && last.arguments == 0 && last.text.empty();
+    if (expects_value_ && !(empty && last.function != nullptr)) fail(at_, "expected a value, found \")\".");
     expect_no_conditional(at_, "\")\"");
     Open done = std::move(open_.back());
     open_.pop_back();
@@ -212,7 +212,7 @@ class Reader {
     if (open_.back().function == nullptr) {
       fail(at_, "expected \",\" only between the arguments of a function, found one elsewhere; decimals need a point.");
     }
-    if (value_wanted_) fail(at_, "expected a value, found \",\".");
+    if (expects_value_) fail(at_, "expected a value, found \",\".");
     expect_no_conditional(at_, "\",\"");
     Open& call = open_.back();
     ++call.arguments;
@@ -224,7 +224,7 @@ class Reader {
       call.text += ',';
     }
     ++at_;
-    value_wanted_ = true;
+    expects_value_ = true;
   }
 
   void expect_no_conditional(std::size_t offset, std::string_view found) const {
@@ -233,7 +233,7 @@ class Reader {
 
   void sign_or_operator() {
     const char c = formula_[at_];
-    if (value_wanted_ && (c == '-' || c == '+') && !signed_) {
+    if (expects_value_ && (c == '-' || c == '+') && !signed_) {
       open_.back().text += c;
       signed_ = true;
       ++at_;
@@ -246,18 +246,18 @@ class Reader {
     if (!is_long && std::string_view("+-*/^<>?:").find(c) == std::string_view::npos) {
       fail(at_, fmt::format("expected a name, a number, an operator or a bracket, found {}.", in_quotes(found)));
     }
-    if (value_wanted_) fail(at_, fmt::format("expected a value, found {}.", in_quotes(found)));
+    if (expects_value_) fail(at_, fmt::format("expected a value, found {}.", in_quotes(found)));
     std::size_t& conditionals = open_.back().conditionals;
     if (found == "?") ++conditionals;
     if (found == ":" && conditionals-- == 0) fail(at_, "expected \"?\" before \":\", found none.");
     open_.back().text += found;
     at_ += found.size();
-    value_wanted_ = true;
+    expects_value_ = true;
   }
 
   std::string_view formula_;
   std::size_t at_ = 0;
-  bool value_wanted_ = true;
+  bool expects_value_ = true;
   bool signed_ = false;  // a sign stands before the value to come
   std::vector<Open> open_;
   Formula out_;

@@ -38,8 +38,8 @@ struct Repeats {
 // Difference of `b` to `a` at a's times since the start, about its mean. A value between two rows of b at `share` of
 // the way scatters less than one: (1 - share)^2 + share^2.
 void compare(const Stretch& a, const Stretch& b, Repeats& repeats) {
-  std::vector<double> apart;
-  apart.reserve(a.time_s.size());
+  std::vector<double> differences;
+  differences.reserve(a.time_s.size());
   double expected = 0.0;
   const auto since_s = [&](std::size_t row) { return b.time_s[row] - b.time_s.front(); };
   std::size_t row = 0;  // of b, the last one before
@@ -49,14 +49,14 @@ void compare(const Stretch& a, const Stretch& b, Repeats& repeats) {
     while (row + 1 < b.time_s.size() && since_s(row + 1) <= at_s) ++row;
     const double from_s = since_s(row);
     const Place place{row, from_s == at_s ? 0.0 : (at_s - from_s) / (since_s(row + 1) - from_s)};
-    apart.push_back(a.target_um[i] - value_at(b.target_um, place));
+    differences.push_back(a.target_um[i] - value_at(b.target_um, place));
     expected += 1.0 + (1.0 - place.share) * (1.0 - place.share) + place.share * place.share;
   }
-  if (apart.size() < kFewestOfRepeat) return;
-  const auto n = static_cast<double>(apart.size());
+  if (differences.size() < kFewestOfRepeat) return;
+  const auto n = static_cast<double>(differences.size());
   double mean = 0.0;
-  for (const double value : apart) mean += value / n;
-  for (const double value : apart) repeats.squares += (value - mean) * (value - mean);
+  for (const double value : differences) mean += value / n;
+  for (const double value : differences) repeats.squares += (value - mean) * (value - mean);
   repeats.variances += expected * (n - 1.0) / n;
   ++repeats.pairs;
 }

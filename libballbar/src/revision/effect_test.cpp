@@ -10,7 +10,7 @@
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/error.hpp"
-#include "diagnosis/posterior/weighed.hpp"
+#include "diagnosis/posterior/inference.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/tested_member.hpp"
 #include "fit/machine_error_fit.hpp"
@@ -38,7 +38,7 @@ std::vector<BoundEffect> bounds_of(const std::vector<Term>& terms) {
 }
 
 // The set of all that is tested; nothing: one of them adds nothing of its own.
-const EffectSet* set_of(Weighed& found, const std::vector<BoundEffect>& bounds) {
+const EffectSet* set_of(Inference& found, const std::vector<BoundEffect>& bounds) {
   std::vector<std::size_t> families;
   for (const BoundEffect& bound : bounds) {
     const std::optional<std::size_t> family = family_of(*found.problem, bound);
@@ -49,7 +49,7 @@ const EffectSet* set_of(Weighed& found, const std::vector<BoundEffect>& bounds) 
   return &found.posterior.sets[set_of(*found.problem, found.posterior, std::move(families))];
 }
 
-std::size_t member_of(const Weighed& found, const EffectSet& set, const BoundEffect& bound) {
+std::size_t member_of(const Inference& found, const EffectSet& set, const BoundEffect& bound) {
   const std::size_t family = *family_of(*found.problem, bound);
   std::size_t m = 0;
   while (found.problem->library.signatures[set.signatures[m]].family != family) ++m;
@@ -57,7 +57,7 @@ std::size_t member_of(const Weighed& found, const EffectSet& set, const BoundEff
 }
 
 // What cannot be told from the model: it adds nothing of its own.
-Candidate not_weighed(const BoundEffect& bound) {
+Candidate untestable_candidate(const BoundEffect& bound) {
   Candidate one;
   one.bound = bound;
   one.label = label_of(bound);
@@ -82,13 +82,13 @@ void begin_at(Term& term, const Term& fitted) {
 }
 
 // parameters: of the model with the terms.
-std::vector<Candidate> tested(Weighed& found, const std::vector<Term>& terms,
+std::vector<Candidate> tested(Inference& found, const std::vector<Term>& terms,
                               std::vector<FittedParameter>& parameters) {
   const std::vector<BoundEffect> bounds = bounds_of(terms);
   const EffectSet* set = set_of(found, bounds);
   std::vector<Candidate> result;
   if (set == nullptr) {
-    for (const BoundEffect& bound : bounds) result.push_back(not_weighed(bound));
+    for (const BoundEffect& bound : bounds) result.push_back(untestable_candidate(bound));
     return result;
   }
   const FittedSet fitted = fitted_set(*found.problem, found.posterior, *set, true);
@@ -134,7 +134,7 @@ bool is_usual(const Term& term, const Model& model, const Series& data) {
   return std::find(bindings.begin(), bindings.end(), term.columns) != bindings.end();
 }
 
-std::vector<Term> begun(Weighed& found, std::vector<Term> terms) {
+std::vector<Term> begun(Inference& found, std::vector<Term> terms) {
   const std::vector<BoundEffect> bounds = bounds_of(terms);
   const EffectSet* set = set_of(found, bounds);
   if (set == nullptr) return terms;
@@ -160,7 +160,7 @@ std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Se
     if (drop_test.parameters == 0 || term.effect->rules.is_base) continue;
     Model rest = model;
     rest.terms.erase(rest.terms.begin() + static_cast<std::ptrdiff_t>(t));
-    Weighed found = weighed_of(rest, data, target, it_alone, {term});
+    Inference found = inference_of(rest, data, target, it_alone, {term});
     if (const EffectSet* set = set_of(found, bounds_of({term}))) {
       drop_test.likelihood_ratio = log_bayes_factor_of_member(found, *set, 0);
     }
@@ -171,8 +171,8 @@ std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Se
   return result;
 }
 
-EffectTest effect_test_of(Weighed& found, FittedModel before, FittedModel after, std::size_t count, const Series& data,
-                          std::size_t target) {
+EffectTest effect_test_of(Inference& found, FittedModel before, FittedModel after, std::size_t count,
+                          const Series& data, std::size_t target) {
   EffectTest result;
   result.model = std::move(after.model);
   result.fit_before = std::move(before.fit);
@@ -225,7 +225,7 @@ Pruned pruned(EffectTest effect_test, const Series& data, std::size_t target) {
   std::sort(result.removed.begin(), result.removed.end());
   if (result.removed.empty()) return result;
   now.parameters.clear();
-  now.fit_after = fit(now.model, data, target, {.beside_all_errors = true});
+  now.fit_after = fit(now.model, data, target, {.among_all_errors = true});
   const LedgerRow figures = is_of_machine_errors(now.model, data) ? machine_error_row(now.model, data, target)
                                                                   : row_of(now.fit_after, now.model, data, target);
   now.after.parameters = figures.parameters;

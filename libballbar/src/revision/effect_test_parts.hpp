@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ballbar/revision/effect_test.hpp"
-#include "diagnosis/posterior/weighed.hpp"
+#include "diagnosis/posterior/inference.hpp"
 
 namespace ballbar {
 
@@ -21,10 +21,10 @@ bool is_usual(const Term& term, const Model& model, const Series& data);
 
 // Their shapes begin where they are likeliest together, but where a start is stated. `found` has these terms among what
 // may be missing.
-std::vector<Term> begun(Weighed& found, std::vector<Term> terms);
+std::vector<Term> begun(Inference& found, std::vector<Term> terms);
 
 // count: the last terms of `after`, which were added. `found`: what may be missing from `before`, these terms among it.
-EffectTest effect_test_of(Weighed& found, FittedModel before, FittedModel after, std::size_t count, const Series& data,
-                          std::size_t target);
+EffectTest effect_test_of(Inference& found, FittedModel before, FittedModel after, std::size_t count,
+                          const Series& data, std::size_t target);
 
 }  // namespace ballbar

@@ -45,12 +45,12 @@ ResidualReport residual_report_of(const Model& model, const Series& data, std::s
 // A model, and what was computed of it.
 struct Workbench::Step {
   Model model;
-  std::vector<Term> added;          // to the step before, as they were given
-  std::optional<Weighed> of_added;  // of the step before with these terms; none: its own
-  std::optional<Fit> fit;           // as the tests of effects have it
+  std::vector<Term> added;            // to the step before, as they were given
+  std::optional<Inference> of_added;  // of the step before with these terms; none: its own
+  std::optional<Fit> fit;             // as the tests of effects have it
   std::optional<LedgerRow> row;
   std::optional<ResidualReport> check;
-  std::optional<Weighed> weighed;
+  std::optional<Inference> inference;
   std::optional<Diagnosis> diagnosis;
   std::optional<EffectTest> test;  // of what was added
 };
@@ -90,9 +90,9 @@ FittedModel Workbench::fitted(Step& step) const {
   return {step.model, fit, *step.row};
 }
 
-Weighed& Workbench::weighed(Step& step) const {
-  if (!step.weighed) step.weighed = weighed_of(step.model, *data_, 0, options_.diagnosis);
-  return *step.weighed;
+Inference& Workbench::inference(Step& step) const {
+  if (!step.inference) step.inference = inference_of(step.model, *data_, 0, options_.diagnosis);
+  return *step.inference;
 }
 
 const Diagnosis& Workbench::diagnosis() {
@@ -100,7 +100,7 @@ const Diagnosis& Workbench::diagnosis() {
   if (!step.diagnosis) {
     DiagnosisOptions how = options_.diagnosis;
     how.where = worst_place(check().fit, check().where);
-    step.diagnosis = diagnosis_of(weighed(step), step.model, *data_, 0, how);
+    step.diagnosis = diagnosis_of(inference(step), step.model, *data_, 0, how);
   }
   return *step.diagnosis;
 }
@@ -115,13 +115,13 @@ void Workbench::add(const std::vector<Term>& terms) {
   if (!is_of_machine_errors(with, *data_)) {
     std::vector<Term> unusual = terms;
     std::erase_if(unusual, [&](const Term& term) { return is_usual(term, model(), *data_); });
-    if (!unusual.empty()) next->of_added = weighed_of(model(), *data_, 0, options_.diagnosis, unusual);
-    const std::vector<Term> first = begun(next->of_added ? *next->of_added : weighed(now()), terms);
+    if (!unusual.empty()) next->of_added = inference_of(model(), *data_, 0, options_.diagnosis, unusual);
+    const std::vector<Term> first = begun(next->of_added ? *next->of_added : inference(now()), terms);
     std::copy(first.begin(), first.end(), with.terms.end() - static_cast<std::ptrdiff_t>(terms.size()));
   }
   next->model = std::move(with);
   steps_.push_back(std::move(next));
-  if (steps_.size() > 2) steps_[steps_.size() - 3]->weighed.reset();  // the largest part, and nobody asks for it
+  if (steps_.size() > 2) steps_[steps_.size() - 3]->inference.reset();  // the largest part, and nobody asks for it
 }
 
 const EffectTest& Workbench::added() {
@@ -131,7 +131,7 @@ const EffectTest& Workbench::added() {
     if (is_of_machine_errors(step.model, *data_)) {
       step.test = machine_error_test(before.model, step.added, *data_, 0);
     } else {
-      step.test = effect_test_of(step.of_added ? *step.of_added : weighed(before), fitted(before), fitted(step),
+      step.test = effect_test_of(step.of_added ? *step.of_added : inference(before), fitted(before), fitted(step),
                                  step.added.size(), *data_, 0);
     }
     step.of_added.reset();

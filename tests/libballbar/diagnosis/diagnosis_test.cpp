@@ -10,6 +10,7 @@
 #include <string>
 
 #include "diagnosis/made_drift.hpp"
+#include "diagnosis/thresholds.hpp"
 
 namespace ballbar {
 namespace {

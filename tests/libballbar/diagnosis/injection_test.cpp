@@ -59,7 +59,7 @@ TEST(Inject, BadInputsAreNamed) {
 TEST(Inject, SightIsWhatTheDiagnosisSays) {
   const BoundEffect one = expansion("T_air_degC"), other = expansion("T_still_degC");
   Diagnosis diagnosis;
-  EXPECT_EQ(sight_of(diagnosis, one), Sight::not_seen);
+  EXPECT_EQ(sight_of(diagnosis, one), Sight::undetected);
   diagnosis.verdict = Verdict::unexplained;
   EXPECT_EQ(sight_of(diagnosis, one), Sight::unexplained);
   diagnosis.candidates = {{.bound = one, .in_best_set = true}};
@@ -69,7 +69,7 @@ TEST(Inject, SightIsWhatTheDiagnosisSays) {
   diagnosis.drivers = {{other.columns.front(), 0.95}};
   EXPECT_EQ(sight_of(diagnosis, other), Sight::driver);
   diagnosis.drivers.front().p = 0.6;
-  EXPECT_EQ(sight_of(diagnosis, other), Sight::not_seen);
+  EXPECT_EQ(sight_of(diagnosis, other), Sight::undetected);
   diagnosis.verdict = Verdict::probable;
   diagnosis.probable = {other};
   EXPECT_EQ(sight_of(diagnosis, other), Sight::probable);
@@ -83,7 +83,7 @@ TEST(Inject, SightIsWhatTheDiagnosisSays) {
   diagnosis.verdict = Verdict::nothing;
   diagnosis.named.clear();
   diagnosis.equivalent.clear();
-  EXPECT_EQ(sight_of(diagnosis, one), Sight::not_seen);
+  EXPECT_EQ(sight_of(diagnosis, one), Sight::undetected);
 }
 
 // White noise of 1 um and a model that is a constant: d^2 = sum (g - mean g)^2; the rises 0, 1, 3, 2 have mean 1.5 and

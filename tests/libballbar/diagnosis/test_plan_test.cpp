@@ -7,7 +7,7 @@
 #include <random>
 
 #include "ballbar/error.hpp"
-#include "diagnosis/next_test/columns_alike.hpp"
+#include "diagnosis/next_test/distinct_columns.hpp"
 #include "diagnosis/next_test/menu.hpp"
 #include "diagnosis/next_test/planned_inputs.hpp"
 #include "effects/low_pass.hpp"
@@ -95,12 +95,12 @@ TEST(test_plan, a_step_of_the_room_is_in_the_room_and_in_what_follows_it) {
 }
 
 TEST(test_plan, a_sensor_logged_twice_is_one) {
-  const Alike alike = alike_columns_of(one_speed(true), constant());
-  ASSERT_EQ(alike.twins.size(), 1u);
-  EXPECT_EQ(alike.twins[0].kept, "T_housing_degC");
-  EXPECT_EQ(alike.twins[0].other, "T_twin_degC");
-  EXPECT_EQ(find_column(alike.data, "T_twin_degC"), nullptr);
-  EXPECT_TRUE(alike_columns_of(one_speed(false), constant()).twins.empty());
+  const DistinctColumns distinct = distinct_columns_of(one_speed(true), constant());
+  ASSERT_EQ(distinct.twins.size(), 1u);
+  EXPECT_EQ(distinct.twins[0].kept, "T_housing_degC");
+  EXPECT_EQ(distinct.twins[0].other, "T_twin_degC");
+  EXPECT_EQ(find_column(distinct.data, "T_twin_degC"), nullptr);
+  EXPECT_TRUE(distinct_columns_of(one_speed(false), constant()).twins.empty());
 }
 
 TEST(test_plan, what_is_inseparable_is_said_before_any_test) {

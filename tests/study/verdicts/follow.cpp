@@ -28,7 +28,7 @@
 #include <utility>
 #include <vector>
 
-#include "ballbar/diagnosis/thresholds.hpp"
+#include "diagnosis/thresholds.hpp"
 #include "follow_cells.hpp"
 
 namespace verdicts = ballbar::verdicts;

@@ -1,52 +1,29 @@
-// Thresholds of a diagnosis that more than one file needs; the others stand in the file that uses them.
+// Thresholds of a diagnosis that its callers print, or go on by; those of the library alone stand in its sources.
 //
 // d: root of the fall of chi^2. ln: of a likelihood. P, shares: 0 to 1.
 #pragma once
 
-#include <array>
 #include <cstddef>
 
 namespace ballbar {
 
-// Inputs as they were logged.
-inline constexpr double kJumpTime = 0.35;   // sd of when in its sample an input changed, in samples
-inline constexpr double kClockTime = 0.6;   // sd of how late a clock is, in samples
-inline constexpr double kUnknownRow = 1e6;  // variance of a reading that tells nothing, of the others'
-
 // Detectability: what a signature could show, before any residual is looked at.
 inline constexpr double kDetectable = 5.0;    // d
 inline constexpr double kIdentifiable = 7.5;  // d
-inline constexpr double kFound = 7.0;         // d from which a diagnosis finds an effect
-inline constexpr double kAbsorbed = 0.05;     // share of a signature's square: with less left it is the model's
-
-// Priors.
-inline constexpr std::size_t kMostEffects = 8;                                         // of a sum of single effects
-inline constexpr std::array<double, 6> kGainSizes{4.0, 8.0, 16.0, 32.0, 64.0, 128.0};  // d of a gain, alike
 
 // Tests of a member of a set.
 inline constexpr double kLeastLikelihoodRatio = 10.0;  // 2 ln of a ratio of likelihoods: 150 to 1
-inline constexpr double kSameGain = 0.01;              // p_same_gain below which gains differ
 inline constexpr std::size_t kSurrogates = 200;
 
 // Verdict.
-inline constexpr double kNothing = 0.5;      // P of nothing from which nothing is said
-inline constexpr double kNamed = 0.9;        // P
-inline constexpr double kProbable = 0.8;     // P
-inline constexpr double kSureDriver = 0.9;   // P
-inline constexpr double kDiscrepancy = 0.5;  // P of a slow drift without a cause from which it is said
-inline constexpr double kMinor = 0.05;       // of the RMSE
+inline constexpr double kNamed = 0.9;     // P
+inline constexpr double kProbable = 0.8;  // P
 
 // A run that is followed.
-inline constexpr std::size_t kFirstLook = 64;     // values of the target
-inline constexpr std::size_t kMostLooks = 100;    // the last at 177 000 values
-inline constexpr double kFalselyDecided = 0.02;   // of runs in which nothing is hidden, at most; of what is decided
-inline constexpr std::size_t kLooksToDecide = 3;  // in a row that say the same
+inline constexpr std::size_t kFirstLook = 64;   // values of the target
+inline constexpr std::size_t kMostLooks = 100;  // the last at 177 000 values
 
 // Effects of a model.
 inline constexpr double kDropTest = 0.05;  // P that one is not needed, below which it is
-
-// The next test.
-inline constexpr double kSureEnough = 0.95;    // P(right) of a test from which no longer one is looked for
-inline constexpr double kSureOfNothing = 0.8;  // P of nothing from which no test is looked for
 
 }  // namespace ballbar

@@ -44,7 +44,7 @@ struct FitOptions {
   // Of circles that linear axes drive, with a model of errors of the machine alone: every error has the value that it
   // has beside all of them, whether the model has them or not, and sigma by the noise that all leave
   // (machine_errors.hpp).
-  bool beside_all_errors = false;
+  bool among_all_errors = false;
 };
 
 struct Fit {

@@ -19,7 +19,7 @@
 namespace ballbar {
 
 struct FittedModel;
-struct Weighed;
+struct Inference;
 
 // A model fitted, and where it fails.
 struct ResidualReport {
@@ -69,7 +69,7 @@ class Workbench {
   Step& now() const;
   const Fit& plain_fit(Step& step) const;
   FittedModel fitted(Step& step) const;
-  Weighed& weighed(Step& step) const;
+  Inference& inference(Step& step) const;
 
   std::shared_ptr<const Series> data_;
   WorkbenchOptions options_;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/series/runs.hpp"
+#include "diagnosis/thresholds.hpp"
 #include "effects/effect_at.hpp"
 
 namespace ballbar {

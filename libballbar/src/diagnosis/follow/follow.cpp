@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/follow/forecast.hpp"
+#include "diagnosis/thresholds.hpp"
 
 namespace ballbar {
 namespace {

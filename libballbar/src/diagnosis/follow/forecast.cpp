@@ -7,8 +7,8 @@
 #include <limits>
 #include <optional>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/number_text.hpp"
+#include "diagnosis/thresholds.hpp"
 
 namespace ballbar {
 namespace {
@@ -86,8 +86,8 @@ std::string why_it_stays_open(const FollowState& state) {
   const Look& now = state.looks.back();
   const std::size_t half = look_of_half(state.looks);
   if (!now.fault.empty() || !now.sure.empty()) return "";
-  const std::string alike = why_not_the_first(state.looks, half);
-  if (!alike.empty() || half == state.looks.size()) return alike;
+  const std::string why = why_not_the_first(state.looks, half);
+  if (!why.empty() || half == state.looks.size()) return why;
   const Look& then = state.looks[half];
   if (!state.planned_hours || 2.0 * now.hours < *state.planned_hours) return "";
   const double end_h = *state.planned_hours;

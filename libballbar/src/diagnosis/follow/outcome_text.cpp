@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ballbar/diagnosis/follow/follow.hpp"
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/number_text.hpp"
+#include "diagnosis/thresholds.hpp"
 
 namespace ballbar {
 namespace {

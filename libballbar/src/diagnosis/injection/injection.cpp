@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/numerics/range.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
+#include "diagnosis/thresholds.hpp"
 #include "fit/model_columns.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
@@ -94,7 +94,7 @@ Sight sight_of(const Diagnosis& diagnosis, const BoundEffect& bound) {
   const auto is_best = [&](const Candidate& candidate) { return candidate.in_best_set && candidate.bound == bound; };
   const bool calls = diagnosis.verdict != Verdict::nothing && diagnosis.verdict != Verdict::untestable;
   if (calls && std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(), is_best)) return Sight::candidate;
-  return diagnosis.verdict == Verdict::unexplained ? Sight::unexplained : Sight::not_seen;
+  return diagnosis.verdict == Verdict::unexplained ? Sight::unexplained : Sight::undetected;
 }
 
 std::string_view name_of(Sight sight) {
@@ -111,33 +111,33 @@ std::string_view name_of(Sight sight) {
       return "candidate";
     case Sight::unexplained:
       return "unexplained";
-    case Sight::not_seen:
+    case Sight::undetected:
       break;
   }
   return "not seen";
 }
 
-bool is_seen(Sight sight) { return sight == Sight::named || sight == Sight::probable || sight == Sight::in_set; }
+bool is_detected(Sight sight) { return sight == Sight::named || sight == Sight::probable || sight == Sight::in_set; }
 
-SmallestSeen smallest_seen(const Model& model, const Series& data, const Injection& injection, double d_per_um,
-                           SmallestSeen known, const DiagnosisOptions& options,
-                           const std::function<void(std::size_t)>& progress) {
+DetectionLimit detection_limit(const Model& model, const Series& data, const Injection& injection, double d_per_um,
+                               DetectionLimit known, const DiagnosisOptions& options,
+                               const std::function<void(std::size_t)>& progress) {
   constexpr double kClose = 1.15;
   constexpr int kMost = 6, kMostUpwards = 3;
   int upwards = 0;
-  for (int tries = 0; tries < kMost && known.seen_um > kClose * known.not_seen_um; ++tries) {
+  for (int tries = 0; tries < kMost && known.detected_um > kClose * known.undetected_um; ++tries) {
     const double detected_um = kDetectable / d_per_um, identified_um = kIdentifiable / d_per_um;
-    double try_um = std::sqrt(known.not_seen_um * known.seen_um);
-    if (!std::isfinite(known.seen_um)) {
+    double try_um = std::sqrt(known.undetected_um * known.detected_um);
+    if (!std::isfinite(known.detected_um)) {
       if (++upwards > kMostUpwards) break;
-      try_um = identified_um > 1.5 * known.not_seen_um && std::isfinite(identified_um) ? identified_um
-                                                                                       : 2.0 * known.not_seen_um;
-    } else if (known.not_seen_um == 0.0) {
-      try_um = detected_um < 0.9 * known.seen_um ? detected_um : 0.5 * known.seen_um;
+      try_um = identified_um > 1.5 * known.undetected_um && std::isfinite(identified_um) ? identified_um
+                                                                                         : 2.0 * known.undetected_um;
+    } else if (known.undetected_um == 0.0) {
+      try_um = detected_um < 0.9 * known.detected_um ? detected_um : 0.5 * known.detected_um;
     }
     progress(known.diagnoses + 1);
     const Diagnosis found = diagnose(model, injected(data, model.targets.front(), injection, try_um), 0, options);
-    (is_seen(sight_of(found, injection.bound)) ? known.seen_um : known.not_seen_um) = try_um;
+    (is_detected(sight_of(found, injection.bound)) ? known.detected_um : known.undetected_um) = try_um;
     ++known.diagnoses;
   }
   return known;

@@ -95,9 +95,9 @@ struct RatedTest {
 };
 
 bool better(const RatedTest& a, const RatedTest& b) {
-  const bool a_seen = a.smallest >= kDetectable, b_seen = b.smallest >= kDetectable;
-  if (a_seen != b_seen) return a_seen;
-  if (!a_seen && a.settled != b.settled) return a.settled > b.settled;
+  const bool a_is_detected = a.smallest >= kDetectable, b_is_detected = b.smallest >= kDetectable;
+  if (a_is_detected != b_is_detected) return a_is_detected;
+  if (!a_is_detected && a.settled != b.settled) return a.settled > b.settled;
   return a.smallest > b.smallest;
 }
 

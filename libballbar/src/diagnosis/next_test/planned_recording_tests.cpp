@@ -41,9 +41,9 @@ std::vector<double> known_values(const Series& trace, std::string_view name, con
 
 // The one whose ratio to that of the recordings is nearest to half, or to twice where there is none shorter.
 double other_bar_mm(double bar_mm) {
-  const double wanted_mm = bar_mm > kBars_mm[0] ? bar_mm / 2.0 : bar_mm * 2.0;
-  const auto off = [&](double length_mm) { return std::abs(std::log(length_mm / wanted_mm)); };
-  double best_mm = wanted_mm;
+  const double ideal_mm = bar_mm > kBars_mm[0] ? bar_mm / 2.0 : bar_mm * 2.0;
+  const auto off = [&](double length_mm) { return std::abs(std::log(length_mm / ideal_mm)); };
+  double best_mm = ideal_mm;
   double least = std::numeric_limits<double>::infinity();
   for (const double length_mm : kBars_mm) {
     if (std::abs(length_mm - bar_mm) < 1.0 || off(length_mm) >= least) continue;

@@ -71,12 +71,12 @@ SimulatedTests::SimulatedTests(const Model& model, const Series& data, std::size
       target_(model.targets.at(target)),
       target_index_(target) {
   ProblemOptions how;
-  how.catalogue = options.search.catalogue;
-  how.signatures.without = options.search.without;
+  how.search.catalogue = options.search.catalogue;
+  how.search.without = options.search.without;
   tell("weighing the data at hand");
-  weighed_ = weighed(with_run_terms(model_, data_), data_, target, how);
-  if (weighed_.largest == 0 || weighed_.is_still) return;
-  truths_.emplace(weighed_);
+  inference_ = inference(with_run_terms(model_, data_), data_, target, how);
+  if (inference_.largest == 0 || inference_.is_still) return;
+  truths_.emplace(inference_);
   planned_ = std::make_unique<PlannedInputs>(data_, target_);
   resolution_um_ = resolution_of(find_column(data_, target_)->values);
   covariances_ = simulated_covariances();
@@ -88,14 +88,14 @@ std::vector<Truth> SimulatedTests::drawn(std::size_t count, std::uint64_t stage)
 }
 
 ExpectedTest SimulatedTests::expected(const MenuItem& item, const std::vector<Truth>& truths) const {
-  std::vector<Told> outcomes(truths.size());
+  std::vector<Score> outcomes(truths.size());
   in_parallel(truths.size(), [&](std::size_t k) {
     std::mt19937_64 random = simulation::stream_of(options_.search.seed, simulation::Stream::signal, 1000 + k);
-    outcomes[k] = told_by(item.schedule, truths[k], random);
+    outcomes[k] = score_under(item.schedule, truths[k], random);
   });
   ExpectedTest result{item.kind, item.doing, item.hours, item.schedule, truths.size()};
   const auto n = static_cast<double>(truths.size());
-  for (const Told& one : outcomes) {
+  for (const Score& one : outcomes) {
     result.p_right += one.right ? 1.0 / n : 0.0;
     result.p_part += one.part ? 1.0 / n : 0.0;
     result.p_wrong += one.wrong ? 1.0 / n : 0.0;
@@ -123,7 +123,7 @@ double SimulatedTests::p_right_with_sensor(const Schedule& schedule, std::size_t
         named.push_back(one.columns.size() == 1 && one.columns.front() == kAddedSensor ? place.front() : one);
       Diagnosis as_named = found;
       as_named.named = std::move(named);
-      right[k] = told_of(truths[k], as_named, {}).right ? 1 : 0;
+      right[k] = score_of(truths[k], as_named, {}).right ? 1 : 0;
     } catch (const Error&) {
       right[k] = 0;
     }
@@ -144,11 +144,11 @@ Series SimulatedTests::simulated(const Schedule& schedule, const Truth& truth, s
 // Those that the data make likely, and a few with a slow curve, so that a simulated run may find one.
 std::vector<Covariance> SimulatedTests::simulated_covariances() const {
   std::vector<Covariance> chosen;
-  for (const Point& point : weighed_.posterior.points) {
+  for (const Point& point : inference_.posterior.points) {
     if (chosen.size() < kMostCovariances) chosen.push_back(point.covariance);
   }
   std::size_t slow = 0;
-  for (const Covariance& one : with_discrepancy(chosen.front(), weighed_.problem->time_s)) {
+  for (const Covariance& one : with_discrepancy(chosen.front(), inference_.problem->time_s)) {
     if (slow++ % kSlowStride == 0 && std::find(chosen.begin(), chosen.end(), one) == chosen.end())
       chosen.push_back(one);
   }
@@ -172,40 +172,40 @@ DiagnosisOptions SimulatedTests::simulated_options() const {
 
 // What needs nothing but time is never named: a truth is told where all the rest of it is.
 // Of nothing that nothing is said, of a value that the model holds that it is told.
-SimulatedTests::Told SimulatedTests::told_of(const Truth& truth, const Diagnosis& found,
-                                             const std::vector<BoundEffect>& known) const {
+SimulatedTests::Score SimulatedTests::score_of(const Truth& truth, const Diagnosis& found,
+                                               const std::vector<BoundEffect>& known) const {
   const auto is_in = [](const std::vector<BoundEffect>& all, const BoundEffect& one) {
     return std::find(all.begin(), all.end(), one) != all.end();
   };
   const std::vector<BoundEffect> effects = truths_->effects_of(truth);
-  Told told;
+  Score score;
   bool more = false;
   for (const BoundEffect& named : found.named) {
-    told.wrong = told.wrong || !is_in(effects, named);
+    score.wrong = score.wrong || !is_in(effects, named);
     more = more || !is_in(known, named);
   }
   const bool own = std::any_of(found.own.begin(), found.own.end(), [](const OwnValue& one) { return one.p >= kNamed; });
   const bool all = std::all_of(effects.begin(), effects.end(), [&](const BoundEffect& one) {
     return one.effect->time_only || is_in(found.named, one);
   });
-  const bool is_said =
+  const bool verdict_fits =
       truths_->is_nothing(truth) ? found.verdict == Verdict::nothing : own == truths_->has_other_value(truth);
-  told.right = !told.wrong && all && is_said;
-  told.part = !told.wrong && !truths_->is_nothing(truth) && (told.right || more);
-  return told;
+  score.right = !score.wrong && all && verdict_fits;
+  score.part = !score.wrong && !truths_->is_nothing(truth) && (score.right || more);
+  return score;
 }
 
 Diagnosis SimulatedTests::diagnosis_with(const Model& model, const Series& data) const {
   const DiagnosisOptions how = simulated_options();
-  return diagnosis_of(weighed_of(model, data, target_index_, how, {}, covariances_), model, data, target_index_, how);
+  return diagnosis_of(inference_of(model, data, target_index_, how, {}, covariances_), model, data, target_index_, how);
 }
 
-SimulatedTests::Told SimulatedTests::told_by(const Schedule& schedule, const Truth& truth,
-                                             std::mt19937_64& random) const {
+SimulatedTests::Score SimulatedTests::score_under(const Schedule& schedule, const Truth& truth,
+                                                  std::mt19937_64& random) const {
   const Series all = with_run(data_, simulated(schedule, truth, random));
   try {
     const Diagnosis found = diagnosis_with(with_run_terms(model_, all), all);
-    return told_of(truth, found, named_now_);
+    return score_of(truth, found, named_now_);
   } catch (const Error&) {
     return {};  // a run that cannot be diagnosed decides nothing
   }

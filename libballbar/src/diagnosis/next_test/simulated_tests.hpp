@@ -25,7 +25,7 @@ class SimulatedTests {
   void know(const std::vector<BoundEffect>& named) { named_now_ = named; }
 
   bool can_draw() const { return truths_.has_value(); }  // the others want it
-  const Posterior& posterior() const { return weighed_.posterior; }
+  const Posterior& posterior() const { return inference_.posterior; }
   const Truths& truths() const { return *truths_; }
   const PlannedInputs& planned() const { return *planned_; }
 
@@ -42,12 +42,12 @@ class SimulatedTests {
   void tell(const std::string& step) const;
 
  private:
-  struct Told {
+  struct Score {
     bool right = false, part = false, wrong = false;
   };
-  Told told_of(const Truth& truth, const Diagnosis& found, const std::vector<BoundEffect>& known) const;
+  Score score_of(const Truth& truth, const Diagnosis& found, const std::vector<BoundEffect>& known) const;
   Diagnosis diagnosis_with(const Model& model, const Series& data) const;
-  Told told_by(const Schedule& schedule, const Truth& truth, std::mt19937_64& random) const;
+  Score score_under(const Schedule& schedule, const Truth& truth, std::mt19937_64& random) const;
   Series simulated(const Schedule& schedule, const Truth& truth, std::mt19937_64& random) const;
   std::vector<Covariance> simulated_covariances() const;
   DiagnosisOptions simulated_options() const;
@@ -57,7 +57,7 @@ class SimulatedTests {
   const Series& data_;
   std::string target_;
   std::size_t target_index_;
-  Weighed weighed_;
+  Inference inference_;
   std::optional<Truths> truths_;
   std::unique_ptr<PlannedInputs> planned_;
   double resolution_um_ = 0.0;

@@ -9,12 +9,12 @@
 #include <set>
 #include <utility>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/model/run_terms.hpp"
-#include "diagnosis/next_test/columns_alike.hpp"
+#include "diagnosis/next_test/distinct_columns.hpp"
 #include "diagnosis/next_test/menu.hpp"
 #include "diagnosis/next_test/simulated_tests.hpp"
 #include "diagnosis/next_test/test_plan_text.hpp"
+#include "diagnosis/thresholds.hpp"
 #include "numerics/orthonormal.hpp"
 #include "numerics/random_streams.hpp"
 
@@ -119,8 +119,8 @@ void add_curves(const SimulatedTests& design, TestPlan& plan, std::uint64_t seed
 
 // Effects in question that add the same in any test, as far as the model beside them is free: a difference of two
 // temperatures and one of them, where the model has the other.
-void add_alike_beside_model(const SimulatedTests& design, const Diagnosis& now, const Schedule& schedule,
-                            std::uint64_t seed, TestPlan& plan) {
+void add_inseparable_by_model(const SimulatedTests& design, const Diagnosis& now, const Schedule& schedule,
+                              std::uint64_t seed, TestPlan& plan) {
   std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 8);
   const Series run = design.planned().under(schedule, random);
   struct Curve {
@@ -157,7 +157,7 @@ void add_alike_beside_model(const SimulatedTests& design, const Diagnosis& now, 
 }
 
 // Reads what heats, and no temperature: the way of its heat is what a thermometer would show.
-bool is_unseen_heat(const BoundEffect& bound) {
+bool is_heat_input(const BoundEffect& bound) {
   if (bound.columns.empty() || bound.effect->time_only) return false;
   return std::all_of(bound.columns.begin(), bound.columns.end(), [](const std::string& column) {
     const std::string_view unit = unit_of(column);
@@ -172,7 +172,7 @@ void add_sensor(const SimulatedTests& design, TestPlan& plan) {
   for (std::size_t s = 0; s < posterior.sets.size(); ++s) {
     if (posterior.p(posterior.sets[s]) < 0.05) return;
     const std::vector<BoundEffect> effects = design.truths().effects_of({s, false});
-    if (effects.size() != 1 || !is_unseen_heat(effects.front())) continue;
+    if (effects.size() != 1 || !is_heat_input(effects.front())) continue;
     design.tell("simulating a thermometer more");
     const double p = design.p_right_with_sensor(best.schedule, s, design.drawn(kTruths, 1));
     if (p < best.p_right + kWorthASensor) return;
@@ -186,8 +186,8 @@ void add_sensor(const SimulatedTests& design, TestPlan& plan) {
 TestPlan test_plan(const Model& model, const Series& data, std::size_t target, const TestPlanOptions& options) {
   TestPlan plan;
   // Columns that read the same are one: which of them it is, no test can tell.
-  const Alike alike = alike_columns_of(data, model);
-  SimulatedTests design(model, alike.data, target, options);
+  const DistinctColumns distinct = distinct_columns_of(data, model);
+  SimulatedTests design(model, distinct.data, target, options);
   if (!design.can_draw()) {
     plan.sentence = "The data have too few values, or do not move: nothing can be planned from them.";
     return plan;
@@ -196,9 +196,9 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
   DiagnosisOptions how;
   how.search = options.search;
   how.search.progress = {};
-  const Diagnosis now = diagnose(with_run_terms(without_run_terms(model), alike.data), alike.data, target, how);
+  const Diagnosis now = diagnose(with_run_terms(without_run_terms(model), distinct.data), distinct.data, target, how);
   design.know(now.named);
-  plan.inseparable = inseparable_effects(now, alike);
+  plan.inseparable = inseparable_effects(now, distinct);
   plan.verdict = now.verdict;
   const bool is_all_named = now.verdict == Verdict::named && now.probable.empty() && now.equivalent.empty();
   plan.is_decided = is_all_named && plan.inseparable.empty();
@@ -207,8 +207,8 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
   if (is_open && now.verdict != Verdict::untestable) {
     const MenuLimits limits{options.most_hours, options.max_rpm, options.can_load, options.can_room,
                             options.can_coolant};
-    const std::vector<MenuItem> menu = menu_of(alike.data, model.targets.at(target), limits);
-    add_alike_beside_model(design, now, menu.front().schedule, options.search.seed, plan);
+    const std::vector<MenuItem> menu = menu_of(distinct.data, model.targets.at(target), limits);
+    add_inseparable_by_model(design, now, menu.front().schedule, options.search.seed, plan);
     plan.tests = tests_of(design, menu);
     if (!plan.tests.empty() && !(plan.tests.front().p_part >= kLeastPromise)) plan.tests.clear();
   }

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "ballbar/diagnosis/thresholds.hpp"
+#include "diagnosis/thresholds.hpp"
 
 namespace ballbar {
 namespace {
@@ -28,8 +28,8 @@ std::string inseparable_text(const std::vector<std::vector<BoundEffect>>& groups
 }  // namespace
 
 std::string sentence_of(const TestPlan& plan, const TestPlanOptions& options) {
-  const std::string apart = inseparable_text(plan.inseparable);
-  const std::string behind = apart.empty() ? "" : " " + apart;
+  const std::string inseparable = inseparable_text(plan.inseparable);
+  const std::string behind = inseparable.empty() ? "" : " " + inseparable;
   if (plan.is_decided) return "The data at hand decide: no further test is needed." + behind;
   const bool is_nothing = plan.verdict == Verdict::nothing;
   if (is_nothing && plan.p_nothing >= kSureOfNothing)
@@ -42,7 +42,7 @@ std::string sentence_of(const TestPlan& plan, const TestPlanOptions& options) {
                  plan.p_nothing, options.most_hours) +
              behind;
     }
-    if (!apart.empty()) return apart + " No test is proposed.";
+    if (!inseparable.empty()) return inseparable + " No test is proposed.";
     return fmt::format("No test of up to {:g} h on the menu would decide; none is proposed.", options.most_hours);
   }
   const ExpectedTest& best = plan.tests.front();

@@ -56,7 +56,7 @@ std::vector<std::size_t> rows_behind(const Series& placed, const Series& run) {
 
 // The run behind the first rows of the data: what a place of a temperature is counted from.
 Series Truths::behind_the_data(const Series& run) const {
-  const Series& data = weighed_.problem->logged.series;
+  const Series& data = inference_.problem->logged.series;
   Series placed = run;
   placed.time_s.insert(placed.time_s.begin(), {run.time_s.front(), run.time_s.front() + 1.0});
   for (Column& column : placed.columns) {
@@ -67,17 +67,17 @@ Series Truths::behind_the_data(const Series& run) const {
   return placed;
 }
 
-Truths::Truths(const Weighed& weighed) : weighed_(weighed) {}
+Truths::Truths(const Inference& inference) : inference_(inference) {}
 
 const Truths::Fitted& Truths::fitted(std::size_t set) const {
   const auto known = fitted_.find(set);
   if (known != fitted_.end()) return known->second;
-  const Posterior& posterior = weighed_.posterior;
+  const Posterior& posterior = inference_.posterior;
   const EffectSet& one = posterior.sets[set];
   Fitted result;
-  result.set = fitted_set(*weighed_.problem, posterior, one, false);
+  result.set = fitted_set(*inference_.problem, posterior, one, false);
   result.noise = result.slow = posterior.points[one.point].covariance;
-  result.variance = set_at(*weighed_.problem, posterior, one).variance;
+  result.variance = set_at(*inference_.problem, posterior, one).variance;
   for (const Point& point : posterior.points) {
     if (!(result.slow.slow > 0.0) && point.covariance.slow > 0.0) result.slow = point.covariance;
   }
@@ -85,7 +85,7 @@ const Truths::Fitted& Truths::fitted(std::size_t set) const {
 }
 
 std::vector<Truth> Truths::drawn(std::size_t count, std::mt19937_64& random) const {
-  const Posterior& posterior = weighed_.posterior;
+  const Posterior& posterior = inference_.posterior;
   struct Weighted {
     Truth truth;
     double weight;
@@ -124,14 +124,14 @@ std::vector<Truth> Truths::drawn(std::size_t count, std::mt19937_64& random) con
 
 std::vector<BoundEffect> Truths::effects_of(const Truth& truth) const {
   std::vector<BoundEffect> effects;
-  for (const std::size_t f : weighed_.posterior.sets[truth.set].families) {
-    effects.push_back(weighed_.problem->library.families[f].bound);
+  for (const std::size_t f : inference_.posterior.sets[truth.set].families) {
+    effects.push_back(inference_.problem->library.families[f].bound);
   }
   return effects;
 }
 
 bool Truths::is_nothing(const Truth& truth) const {
-  return !truth.slow && !has_other_value(truth) && weighed_.posterior.sets[truth.set].families.empty();
+  return !truth.slow && !has_other_value(truth) && inference_.posterior.sets[truth.set].families.empty();
 }
 
 Eigen::VectorXd Truths::drift_um(const Truth& truth, const Series& run) const {
@@ -140,13 +140,13 @@ Eigen::VectorXd Truths::drift_um(const Truth& truth, const Series& run) const {
 }
 
 Eigen::VectorXd Truths::member_um(const Truth& truth, std::size_t member, const Series& run) const {
-  const std::size_t first = weighed_.problem->model.terms.size();
+  const std::size_t first = inference_.problem->model.terms.size();
   return added_um(truth, run, [&](std::size_t t) { return t == first + member; });
 }
 
 Eigen::MatrixXd Truths::model_slopes(const Truth& truth, const Series& run) const {
   const FittedSet& set = fitted(truth.set).set;
-  Model model = weighed_.problem->model;
+  Model model = inference_.problem->model;
   std::size_t count = 1;
   for (const Term& term : model.terms) count += term.settings.size();
   Eigen::VectorXd parameters(static_cast<Eigen::Index>(count));
@@ -162,7 +162,7 @@ Eigen::MatrixXd Truths::model_slopes(const Truth& truth, const Series& run) cons
 
 // The sum of some terms of the model with the set.
 Eigen::VectorXd Truths::added_um(const Truth& truth, const Series& run,
-                                 const std::function<bool(std::size_t)>& is_wanted) const {
+                                 const std::function<bool(std::size_t)>& is_included) const {
   const FittedSet& set = fitted(truth.set).set;
   const Series placed = behind_the_data(run);
   const std::vector<std::size_t> rows = rows_behind(placed, run);
@@ -173,7 +173,7 @@ Eigen::VectorXd Truths::added_um(const Truth& truth, const Series& run,
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.size()));
   std::size_t place = 1;
   for (std::size_t t = 0; t < set.model.terms.size(); ++t) {
-    if (is_wanted(t)) sum += all.term(t, parameters.data() + place, nullptr);
+    if (is_included(t)) sum += all.term(t, parameters.data() + place, nullptr);
     place += set.model.terms[t].settings.size();
   }
   return sum;

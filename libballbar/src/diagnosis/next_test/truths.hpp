@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "diagnosis/posterior/weighed.hpp"
+#include "diagnosis/posterior/inference.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"
 
 namespace ballbar {
@@ -20,14 +20,14 @@ struct Truth {
 class Truths {
  public:
   // Refers to it.
-  explicit Truths(const Weighed& weighed);
+  explicit Truths(const Inference& inference);
 
   // Truths of about the posterior's weights, as even as so many can be.
   std::vector<Truth> drawn(std::size_t count, std::mt19937_64& random) const;
 
   std::vector<BoundEffect> effects_of(const Truth& truth) const;
   bool is_nothing(const Truth& truth) const;  // no effect, no other value of the model, no slow curve
-  bool has_other_value(const Truth& truth) const { return weighed_.posterior.sets[truth.set].own > 0; }
+  bool has_other_value(const Truth& truth) const { return inference_.posterior.sets[truth.set].own > 0; }
 
   // On the rows of one run, without noise; what is of a set-up left out.
   Eigen::VectorXd drift_um(const Truth& truth, const Series& run) const;
@@ -53,9 +53,9 @@ class Truths {
   const Fitted& fitted(std::size_t set) const;
   Series behind_the_data(const Series& run) const;
   Eigen::VectorXd added_um(const Truth& truth, const Series& run,
-                           const std::function<bool(std::size_t)>& is_wanted) const;
+                           const std::function<bool(std::size_t)>& is_included) const;
 
-  const Weighed& weighed_;
+  const Inference& inference_;
   mutable std::map<std::size_t, Fitted> fitted_;  // as they are asked for, before anything runs in parallel
 };
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <numeric>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/evidence/evidence.hpp"
+#include "diagnosis/thresholds.hpp"
 
 namespace ballbar {
 namespace {

@@ -15,14 +15,14 @@ namespace {
 
 constexpr double kPriorOfBackground = 0.03;
 constexpr std::array<double, 2> kBackgrounds{6.0, kOfBackground};  // d of all of it together
-constexpr std::size_t kNoisesBesideMore = 3;  // the likeliest, with a discrepancy or a background beside them
-constexpr double kFarFromBest = 7.0;          // ln: covariances this far are left out
-constexpr double kFarFromOthers = 8.0;        // ln: covariances this far are not looked at twice
-constexpr int kRounds = 2;                    // where the sum at the likeliest covariance is another one than before
-constexpr double kNearBest = 3.0;             // ln: covariances this near stand for all where other modes are looked at
-constexpr double kLikely = 0.05;              // P of an identity that carries weight
-constexpr double kBetterOptimum = 0.05;       // ln
-constexpr double kAlone = 0.9;                // P of an identity in its single effect: without it is another mode
+constexpr std::size_t kNoisesWithMore = 3;  // the likeliest, with a discrepancy or a background beside them
+constexpr double kFarFromBest = 7.0;        // ln: covariances this far are left out
+constexpr double kFarFromOthers = 8.0;      // ln: covariances this far are not looked at twice
+constexpr int kRounds = 2;                  // where the sum at the likeliest covariance is another one than before
+constexpr double kNearBest = 3.0;           // ln: covariances this near stand for all where other modes are looked at
+constexpr double kLikely = 0.05;            // P of an identity that carries weight
+constexpr double kBetterOptimum = 0.05;     // ln
+constexpr double kAlone = 0.9;              // P of an identity in its single effect: without it is another mode
 
 // ln of what the first few weigh together.
 double log_weight_of(const std::vector<Found>& found, std::size_t count) {
@@ -151,9 +151,9 @@ class Average {
 
   static Noises likeliest_noises(const std::vector<Found>& sorted) {
     Noises result;
-    for (std::size_t g = 0; g < std::min(kNoisesBesideMore, sorted.size()); ++g)
+    for (std::size_t g = 0; g < std::min(kNoisesWithMore, sorted.size()); ++g)
       result.likeliest.push_back(sorted[g].point.covariance);
-    result.log_represented = log_weight_of(sorted, sorted.size()) - log_weight_of(sorted, kNoisesBesideMore);
+    result.log_represented = log_weight_of(sorted, sorted.size()) - log_weight_of(sorted, kNoisesWithMore);
     return result;
   }
 
@@ -166,18 +166,18 @@ class Average {
 
   // Noise alone takes a slow curve in where it can, so that beside a discrepancy it is another one: all noises are
   // weighed beside the discrepancy that is likeliest beside the likeliest noise alone.
-  Noises noises_beside_discrepancy(const std::vector<Covariance>& grid, const Covariance& alone) const {
+  Noises noises_with_discrepancy(const std::vector<Covariance>& grid, const Covariance& alone) const {
     const Identities few = likely_identities();
     const std::vector<Found> first = scanned(with_discrepancy(alone, problem_.time_s), few);
     if (first.empty()) return {};
-    std::vector<Covariance> beside;
+    std::vector<Covariance> with_slow;
     for (const Covariance& noise : grid) {
       for (const Covariance& one : with_discrepancy(noise, problem_.time_s)) {
-        if (one.slow_time_s == first.front().point.covariance.slow_time_s) beside.push_back(one);
+        if (one.slow_time_s == first.front().point.covariance.slow_time_s) with_slow.push_back(one);
       }
     }
     std::vector<Found> noises;  // of each what its discrepancies weigh together
-    for (Found& one : scanned(beside, few)) {
+    for (Found& one : scanned(with_slow, few)) {
       Covariance& noise = one.point.covariance;
       noise.slow = noise.slow_time_s = 0.0;
       noise.log_prior = grid.front().log_prior;
@@ -198,10 +198,10 @@ class Average {
     const bool has_inputs = problem_.library.families.size() > problem_.effects;
     std::vector<Found> more;
     const Noises alone = likeliest_noises(found);
-    const Noises beside = noises_beside_discrepancy(grid, alone.likeliest.front());
-    for (const Covariance& noise : beside.likeliest) {
+    const Noises with_slow = noises_with_discrepancy(grid, alone.likeliest.front());
+    for (const Covariance& noise : with_slow.likeliest) {
       for (Covariance one : with_discrepancy(noise, problem_.time_s)) {
-        one.log_prior += std::log(kPriorOfDiscrepancy) + beside.log_represented;
+        one.log_prior += std::log(kPriorOfDiscrepancy) + with_slow.log_represented;
         more.push_back(found_at(one, 0.0));
       }
     }

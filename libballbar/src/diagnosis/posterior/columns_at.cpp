@@ -68,14 +68,15 @@ ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const
   }
   if (dense == 0) return;
   // Each of the background's columns shows alike.
-  const Eigen::MatrixXd beside = pool_.block(1, 1 + line_, line_, dense);
+  const Eigen::MatrixXd cross = pool_.block(1, 1 + line_, line_, dense);
   Eigen::MatrixXd a = pool_.block(1, 1, line_, line_);
   for (Eigen::Index k = 0; k < line_; ++k)
     a(k, k) += is_free_[static_cast<std::size_t>(k)] ? kJitter * a(k, k) : variance;
-  const Eigen::MatrixXd half = a.llt().matrixL().solve(beside);
+  const Eigen::MatrixXd half = a.llt().matrixL().solve(cross);
   for (Eigen::Index k = 0; k < dense; ++k) {
-    const double whole = pool_(1 + line_ + k, 1 + line_ + k), seen = whole - half.col(k).squaredNorm();
-    if (seen > kSurviving * whole) precision_[k] = static_cast<double>(dense) * seen / (background_d_ * background_d_);
+    const double whole = pool_(1 + line_ + k, 1 + line_ + k), surviving = whole - half.col(k).squaredNorm();
+    if (surviving > kSurviving * whole)
+      precision_[k] = static_cast<double>(dense) * surviving / (background_d_ * background_d_);
   }
   settle_line(variance);
 }

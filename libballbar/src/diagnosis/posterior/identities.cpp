@@ -12,7 +12,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kPriorOfOwn = 0.4;     // of all held values together, of that of a single effect
-constexpr std::size_t kRowsBeside = 2;  // at either end of the rows no jump is looked for
+constexpr std::size_t kRowsAtEnds = 2;  // at either end of the rows no jump is looked for
 
 // Other values of a held parameter that are tried.
 std::vector<double> other_values(const OwnParameter& own, const Parameter& parameter) {
@@ -95,7 +95,7 @@ Identities identities_of(const Problem& problem, const Variant& variant) {
     result.first.push_back(result.shapes.size());
     if (result.jump == i) {
       const std::vector<char>& is_confounded = problem.at_jump_of_temperature;
-      for (std::size_t row = kRowsBeside; row + kRowsBeside < is_confounded.size(); ++row) {
+      for (std::size_t row = kRowsAtEnds; row + kRowsAtEnds < is_confounded.size(); ++row) {
         if (!is_confounded[row])
           result.shapes.push_back(
               {i, result.columns.cols() + static_cast<Eigen::Index>(row), 1, 0.0, kNoSignature, 0.0});
@@ -136,14 +136,14 @@ Identities restricted(const Identities& all, const std::vector<std::size_t>& ide
   Identities few;
   few.families = all.families;
   few.log_prior = all.log_prior;
-  const auto is_wanted = [&](std::size_t i) {
+  const auto is_kept = [&](std::size_t i) {
     return std::find(identities.begin(), identities.end(), i) != identities.end();
   };
-  if (all.jump && is_wanted(*all.jump)) few.jump = all.jump;
+  if (all.jump && is_kept(*all.jump)) few.jump = all.jump;
   std::vector<Eigen::Index> columns;
   for (std::size_t i = 0; i < all.log_prior.size(); ++i) {
     few.first.push_back(few.shapes.size());
-    for (std::size_t s = all.first[i]; s < all.first[i] + all.count[i] && is_wanted(i); ++s) {
+    for (std::size_t s = all.first[i]; s < all.first[i] + all.count[i] && is_kept(i); ++s) {
       few.shapes.push_back(all.shapes[s]);
       if (few.jump == i) continue;
       Shape& shape = few.shapes.back();

@@ -6,8 +6,8 @@
 #include <map>
 #include <string_view>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/posterior/any_form.hpp"
+#include "diagnosis/thresholds.hpp"
 #include "effects/effect_at.hpp"
 #include "series/subsampled.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 constexpr double kTemperatureJump = 0.2;  // of its range, from row to row
 constexpr double kMostJumps = 0.02;       // of the rows, and in any case as many as
 constexpr double kFewJumps = 5.0;
-constexpr std::size_t kRowsBesideJump = 2;
+constexpr std::size_t kRowsAboutJump = 2;
 constexpr double kShortestLag = 2.0;  // samples
 
 // Effects alike, columns of an effect alike.
@@ -143,8 +143,8 @@ std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vecto
       continue;  // it is noise
     for (std::size_t k = 1; k < rows.size(); ++k) {
       if (!jumps(k)) continue;
-      const std::size_t first = k > kRowsBesideJump ? k - kRowsBesideJump : 0,
-                        last = std::min(rows.size() - 1, k + kRowsBesideJump);
+      const std::size_t first = k > kRowsAboutJump ? k - kRowsAboutJump : 0,
+                        last = std::min(rows.size() - 1, k + kRowsAboutJump);
       std::fill(found.begin() + static_cast<std::ptrdiff_t>(first),
                 found.begin() + static_cast<std::ptrdiff_t>(last) + 1, char{1});
     }
@@ -258,9 +258,12 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   }
   free_rows_at_jumps(*problem, false);
   problem->base_model = std::make_unique<BaseModel>(problem->model, problem->logged, problem->y, base.row);
-  SignatureOptions signatures = options.signatures;
+  SignatureOptions signatures;
+  signatures.terms = options.terms;
+  signatures.motion = options.search.motion;
+  signatures.without = options.search.without;
   signatures.every_onset = false;
-  problem->library = signature_library_of(options.catalogue, model, problem->logged.series, base, signatures);
+  problem->library = signature_library_of(options.search.catalogue, model, problem->logged.series, base, signatures);
   problem->effects = problem->library.families.size();
   if (model.level == Level::series) add_any_forms(problem->library, problem->logged.series, base.row);
   problem->signatures = problem->library.columns;
@@ -276,7 +279,7 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   problem->log_prior = log_priors_of(problem->library);
   problem->log_prior_of_shape = log_priors_of_shapes(problem->library, problem->logged);
   problem->own = own_of(model);
-  problem->terms = options.signatures.terms;
+  problem->terms = options.terms;
   problem->covariances = options.covariances;
   return problem;
 }

@@ -3,13 +3,13 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <deque>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "ballbar/diagnosis/posterior/search_options.hpp"
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/series/series.hpp"
@@ -60,11 +60,11 @@ struct Problem {
 };
 
 struct ProblemOptions {
-  SignatureOptions signatures;
-  Catalogue catalogue;
+  SearchOptions search;
+  std::vector<Term> terms;              // as Problem::terms
   std::size_t most_rows = 1000;         // values of the target
   std::vector<double> whole_about_s;    // about these moments all of its values
-  std::vector<Covariance> covariances;  // looked at; none: all of covariance_grid
+  std::vector<Covariance> covariances;  // looked at; none: all of noise_grid, and the slow ones
 };
 
 Point point_at(const Problem& problem, const Covariance& covariance);

@@ -7,7 +7,7 @@
 
 #include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/evidence/refined.hpp"
-#include "diagnosis/posterior/beside.hpp"
+#include "diagnosis/posterior/conditional_fit.hpp"
 #include "diagnosis/posterior/sets.hpp"
 
 namespace ballbar {
@@ -76,7 +76,7 @@ class Search {
     }
     // A missing effect pulls the fitted times away: once from usual ones, as they are.
     add(point_at(problem_, pilots_.front()), usual, 0);
-    for (OwnParameter& own : problem_.own) starts.push_back(beside_own(own, fit, starts.front().times));
+    for (OwnParameter& own : problem_.own) starts.push_back(variant_with_own(own, fit, starts.front().times));
     for (Variant& variant : starts) {
       Identities identities = identities_of(problem_, variant);
       Found found = best_at_pilots(variant, identities, {});
@@ -86,7 +86,7 @@ class Search {
   }
 
   // The model where a held value is another one, which is remembered; of the line it is held.
-  Variant beside_own(OwnParameter& own, std::vector<double> from, const Eigen::MatrixXd& times) const {
+  Variant variant_with_own(OwnParameter& own, std::vector<double> from, const Eigen::MatrixXd& times) const {
     const Refined refined_there = refined(*problem_.base_model, std::move(from), {own.parameter}, times,
                                           point_at(problem_, pilots_.front()).filter, problem_.known, {});
     std::vector<double> parameters = refined_there.parameters;
@@ -167,9 +167,9 @@ class Search {
 
   // The shapes of a set and of its rivals at their likeliest become signatures. In `open`, of all: what logs leave open
   // of the times of an input is open for each effect that reads it, or the one that needs no time would win.
-  Beside sharpened_with_rivals(const Rivals& rivals, Beside beside, Beside& open) {
-    if (!rivals.signatures.empty()) beside = sharpened(problem_, *variant_, std::move(beside), best_.point);
-    const auto add = [&](const Beside& from, std::size_t place) {
+  ConditionalFit sharpened_with_rivals(const Rivals& rivals, ConditionalFit conditional, ConditionalFit& open) {
+    if (!rivals.signatures.empty()) conditional = sharpened(problem_, *variant_, std::move(conditional), best_.point);
+    const auto add = [&](const ConditionalFit& from, std::size_t place) {
       const std::size_t signature = from.signatures[place];
       if (std::find(open.signatures.begin(), open.signatures.end(), signature) != open.signatures.end()) return;
       Eigen::Index first = 0;
@@ -179,15 +179,15 @@ class Search {
       open.coefficients.conservativeResize(size + width);
       open.coefficients.tail(width) = from.coefficients.segment(first, width);
     };
-    for (std::size_t m = 0; m < beside.signatures.size(); ++m) add(beside, m);
+    for (std::size_t m = 0; m < conditional.signatures.size(); ++m) add(conditional, m);
     for (std::size_t m = 0; m < rivals.others.size(); ++m) {
       for (const std::size_t rival : rivals.others[m]) {
-        Beside other{beside.signatures, beside.parameters, {}};
+        ConditionalFit other{conditional.signatures, conditional.parameters, {}};
         other.signatures[m] = rival;
         add(sharpened(problem_, *variant_, std::move(other), best_.point), m);
       }
     }
-    return beside;
+    return conditional;
   }
 
   // The held value that is likelier another one than not.
@@ -207,34 +207,34 @@ class Search {
     const Rivals rivals = rivals_of(ascent);
     const std::optional<std::size_t> own = likeliest_own(ascent);
     bool is_new = false;
-    Beside beside;
+    ConditionalFit conditional;
     if (own) {
       OwnParameter& parameter = problem_.own[*own];
       std::vector<double> parameters = variant_->parameters;
       parameters[parameter.parameter] = parameter.fitted.back();
-      beside = parameters_beside(problem_, variant_at(problem_, *own + 1, std::move(parameters)), rivals.signatures,
-                                 best_.point);
-      const double value = beside.parameters[parameter.parameter];
+      conditional = conditional_fit(problem_, variant_at(problem_, *own + 1, std::move(parameters)), rivals.signatures,
+                                    best_.point);
+      const double value = conditional.parameters[parameter.parameter];
       is_new = std::abs(value - parameter.fitted.back()) > kSameModel * std::abs(parameter.held);
       if (is_new) parameter.fitted.push_back(value);
-      beside.parameters = held_again(parameter, std::move(beside.parameters), variant_->times);
+      conditional.parameters = held_again(parameter, std::move(conditional.parameters), variant_->times);
     } else {
-      beside = parameters_beside(problem_, *variant_, rivals.signatures, best_.point);
+      conditional = conditional_fit(problem_, *variant_, rivals.signatures, best_.point);
     }
-    Beside open{{}, {}, {}};
-    beside = sharpened_with_rivals(rivals, std::move(beside), open);
-    open.parameters = beside.parameters;
+    ConditionalFit open{{}, {}, {}};
+    conditional = sharpened_with_rivals(rivals, std::move(conditional), open);
+    open.parameters = conditional.parameters;
     is_new = is_new || problem_.library.signatures.size() > before || !are_open(open.signatures) ||
-             is_elsewhere(problem_, *variant_, beside.parameters, kSameModel);
+             is_elsewhere(problem_, *variant_, conditional.parameters, kSameModel);
     if (!is_new) return false;
-    put_beside(std::move(open), set);
+    open_times(std::move(open), set);
     return true;
   }
 
   // The model at these parameters, the times of these signatures' inputs open; the best sum from a set on.
-  void put_beside(Beside open, const std::vector<std::size_t>& set) {
+  void open_times(ConditionalFit open, const std::vector<std::size_t>& set) {
     open_ = std::move(open);
-    Variant variant = variant_at(problem_, 0, open_.parameters, times_beside(problem_, open_));
+    Variant variant = variant_at(problem_, 0, open_.parameters, input_times_of(problem_, open_));
     Identities identities = identities_of(problem_, variant);
     Found found = best_at_pilots(variant, identities, set);
     take(std::move(variant), std::move(identities), std::move(found));
@@ -258,7 +258,7 @@ class Search {
       const AscentOptions options = ascent_options(problem_, identities_, largest_, best_set[k]);
       others[k] = best_ascent(at, problem_, identities_, options, {});
     });
-    Beside open = open_;
+    ConditionalFit open = open_;
     const std::size_t before = problem_.library.signatures.size();
     for (std::size_t k = 0; k < others.size(); ++k) {
       if (others[k].bound < best_.ascent.bound - kFarMode) continue;
@@ -268,7 +268,7 @@ class Search {
     }
     if (problem_.library.signatures.size() > before || !are_open(open.signatures)) {
       open.parameters = variant_->parameters;
-      put_beside(std::move(open), likeliest_set(best_.ascent));
+      open_times(std::move(open), likeliest_set(best_.ascent));
     }
     is_better = false;
     if (modes.empty()) return modes;
@@ -295,7 +295,7 @@ class Search {
   std::optional<Variant> variant_;
   Identities identities_;
   Found best_;
-  Beside open_;  // whose input times are open
+  ConditionalFit open_;  // whose input times are open
 };
 
 }  // namespace

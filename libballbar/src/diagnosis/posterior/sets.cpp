@@ -9,7 +9,7 @@
 
 #include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/evidence/evidence.hpp"
-#include "diagnosis/posterior/beside.hpp"
+#include "diagnosis/posterior/conditional_fit.hpp"
 
 namespace ballbar {
 namespace {
@@ -233,11 +233,12 @@ std::size_t set_of(Problem& problem, Posterior& posterior, std::vector<std::size
     posterior.weight.push_back(0.0);
   }
   // The model beside these effects.
-  Beside beside = parameters_beside(problem, posterior.variants.front(), set.signatures, posterior.points[set.point]);
-  beside = sharpened(problem, posterior.variants.front(), std::move(beside), posterior.points[set.point]);
-  set.signatures = beside.signatures;
-  Eigen::MatrixXd times = times_beside(problem, beside);
-  posterior.variants.push_back(variant_at(problem, 0, std::move(beside.parameters), std::move(times)));
+  ConditionalFit conditional =
+      conditional_fit(problem, posterior.variants.front(), set.signatures, posterior.points[set.point]);
+  conditional = sharpened(problem, posterior.variants.front(), std::move(conditional), posterior.points[set.point]);
+  set.signatures = conditional.signatures;
+  Eigen::MatrixXd times = input_times_of(problem, conditional);
+  posterior.variants.push_back(variant_at(problem, 0, std::move(conditional.parameters), std::move(times)));
   set.variant = posterior.variants.size() - 1;
   posterior.sets.push_back(std::move(set));
   return posterior.sets.size() - 1;

@@ -11,7 +11,7 @@ namespace ballbar {
 
 // One an effect of the catalogue at the model's level, but for the base that every model has, in its order.
 std::vector<Detectability> detectability_of(const Catalogue& catalogue, const SignatureLibrary& library,
-                                            const Projected& seen, const Model& model, const Series& data,
+                                            const Projected& projection, const Model& model, const Series& data,
                                             std::optional<Motion> motion);
 
 }  // namespace ballbar

@@ -9,11 +9,11 @@
 #include <limits>
 #include <utility>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/signatures/detectability.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
+#include "diagnosis/thresholds.hpp"
 #include "fit/model_columns.hpp"
 #include "model/bindings.hpp"
 #include "noise/whitening.hpp"
@@ -25,8 +25,8 @@ namespace {
 constexpr std::size_t kComparedShapes = 12;  // of one family, compared with those of the others
 constexpr double kInseparable = 0.95;        // coherence of two effects that cannot be told apart
 
-auto block(const Projected& seen, const Signature& signature) {
-  return seen.columns.middleCols(signature.first, signature.width);
+auto block(const Projected& projection, const Signature& signature) {
+  return projection.columns.middleCols(signature.first, signature.width);
 }
 
 // Smallest canonical correlation: 1 where one space holds the other.
@@ -44,16 +44,16 @@ std::vector<std::size_t> some_shapes(const Family& family) {
 }
 
 // Coherence that most of the shapes of `a` have with some shape of `b`: the lower median of the largest.
-double imitated(const SignatureLibrary& library, const Projected& seen, const Family& a, const Family& b) {
+double imitated(const SignatureLibrary& library, const Projected& projection, const Family& a, const Family& b) {
   std::vector<double> largest;
   const std::vector<std::size_t> others = some_shapes(b);
   for (const std::size_t mine : some_shapes(a)) {
-    if (seen.share[mine] < kAbsorbed) continue;
+    if (projection.share[mine] < kAbsorbed) continue;
     double most = 0.0;
     for (const std::size_t other : others) {
-      if (seen.share[other] < kAbsorbed) continue;
+      if (projection.share[other] < kAbsorbed) continue;
       const Signature &one = library.signatures[mine], &two = library.signatures[other];
-      most = std::max(most, coherence(block(seen, one).transpose().lazyProduct(block(seen, two))));
+      most = std::max(most, coherence(block(projection, one).transpose().lazyProduct(block(projection, two))));
     }
     largest.push_back(most);
   }
@@ -63,10 +63,10 @@ double imitated(const SignatureLibrary& library, const Projected& seen, const Fa
 }
 
 // Range of the effect with d = 1, of the shape that shows best.
-double um_for_unit_d(const SignatureLibrary& library, const Projected& seen, const Family& family) {
+double um_for_unit_d(const SignatureLibrary& library, const Projected& projection, const Family& family) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = family.first; i < family.first + family.count; ++i) {
-    least = std::min(least, detectable_um(library, seen, i, 1.0));
+    least = std::min(least, detectable_um(library, projection, i, 1.0));
   }
   return least;
 }
@@ -118,7 +118,7 @@ void say_unusable(Detectability& detectable, const Model& model, const Series& d
 }  // namespace
 
 std::vector<Detectability> detectability_of(const Catalogue& catalogue, const SignatureLibrary& library,
-                                            const Projected& seen, const Model& model, const Series& data,
+                                            const Projected& projection, const Model& model, const Series& data,
                                             std::optional<Motion> motion) {
   std::vector<Detectability> detectability;
   std::vector<const Family*> best;
@@ -133,7 +133,7 @@ std::vector<Detectability> detectability_of(const Catalogue& catalogue, const Si
     detectable.searched = bindings.size();
     for (const Family& family : library.families) {
       if (family.bound.effect != effect.get()) continue;
-      const double um = um_for_unit_d(library, seen, family);
+      const double um = um_for_unit_d(library, projection, family);
       if (chosen == nullptr || um < least) chosen = &family;
       least = std::min(least, um);
     }
@@ -153,7 +153,7 @@ std::vector<Detectability> detectability_of(const Catalogue& catalogue, const Si
       detectable.detectable_um = kDetectable * least;
       detectable.identifiable_um = kIdentifiable * least;
       for (std::size_t i = chosen->first; i < chosen->first + chosen->count; ++i) {
-        detectable.surviving_share = std::max(detectable.surviving_share, seen.share[i]);
+        detectable.surviving_share = std::max(detectable.surviving_share, projection.share[i]);
       }
     }
     best.push_back(detectable.testability == Testability::testable ? chosen : nullptr);
@@ -163,7 +163,7 @@ std::vector<Detectability> detectability_of(const Catalogue& catalogue, const Si
     for (std::size_t j = 0; j < best.size(); ++j) {
       if (i == j || best[i] == nullptr || best[j] == nullptr) continue;
       const std::string& name = detectability[j].effect->name;
-      detectability[i].imitated_by.push_back({name, imitated(library, seen, *best[i], *best[j])});
+      detectability[i].imitated_by.push_back({name, imitated(library, projection, *best[i], *best[j])});
       if (detectability[i].imitated_by.back().coherence > kInseparable)
         detectability[i].inseparable_from.push_back(name);
     }
@@ -189,9 +189,9 @@ Preflight preflight(const Model& model, const Series& data, std::size_t target, 
   const SignatureLibrary library = signature_library_of(catalogue, model, rows, fitted, options);
   const Eigen::VectorXd residual =
       Eigen::VectorXd::Map(fitted.residual_um.data(), static_cast<Eigen::Index>(fitted.residual_um.size()));
-  const Projected seen =
+  const Projected projection =
       projected(library, residual, model_columns(fitted), Whitening(fitted.noise, fitted.time_s, fitted.sigma_um));
-  result.detectability = detectability_of(catalogue, library, seen, model, rows, motion);
+  result.detectability = detectability_of(catalogue, library, projection, model, rows, motion);
   return result;
 }
 

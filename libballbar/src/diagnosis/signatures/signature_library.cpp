@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/model/measured_input.hpp"
 #include "ballbar/numerics/parallel.hpp"
+#include "diagnosis/thresholds.hpp"
 #include "effects/effect_at.hpp"
 #include "model/bindings.hpp"
 #include "noise/whitening.hpp"

@@ -120,12 +120,12 @@ void group(std::vector<Sweep>& sweeps, const Eigen::VectorXd& added_um) {
     curves.push_back(on_grid(sweep, added_um));
     sweep.group = groups;
     for (std::size_t before = 0; before + 1 < curves.size() && sweep.group == groups; ++before) {
-      double apart = 0.0, square = 0.0;
+      double distance = 0.0, square = 0.0;
       for (std::size_t i = 0; i < kTraceGrid; ++i) {
-        apart += std::pow(curves.back()[i] - curves[before][i], 2);
+        distance += std::pow(curves.back()[i] - curves[before][i], 2);
         square += std::pow(curves.back()[i], 2);
       }
-      const bool same = apart <= kSameOnRecordings * square && sweep.whole_turn == sweeps[before].whole_turn;
+      const bool same = distance <= kSameOnRecordings * square && sweep.whole_turn == sweeps[before].whole_turn;
       if (same) sweep.group = sweeps[before].group;
     }
     if (sweep.group == groups) ++groups;
@@ -238,13 +238,13 @@ std::optional<BestSurrogate> best_recording_surrogate(const SurrogateSource& tra
   });
   BestSurrogate best;
   double most = 0.0;
-  std::size_t alike = 0;
+  std::size_t copies = 0;
   for (const OneSurrogate& one : found) {
     best.gain = std::max(best.gain, one.gain);
     most = std::max(most, one.fall);
-    alike += one.is_itself ? 1 : 0;
+    copies += one.is_itself ? 1 : 0;
   }
-  if (static_cast<double>(alike) > kMostAreItself * static_cast<double>(count)) return std::nullopt;
+  if (static_cast<double>(copies) > kMostAreItself * static_cast<double>(count)) return std::nullopt;
   best.fall = 1.0 - std::sqrt(std::max(0.0, 1.0 - most / std::max(plain.residual.squaredNorm(), 1e-300)));
   return best;
 }

@@ -9,10 +9,11 @@
 #include <utility>
 
 #include "ballbar/numerics/order_statistic.hpp"
+#include "diagnosis/posterior/inference.hpp"
 #include "diagnosis/posterior/set_at.hpp"
 #include "diagnosis/posterior/shock.hpp"
-#include "diagnosis/posterior/weighed.hpp"
 #include "diagnosis/signatures/detectability.hpp"
+#include "diagnosis/thresholds.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"
 #include "diagnosis/verdict/gains_by_run.hpp"
@@ -50,9 +51,9 @@ Noise noise_of(const Covariance& covariance, double variance) {
 
 class Decision {
  public:
-  Decision(const Weighed& weighed, const Model& model, const Series& data, std::size_t target,
+  Decision(const Inference& inference, const Model& model, const Series& data, std::size_t target,
            const DiagnosisOptions& options)
-      : weighed_(weighed), model_(model), data_(data), target_(target), options_(options) {
+      : inference_(inference), model_(model), data_(data), target_(target), options_(options) {
     result_.base = problem().base;
     result_.target = problem().base.target;
     result_.where = options.where;
@@ -62,8 +63,8 @@ class Decision {
     std::set<const Effect*> searched;
     for (std::size_t f = 0; f < problem().effects; ++f) searched.insert(family(f).bound.effect);
     result_.searched_effects = searched.size();
-    if (weighed_.is_still) return still();
-    if (problem().effects == 0 || weighed_.largest == 0) return untestable(weighed_.largest == 0);
+    if (inference_.is_still) return still();
+    if (problem().effects == 0 || inference_.largest == 0) return untestable(inference_.largest == 0);
     read_posterior();
     test_members();
     decide();
@@ -73,8 +74,8 @@ class Decision {
   }
 
  private:
-  const Problem& problem() const { return *weighed_.problem; }
-  const Posterior& posterior() const { return weighed_.posterior; }
+  const Problem& problem() const { return *inference_.problem; }
+  const Posterior& posterior() const { return inference_.posterior; }
   const Family& family(std::size_t f) const { return problem().library.families[f]; }
 
   void tell(std::string_view step) const {
@@ -99,15 +100,15 @@ class Decision {
   }
 
   // Of the effects that blind challenges hide the one that shows worst, each in the middle of the shapes of its grid.
-  void find_what_could_hide(const Projected& seen) {
+  void find_what_could_hide(const Projected& projection) {
     result_.hidden_um = 0.0;
     for (std::size_t f = 0; f < problem().effects; ++f) {
       const Effect& effect = *family(f).bound.effect;
       if (effect.time_only || (effect.level == Level::series && !effect.rules.is_common)) continue;
       std::vector<double> all_um;
       for (std::size_t i = family(f).first; i < family(f).first + family(f).count; ++i) {
-        const double um = detectable_um(problem().library, seen, i, kFound);
-        if (seen.share[i] >= kAbsorbed && std::isfinite(um)) all_um.push_back(um);
+        const double um = detectable_um(problem().library, projection, i, kFound);
+        if (projection.share[i] >= kAbsorbed && std::isfinite(um)) all_um.push_back(um);
       }
       if (all_um.empty()) continue;
       const double usual_um = median(std::move(all_um));
@@ -121,11 +122,11 @@ class Decision {
     const Fit& base = problem().base;
     const Eigen::VectorXd residual =
         Eigen::VectorXd::Map(base.residual_um.data(), static_cast<Eigen::Index>(base.residual_um.size()));
-    const Projected seen =
+    const Projected projection =
         projected(problem().library, residual, model_columns(base), Whitening(noise, base.time_s, base.sigma_um));
-    find_what_could_hide(seen);
+    find_what_could_hide(projection);
     return detectability_but(options_.search,
-                             detectability_of(options_.search.catalogue, problem().library, seen, model_,
+                             detectability_of(options_.search.catalogue, problem().library, projection, model_,
                                               problem().logged.series, options_.search.motion));
   }
 
@@ -180,7 +181,7 @@ class Decision {
     const FittedSet fitted = fitted_set(problem(), posterior(), *best_, true);
     result_.rmse_after_um = rmse_um_with(fitted);
     for (std::size_t m = 0; m < best_->signatures.size(); ++m) {
-      Candidate one = tested_member(weighed_, *best_, fitted, at_, m, options_.surrogates, options_.search.seed);
+      Candidate one = tested_member(inference_, *best_, fitted, at_, m, options_.surrogates, options_.search.seed);
       one.in_best_set = true;
       one.rmse_after_um = result_.rmse_after_um;
       one.minor = one.amplitude_um < std::max(kMinor * problem().base.rmse_um, options_.tolerance_um);
@@ -239,10 +240,10 @@ class Decision {
           if (i < problem().effects) group.push_back(family(i).bound);
         }
         if (std::find(group.begin(), group.end(), one.bound) == group.end()) group.push_back(one.bound);
-        const bool is_told = std::find(d.equivalent.begin(), d.equivalent.end(), group) != d.equivalent.end();
+        const bool is_reported = std::find(d.equivalent.begin(), d.equivalent.end(), group) != d.equivalent.end();
         if (is_of_any_form(l)) {
           d.reasons.push_back(fmt::format("{}: its column in another form is likelier.", one.label));
-        } else if (!is_told) {
+        } else if (!is_reported) {
           d.equivalent.push_back(std::move(group));
         }
       }
@@ -299,7 +300,7 @@ class Decision {
       const FittedSet fitted = fitted_set(problem(), posterior(), *set, false);
       std::size_t m = 0;
       while (problem().library.signatures[set->signatures[m]].family != f) ++m;
-      Candidate one = described_member(weighed_, *set, fitted, m);
+      Candidate one = described_member(inference_, *set, fitted, m);
       one.rmse_after_um = rmse_um_with(fitted);
       result_.candidates.push_back(std::move(one));
     }
@@ -313,7 +314,7 @@ class Decision {
     }
   }
 
-  const Weighed& weighed_;
+  const Inference& inference_;
   const Model& model_;
   const Series& data_;
   std::size_t target_;
@@ -345,25 +346,18 @@ std::string_view name_of(Verdict verdict) {
   return "nothing";
 }
 
-Weighed weighed_of(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
-                   const std::vector<Term>& terms, const std::vector<Covariance>& covariances) {
-  ProblemOptions how;
-  how.signatures.terms = terms;
-  how.covariances = covariances;
-  how.catalogue = options.search.catalogue;
-  how.signatures.motion = options.search.motion;
-  how.signatures.without = options.search.without;
-  how.most_rows = options.most_rows;
-  return weighed(model, data, target, how, {options.search.progress, options.search.so_far});
+Inference inference_of(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
+                       const std::vector<Term>& terms, const std::vector<Covariance>& covariances) {
+  return inference(model, data, target, {options.search, terms, options.most_rows, {}, covariances});
 }
 
-Diagnosis diagnosis_of(const Weighed& weighed, const Model& model, const Series& data, std::size_t target,
+Diagnosis diagnosis_of(const Inference& inference, const Model& model, const Series& data, std::size_t target,
                        const DiagnosisOptions& options) {
-  return Decision(weighed, model, data, target, options).run();
+  return Decision(inference, model, data, target, options).run();
 }
 
 Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options) {
-  return diagnosis_of(weighed_of(model, data, target, options), model, data, target, options);
+  return diagnosis_of(inference_of(model, data, target, options), model, data, target, options);
 }
 
 }  // namespace ballbar

@@ -4,18 +4,18 @@
 #include <vector>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "diagnosis/posterior/weighed.hpp"
+#include "diagnosis/posterior/inference.hpp"
 #include "noise/noise_grid.hpp"
 
 namespace ballbar {
 
 // The posterior with the catalogue of the options, and with these terms as they are stated. covariances: of the noise,
 // and the slow curve; none: any.
-Weighed weighed_of(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
-                   const std::vector<Term>& terms = {}, const std::vector<Covariance>& covariances = {});
+Inference inference_of(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
+                       const std::vector<Term>& terms = {}, const std::vector<Covariance>& covariances = {});
 
 // What the posterior says. It is of that model, these data and options.
-Diagnosis diagnosis_of(const Weighed& weighed, const Model& model, const Series& data, std::size_t target,
+Diagnosis diagnosis_of(const Inference& inference, const Model& model, const Series& data, std::size_t target,
                        const DiagnosisOptions& options);
 
 }  // namespace ballbar

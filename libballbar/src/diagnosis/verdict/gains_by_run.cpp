@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/series/runs.hpp"
 #include "diagnosis/posterior/variant.hpp"
+#include "diagnosis/thresholds.hpp"
 #include "numerics/orthonormal.hpp"
 #include "numerics/tails.hpp"
 
@@ -48,8 +48,8 @@ std::vector<GainColumn> gain_columns(const Problem& problem, const Posterior& po
 }
 
 // Columns with each of these gains in the place of one for each run.
-Eigen::MatrixXd apart_by_run(const Eigen::MatrixXd& all, const std::vector<Eigen::Index>& gains,
-                             const std::vector<RowRange>& runs) {
+Eigen::MatrixXd columns_by_run(const Eigen::MatrixXd& all, const std::vector<Eigen::Index>& gains,
+                               const std::vector<RowRange>& runs) {
   const auto count = static_cast<Eigen::Index>(runs.size());
   std::vector<Eigen::Index> kept;
   for (Eigen::Index k = 0; k < all.cols(); ++k) {
@@ -70,8 +70,8 @@ Eigen::MatrixXd apart_by_run(const Eigen::MatrixXd& all, const std::vector<Eigen
 
 // The set where the readings are likeliest with all gains of their own in each run, its scatter what that leaves: one
 // gain for all would make noise of what differs.
-SetAt judged_apart(const Problem& problem, const Posterior& posterior, EffectSet set,
-                   const std::vector<Eigen::Index>& gains, const std::vector<RowRange>& runs) {
+SetAt set_with_gains_by_run(const Problem& problem, const Posterior& posterior, EffectSet set,
+                            const std::vector<Eigen::Index>& gains, const std::vector<RowRange>& runs) {
   SetAt best;
   double most = kLogZero;
   set.point = 0;
@@ -80,7 +80,7 @@ SetAt judged_apart(const Problem& problem, const Posterior& posterior, EffectSet
     there.points = {point_at(problem, covariance)};
     there.variants = posterior.variants;
     SetAt at = set_at(problem, there, set);
-    const Eigen::MatrixXd x = apart_by_run(at.white_columns(), gains, runs);
+    const Eigen::MatrixXd x = columns_by_run(at.white_columns(), gains, runs);
     const double degrees = std::max(1.0, static_cast<double>(at.white_y.size() - x.cols()));
     const double variance = std::max(1e-300, freed(at.white_y, orthonormal(x)).squaredNorm() / degrees);
     const double log_p = -0.5 * there.points.front().filter.log_determinant() - 0.5 * degrees * std::log(variance);
@@ -104,11 +104,11 @@ std::vector<GainByRun> gains_by_run(const Problem& problem, const Posterior& pos
   std::vector<Eigen::Index> columns;
   columns.reserve(gains.size());
   for (const GainColumn& gain : gains) columns.push_back(gain.column);
-  const SetAt at = judged_apart(problem, posterior, set, columns, runs);
+  const SetAt at = set_with_gains_by_run(problem, posterior, set, columns, runs);
   const Eigen::MatrixXd all = at.white_columns();
   const auto count = static_cast<Eigen::Index>(runs.size());
   for (const GainColumn& gain : gains) {
-    const Eigen::MatrixXd x = apart_by_run(all, {gain.column}, runs);
+    const Eigen::MatrixXd x = columns_by_run(all, {gain.column}, runs);
     const double together = freed(at.white_y, orthonormal(all)).squaredNorm();
     const double each = freed(at.white_y, orthonormal(x)).squaredNorm();
     const double p = chi2_upper_tail((together - each) / at.variance, runs.size() - 1);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/surrogates/surrogate_recordings.hpp"
+#include "diagnosis/thresholds.hpp"
 #include "numerics/orthonormal.hpp"
 #include "numerics/tails.hpp"
 #include "series/folds.hpp"
@@ -22,16 +22,16 @@ constexpr double kOwnDirection = 1e-3;  // pivot of a gain of one cycle, of the 
 
 double p_same_gain(const SetAt& at, const Eigen::MatrixXd& others, const Eigen::MatrixXd& own,
                    const std::vector<std::size_t>& fold, std::size_t folds) {
-  Eigen::MatrixXd apart = Eigen::MatrixXd::Zero(own.rows(), own.cols() * static_cast<Eigen::Index>(folds));
+  Eigen::MatrixXd by_fold = Eigen::MatrixXd::Zero(own.rows(), own.cols() * static_cast<Eigen::Index>(folds));
   for (std::size_t i = 0; i < fold.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    apart.block(row, static_cast<Eigen::Index>(fold[i]) * own.cols(), 1, own.cols()) = own.row(row);
+    by_fold.block(row, static_cast<Eigen::Index>(fold[i]) * own.cols(), 1, own.cols()) = own.row(row);
   }
   Eigen::MatrixXd together(own.rows(), others.cols() + own.cols());
   together << others, own;
   const Eigen::MatrixXd basis = orthonormal(together);
   const Eigen::VectorXd r = freed(at.white_y, basis);
-  const Eigen::MatrixXd left = freed(apart, basis);
+  const Eigen::MatrixXd left = freed(by_fold, basis);
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(left);
   qr.setThreshold(kOwnDirection);
   const Eigen::Index degrees = qr.rank();
@@ -139,12 +139,12 @@ MemberTests member_tests(const Problem& problem, const Posterior& posterior, con
   return tests;
 }
 
-double held_out_um(const Weighed& weighed) {
-  if (weighed.posterior.sets.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const Problem& problem = *weighed.problem;
-  const auto none = std::find_if(weighed.posterior.sets.begin(), weighed.posterior.sets.end(),
+double held_out_um(const Inference& inference) {
+  if (inference.posterior.sets.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const Problem& problem = *inference.problem;
+  const auto none = std::find_if(inference.posterior.sets.begin(), inference.posterior.sets.end(),
                                  [](const EffectSet& set) { return set.families.empty() && set.own == 0; });
-  const SetAt at = set_at(problem, weighed.posterior, *none);
+  const SetAt at = set_at(problem, inference.posterior, *none);
   const std::vector<std::size_t> fold = folds_of(problem.logged.series, problem.base.row);
   return left_out(at, at.white_line, at.line, fold, *std::max_element(fold.begin(), fold.end()) + 1).rmse_um;
 }

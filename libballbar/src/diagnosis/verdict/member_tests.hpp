@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/posterior/inference.hpp"
 #include "diagnosis/posterior/set_at.hpp"
-#include "diagnosis/posterior/weighed.hpp"
 #include "diagnosis/surrogates/surrogate_series.hpp"
 
 namespace ballbar {
@@ -26,7 +26,7 @@ MemberTests member_tests(const Problem& problem, const Posterior& posterior, con
                          std::uint64_t seed);
 
 // RMSE of cycles (recordings) left out, each predicted from the others, of the model alone.
-double held_out_um(const Weighed& weighed);
+double held_out_um(const Inference& inference);
 
 // Phrases of Candidate::doubts.
 std::vector<std::string> doubts_of(const MemberTests& tests, const Effect& effect);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ballbar/number_text.hpp"
+#include "diagnosis/thresholds.hpp"
 
 namespace ballbar {
 namespace {
@@ -87,10 +88,10 @@ std::string effects_text(const Diagnosis& d, const std::vector<BoundEffect>& bou
 
 std::string group_text(const Diagnosis& d, const std::vector<BoundEffect>& group) {
   std::vector<std::string> texts;
-  const std::size_t said = group.size() > kInASentence + 1 ? kInASentence : group.size();
-  for (std::size_t k = 0; k < said; ++k)
+  const std::size_t shown = group.size() > kInASentence + 1 ? kInASentence : group.size();
+  for (std::size_t k = 0; k < shown; ++k)
     texts.push_back(fmt::format("{} ({})", label_of(group[k]), percent_text(p_of(d, group[k]))));
-  if (said < group.size()) texts.push_back(fmt::format("one of {} more", group.size() - said));
+  if (shown < group.size()) texts.push_back(fmt::format("one of {} more", group.size() - shown));
   return fmt::format("{}", fmt::join(texts, ", or "));
 }
 

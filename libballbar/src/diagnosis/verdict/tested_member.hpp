@@ -6,21 +6,22 @@
 #include <vector>
 
 #include "ballbar/diagnosis/verdict/candidate.hpp"
+#include "diagnosis/posterior/inference.hpp"
 #include "diagnosis/posterior/set_at.hpp"
-#include "diagnosis/posterior/weighed.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"
 
 namespace ballbar {
 
 // `member` of the set: its parameters, intervals and amplitude, its probability, its likelihood ratio
 // beside the others.
-Candidate described_member(const Weighed& weighed, const EffectSet& set, const FittedSet& fitted, std::size_t member);
+Candidate described_member(const Inference& inference, const EffectSet& set, const FittedSet& fitted,
+                           std::size_t member);
 
 // The same with its tests. surrogates: how many, 0: none.
-Candidate tested_member(const Weighed& weighed, const EffectSet& set, const FittedSet& fitted, const SetAt& at,
+Candidate tested_member(const Inference& inference, const EffectSet& set, const FittedSet& fitted, const SetAt& at,
                         std::size_t member, std::size_t surrogates, std::uint64_t seed);
 
 // 2 ln of how much more likely the readings are with the set than without this member.
-double log_bayes_factor_of_member(const Weighed& weighed, const EffectSet& set, std::size_t member);
+double log_bayes_factor_of_member(const Inference& inference, const EffectSet& set, std::size_t member);
 
 }  // namespace ballbar

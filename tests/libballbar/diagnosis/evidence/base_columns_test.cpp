@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/evidence/refined.hpp"
+#include "diagnosis/thresholds.hpp"
 
 namespace ballbar {
 namespace {

@@ -11,7 +11,7 @@
 #include "diagnosis/evidence/dense.hpp"
 #include "diagnosis/made_drift.hpp"
 #include "diagnosis/posterior/ascent.hpp"
-#include "diagnosis/posterior/weighed.hpp"
+#include "diagnosis/posterior/inference.hpp"
 
 namespace ballbar {
 namespace {
@@ -25,10 +25,10 @@ Catalogue only(const std::vector<std::string>& names) {
   return catalogue;
 }
 
-Weighed weighed_by(const Model& model, const Series& data, const Catalogue& catalogue = built_in_catalogue()) {
+Inference weighed_by(const Model& model, const Series& data, const Catalogue& catalogue = built_in_catalogue()) {
   ProblemOptions options;
-  options.catalogue = catalogue;
-  return weighed(model, data, 0, options);
+  options.search.catalogue = catalogue;
+  return inference(model, data, 0, options);
 }
 
 // A model of a constant, 60 rows that settle and drift: no input, so that no time of one is open.
@@ -65,7 +65,7 @@ struct OfOne {
 
   explicit OfOne(const Catalogue& catalogue) {
     ProblemOptions options;
-    options.catalogue = catalogue;
+    options.search.catalogue = catalogue;
     problem = problem_of(constant(), settling(), 0, options);
     const Variant variant = variant_at(*problem, 0, {0.0});
     identities = identities_of(*problem, variant);
@@ -147,7 +147,7 @@ TEST(Posterior, ascends_to_effects_that_show_together_alone) {
 
 TEST(Posterior, is_of_probabilities) {
   for (const double room_um_per_K : {0.0, 0.3, 3.0}) {
-    const Weighed found = weighed_by(made::by_speed(), made::drift({room_um_per_K, 1, 200}));
+    const Inference found = weighed_by(made::by_speed(), made::drift({room_um_per_K, 1, 200}));
     const Posterior& posterior = found.posterior;
     double sum = 0.0;
     for (const double weight : posterior.weight) sum += weight;
@@ -180,9 +180,9 @@ TEST(Posterior, is_of_probabilities) {
 TEST(Posterior, is_told_on_the_way) {
   std::vector<std::vector<ProbableSoFar>> told;
   ProblemOptions options;
-  options.catalogue = built_in_catalogue();
-  const Told listener{{}, [&](const std::vector<ProbableSoFar>& effects) { told.push_back(effects); }};
-  const Weighed found = weighed(made::by_speed(), made::drift({3.0, 1, 200}), 0, options, listener);
+  options.search.catalogue = built_in_catalogue();
+  options.search.so_far = [&](const std::vector<ProbableSoFar>& effects) { told.push_back(effects); };
+  const Inference found = inference(made::by_speed(), made::drift({3.0, 1, 200}), 0, options);
   ASSERT_GT(found.problem->effects, 10U);
   ASSERT_GE(told.size(), 1U);
   for (const std::vector<ProbableSoFar>& effects : told) {
@@ -200,7 +200,7 @@ TEST(Posterior, is_told_on_the_way) {
 
 // Effects with inputs of any form among them, the columns of an effect, its shapes; values that the model holds.
 TEST(Prior, sums_to_one) {
-  const Weighed found = weighed_by(made::by_speed(), made::drift({0.0, 1, 200}));
+  const Inference found = weighed_by(made::by_speed(), made::drift({0.0, 1, 200}));
   const Problem& problem = *found.problem;
   ASSERT_FALSE(problem.own.empty());
   const Identities identities = identities_of(problem, found.posterior.variants.front());
@@ -216,7 +216,7 @@ TEST(Prior, sums_to_one) {
 }
 
 TEST(Prior, has_effects_alike_and_their_columns_alike) {
-  const Weighed found = weighed_by(made::by_speed(), made::drift({0.0, 1, 200}));
+  const Inference found = weighed_by(made::by_speed(), made::drift({0.0, 1, 200}));
   const Problem& problem = *found.problem;
   std::map<std::string, double> of_effect;
   std::map<std::string, std::vector<double>> of_columns;

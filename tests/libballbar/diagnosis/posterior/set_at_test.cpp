@@ -10,24 +10,24 @@
 #include "diagnosis/evidence/dense.hpp"
 #include "diagnosis/made_drift.hpp"
 #include "diagnosis/posterior/any_form.hpp"
-#include "diagnosis/posterior/weighed.hpp"
+#include "diagnosis/posterior/inference.hpp"
 #include "effects/low_pass.hpp"
 
 namespace ballbar {
 namespace {
 
-const Weighed& warm_room() {
-  static const Weighed found = [] {
+const Inference& warm_room() {
+  static const Inference found = [] {
     ProblemOptions options;
-    options.catalogue = built_in_catalogue();
-    return weighed(made::by_speed(), made::drift({3.0, 1, 150}), 0, options);
+    options.search.catalogue = built_in_catalogue();
+    return inference(made::by_speed(), made::drift({3.0, 1, 150}), 0, options);
   }();
   return found;
 }
 
 // The scatter and what is left, by the whole matrix: known columns as a part of it, with the scatter that is found.
 TEST(SetAt, is_the_set_by_the_whole_matrix) {
-  const Weighed& found = warm_room();
+  const Inference& found = warm_room();
   const Problem& problem = *found.problem;
   ASSERT_GE(found.posterior.sets.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -61,7 +61,7 @@ TEST(SetAt, is_the_set_by_the_whole_matrix) {
 }
 
 TEST(SetAt, whitens_other_columns_as_its_own) {
-  const Weighed& found = warm_room();
+  const Inference& found = warm_room();
   const EffectSet& set = found.posterior.sets.front();
   const SetAt at = set_at(*found.problem, found.posterior, set);
   const Eigen::MatrixXd white = at.white(found.posterior.points[set.point].filter, at.members);

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/by_hand.hpp"
 #include "diagnosis/made_drift.hpp"
+#include "diagnosis/thresholds.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"
 
 namespace ballbar {
@@ -105,8 +105,8 @@ TEST(FittedSet, is_a_regression_where_the_scatter_is_white) {
   Model constant;
   constant.targets = {"z_um"};
   ProblemOptions options;
-  options.catalogue = built_in_catalogue();
-  const Weighed found = weighed(constant, data, 0, options);
+  options.search.catalogue = built_in_catalogue();
+  const Inference found = inference(constant, data, 0, options);
   const auto family = family_of(*found.problem, {find_effect("linear_drift", Level::series), {}});
   ASSERT_TRUE(family);
   const auto set = std::find_if(found.posterior.sets.begin(), found.posterior.sets.end(), [&](const EffectSet& one) {

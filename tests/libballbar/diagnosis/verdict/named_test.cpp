@@ -8,6 +8,7 @@
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "diagnosis/made_drift.hpp"
+#include "diagnosis/thresholds.hpp"
 
 namespace ballbar {
 namespace {

@@ -41,7 +41,7 @@ struct Survival {
 };
 Survival survival_of(std::span<const double> signal_um, const Fit& fit, const Noise& noise);
 
-enum class Sight { named, probable, in_set, driver, candidate, unexplained, not_seen };
+enum class Sight { named, probable, in_set, driver, candidate, unexplained, undetected };
 
 // What a diagnosis makes of an effect that is there: it names it, calls it probable, has it in a set of equivalent
 // ones, says that a column which the effect reads drives something, has it in its best set without confirming it, says
@@ -49,13 +49,13 @@ enum class Sight { named, probable, in_set, driver, candidate, unexplained, not_
 Sight sight_of(const Diagnosis& diagnosis, const BoundEffect& bound);
 // "named", "probable", "in the reported set", "driver", "candidate", "unexplained", "not seen"
 std::string_view name_of(Sight sight);
-bool is_seen(Sight sight);  // by its name: named, probable or in a reported set
+bool is_detected(Sight sight);  // by its name: named, probable or in a reported set
 
 // Amplitudes (range of the signal, um) between which the smallest lies that is seen: named, probable or in a reported
 // set.
-struct SmallestSeen {
-  double not_seen_um = 0.0;  // the largest that was tried below
-  double seen_um = 0.0;      // the smallest that was tried and seen; infinite: none
+struct DetectionLimit {
+  double undetected_um = 0.0;  // the largest that was tried below
+  double detected_um = 0.0;    // the smallest that was tried and seen; infinite: none
   std::size_t diagnoses = 0;
 };
 
@@ -63,8 +63,8 @@ struct SmallestSeen {
 // the two are within 15 %: first at d = 7.5 and 5 (d_per_um: d of 1 um), then at their geometric mean; where nothing is
 // seen, twice the amplitude, three times. Seeing need not grow with the amplitude everywhere; then it is one place
 // where it changes.
-SmallestSeen smallest_seen(const Model& model, const Series& data, const Injection& injection, double d_per_um,
-                           SmallestSeen known, const DiagnosisOptions& options,
-                           const std::function<void(std::size_t)>& progress);
+DetectionLimit detection_limit(const Model& model, const Series& data, const Injection& injection, double d_per_um,
+                               DetectionLimit known, const DiagnosisOptions& options,
+                               const std::function<void(std::size_t)>& progress);
 
 }  // namespace ballbar

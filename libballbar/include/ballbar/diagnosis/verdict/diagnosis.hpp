@@ -23,9 +23,9 @@
 #include <string_view>
 #include <vector>
 
+#include "ballbar/diagnosis/posterior/search_options.hpp"
 #include "ballbar/diagnosis/signatures/identifiability.hpp"
 #include "ballbar/diagnosis/verdict/candidate.hpp"
-#include "ballbar/diagnosis/verdict/search_options.hpp"
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/fit/residual.hpp"
 #include "ballbar/model/bound_effect.hpp"

@@ -14,17 +14,17 @@ struct Twin {
   std::string kept, other;
 };
 
-struct Alike {
+struct DistinctColumns {
   Series data;  // without the others
   std::vector<Twin> twins;
 };
 
 // Inputs in one unit of which one is the other, but for a factor and a constant, as far as they are resolved. Those of
 // the model stay.
-Alike alike_columns_of(const Series& data, const Model& model);
+DistinctColumns distinct_columns_of(const Series& data, const Model& model);
 
 // Effects of the diagnosis of `alike.data` that are missing by P >= 0.2 and read a column that has a twin: each with
 // the same on the twin.
-std::vector<std::vector<BoundEffect>> inseparable_effects(const Diagnosis& diagnosis, const Alike& alike);
+std::vector<std::vector<BoundEffect>> inseparable_effects(const Diagnosis& diagnosis, const DistinctColumns& distinct);
 
 }  // namespace ballbar

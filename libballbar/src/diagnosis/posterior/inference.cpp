@@ -1,4 +1,4 @@
-#include "diagnosis/posterior/weighed.hpp"
+#include "diagnosis/posterior/inference.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/posterior/identities.hpp"
 #include "diagnosis/posterior/set_at.hpp"
 #include "diagnosis/posterior/shock.hpp"
+#include "diagnosis/thresholds.hpp"
 #include "fit/model_columns.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
@@ -89,19 +89,19 @@ bool weigh_down_outliers(Problem& problem, const Posterior& posterior, const Eff
 
 // Of a long series every k-th value is weighed: where the best set has jumps, all values about them. False: it has
 // none, or all are weighed already.
-bool weigh_all_about_jumps(Weighed& weighed, const Model& model, const Series& data, std::size_t target,
+bool weigh_all_about_jumps(Inference& inference, const Model& model, const Series& data, std::size_t target,
                            ProblemOptions options) {
-  const Problem& problem = *weighed.problem;
+  const Problem& problem = *inference.problem;
   const std::vector<double>& values = find_column(data, model.targets[target])->values;
   const auto known = std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
   if (static_cast<std::size_t>(known) <= options.most_rows) return false;
-  const EffectSet& best = weighed.posterior.sets[weighed.posterior.best];
+  const EffectSet& best = inference.posterior.sets[inference.posterior.best];
   for (std::size_t m = 0; m < best.families.size(); ++m) {
     if (jumps(problem, best.families[m]))
       options.whole_about_s.push_back(problem.library.signatures[best.signatures[m]].point[1]);
   }
   if (options.whole_about_s.empty()) return false;
-  weighed.problem = problem_of(model, data, target, options);
+  inference.problem = problem_of(model, data, target, options);
   return true;
 }
 
@@ -115,9 +115,8 @@ std::vector<ProbableSoFar> probable_so_far(const Problem& problem, const std::ve
 
 }  // namespace
 
-Weighed weighed(const Model& model, const Series& data, std::size_t target, const ProblemOptions& options,
-                const Told& told) {
-  Weighed result;
+Inference inference(const Model& model, const Series& data, std::size_t target, const ProblemOptions& options) {
+  Inference result;
   result.problem = problem_of(model, data, target, options);
   const Problem& first = *result.problem;
   const std::size_t values = first.time_s.size(), parameters = used_parameters(first.base).size();
@@ -127,11 +126,11 @@ Weighed weighed(const Model& model, const Series& data, std::size_t target, cons
   std::set<const Effect*> effects;
   for (std::size_t f = 0; f < first.effects; ++f) effects.insert(first.library.families[f].bound.effect);
   const auto tell = [&](std::string_view step) {
-    if (told.step) told.step(step);
+    if (options.search.progress) options.search.progress(step);
   };
   std::function<void(const std::vector<double>&)> tell_so_far;
-  if (told.so_far)
-    tell_so_far = [&](const std::vector<double>& p) { told.so_far(probable_so_far(*result.problem, p)); };
+  if (options.search.so_far)
+    tell_so_far = [&](const std::vector<double>& p) { options.search.so_far(probable_so_far(*result.problem, p)); };
   tell(fmt::format("weighing {} shapes of {} effects", first.library.signatures.size(), effects.size()));
   result.posterior = posterior_of(*result.problem, result.largest, tell_so_far);
   if (weigh_all_about_jumps(result, model, data, target, options)) {

@@ -1,4 +1,4 @@
-#include "diagnosis/posterior/beside.hpp"
+#include "diagnosis/posterior/conditional_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace ballbar {
 namespace {
 
-constexpr int kStepsBeside = 4;         // of Gauss and Newton
+constexpr int kStepsOfSet = 4;          // of Gauss and Newton
 constexpr double kSameShape = 0.01;     // relative
 constexpr double kLongestStep = 0.7;    // of a shape at a time, in its scale
 constexpr double kShortestStep = 0.01;  // with less all shapes are there
@@ -25,11 +25,11 @@ double stepped(const BaseModel& model, const BaseColumn& column, double value, d
 }
 
 // The model with the set's effects as terms, and its parameters.
-std::pair<Model, std::vector<double>> with_effects(const Problem& problem, const Beside& beside) {
+std::pair<Model, std::vector<double>> with_effects(const Problem& problem, const ConditionalFit& conditional) {
   Model model = problem.model;
-  std::vector<double> parameters = beside.parameters;
+  std::vector<double> parameters = conditional.parameters;
   Eigen::Index column = 0;
-  for (const std::size_t i : beside.signatures) {
+  for (const std::size_t i : conditional.signatures) {
     const Signature& one = problem.library.signatures[i];
     const BoundEffect& bound = problem.library.families[one.family].bound;
     model.terms.push_back(term_of(problem, bound));
@@ -41,8 +41,8 @@ std::pair<Model, std::vector<double>> with_effects(const Problem& problem, const
         continue;
       }
       // A sharpened signature may have more gains than there are coefficients: any will do, it is linear.
-      const bool known = column + gain < beside.coefficients.size();
-      parameters.push_back(known ? beside.coefficients[column + gain] / problem.deviation[one.first + gain] : 0.0);
+      const bool known = column + gain < conditional.coefficients.size();
+      parameters.push_back(known ? conditional.coefficients[column + gain] / problem.deviation[one.first + gain] : 0.0);
       ++gain;
     }
     column += one.width;
@@ -58,11 +58,11 @@ double within_grid(const Parameter& parameter, double value) {
 }
 
 // The set and the model where a fit of both has them: its shapes become signatures.
-Beside taken_over(Problem& problem, Beside beside, const std::vector<double>& fitted) {
-  std::size_t place = beside.parameters.size();
-  std::copy_n(fitted.begin(), place, beside.parameters.begin());
+ConditionalFit taken_over(Problem& problem, ConditionalFit conditional, const std::vector<double>& fitted) {
+  std::size_t place = conditional.parameters.size();
+  std::copy_n(fitted.begin(), place, conditional.parameters.begin());
   std::vector<double> coefficients;
-  for (std::size_t& i : beside.signatures) {
+  for (std::size_t& i : conditional.signatures) {
     const std::size_t family = problem.library.signatures[i].family;
     const std::vector<Parameter>& parameters = problem.library.families[family].bound.effect->parameters;
     std::vector<double> shape = problem.library.signatures[i].point, gains;
@@ -81,8 +81,8 @@ Beside taken_over(Problem& problem, Beside beside, const std::vector<double>& fi
     for (Eigen::Index k = 0; k < signature.width; ++k)
       coefficients.push_back(gains[static_cast<std::size_t>(k)] * problem.deviation[signature.first + k]);
   }
-  beside.coefficients = Eigen::VectorXd::Map(coefficients.data(), static_cast<Eigen::Index>(coefficients.size()));
-  return beside;
+  conditional.coefficients = Eigen::VectorXd::Map(coefficients.data(), static_cast<Eigen::Index>(coefficients.size()));
+  return conditional;
 }
 
 bool is_free_time(const Problem& problem, std::size_t k) {
@@ -92,25 +92,25 @@ bool is_free_time(const Problem& problem, std::size_t k) {
 
 }  // namespace
 
-Beside parameters_beside(const Problem& problem, const Variant& variant, const std::vector<std::size_t>& signatures,
-                         const Point& point) {
+ConditionalFit conditional_fit(const Problem& problem, const Variant& variant,
+                               const std::vector<std::size_t>& signatures, const Point& point) {
   const BaseModel& model = *problem.base_model;
   const std::vector<std::size_t> free = free_of(problem, variant.own);
-  Beside beside{signatures, variant.parameters, {}};
-  for (int round = 0; round < kStepsBeside; ++round) {
-    const BaseColumns columns = model.at(beside.parameters, free);
+  ConditionalFit conditional{signatures, variant.parameters, {}};
+  for (int round = 0; round < kStepsOfSet; ++round) {
+    const BaseColumns columns = model.at(conditional.parameters, free);
     const Eigen::Index times = variant.times.cols();
     // The set's columns, their gains free, into what moves with the model.
     const Variant with = with_signatures(
         problem, {variant.own, {}, {}, pool_of(columns, variant.times), line_of(columns, times, 0)}, signatures);
     const Gram gram = gram_of(point.filter, with.pool);
     const Solved solution = solved(gram, with.line, problem.known);
-    beside.coefficients = solution.coefficients.tail(solution.coefficients.size() - columns.values.cols() - times);
+    conditional.coefficients = solution.coefficients.tail(solution.coefficients.size() - columns.values.cols() - times);
     double largest = 0.0;
     for (std::size_t k = 0; k < columns.columns.size(); ++k) {
       const BaseColumn& column = columns.columns[k];
       const double coefficient = solution.coefficients[static_cast<Eigen::Index>(k)];
-      double& value = beside.parameters[column.parameter];
+      double& value = conditional.parameters[column.parameter];
       if (column.is_free()) {
         value = coefficient * column.scale;
         continue;
@@ -121,15 +121,15 @@ Beside parameters_beside(const Problem& problem, const Variant& variant, const s
     }
     if (largest < kShortestStep) break;
   }
-  return beside;
+  return conditional;
 }
 
-Beside sharpened(Problem& problem, const Variant& variant, Beside beside, const Point& point) {
-  const auto [model, start] = with_effects(problem, beside);
+ConditionalFit sharpened(Problem& problem, const Variant& variant, ConditionalFit conditional, const Point& point) {
+  const auto [model, start] = with_effects(problem, conditional);
   const BaseModel with(model, problem.logged, problem.y, problem.base.row);
   const Refined best =
-      refined(with, start, free_of(problem, variant.own), variant.times, point.filter, problem.known, {kStepsBeside});
-  return taken_over(problem, std::move(beside), best.parameters);
+      refined(with, start, free_of(problem, variant.own), variant.times, point.filter, problem.known, {kStepsOfSet});
+  return taken_over(problem, std::move(conditional), best.parameters);
 }
 
 std::vector<double> with_times(const Problem& problem, std::vector<double> parameters, double time_s) {
@@ -140,8 +140,8 @@ std::vector<double> with_times(const Problem& problem, std::vector<double> param
   return parameters;
 }
 
-Eigen::MatrixXd times_beside(const Problem& problem, const Beside& beside) {
-  const auto [model, parameters] = with_effects(problem, beside);
+Eigen::MatrixXd input_times_of(const Problem& problem, const ConditionalFit& conditional) {
+  const auto [model, parameters] = with_effects(problem, conditional);
   return BaseModel(model, problem.logged, problem.y, problem.base.row).times_at(parameters);
 }
 

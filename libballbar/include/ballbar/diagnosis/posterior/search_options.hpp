@@ -10,10 +10,16 @@
 #include <vector>
 
 #include "ballbar/circle/recording.hpp"
-#include "ballbar/diagnosis/posterior/probable_so_far.hpp"
 #include "ballbar/effects/effect.hpp"
+#include "ballbar/model/bound_effect.hpp"
 
 namespace ballbar {
+
+// How probable it is that an effect is missing, by the sets that have been weighed so far.
+struct ProbableSoFar {
+  BoundEffect bound;
+  double p = 0.0;
+};
 
 struct SearchOptions {
   Catalogue catalogue = built_in_catalogue();  // searched; a diagnosis refers to its effects

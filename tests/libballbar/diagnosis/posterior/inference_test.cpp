@@ -1,20 +1,20 @@
 // What readings do not tell is not weighed: rows at jumps, clocks that are late, readings far from the others.
-#include "diagnosis/posterior/weighed.hpp"
+#include "diagnosis/posterior/inference.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/made_drift.hpp"
+#include "diagnosis/thresholds.hpp"
 
 namespace ballbar {
 namespace {
 
 ProblemOptions usual() {
   ProblemOptions options;
-  options.catalogue = built_in_catalogue();
+  options.search.catalogue = built_in_catalogue();
   return options;
 }
 
@@ -89,11 +89,11 @@ TEST(Problem, takes_stated_sigmas) {
 }
 
 // A few readings 20 times the noise off: those count less, no others.
-TEST(Weighed, readings_far_from_the_others_count_less) {
+TEST(Inference, readings_far_from_the_others_count_less) {
   Series data = made::drift({1.0, 1, 300});
   const std::size_t far[] = {50, 101, 180, 251};
   for (const std::size_t row : far) made::values_of(data, "z_um")[row] += row % 2 == 0 ? 6.0 : -6.0;
-  const Weighed found = weighed(made::by_speed(), data, 0, usual());
+  const Inference found = inference(made::by_speed(), data, 0, usual());
   for (const std::size_t row : far) EXPECT_GT(found.problem->relative_variance[row], 10.0) << row;
   std::size_t others = 0;
   for (const double one : found.problem->relative_variance) others += one > 1.0 ? 1 : 0;
@@ -107,12 +107,12 @@ TEST(Weighed, readings_far_from_the_others_count_less) {
 }
 
 // Beside readings that are far off a step of the readings stays one.
-TEST(Weighed, a_jump_that_stays_is_no_reading_far_from_the_others) {
+TEST(Inference, a_jump_that_stays_is_no_reading_far_from_the_others) {
   Series data = made::drift({0.0, 1, 300});
   std::vector<double>& values = made::values_of(data, "z_um");
   for (const std::size_t row : {50, 101, 251}) values[row] += 6.0;
   for (std::size_t row = 150; row < 300; ++row) values[row] += 6.0;
-  const Weighed found = weighed(made::by_speed(), data, 0, usual());
+  const Inference found = inference(made::by_speed(), data, 0, usual());
   EXPECT_GT(found.problem->relative_variance[50], 10.0);
   EXPECT_EQ(found.problem->relative_variance[150], 1.0);
   const EffectSet& best = found.posterior.sets[found.posterior.best];
@@ -122,11 +122,11 @@ TEST(Weighed, a_jump_that_stays_is_no_reading_far_from_the_others) {
 }
 
 // Of 3000 values every third is weighed, and about a jump all: its moment is that of a row.
-TEST(Weighed, every_value_about_a_jump) {
+TEST(Inference, every_value_about_a_jump) {
   Series data = made::drift({0.0, 1, 3000});
   std::vector<double>& values = made::values_of(data, "z_um");
   for (std::size_t row = 1501; row < 3000; ++row) values[row] += 4.0;
-  const Weighed found = weighed(made::by_speed(), data, 0, usual());
+  const Inference found = inference(made::by_speed(), data, 0, usual());
   EXPECT_GT(found.problem->time_s.size(), 1005U);
   EXPECT_LT(found.problem->time_s.size(), 1020U);
   const EffectSet& best = found.posterior.sets[found.posterior.best];
@@ -134,19 +134,19 @@ TEST(Weighed, every_value_about_a_jump) {
   EXPECT_NEAR(found.problem->library.signatures[best.signatures[0]].point[1], 150000.0, 100.0);
 }
 
-TEST(Weighed, normal_readings_all_count_alike) {
+TEST(Inference, normal_readings_all_count_alike) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const Weighed found = weighed(made::by_speed(), made::drift({0.0, seed, 300}), 0, usual());
+    const Inference found = inference(made::by_speed(), made::drift({0.0, seed, 300}), 0, usual());
     for (const double one : found.problem->relative_variance) EXPECT_EQ(one, 1.0) << seed;
   }
 }
 
 // What is asked for is there, however improbable.
-TEST(Weighed, has_a_set_that_is_asked_for) {
+TEST(Inference, has_a_set_that_is_asked_for) {
   const BoundEffect drift{find_effect("linear_drift", Level::series), {}};
   const BoundEffect bearing{find_effect("expansion", Level::series), {"T_bearing_degC"}};
   const BoundEffect room{find_effect("lagged_expansion", Level::series), {"T_room_degC"}};
-  Weighed found = weighed(made::by_speed(), made::drift({3.0, 1, 200}), 0, usual());
+  Inference found = inference(made::by_speed(), made::drift({3.0, 1, 200}), 0, usual());
   for (const std::vector<BoundEffect>& wanted :
        {std::vector<BoundEffect>{bearing}, {drift, bearing}, {bearing, drift, room}}) {
     std::vector<std::size_t> families;
@@ -160,8 +160,8 @@ TEST(Weighed, has_a_set_that_is_asked_for) {
 }
 
 // Readings are likelier with what is there, and less likely with what is not.
-TEST(Weighed, bayes_factor_is_for_what_is_there) {
-  const Weighed found = weighed(made::by_speed(), made::drift({3.0, 1, 200}), 0, usual());
+TEST(Inference, bayes_factor_is_for_what_is_there) {
+  const Inference found = inference(made::by_speed(), made::drift({3.0, 1, 200}), 0, usual());
   const auto factor = [&](const char* name, std::vector<std::string> columns) {
     const auto family = family_of(*found.problem, {find_effect(name, Level::series), std::move(columns)});
     return log_bayes_factor(*found.problem, found.posterior, {family.value()});

@@ -1,4 +1,4 @@
-#include "diagnosis/next_test/columns_alike.hpp"
+#include "diagnosis/next_test/distinct_columns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,8 +53,8 @@ bool are_one(const Column& a, const Column& b) {
 
 }  // namespace
 
-Alike alike_columns_of(const Series& data, const Model& model) {
-  Alike result;
+DistinctColumns distinct_columns_of(const Series& data, const Model& model) {
+  DistinctColumns result;
   result.data = data;
   for (std::size_t a = 0; a < data.columns.size(); ++a) {
     if (!is_input(data.columns[a], model)) continue;
@@ -76,12 +76,12 @@ Alike alike_columns_of(const Series& data, const Model& model) {
   return result;
 }
 
-std::vector<std::vector<BoundEffect>> inseparable_effects(const Diagnosis& diagnosis, const Alike& alike) {
+std::vector<std::vector<BoundEffect>> inseparable_effects(const Diagnosis& diagnosis, const DistinctColumns& distinct) {
   std::vector<std::vector<BoundEffect>> groups;
   for (const EffectProbability& effect : diagnosis.effects) {
     if (effect.p < kLeastP) continue;
     std::vector<BoundEffect> group{effect.bound};
-    for (const Twin& twin : alike.twins) {
+    for (const Twin& twin : distinct.twins) {
       BoundEffect other = effect.bound;
       std::replace(other.columns.begin(), other.columns.end(), twin.kept, twin.other);
       if (!(other == effect.bound)) group.push_back(std::move(other));
