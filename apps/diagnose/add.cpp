@@ -20,7 +20,6 @@
 #include "diagnose/diagnosis_report.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/grown.hpp"
-#include "diagnose/new_model.hpp"
 #include "diagnose/next_command.hpp"
 #include "diagnose/revised_model.hpp"
 #include "model/effect_options.hpp"

@@ -117,14 +117,16 @@ void add_diagnose(CLI::App& app) {
   CLI::App* command = app.add_subcommand("diagnose", "Which physical effect a model lacks");
   add_model_options(*command, options->model, false);
   add_also_input(*command, options->model);
-  command->add_option("--tolerance", options->how.tolerance_um, "smaller effects are called minor")
+  command->add_option("--tolerance", options->how.diagnosis.tolerance_um, "smaller effects are called minor")
       ->type_name("UM")
       ->check(number_within(0.0, 1e6));
-  command->add_option("--seed", options->how.seed, "of the random draws; the same seed gives the same result")
+  command
+      ->add_option("--seed", options->how.diagnosis.search.seed,
+                   "of the random draws; the same seed gives the same result")
       ->type_name("N")
       ->check(number_within(0, kLargestSeed));
   command
-      ->add_option("--most-rows", options->how.most_rows,
+      ->add_option("--most-rows", options->how.diagnosis.most_rows,
                    "values of the target that are searched, of longer series every k-th")
       ->type_name("N")
       ->check(CLI::Range(30, 5000).description(""));

@@ -11,6 +11,7 @@
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/revision/replacement.hpp"
+#include "diagnose/diagnosis_result.hpp"
 #include "diagnose/follow_results.hpp"
 #include "diagnose/next_command.hpp"
 #include "terminal/progress.hpp"
@@ -57,10 +58,9 @@ std::vector<StandIn> stand_ins_of(const ModelOptions& options, const DiagnoseOpt
   const ProgressLine line;
   if (how_to.progress)
     show_progress(fmt::format("{}: asking {} earlier effects again", model.targets.front(), added.size()));
-  DiagnosisOptions how;
+  DiagnosisOptions how = how_to.diagnosis;
+  how.tolerance_um = 0.0;
   how.search.motion = data.motion;
-  how.search.seed = how_to.seed;
-  how.most_rows = how_to.most_rows;
   for (const Replacement& one : replacements(model, added, *data.series, 0, how))
     result.push_back({one.label, labels(one.without.named, ", "), replace_command(options, one)});
   return result;
@@ -93,10 +93,7 @@ std::string not_searched_text(const Diagnosis& found) {
 }
 
 DiagnosisOptions diagnosis_options(const DiagnoseOptions& how_to, const std::string& target) {
-  DiagnosisOptions how;
-  how.tolerance_um = how_to.tolerance_um;
-  how.search.seed = how_to.seed;
-  how.most_rows = how_to.most_rows;
+  DiagnosisOptions how = how_to.diagnosis;
   if (!how_to.progress) return how;
   how.search.progress = [target](std::string_view step) { show_progress(fmt::format("{}: {}", target, step)); };
   if (progress_is_taken()) how.search.so_far = show_so_far;
@@ -115,6 +112,12 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& benc
     report.hint = next_hint(options, found);
     return report;
   });
+}
+
+std::optional<DecidingTest> deciding_test(const DiagnosisReport& report) {
+  if (!report.plan_command.empty()) return DecidingTest{next_text(report), {}, {report.plan_command}};
+  if (report.next_tests.empty()) return std::nullopt;
+  return DecidingTest{report.next_tests.front().text, {report.next_tests.front().separation}, {}};
 }
 
 }  // namespace ballbar

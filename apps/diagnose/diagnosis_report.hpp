@@ -1,8 +1,6 @@
 // What a model lacks, for the terminal, a program and the page.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,10 +14,8 @@
 namespace ballbar {
 
 struct DiagnoseOptions {
-  double tolerance_um = 0.0;
-  std::uint64_t seed = 1;
-  std::size_t most_rows = DiagnosisOptions{}.most_rows;
-  bool progress = true;  // told on a terminal
+  DiagnosisOptions diagnosis;  // tolerance, seed, most rows
+  bool progress = true;        // shown on a terminal
 };
 
 // An effect of the model that stood in for others.

@@ -132,11 +132,8 @@ class Following {
     const Series data = first_rows(*log.data.series, target, values);
     const double hours = (data.time_s.back() - data.time_s.front()) / 3600.0;
     state_.logged_twice = columns_logged_twice(data);
-    DiagnosisOptions how;
+    DiagnosisOptions how = how_.diagnosis;
     how.search.motion = log.data.motion;
-    how.search.seed = how_.seed;
-    how.most_rows = how_.most_rows;
-    how.tolerance_um = how_.tolerance_um;
     how.search.progress = [&](std::string_view step) { show_progress(fmt::format("{} values: {}", values, step)); };
     try {
       last_ = diagnose(log.model, data, 0, how);

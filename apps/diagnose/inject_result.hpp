@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ballbar/diagnosis/injection/injection.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
 
 namespace ballbar {
@@ -33,32 +34,41 @@ struct ResultType<DetectionLimit> {
       Field{"diagnoses", &DetectionLimit::diagnoses, "that were made"}};
 };
 
-struct InjectedResult {
-  std::string target;
-  BoundEffect bound;
-  TableOf<double> shapes;
-  double amplitude_um = 0.0, d = 0.0, detectable_um = 0.0, identifiable_um = 0.0;
-  Sighting without, with;
-  std::string answer;
+// An effect put into data, the diagnosis without and with it.
+struct Injected {
+  Injection injection;
+  double amplitude_um = 0.0;
+  Fit base;        // of the model, without it
+  double d = 0.0;  // of that amplitude, by the noise of that fit
+  Diagnosis without, with;
   DetectionLimit smallest;
+
+  double amplitude_of_um(double other_d) const { return other_d / d * amplitude_um; }
+  Sighting sighting(const Diagnosis& diagnosis) const {
+    return {diagnosis.verdict, sight_of(diagnosis, injection.bound)};
+  }
 };
+std::string answer_text(const Injected& result);  // whole sentences
+TableOf<double> shapes_of(const Injection& injection);
 
 template <>
-struct ResultType<InjectedResult> {
+struct ResultType<Injected> {
+  using Of = const Injected&;
   static constexpr std::string_view name = "Injected";
   static constexpr std::string_view meaning = "An effect put into data, and whether it is seen.";
   static constexpr std::tuple fields = std::tuple_cat(
-      std::tuple{Field{"target", &InjectedResult::target, "column that it is added to"}},
-      fields_through(&InjectedResult::bound, ResultType<BoundEffect>::fields),
-      std::tuple{Field{"shapes", &InjectedResult::shapes, "of the effect"},
-                 Field{"amplitude_um", &InjectedResult::amplitude_um, "largest less smallest of what was added"},
-                 Field{"d", &InjectedResult::d, "of that, beside the noise of the model's residual"},
-                 Field{"detectable_um", &InjectedResult::detectable_um, "amplitude of d = 5"},
-                 Field{"identifiable_um", &InjectedResult::identifiable_um, "amplitude of d = 7.5"},
-                 Field{"without", &InjectedResult::without, "as measured"},
-                 Field{"with", &InjectedResult::with, "with it"},
-                 Field{"answer", &InjectedResult::answer, "what it says in plain words"},
-                 Field{"smallest", &InjectedResult::smallest, "amplitude that is seen"}});
+      std::tuple{Field{"target", [](Of of) { return of.without.target; }, "column that it is added to"}},
+      fields_through([](Of of) -> const BoundEffect& { return of.injection.bound; }, ResultType<BoundEffect>::fields),
+      std::tuple{
+          Field{"shapes", [](Of of) { return shapes_of(of.injection); }, "of the effect"},
+          Field{"amplitude_um", &Injected::amplitude_um, "largest less smallest of what was added"},
+          Field{"d", &Injected::d, "of that, beside the noise of the model's residual"},
+          Field{"detectable_um", [](Of of) { return of.amplitude_of_um(kDetectable); }, "amplitude of d = 5"},
+          Field{"identifiable_um", [](Of of) { return of.amplitude_of_um(kIdentifiable); }, "amplitude of d = 7.5"},
+          Field{"without", [](Of of) { return of.sighting(of.without); }, "as measured"},
+          Field{"with", [](Of of) { return of.sighting(of.with); }, "with it"},
+          Field{"answer", [](Of of) { return answer_text(of); }, "what it says in plain words"},
+          Field{"smallest", &Injected::smallest, "amplitude that is seen"}});
 };
 
 }  // namespace ballbar

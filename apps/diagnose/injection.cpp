@@ -27,15 +27,6 @@ namespace {
 
 constexpr double kNeverNamed_um = 1e6;  // a metre
 
-struct Injected {
-  Injection injection;
-  double amplitude_um = 0.0;
-  Fit base;        // of the model, without it
-  double d = 0.0;  // of that amplitude, by the noise of that fit
-  Diagnosis without, with;
-  DetectionLimit smallest;
-};
-
 // --set NAME=VALUE
 void set_shape(Injection& injection, const std::string& text) {
   const Effect& effect = *injection.bound.effect;
@@ -67,66 +58,8 @@ void set_shape(Injection& injection, const std::string& text) {
 
 std::string shapes_text(const Injection& injection) {
   std::vector<std::string> texts;
-  for (std::size_t k = 0; k < injection.parameters.size(); ++k) {
-    const Parameter& parameter = injection.bound.effect->parameters[k];
-    if (parameter.kind != ParameterKind::shape) continue;
-    texts.push_back(fmt::format("{} = {:g}", parameter.name, injection.parameters[k]));
-  }
+  for (const auto& [name, value] : shapes_of(injection)) texts.push_back(fmt::format("{} = {:g}", name, value));
   return texts.empty() ? "" : fmt::format(" with {}", fmt::join(texts, ", "));
-}
-
-double amplitude_of(const Injected& result, double d) { return d / result.d * result.amplitude_um; }
-
-// Whole sentences.
-std::string answer_text(const Injected& result) {
-  const std::string label = label_of(result.injection.bound);
-  const Sight before = sight_of(result.without, result.injection.bound);
-  const Sight now = sight_of(result.with, result.injection.bound);
-  if (is_detected(before)) {
-    return fmt::format(
-        "These data already show {}: it is {} without anything added, so that what is added proves "
-        "nothing.",
-        label, name_of(before));
-  }
-  std::string text;
-  switch (now) {
-    case Sight::named:
-      text = "It would be named.";
-      break;
-    case Sight::probable:
-      text = "It would be called probable.";
-      break;
-    case Sight::driver:
-      text = "What drives it would be named, not the effect itself.";
-      break;
-    case Sight::in_set:
-      text = "It would be in the reported set, not named.";
-      break;
-    case Sight::candidate:
-      text = "It would lead the candidates, neither named nor in a reported set.";
-      break;
-    case Sight::unexplained:
-      text = before == Sight::unexplained ? "It would not be seen: something unexplained is there already."
-                                          : "It would show as something unexplained, not under its name.";
-      break;
-    case Sight::undetected:
-      text = "It would not be seen.";
-      break;
-  }
-  const DetectionLimit& smallest = result.smallest;
-  if (!std::isfinite(smallest.detected_um)) {
-    text += fmt::format(" Up to {:.2g} um it is neither named nor in the set", smallest.undetected_um);
-  } else if (smallest.undetected_um > 0.0) {
-    text += fmt::format(" The smallest amplitude that is named or in the set lies between {:.2g} and {:.2g} um",
-                        smallest.undetected_um, smallest.detected_um);
-  } else {
-    text +=
-        fmt::format(" The smallest amplitude that is named or in the set is at most {:.2g} um", smallest.detected_um);
-  }
-  text += fmt::format(" ({} diagnoses).", smallest.diagnoses);
-  if (smallest.detected_um < amplitude_of(result, 3.0))
-    text += " That is chance: the noise already has some of its shape.";
-  return text;
 }
 
 void print_text(const Injected& result, const std::string& title) {
@@ -137,36 +70,14 @@ void print_text(const Injected& result, const std::string& title) {
           "Added: {}{}, {:.4g} um from its lowest to its highest value: d = {:.1f} beside the noise of the model's "
           "residual. Detectable (d = 5) are {:.2g} um, identifiable (d = 7.5) {:.2g} um.",
           label_of(result.injection.bound), shapes_text(result.injection), result.amplitude_um, result.d,
-          amplitude_of(result, kDetectable), amplitude_of(result, kIdentifiable))));
+          result.amplitude_of_um(kDetectable), result.amplitude_of_um(kIdentifiable))));
   Table table({"", "verdict", label_of(result.injection.bound)});
   const auto add = [&](const char* what, const Diagnosis& found) {
-    table.add(
-        {what, std::string(name_of(found.verdict)), std::string(name_of(sight_of(found, result.injection.bound)))});
+    table.add({what, std::string(name_of(found.verdict)), std::string(name_of(result.sighting(found).sight))});
   };
   add("as measured", result.without);
   add("with it", result.with);
   fmt::print("{}\n{}", table.left_aligned(), wrapped(answer_text(result)));
-}
-
-InjectedResult result_of(const Injected& injected) {
-  const BoundEffect& bound = injected.injection.bound;
-  InjectedResult result{injected.without.target,
-                        bound,
-                        {},
-                        injected.amplitude_um,
-                        injected.d,
-                        amplitude_of(injected, kDetectable),
-                        amplitude_of(injected, kIdentifiable),
-                        {injected.without.verdict, sight_of(injected.without, bound)},
-                        {injected.with.verdict, sight_of(injected.with, bound)},
-                        answer_text(injected),
-                        injected.smallest};
-  for (std::size_t k = 0; k < injected.injection.parameters.size(); ++k) {
-    const Parameter& parameter = bound.effect->parameters[k];
-    if (parameter.kind == ParameterKind::shape)
-      result.shapes.emplace_back(parameter.name, injected.injection.parameters[k]);
-  }
-  return result;
 }
 
 Injection injection(const InjectionOptions& options, const Model& model, const ModelData& data) {
@@ -227,8 +138,8 @@ Injected tested(const InjectionOptions& options, const ModelOptions& of, const M
   result.with = diagnose(model, changed, 0, how);
   result.d = result.amplitude_um * d_per_um;
   result.smallest = {0.0, std::numeric_limits<double>::infinity(), 2};
-  if (!is_detected(sight_of(result.without, result.injection.bound))) {
-    const bool detected = is_detected(sight_of(result.with, result.injection.bound));
+  if (!is_detected(result.sighting(result.without).sight)) {
+    const bool detected = is_detected(result.sighting(result.with).sight);
     (detected ? result.smallest.detected_um : result.smallest.undetected_um) = result.amplitude_um;
     result.smallest =
         detection_limit(model, series, result.injection, d_per_um, result.smallest, how, show_progress_of);
@@ -237,6 +148,66 @@ Injected tested(const InjectionOptions& options, const ModelOptions& of, const M
 }
 
 }  // namespace
+
+std::string answer_text(const Injected& result) {
+  const std::string label = label_of(result.injection.bound);
+  const Sight before = result.sighting(result.without).sight;
+  const Sight now = result.sighting(result.with).sight;
+  if (is_detected(before)) {
+    return fmt::format(
+        "These data already show {}: it is {} without anything added, so that what is added proves "
+        "nothing.",
+        label, name_of(before));
+  }
+  std::string text;
+  switch (now) {
+    case Sight::named:
+      text = "It would be named.";
+      break;
+    case Sight::probable:
+      text = "It would be called probable.";
+      break;
+    case Sight::driver:
+      text = "What drives it would be named, not the effect itself.";
+      break;
+    case Sight::in_set:
+      text = "It would be in the reported set, not named.";
+      break;
+    case Sight::candidate:
+      text = "It would lead the candidates, neither named nor in a reported set.";
+      break;
+    case Sight::unexplained:
+      text = before == Sight::unexplained ? "It would not be seen: something unexplained is there already."
+                                          : "It would show as something unexplained, not under its name.";
+      break;
+    case Sight::undetected:
+      text = "It would not be seen.";
+      break;
+  }
+  const DetectionLimit& smallest = result.smallest;
+  if (!std::isfinite(smallest.detected_um)) {
+    text += fmt::format(" Up to {:.2g} um it is neither named nor in the set", smallest.undetected_um);
+  } else if (smallest.undetected_um > 0.0) {
+    text += fmt::format(" The smallest amplitude that is named or in the set lies between {:.2g} and {:.2g} um",
+                        smallest.undetected_um, smallest.detected_um);
+  } else {
+    text +=
+        fmt::format(" The smallest amplitude that is named or in the set is at most {:.2g} um", smallest.detected_um);
+  }
+  text += fmt::format(" ({} diagnoses).", smallest.diagnoses);
+  if (smallest.detected_um < result.amplitude_of_um(3.0))
+    text += " That is chance: the noise already has some of its shape.";
+  return text;
+}
+
+TableOf<double> shapes_of(const Injection& injection) {
+  TableOf<double> shapes;
+  for (std::size_t k = 0; k < injection.parameters.size(); ++k) {
+    const Parameter& parameter = injection.bound.effect->parameters[k];
+    if (parameter.kind == ParameterKind::shape) shapes.emplace_back(parameter.name, injection.parameters[k]);
+  }
+  return shapes;
+}
 
 void show_injection(const InjectionOptions& options, const ModelOptions& of, const Model& model, const ModelData& data,
                     bool json) {
@@ -256,7 +227,7 @@ void show_injection(const InjectionOptions& options, const ModelOptions& of, con
     write_bytes(options.out, label + write_series(changed));
   }
   if (json) {
-    print_json(json_of(result_of(result)));
+    print_json(json_of(result));
   } else {
     print_text(result, data.title);
   }

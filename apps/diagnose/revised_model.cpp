@@ -5,16 +5,41 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "diagnose/new_model.hpp"
 #include "model/workbench_of.hpp"
 
 namespace ballbar {
+namespace {
+
+// Without a file, or with the name of one that is not there.
+bool is_new_model(const ModelOptions& options) {
+  std::error_code error;  // told where it is read
+  if (options.model.empty()) return true;
+  return options.model.is_path() &&
+         std::filesystem::symlink_status(options.model.path(), error).type() == std::filesystem::file_type::not_found;
+}
+
+// Of its file before any effect is added: a line that says what made it, level and targets.
+std::string new_model_text(const Model& model) {
+  Model start;
+  start.level = model.level;
+  start.targets = model.targets;
+  return fmt::format("# Made by ballbar add: what is below, and {}.\n{}", start_of(model.level), write_model(start));
+}
+
+}  // namespace
+
+ModelOptions readable(ModelOptions options) {
+  if (is_new_model(options)) options.model = {};
+  return options;
+}
+
 RevisedModel::RevisedModel(const ModelOptions& options, const std::shared_ptr<const ModelData>& data,
                            const Model& model, DiagnosisOptions diagnosis)
     : options_(options),

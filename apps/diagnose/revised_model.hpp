@@ -12,6 +12,9 @@
 
 namespace ballbar {
 
+// The options without the name of a file that is not there yet: there is nothing to read.
+ModelOptions readable(ModelOptions options);
+
 class RevisedModel {
  public:
   // model: of the options' file, of one target. `text` is that of the file, begun anew where there is none yet. Throws

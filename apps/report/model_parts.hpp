@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "ballbar/fit/regime_stretches.hpp"
+#include "ballbar/fit/residual.hpp"
 #include "diagnose/diagnosis_result.hpp"
 #include "report/data_parts.hpp"
 

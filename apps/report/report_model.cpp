@@ -8,7 +8,7 @@
 
 #include "ballbar/fit/effect_response.hpp"
 #include "ballbar/fit/model_part.hpp"
-#include "ballbar/fit/regime_stretches.hpp"
+#include "ballbar/fit/residual.hpp"
 #include "ballbar/series/folds.hpp"
 #include "ballbar/series/runs.hpp"
 #include "ballbar/units.hpp"

@@ -116,7 +116,7 @@ int run(const std::filesystem::path& folder, bool update) {
   const std::vector<ResultSchema> schemas =
       schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsOfSeveral, PosteriorSoFar, Looked, Followed,
                  CheckedTargets, PreflightTargets, EffectPages, TestPlan, EffectTest, Added, Ledger, Undone,
-                 InjectedResult, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult, History,
+                 Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult, History,
                  ImportedLog, MergedLogs, SimulatedRun, SimulatedFleet, TrainedOnBatches, TrainedOnEffects,
                  SelectedBatches, PredictedSeries, PredictedJob, PredictedByEffects, ReplayResult, MadeSets, NextRun,
                  ScoredSets, MeanPointsResult, MeanPointPart, PageReport, ModelPart, HeldPart, RevisedPart,

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
-#include "ballbar/model/target_columns.hpp"
+#include "ballbar/model/model.hpp"
 #include "ballbar/numerics/parallel.hpp"
 
 namespace ballbar {

@@ -18,7 +18,18 @@ inline Input sweep_input() { return {"sweep", {"s"}, "time since the middle of t
 inline Input recording_input() { return {"recording", {"1"}, "number of the recording: 0, 1 ..."}; }
 inline Input bar_input() { return {"bar", {"degC"}, "temperature of the bar"}; }
 
-// Whether a term whose parameter names the recording `wanted` has this row; -1: all rows.
+// Play where an axis reverses at one end of its travel, `row` of the table of errors.
+inline Parameter play_at_end(const char* name, const char* row, const char* meaning) {
+  return {name, "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, meaning, false, ShapeOf::curve, {}, {}, row};
+}
+
+inline Parameter recording_parameter() {
+  return {
+      "recording",       "1", ParameterKind::shape, -1.0, -1.0, 1e6, {}, "which recording it belongs to; -1: all", true,
+      ShapeOf::recording};
+}
+
+// Whether a term whose parameter names the recording `chosen` has this row; -1: all rows.
 template <class T>
 bool belongs_to(const T& chosen, double recording) {
   return chosen < T(-0.5) || (chosen > T(recording - 0.5) && chosen < T(recording + 0.5));

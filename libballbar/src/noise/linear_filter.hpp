@@ -28,7 +28,7 @@ struct Covariance {
   double white = 1.0, correlated = 0.0, time_s = 0.0;
   double slow = 0.0, slow_time_s = 0.0;  // discrepancy; slow = 0: off
   double log_prior = 0.0;
-  // Alike but for the prior.
+  // Equal but for the prior.
   bool operator==(const Covariance& other) const {
     return white == other.white && correlated == other.correlated && time_s == other.time_s && slow == other.slow &&
            slow_time_s == other.slow_time_s;

@@ -12,12 +12,10 @@
 #include "ballbar/error.hpp"
 #include "diagnosis/posterior/inference.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
-#include "diagnosis/verdict/tested_member.hpp"
+#include "diagnosis/verdict/member_tests.hpp"
 #include "fit/machine_error_fit.hpp"
 #include "model/bindings.hpp"
 #include "revision/effect_test_parts.hpp"
-#include "revision/ledger_row.hpp"
-#include "revision/machine_error_test.hpp"
 
 namespace ballbar {
 namespace {

@@ -9,6 +9,10 @@
 
 namespace ballbar {
 
+// Figures of a fit as the ledger has them.
+// fit: of the model to all rows.
+LedgerRow row_of(const Fit& fit, const Model& model, const Series& data, std::size_t target);
+
 // A model fitted to all rows, with the figures of its row.
 struct FittedModel {
   Model model;
@@ -26,5 +30,17 @@ std::vector<Term> begun(Inference& found, std::vector<Term> terms);
 // count: the last terms of `after`, which were added. `found`: what may be missing from `before`, these terms among it.
 EffectTest effect_test_of(Inference& found, FittedModel before, FittedModel after, std::size_t count,
                           const Series& data, std::size_t target);
+
+// Errors of the machine added to a model of recordings: what their fit beside all others says of them.
+//
+// As effect_test(), of a model and data of which is_of_machine_errors() holds. An error is supported where it is
+// significant among all errors of the axes, as in machine_errors(), and its value from one direction predicts the
+// other.
+EffectTest machine_error_test(const Model& model, const std::vector<Term>& added, const Series& data,
+                              std::size_t target);
+
+std::vector<DropTest> machine_error_drop_tests(const Model& model, std::size_t count, const Series& data);
+
+LedgerRow machine_error_row(const Model& model, const Series& data, std::size_t target);
 
 }  // namespace ballbar

@@ -9,8 +9,7 @@
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/verdict/member_tests.hpp"
 #include "fit/machine_error_fit.hpp"
-#include "revision/ledger_row.hpp"
-#include "revision/machine_error_test.hpp"
+#include "revision/effect_test_parts.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,5 +1,3 @@
-#include "revision/machine_error_test.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +8,7 @@
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "fit/machine_error_fit.hpp"
 #include "machine_errors/error_ranks.hpp"
+#include "revision/effect_test_parts.hpp"
 
 namespace ballbar {
 namespace {

@@ -10,8 +10,6 @@
 #include "ballbar/model/measured_input.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "revision/effect_test_parts.hpp"
-#include "revision/ledger_row.hpp"
-#include "revision/machine_error_test.hpp"
 
 namespace ballbar {
 namespace {

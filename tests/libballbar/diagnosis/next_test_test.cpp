@@ -12,7 +12,7 @@
 #include <random>
 
 #include "ballbar/circle/trace.hpp"
-#include "diagnosis/next_test/discrimination.hpp"
+#include "diagnosis/next_test/discrimination_matrix.hpp"
 #include "diagnosis/next_test/planned_test.hpp"
 #include "diagnosis/next_test/thermal_forecast.hpp"
 #include "effects/low_pass.hpp"

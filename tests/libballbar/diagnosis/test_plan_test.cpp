@@ -50,9 +50,9 @@ Model constant() {
 
 TEST(test_plan, every_test_of_the_menu_is_as_long_as_it_says_and_not_too_fast) {
   const Series data = one_speed(false);
-  const std::vector<MenuItem> menu = menu_of(data, "z_um", {12.0, 5000.0, true, true, true});
+  const std::vector<ExpectedTest> menu = menu_of(data, "z_um", {12.0, 5000.0, true, true, true});
   ASSERT_GE(menu.size(), 9u);
-  for (const MenuItem& item : menu) {
+  for (const ExpectedTest& item : menu) {
     EXPECT_NEAR(duration_s(item.schedule), 3600.0 * item.hours, 1e-6) << item.kind;
     EXPECT_LE(item.hours, 12.0);
     for (const Dwell& dwell : item.schedule.dwells) {
@@ -61,12 +61,12 @@ TEST(test_plan, every_test_of_the_menu_is_as_long_as_it_says_and_not_too_fast) {
     }
     EXPECT_LE(duration_s(item.schedule) / item.schedule.reading_s, 2000.0 + 1e-6);
   }
-  const auto moves_the_room = [](const MenuItem& item) {
+  const auto moves_the_room = [](const ExpectedTest& item) {
     return std::any_of(item.schedule.dwells.begin(), item.schedule.dwells.end(),
                        [](const Dwell& dwell) { return dwell.room_K > 0.0; });
   };
   EXPECT_TRUE(std::any_of(menu.begin(), menu.end(), moves_the_room));
-  const std::vector<MenuItem> speeds_alone = menu_of(data, "z_um", {12.0, 5000.0, false, false, false});
+  const std::vector<ExpectedTest> speeds_alone = menu_of(data, "z_um", {12.0, 5000.0, false, false, false});
   EXPECT_TRUE(std::none_of(speeds_alone.begin(), speeds_alone.end(), moves_the_room));
 }
 

@@ -1,8 +1,8 @@
-#include "ballbar/fit/regime_stretches.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "ballbar/fit/residual.hpp"
 
 namespace ballbar {
 namespace {

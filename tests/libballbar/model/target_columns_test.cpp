@@ -1,8 +1,7 @@
-#include "ballbar/model/target_columns.hpp"
-
 #include <gtest/gtest.h>
 
 #include "ballbar/error.hpp"
+#include "ballbar/model/model.hpp"
 
 namespace ballbar {
 namespace {

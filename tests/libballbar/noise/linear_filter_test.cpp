@@ -164,6 +164,45 @@ TEST(Covariance, a_shock_by_hand) {
   EXPECT_NEAR(filter.log_determinant(), std::log(c11 - c01 * c01), 1e-12);
 }
 
+// Rows that are means share less, or more, of the memory (h), and have a variance of their own, which may be below 0; a
+// start remembers nothing, though time goes on: C(i, j) = h_i h_j q^2 exp(-|dt| / theta) within a part, written out.
+TEST(Covariance, rows_that_are_means_and_starts) {
+  const Covariance covariance{0.5, 1.0, 40.0};
+  const std::vector<double> time_s{0.0, 10.0, 20.0, 30.0, 42.0, 50.0}, share{1.0, 1.02, 1.02, 1.1, 1.0, 0.9};
+  const std::vector<double> own{0.0, -0.03, -0.03, -0.1, 0.0, 0.2}, relative{1.0, 0.5, 0.5, 0.2, 1.0, 1.0};
+  const std::vector<std::size_t> starts{0, 4};
+  Eigen::MatrixXd c = Eigen::MatrixXd::Zero(6, 6);
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j < 6; ++j) {
+      if ((i < 4) != (j < 4)) continue;
+      const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
+      c(row, column) = share[i] * share[j] * std::exp(-std::abs(time_s[i] - time_s[j]) / 40.0);
+      if (i == j) c(row, column) += 0.5 * relative[i] + own[i];
+    }
+  }
+  const Whitening filter(covariance, time_s,
+                         {.variance = own, .relative_variance = relative, .memory_share = share, .starts = starts});
+  const Eigen::MatrixXd columns = normal_columns(6, 2);
+  const RowMajorMatrix white = whitened_rows(filter, columns);
+  EXPECT_LT((white.transpose() * white - columns.transpose() * c.llt().solve(columns)).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_NEAR(filter.log_determinant(), dense::log_determinant(c), 1e-9);
+}
+
+// What is left out tells the rows behind it nothing, with a discrepancy as without.
+TEST(Covariance, rows_that_are_left_out) {
+  for (const Covariance& covariance : {memory(), all()}) {
+    const std::vector<double> time_s = uneven(9).time_s;
+    const std::vector<std::size_t> left_out{3, 7};
+    const std::vector<Eigen::Index> kept{0, 1, 2, 4, 5, 6, 8};
+    std::vector<double> kept_s;
+    for (const Eigen::Index row : kept) kept_s.push_back(time_s[static_cast<std::size_t>(row)]);
+    const Eigen::MatrixXd columns = normal_columns(9, 2);
+    const Eigen::MatrixXd white = whitened(Whitening(covariance, time_s, {.left_out = left_out}), columns);
+    const Eigen::MatrixXd expected = whitened(Whitening(covariance, kept_s), columns(kept, Eigen::all));
+    EXPECT_LT((white(kept, Eigen::all) - expected).cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
 double sum_of_priors(const std::vector<Covariance>& grid) {
   double sum = 0.0;
   for (const Covariance& one : grid) sum += std::exp(one.log_prior);

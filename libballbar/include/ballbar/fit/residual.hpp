@@ -37,6 +37,15 @@ enum class Regime { standstill, after_change, warming, steady, cooling };
 std::vector<Regime> regimes(const std::vector<double>& time_s, const Column& speed);
 std::string_view name_of(Regime regime);  // "standstill", "after a change of speed", "warming", "steady", "cooling"
 
+// Rows of one regime that follow on each other.
+struct RegimeStretch {
+  Regime regime = Regime::standstill;
+  double from_s = 0.0, to_s = 0.0;  // its first row; the first row of the next stretch, or the last of all
+};
+
+// By the first column of role speed; none without one, or where its speed is never known.
+std::vector<RegimeStretch> regime_stretches(const Series& data);
+
 // By regime (the first column of role speed), by tenths of the time, by fifths of every logged signal (as many rows in
 // each; a signal of at most five values: by value). On recordings (columns angle_rad, direction) not by signal but by
 // 30 deg and by quadrant, each direction apart. Group after group in this order; those of fewer than 3 are left out.

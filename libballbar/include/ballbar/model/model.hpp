@@ -62,4 +62,8 @@ bool has_free(const Model& model);
 // crossed or a start outside them, nothing free, a target that is an input of the model itself.
 void expect_suits(const Model& model, const Series& data);
 
+// Throws Error as expect_suits does for targets ("target: expected ..."): none, one twice, one that the data do not
+// have, with the nearest; and for one that is not in um, in which all effects are.
+void expect_explainable(const std::vector<std::string>& targets, const Series& data);
+
 }  // namespace ballbar

@@ -1,5 +1,6 @@
 #include "diagnosis/next_test/discrimination_matrix.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -8,6 +9,7 @@
 #include "diagnosis/signatures/signature_library.hpp"
 #include "effects/effect_at.hpp"
 #include "fit/model_columns.hpp"
+#include "numerics/orthonormal.hpp"
 
 namespace ballbar {
 namespace {
@@ -157,7 +159,7 @@ Eigen::MatrixXd own_columns(const DiscriminationMatrix& candidates, const Planne
   const auto n = static_cast<Eigen::Index>(test.rows.size());
   const std::vector<Term>& terms = candidates.model->terms;
   const auto first = std::find_if(terms.begin(), terms.end(), is_base);
-  if (candidates.model->level == Level::series || first == terms.end()) return Eigen::MatrixXd::Ones(n, 1);
+  if (first == terms.end()) return Eigen::MatrixXd::Ones(n, 1);
   const Effect& circle = *first->effect;
   std::size_t offset = 1;
   for (auto term = terms.begin(); term != first; ++term) offset += term->settings.size();
@@ -220,6 +222,39 @@ std::optional<Eigen::MatrixXd> columns_in_test(const DiscriminationMatrix& candi
   }
   if (!result.allFinite()) return std::nullopt;
   return result;
+}
+
+namespace {
+
+Eigen::MatrixXd triangular(const Eigen::MatrixXd& columns) {
+  if (columns.rows() <= columns.cols()) return columns;
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns);
+  return qr.matrixQR().topRows(columns.cols()).triangularView<Eigen::Upper>();
+}
+
+}  // namespace
+
+Eigen::MatrixXd whitened_factor(const Eigen::MatrixXd& columns, const Whitening& whitening) {
+  return triangular(whitened(whitening, columns));
+}
+
+Eigen::MatrixXd both(const Eigen::MatrixXd& first, const Eigen::MatrixXd& columns, const Whitening& whitening) {
+  Eigen::MatrixXd stacked(first.rows() + columns.rows(), first.cols());
+  stacked << first, whitened(whitening, columns);
+  return triangular(stacked);
+}
+
+double distance(const Eigen::MatrixXd& factor, Eigen::Index signal, const std::vector<Eigen::Index>& columns) {
+  std::vector<Eigen::Index> used;
+  for (const Eigen::Index column : columns) {
+    if (factor.col(column).norm() > 0.0) used.push_back(column);
+  }
+  Eigen::MatrixXd basis = factor(Eigen::all, used);
+  for (Eigen::Index k = 0; k < basis.cols(); ++k) basis.col(k).normalize();
+  basis = orthonormal(basis);
+  const Eigen::VectorXd a = factor.col(signal);
+  // Twice, for the digits that the first lost.
+  return freed(freed(a, basis), basis).norm();
 }
 
 }  // namespace ballbar

@@ -4,6 +4,16 @@
 // the data; for every competitor what it adds with its fitted parameters, its derivatives by its free parameters there,
 // and those by its gains at points of the grid and on the bounds of its shapes, as a shape that moves far leaves the
 // straight line.
+//
+// How far one signal is from a space of columns, over several runs.
+//
+// X = columns of all candidates over the rows of one run, W the whitening of its noise. W X is kept by its triangular
+// factor R (R' R = X' W' W X), which has all that is needed, in as many rows as X has columns; runs whose noise does
+// not remember each other are put on top of each other. For signal a and columns B among those of X,
+//
+//   d = |(I - P_B) R a|
+//
+// is the root of the fall of chi^2 when a is true and B is fitted instead.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,6 +25,7 @@
 #include "ballbar/model/model.hpp"
 #include "ballbar/series/series.hpp"
 #include "diagnosis/next_test/planned_test.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 
@@ -58,5 +69,13 @@ Eigen::MatrixXd own_columns(const DiscriminationMatrix& candidates, const Planne
 // end.
 std::optional<Eigen::MatrixXd> columns_in_test(const DiscriminationMatrix& candidates, const PlannedTest& test,
                                                const Eigen::MatrixXd& own);
+
+// n by m columns -> at most m rows.
+Eigen::MatrixXd whitened_factor(const Eigen::MatrixXd& columns, const Whitening& whitening);
+
+// Of the run with the factor `first` and another together; same columns.
+Eigen::MatrixXd both(const Eigen::MatrixXd& first, const Eigen::MatrixXd& columns, const Whitening& whitening);
+
+double distance(const Eigen::MatrixXd& factor, Eigen::Index signal, const std::vector<Eigen::Index>& columns);
 
 }  // namespace ballbar

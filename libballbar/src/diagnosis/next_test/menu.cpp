@@ -122,14 +122,14 @@ struct TestKind {
 
 std::vector<Dwell> at_rest(double hours, double) { return {{hours * kHour_s, 0.0}}; }
 
-std::vector<TestKind> kinds_of(double max_rpm, const MenuLimits& limits) {
+std::vector<TestKind> kinds_of(double max_rpm, const TestPlanOptions& options) {
   std::string moved;
   const auto add = [&](bool can, std::string_view phrase) {
     if (can) moved += fmt::format("{}{}", moved.empty() ? "" : ", ", phrase);
   };
-  add(limits.room, fmt::format("the room {:g} K warmer and back", kRoomStep_K));
-  add(limits.coolant, fmt::format("the coolant {:g} K warmer and back", kCoolantStep_K));
-  add(limits.load && max_rpm > 0.0, fmt::format("{:g} times the load and back", kLoadStep));
+  add(options.can_room, fmt::format("the room {:g} K warmer and back", kRoomStep_K));
+  add(options.can_coolant, fmt::format("the coolant {:g} K warmer and back", kCoolantStep_K));
+  add(options.can_load && max_rpm > 0.0, fmt::format("{:g} times the load and back", kLoadStep));
   std::vector<TestKind> kinds;
   if (max_rpm > 0.0) {
     const std::string up_to = fmt::format("up to {} rpm", grouped_text(max_rpm));
@@ -147,28 +147,44 @@ std::vector<TestKind> kinds_of(double max_rpm, const MenuLimits& limits) {
   return kinds;
 }
 
-double highest_rpm(const Series& data, const MenuLimits& limits) {
+double highest_rpm(const Series& data, const TestPlanOptions& options) {
   const Column* speed = first_speed(data);
   if (speed == nullptr) return 0.0;
-  return limits.max_rpm > 0.0 ? limits.max_rpm : largest_of(speed->values);
+  return options.max_rpm > 0.0 ? options.max_rpm : largest_of(speed->values);
 }
 
 }  // namespace
 
-std::vector<MenuItem> menu_of(const Series& data, const std::string& target, const MenuLimits& limits) {
-  const double max_rpm = highest_rpm(data, limits), reading_s = reading_s_of(data, target);
+double duration_s(const Schedule& schedule) {
+  double sum_s = 0.0;
+  for (const Dwell& dwell : schedule.dwells) sum_s += dwell.duration_s;
+  return sum_s;
+}
+
+const Dwell& dwell_at(const Schedule& schedule, double time_s) {
+  double end_s = 0.0;
+  for (const Dwell& dwell : schedule.dwells) {
+    end_s += dwell.duration_s;
+    if (time_s < end_s) return dwell;
+  }
+  return schedule.dwells.back();
+}
+
+std::vector<ExpectedTest> menu_of(const Series& data, const std::string& target, const TestPlanOptions& options) {
+  const double max_rpm = highest_rpm(data, options), reading_s = reading_s_of(data, target);
   std::vector<double> lengths_h;
   for (const double hours : kHours) {
-    if (hours < limits.most_hours - 0.5) lengths_h.push_back(hours);
+    if (hours < options.most_hours - 0.5) lengths_h.push_back(hours);
   }
-  lengths_h.push_back(limits.most_hours);
-  std::vector<MenuItem> menu;
-  for (const TestKind& kind : kinds_of(max_rpm, limits)) {
+  lengths_h.push_back(options.most_hours);
+  std::vector<ExpectedTest> menu;
+  for (const TestKind& kind : kinds_of(max_rpm, options)) {
     for (const double hours : lengths_h) {
-      MenuItem item{kind.name, kind.doing, hours, {kind.speeds(hours, max_rpm), 0.0, false}};
-      if (kind.moved && limits.room) move(item.schedule.dwells, hours / 4.0, &Dwell::room_K, kRoomStep_K, 0.0);
-      if (kind.moved && limits.coolant) move(item.schedule.dwells, hours / 6.0, &Dwell::coolant_K, kCoolantStep_K, 0.0);
-      if (kind.moved && limits.load) move(item.schedule.dwells, hours / 10.0, &Dwell::load, kLoadStep, 1.0);
+      ExpectedTest item{kind.name, kind.doing, hours, {kind.speeds(hours, max_rpm), 0.0, false}};
+      if (kind.moved && options.can_room) move(item.schedule.dwells, hours / 4.0, &Dwell::room_K, kRoomStep_K, 0.0);
+      if (kind.moved && options.can_coolant)
+        move(item.schedule.dwells, hours / 6.0, &Dwell::coolant_K, kCoolantStep_K, 0.0);
+      if (kind.moved && options.can_load) move(item.schedule.dwells, hours / 10.0, &Dwell::load, kLoadStep, 1.0);
       item.schedule.reading_s = std::max(reading_s, hours * kHour_s / kMostReadings);
       menu.push_back(std::move(item));
     }

@@ -11,7 +11,6 @@
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/number_text.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
-#include "diagnosis/next_test/discrimination.hpp"
 #include "diagnosis/next_test/discrimination_matrix.hpp"
 #include "diagnosis/next_test/planned_test.hpp"
 #include "diagnosis/next_test/undecided_pairs.hpp"

@@ -87,23 +87,23 @@ std::vector<Truth> SimulatedTests::drawn(std::size_t count, std::uint64_t stage)
   return truths_->drawn(count, random);
 }
 
-ExpectedTest SimulatedTests::expected(const MenuItem& item, const std::vector<Truth>& truths) const {
+ExpectedTest SimulatedTests::expected(ExpectedTest test, const std::vector<Truth>& truths) const {
   std::vector<Score> outcomes(truths.size());
   in_parallel(truths.size(), [&](std::size_t k) {
     std::mt19937_64 random = simulation::stream_of(options_.search.seed, simulation::Stream::signal, 1000 + k);
-    outcomes[k] = score_under(item.schedule, truths[k], random);
+    outcomes[k] = score_under(test.schedule, truths[k], random);
   });
-  ExpectedTest result{item.kind, item.doing, item.hours, item.schedule, truths.size()};
+  test.truths = truths.size();
   const auto n = static_cast<double>(truths.size());
   for (const Score& one : outcomes) {
-    result.p_right += one.right ? 1.0 / n : 0.0;
-    result.p_part += one.part ? 1.0 / n : 0.0;
-    result.p_wrong += one.wrong ? 1.0 / n : 0.0;
+    test.p_right += one.right ? 1.0 / n : 0.0;
+    test.p_part += one.part ? 1.0 / n : 0.0;
+    test.p_wrong += one.wrong ? 1.0 / n : 0.0;
   }
   // Of Laplace's estimate, so that 24 of 24 is no certainty.
-  const double p = (result.p_right * n + 1.0) / (n + 2.0);
-  result.p_right_sigma = std::sqrt(p * (1.0 - p) / (n + 3.0));
-  return result;
+  const double p = (test.p_right * n + 1.0) / (n + 2.0);
+  test.p_right_sigma = std::sqrt(p * (1.0 - p) / (n + 3.0));
+  return test;
 }
 
 double SimulatedTests::p_right_with_sensor(const Schedule& schedule, std::size_t set,

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "ballbar/diagnosis/next_test/test_plan.hpp"
-#include "diagnosis/next_test/menu.hpp"
 #include "diagnosis/next_test/planned_inputs.hpp"
 #include "diagnosis/next_test/truths.hpp"
 
@@ -33,7 +32,7 @@ class SimulatedTests {
   std::vector<Truth> drawn(std::size_t count, std::uint64_t stage) const;
 
   // A whole diagnosis of each truth.
-  ExpectedTest expected(const MenuItem& item, const std::vector<Truth>& truths) const;
+  ExpectedTest expected(ExpectedTest test, const std::vector<Truth>& truths) const;
 
   // P(right) of the run alone with a thermometer where an effect's heat goes: it shows that heat, whether it moves
   // anything or not. To name an effect of its column is then to name that effect.

@@ -13,7 +13,6 @@
 #include "diagnosis/next_test/distinct_columns.hpp"
 #include "diagnosis/next_test/menu.hpp"
 #include "diagnosis/next_test/simulated_tests.hpp"
-#include "diagnosis/next_test/test_plan_text.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "numerics/orthonormal.hpp"
 #include "numerics/random_streams.hpp"
@@ -48,10 +47,10 @@ std::size_t chosen(const std::vector<ExpectedTest>& tests) {
   return best;
 }
 
-std::vector<ExpectedTest> tests_of(const SimulatedTests& design, const std::vector<MenuItem>& menu) {
-  std::map<std::string, std::vector<const MenuItem*>> kinds;  // each from short to long
+std::vector<ExpectedTest> tests_of(const SimulatedTests& design, const std::vector<ExpectedTest>& menu) {
+  std::map<std::string, std::vector<const ExpectedTest*>> kinds;  // each from short to long
   std::vector<std::string> order;
-  for (const MenuItem& item : menu) {
+  for (const ExpectedTest& item : menu) {
     if (kinds[item.kind].empty()) order.push_back(item.kind);
     kinds[item.kind].push_back(&item);
   }
@@ -64,7 +63,7 @@ std::vector<ExpectedTest> tests_of(const SimulatedTests& design, const std::vect
   std::stable_sort(longest.begin(), longest.end(), is_better);
   for (std::size_t k = 0; k < longest.size(); ++k) {
     // Where hours are enough, fewer may be: as long as they are.
-    const std::vector<const MenuItem*>& items = kinds[longest[k].kind];
+    const std::vector<const ExpectedTest*>& items = kinds[longest[k].kind];
     bool enough = k < kKindsKept && longest[k].p_right >= kSureEnough;
     all.push_back(std::move(longest[k]));
     for (std::size_t i = items.size() - 1; i-- > 0 && enough;) {
@@ -80,7 +79,7 @@ std::vector<ExpectedTest> tests_of(const SimulatedTests& design, const std::vect
     const std::size_t best = chosen(all);
     if (!(all[best].p_part > 0.0) || !promised.insert(best).second) break;
     design.tell(fmt::format("simulating {:g} h of {} with {} truths", all[best].hours, all[best].kind, kTruths));
-    const auto item = std::find_if(menu.begin(), menu.end(), [&](const MenuItem& one) {
+    const auto item = std::find_if(menu.begin(), menu.end(), [&](const ExpectedTest& one) {
       return one.kind == all[best].kind && one.hours == all[best].hours;
     });
     all[best] = design.expected(*item, fresh);
@@ -181,6 +180,57 @@ void add_sensor(const SimulatedTests& design, TestPlan& plan) {
   }
 }
 
+std::string percent(double p) { return fmt::format("{:.0f} %", 100.0 * p); }
+
+std::string inseparable_text(const std::vector<std::vector<BoundEffect>>& groups) {
+  std::string text;
+  for (const std::vector<BoundEffect>& group : groups) {
+    std::vector<std::string> labels;
+    labels.reserve(group.size());
+    for (const BoundEffect& one : group) labels.push_back(label_of(one));
+    const bool is_twin = group[0].effect == group[1].effect && group[0].columns.size() == 1;
+    text += fmt::format("{}No test can tell {} apart: {}.", text.empty() ? "" : " ", fmt::join(labels, " and "),
+                        is_twin ? "their columns read the same" : "beside this model they add the same");
+  }
+  return text;
+}
+
+std::string sentence_of(const TestPlan& plan, const TestPlanOptions& options) {
+  const std::string inseparable = inseparable_text(plan.inseparable);
+  const std::string behind = inseparable.empty() ? "" : " " + inseparable;
+  if (plan.is_decided) return "The data at hand decide: no further test is needed." + behind;
+  const bool is_nothing = plan.verdict == Verdict::nothing;
+  if (is_nothing && plan.p_nothing >= kSureOfNothing)
+    return "By the data at hand nothing is missing: there is nothing to decide." + behind;
+  if (plan.tests.empty()) {
+    if (is_nothing) {
+      return fmt::format(
+                 "Nothing is found, P of nothing {:.2f}; no test of up to {:g} h on the menu would find what may be "
+                 "there.",
+                 plan.p_nothing, options.most_hours) +
+             behind;
+    }
+    if (!inseparable.empty()) return inseparable + " No test is proposed.";
+    return fmt::format("No test of up to {:g} h on the menu would decide; none is proposed.", options.most_hours);
+  }
+  const ExpectedTest& best = plan.tests.front();
+  std::string text = is_nothing ? fmt::format("Nothing is found yet, P of nothing {:.2f}. ", plan.p_nothing) : "";
+  text += fmt::format(
+      "Run {:g} h from cold: {}. It would name all that is missing in {} of cases (± {:.0f}, {} "
+      "simulated)",
+      best.hours, best.doing, percent(best.p_right), 100.0 * best.p_right_sigma, best.truths);
+  if (best.p_part > best.p_right) text += fmt::format(", at least some of it in {}", percent(best.p_part));
+  text += fmt::format(", and something wrong in {}.", percent(best.p_wrong));
+  if (best.p_right < kSureEnough) {
+    text += fmt::format(" No test of up to {:g} h reaches {}.", options.most_hours, percent(kSureEnough));
+  }
+  for (const SensorToAdd& sensor : plan.sensors) {
+    text += fmt::format(" A temperature sensor {} would raise it to {} in the same run.", sensor.place,
+                        percent(sensor.p_right));
+  }
+  return text + behind;
+}
+
 }  // namespace
 
 TestPlan test_plan(const Model& model, const Series& data, std::size_t target, const TestPlanOptions& options) {
@@ -205,9 +255,7 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
   plan.p_nothing = now.p_nothing;
   const bool is_open = now.verdict == Verdict::nothing ? now.p_nothing < kSureOfNothing : !is_all_named;
   if (is_open && now.verdict != Verdict::untestable) {
-    const MenuLimits limits{options.most_hours, options.max_rpm, options.can_load, options.can_room,
-                            options.can_coolant};
-    const std::vector<MenuItem> menu = menu_of(distinct.data, model.targets.at(target), limits);
+    const std::vector<ExpectedTest> menu = menu_of(distinct.data, model.targets.at(target), options);
     add_inseparable_by_model(design, now, menu.front().schedule, options.search.seed, plan);
     plan.tests = tests_of(design, menu);
     if (!plan.tests.empty() && !(plan.tests.front().p_part >= kLeastPromise)) plan.tests.clear();

@@ -11,7 +11,6 @@
 
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/numerics/parallel.hpp"
-#include "diagnosis/signatures/detectability.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "fit/model_columns.hpp"

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "ballbar/circle/recording.hpp"
+#include "ballbar/diagnosis/signatures/identifiability.hpp"
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/model/bound_effect.hpp"
 #include "ballbar/model/model.hpp"
@@ -87,5 +88,10 @@ Projected projected(const SignatureLibrary& library, const Eigen::VectorXd& resi
 
 // Range of the effect with this d, of one signature; infinite where the model absorbs it.
 double detectable_um(const SignatureLibrary& library, const Projected& projected, std::size_t signature, double d);
+
+// One an effect of the catalogue at the model's level, but for the base that every model has, in its order.
+std::vector<Detectability> detectability_of(const Catalogue& catalogue, const SignatureLibrary& library,
+                                            const Projected& projection, const Model& model, const Series& data,
+                                            std::optional<Motion> motion);
 
 }  // namespace ballbar

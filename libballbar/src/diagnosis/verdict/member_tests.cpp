@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "diagnosis/surrogates/surrogate_recordings.hpp"
+#include "diagnosis/surrogates/surrogate_series.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "numerics/orthonormal.hpp"
 #include "numerics/tails.hpp"
@@ -109,34 +112,47 @@ std::optional<BestSurrogate> surrogate_of(const Problem& problem, const Posterio
   return best;
 }
 
+std::size_t family_of_member(const Problem& problem, const EffectSet& set, std::size_t member) {
+  return problem.library.signatures[set.signatures[member]].family;
+}
+
+const Effect& effect_of_member(const Problem& problem, const EffectSet& set, std::size_t member) {
+  return *problem.library.families[family_of_member(problem, set, member)].bound.effect;
+}
+
 }  // namespace
 
-MemberTests member_tests(const Problem& problem, const Posterior& posterior, const EffectSet& set, const SetAt& at,
-                         std::size_t member, const std::vector<std::size_t>& fold, std::size_t surrogates,
-                         std::uint64_t seed) {
+Candidate with_tests(Candidate one, const Problem& problem, const Posterior& posterior, const EffectSet& set,
+                     const SetAt& at, std::size_t member, const std::vector<std::size_t>& fold, std::size_t surrogates,
+                     std::uint64_t seed) {
   const std::size_t folds = *std::max_element(fold.begin(), fold.end()) + 1;
   const Eigen::MatrixXd others = at.white_columns_but(member), plain_others = at.columns_but(member);
   const Eigen::MatrixXd own = at.white_members.middleCols(at.first[member], at.width[member]);
   Eigen::MatrixXd with(others.rows(), others.cols() + own.cols()), plain_with(plain_others.rows(), with.cols());
   with << others, own;
   plain_with << plain_others, at.members.middleCols(at.first[member], at.width[member]);
-  MemberTests tests;
-  tests.p_same_gain = p_same_gain(at, others, own, fold, folds);
+  one.p_same_gain = p_same_gain(at, others, own, fold, folds);
   const LeftOut before = left_out(at, others, plain_others, fold, folds);
   const LeftOut after = left_out(at, with, plain_with, fold, folds);
-  tests.held_out_before_um = before.rmse_um;
-  tests.held_out_after_um = after.rmse_um;
+  one.held_out_before_um = before.rmse_um;
+  one.held_out_after_um = after.rmse_um;
   double best = 0.0;
+  one.held_out_evidence = 0.0;
   for (std::size_t f = 0; f < folds; ++f) {
     const double gained = after.log_likelihood[f] - before.log_likelihood[f];
-    tests.held_out_evidence += gained;
+    one.held_out_evidence += gained;
     best = std::max(best, gained);
   }
-  tests.held_out_evidence -= best;
+  one.held_out_evidence -= best;
   const Eigen::MatrixXd basis = orthonormal(others), whole = orthonormal(with);
-  tests.gain = (freed(at.white_y, basis).squaredNorm() - freed(at.white_y, whole).squaredNorm()) / at.variance;
-  tests.surrogate = surrogate_of(problem, posterior, set, at, member, surrogates, seed);
-  return tests;
+  one.gain = (freed(at.white_y, basis).squaredNorm() - freed(at.white_y, whole).squaredNorm()) / at.variance;
+  if (const auto surrogate = surrogate_of(problem, posterior, set, at, member, surrogates, seed)) {
+    one.best_surrogate_gain = surrogate->gain;
+    one.best_surrogate_fall = surrogate->fall;
+    one.beats_surrogates = one.gain > surrogate->gain;
+  }
+  one.doubts = doubts_of(one, effect_of_member(problem, set, member));
+  return one;
 }
 
 double held_out_um(const Inference& inference) {
@@ -149,20 +165,64 @@ double held_out_um(const Inference& inference) {
   return left_out(at, at.white_line, at.line, fold, *std::max_element(fold.begin(), fold.end()) + 1).rmse_um;
 }
 
-std::vector<std::string> doubts_of(const MemberTests& tests, const Effect& effect) {
+std::vector<std::string> doubts_of(const Candidate& tested, const Effect& effect) {
   const bool of_recordings = effect.level == Level::recording;
   if (effect.time_only && !effect.rules.may_repeat && !of_recordings)
     return {"it goes with time alone, as a slow drift would"};
   std::vector<std::string> doubts;
-  if (tests.p_same_gain < kSameGain) {
+  if (tested.p_same_gain < kSameGain) {
     doubts.emplace_back(of_recordings ? "its gain differs from recording to recording"
                                       : "its gain differs from cycle to cycle");
   }
-  if (tests.held_out_evidence < kHeldOutEvidence && !effect.time_only) {
+  if (tested.held_out_evidence < kHeldOutEvidence && !effect.time_only) {
     doubts.emplace_back(of_recordings ? "recordings left out are not predicted better"
                                       : "cycles left out are not predicted better");
   }
   return doubts;
+}
+
+double log_bayes_factor_of_member(const Inference& inference, const EffectSet& set, std::size_t member) {
+  const Problem& problem = *inference.problem;
+  std::vector<std::size_t> rest = set.families;
+  std::erase(rest, family_of_member(problem, set, member));
+  const double with = log_bayes_factor(problem, inference.posterior, set.families);
+  const double without = rest.empty() ? 0.0 : log_bayes_factor(problem, inference.posterior, rest);
+  return std::isfinite(without) ? with - without : with;
+}
+
+Candidate described_member(const Inference& inference, const EffectSet& set, const FittedSet& fitted,
+                           std::size_t member) {
+  const Problem& problem = *inference.problem;
+  const std::size_t family = family_of_member(problem, set, member);
+  Candidate one;
+  one.bound = problem.library.families[family].bound;
+  one.label = label_of(one.bound);
+  one.p = inference.posterior.family[family];
+  std::size_t first = 1;
+  for (const Term& term : problem.model.terms) first += term.settings.size();
+  for (std::size_t k = 0; k < member; ++k) {
+    first += effect_of_member(problem, set, k).parameters.size();
+  }
+  const auto begin = static_cast<std::ptrdiff_t>(first);
+  const auto end = begin + static_cast<std::ptrdiff_t>(one.bound.effect->parameters.size());
+  one.parameters.assign(fitted.parameters.begin() + begin, fitted.parameters.begin() + end);
+  one.intervals.assign(fitted.intervals.begin() + begin, fitted.intervals.begin() + end);
+  one.amplitude_um = fitted.amplitude_um[member];
+  one.amplitude_sigma_um = fitted.amplitude_sigma_um[member];
+  one.rmse_after_um = fitted.rmse_um;
+  one.likelihood_ratio = log_bayes_factor_of_member(inference, set, member);
+  return one;
+}
+
+Candidate tested_member(const Inference& inference, const EffectSet& set, const FittedSet& fitted, const SetAt& at,
+                        std::size_t member, std::size_t surrogates, std::uint64_t seed) {
+  const Problem& problem = *inference.problem;
+  Candidate one = described_member(inference, set, fitted, member);
+  const Signature& signature = problem.library.signatures[set.signatures[member]];
+  const std::vector<std::size_t> fold =
+      folds_that_tell(problem.logged.series, problem.base.row, folds_of(problem.logged.series, problem.base.row),
+                      problem.library.columns.middleCols(signature.first, signature.width));
+  return with_tests(std::move(one), problem, inference.posterior, set, at, member, fold, surrogates, seed);
 }
 
 }  // namespace ballbar

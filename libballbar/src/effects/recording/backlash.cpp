@@ -21,10 +21,6 @@ struct Backlash {
   }
 };
 
-Parameter end(const char* name, const char* row, const char* meaning) {
-  return {name, "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, meaning, false, ShapeOf::curve, {}, {}, row};
-}
-
 Effect backlash(Axis axis) {
   const bool a = axis == Axis::A;
   return {
@@ -47,8 +43,8 @@ Effect backlash(Axis axis) {
        .validity = "Linear axes; play that changes evenly along the travel.",
        .source = "Kinematics of lost motion; sign and size as AF_BACKLASH of measured .b5r files."},
       {angle_input(), direction_input()},
-      {end("play_pos_um", "pos", "step outwards at the reversal on the + end"),
-       end("play_neg_um", "neg", "step outwards at the reversal on the - end")},
+      {play_at_end("play_pos_um", "pos", "step outwards at the reversal on the + end"),
+       play_at_end("play_neg_um", "neg", "step outwards at the reversal on the - end")},
       evaluated_by<2>(Backlash{axis}),
       false,
       {Motion::linear_axes},

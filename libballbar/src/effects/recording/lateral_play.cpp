@@ -21,10 +21,6 @@ struct LateralPlay {
   }
 };
 
-Parameter side(const char* name, const char* row, const char* meaning) {
-  return {name, "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, meaning, false, ShapeOf::curve, {}, {}, row};
-}
-
 Effect lateral_play(Axis axis) {
   const bool a = axis == Axis::A;
   return {
@@ -51,8 +47,8 @@ Effect lateral_play(Axis axis) {
                    "the kink is left to tell it by.",
        .source = "Kinematics of a slide between two flanks; size as AF_LATERAL_PLAY of measured .b5r files."},
       {angle_input(), direction_input()},
-      {side("play_pos_um", "pos", "whole sideways movement when it reverses on the + end"),
-       side("play_neg_um", "neg", "whole sideways movement when it reverses on the - end")},
+      {play_at_end("play_pos_um", "pos", "whole sideways movement when it reverses on the + end"),
+       play_at_end("play_neg_um", "neg", "whole sideways movement when it reverses on the - end")},
       evaluated_by<2>(LateralPlay{axis}),
       false,
       {Motion::linear_axes},

@@ -73,16 +73,7 @@ extern const Effect kVibration{
      {"cosine_cw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "cosine part in CW recordings"},
      {"frequency_Hz", "Hz", ParameterKind::shape, 5.0, 1.0, 500.0, frequencies_Hz(), "of the vibration", false,
       ShapeOf::curve, searched_Hz},
-     {"recording",
-      "1",
-      ParameterKind::shape,
-      -1.0,
-      -1.0,
-      1e6,
-      {},
-      "which recording it belongs to; -1: all",
-      true,
-      ShapeOf::recording}},
+     recording_parameter()},
     evaluated_by<6>(Vibration{}),
 };
 

@@ -41,7 +41,7 @@ struct Eight {
     at.variance = 1.0;
     at.degrees = 6.0;
   }
-  MemberTests tests() const { return member_tests(problem, posterior, set, at, 0, fold, 0, 1); }
+  Candidate tests() const { return with_tests({}, problem, posterior, set, at, 0, fold, 0, 1); }
 };
 
 // chi^2 = 4 (a - m)^2 + 4 (b - m)^2 = 2 (a - b)^2, one degree of freedom: p = erfc(|a - b|).
@@ -52,9 +52,9 @@ TEST(MemberTests, gains_of_two_cycles) {
 
 // One gain m = (a + b) / 2 over all: 8 m^2.
 TEST(MemberTests, fall_of_chi_squared) {
-  const MemberTests tests = Eight(3.0, 1.0).tests();
+  const Candidate tests = Eight(3.0, 1.0).tests();
   EXPECT_NEAR(tests.gain, 8.0 * 4.0, 1e-9);
-  EXPECT_FALSE(tests.surrogate);
+  EXPECT_FALSE(tests.beats_surrogates);
 }
 
 // A cycle left out, the other one tells the gain: b of variance 1/4. What is predicted of the first along g, of length
@@ -62,7 +62,7 @@ TEST(MemberTests, fall_of_chi_squared) {
 // what a hair of prior holds back.
 TEST(MemberTests, cycles_left_out) {
   const double a = 3.0, b = 2.0;
-  const MemberTests tests = Eight(a, b).tests();
+  const Candidate tests = Eight(a, b).tests();
   const double first = 2.0 * a * a - (a - b) * (a - b) - 0.5 * std::log(2.0);
   const double second = 2.0 * b * b - (a - b) * (a - b) - 0.5 * std::log(2.0);
   EXPECT_NEAR(tests.held_out_evidence, std::min(first, second), 1e-2);
@@ -72,10 +72,11 @@ TEST(MemberTests, cycles_left_out) {
 
 TEST(MemberTests, doubts_in_words) {
   const Effect& expansion = *find_effect("expansion", Level::series);
-  MemberTests passed;
+  Candidate passed;
   passed.held_out_evidence = 10.0;
   EXPECT_TRUE(doubts_of(passed, expansion).empty());
-  MemberTests failed;
+  Candidate failed;
+  failed.held_out_evidence = 0.0;
   failed.p_same_gain = 0.5 * kSameGain;
   EXPECT_EQ(doubts_of(failed, expansion), (std::vector<std::string>{"its gain differs from cycle to cycle",
                                                                     "cycles left out are not predicted better"}));
