@@ -43,8 +43,9 @@ void read_into(ErrorsReports& reports, const Source& source, const StatedCircle&
   RecordingFile read = open_recording(source, known_readers(), stated);
   std::move(read.remarks.begin(), read.remarks.end(), std::back_inserter(reports.remarks));
   if (read.recordings.empty() && read.b5r) {
-    reports.without_readings.push_back(std::move(*read.b5r));
-    reports.files_without_readings.push_back(file);
+    StoredAlone alone{file, std::move(read.b5r->stored)};
+    std::erase_if(alone.stored, [](const StoredFeature& feature) { return !feature.valid; });
+    reports.results_alone.push_back(std::move(alone));
     return;
   }
   bool first = true;
@@ -101,7 +102,7 @@ ErrorsReports errors_reports_of(const std::vector<Source>& files, const ErrorsOp
     }
   }
   std::erase_if(reports.groups, [](const ErrorsReport& group) { return group.recordings.empty(); });
-  if (reports.groups.empty() && reports.without_readings.empty() && !reports.skipped.empty()) {
+  if (reports.groups.empty() && reports.results_alone.empty() && !reports.skipped.empty()) {
     throw Error(reports.skipped.front().why);
   }
   return reports;

@@ -31,10 +31,15 @@ struct ErrorsReport {
   ErrorsOptions options;
 };
 
+// A file that stores results without readings: those that are valid.
+struct StoredAlone {
+  std::string file;
+  std::vector<StoredFeature> stored;
+};
+
 struct ErrorsReports {
   std::vector<ErrorsReport> groups;
-  std::vector<B5r> without_readings;  // stored values alone
-  std::vector<std::string> files_without_readings;
+  std::vector<StoredAlone> results_alone;
   std::vector<SkippedFile> skipped;
   std::vector<std::string> remarks;
 };

@@ -1,8 +1,5 @@
 #include "diagnose/machine_errors_result.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 #include "ballbar/formats/recordings/stored_errors.hpp"
 
 namespace ballbar {
@@ -46,17 +43,9 @@ std::vector<BoundEffect> significant_effects(const ErrorsReport& report) {
   return effects;
 }
 
-std::variant<ErrorsOfOne, ErrorsOfSeveral> result_of(const ErrorsReports& reports) {
-  if (reports.groups.size() == 1 && reports.without_readings.empty())
-    return ErrorsOfOne{reports.groups.front(), reports.skipped, reports.remarks};
-  ErrorsOfSeveral several{reports.groups, {}, reports.skipped, reports.remarks};
-  for (std::size_t k = 0; k < reports.without_readings.size(); ++k) {
-    StoredAlone alone{reports.files_without_readings[k], {}};
-    std::copy_if(reports.without_readings[k].stored.begin(), reports.without_readings[k].stored.end(),
-                 std::back_inserter(alone.stored), [](const StoredFeature& feature) { return feature.valid; });
-    several.results_alone.push_back(std::move(alone));
-  }
-  return several;
+std::variant<ErrorsOfOne, ErrorsReports> result_of(const ErrorsReports& reports) {
+  if (reports.groups.size() == 1 && reports.results_alone.empty()) return ErrorsOfOne{reports};
+  return reports;
 }
 
 }  // namespace ballbar

@@ -241,11 +241,6 @@ struct ResultType<StoredFeature> {
       Field{"unit", [](const StoredFeature& of) { return unit_of_data_type(of.data_type); }, ""}};
 };
 
-struct StoredAlone {
-  std::string file;
-  std::vector<StoredFeature> stored;
-};
-
 template <>
 struct ResultType<StoredAlone> {
   static constexpr std::string_view name = "StoredAlone";
@@ -253,39 +248,32 @@ struct ResultType<StoredAlone> {
   static constexpr std::tuple fields{Field{"file", &StoredAlone::file, ""}, Field{"stored", &StoredAlone::stored, ""}};
 };
 
-// Of one group of recordings, and of several.
+// Of one group of recordings.
 struct ErrorsOfOne {
-  ErrorsReport group;
-  std::vector<SkippedFile> skipped;
-  std::vector<std::string> remarks;
+  ErrorsReports reports;
 };
-struct ErrorsOfSeveral {
-  std::vector<ErrorsReport> groups;
-  std::vector<StoredAlone> results_alone;
-  std::vector<SkippedFile> skipped;
-  std::vector<std::string> remarks;
+std::variant<ErrorsOfOne, ErrorsReports> result_of(const ErrorsReports& reports);
+
+template <>
+struct ResultType<ErrorsReports> {
+  static constexpr std::string_view name = "RankedErrorsOfGroups";
+  static constexpr std::string_view meaning = "The errors of a machine from several planes or bars.";
+  static constexpr std::tuple files{Field{"skipped", &ErrorsReports::skipped, "files that could not be read"},
+                                    Field{"remarks", &ErrorsReports::remarks, "of the readers"}};
+  static constexpr std::tuple fields = std::tuple_cat(
+      std::tuple{Field{"groups", &ErrorsReports::groups, "of several planes or bars, each as the errors of one"},
+                 Field{"results_alone", &ErrorsReports::results_alone, "files that store results without readings"}},
+      files);
 };
-std::variant<ErrorsOfOne, ErrorsOfSeveral> result_of(const ErrorsReports& reports);
 
 template <>
 struct ResultType<ErrorsOfOne> {
   static constexpr std::string_view name = "RankedErrors";
   static constexpr std::string_view meaning = "The errors of a machine.";
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&ErrorsOfOne::group, ResultType<ErrorsReport>::fields),
-                     std::tuple{Field{"skipped", &ErrorsOfOne::skipped, "files that could not be read"},
-                                Field{"remarks", &ErrorsOfOne::remarks, "of the readers"}});
-};
-
-template <>
-struct ResultType<ErrorsOfSeveral> {
-  static constexpr std::string_view name = "RankedErrorsOfGroups";
-  static constexpr std::string_view meaning = "The errors of a machine from several planes or bars.";
-  static constexpr std::tuple fields{
-      Field{"groups", &ErrorsOfSeveral::groups, "of several planes or bars, each as the errors of one"},
-      Field{"results_alone", &ErrorsOfSeveral::results_alone, "files that store results without readings"},
-      Field{"skipped", &ErrorsOfSeveral::skipped, "files that could not be read"},
-      Field{"remarks", &ErrorsOfSeveral::remarks, "of the readers"}};
+  static constexpr std::tuple fields = std::tuple_cat(
+      fields_through([](const ErrorsOfOne& of) -> const ErrorsReport& { return of.reports.groups.front(); },
+                     ResultType<ErrorsReport>::fields),
+      fields_through(&ErrorsOfOne::reports, ResultType<ErrorsReports>::files));
 };
 
 }  // namespace ballbar

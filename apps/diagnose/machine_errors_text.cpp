@@ -170,13 +170,11 @@ void print_text(const ErrorsReports& reports) {
     first = false;
     print_group(group);
   }
-  for (std::size_t k = 0; k < reports.without_readings.size(); ++k) {
-    fmt::print("{}{}\nThis file stores results alone, no readings:\n\n", first ? "" : "\n",
-               reports.files_without_readings[k]);
+  for (const StoredAlone& alone : reports.results_alone) {
+    fmt::print("{}{}\nThis file stores results alone, no readings:\n\n", first ? "" : "\n", alone.file);
     first = false;
     Table table({"stored", "value", "unit", "of"});
-    for (const StoredFeature& feature : reports.without_readings[k].stored) {
-      if (!feature.valid) continue;
+    for (const StoredFeature& feature : alone.stored) {
       table.add({one_line(feature.name), fmt::format("{:g}", feature.value),
                  std::string(unit_of_data_type(feature.data_type)), one_line(feature.parent)});
     }

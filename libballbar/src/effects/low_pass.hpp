@@ -10,10 +10,17 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "ballbar/effects/effect.hpp"
 
 namespace ballbar {
+
+// Of a body that follows in 10 s to 56 h.
+inline Parameter time_constant(std::vector<double> grid, const char* meaning) {
+  return {"time_constant_s", "s", ParameterKind::shape, 1800.0, 10.0, 200000.0, std::move(grid), meaning};
+}
 
 template <class T>
 struct LowPassStep {

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "effects/evaluate.hpp"
+#include "effects/low_pass.hpp"
 
 namespace ballbar::catalogue {
 namespace {
@@ -30,14 +31,7 @@ extern const Effect kSettling{
      .source = "Exponential creep; no paper's equation."},
     {},
     {{"gain_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "shift in the end"},
-     {"time_constant_s",
-      "s",
-      ParameterKind::shape,
-      1800.0,
-      10.0,
-      200000.0,
-      {60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0},
-      "how slowly it settles"}},
+     time_constant({60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0}, "how slowly it settles")},
     by_row<2>(Settling{}),
     true,
 };
