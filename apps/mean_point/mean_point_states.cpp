@@ -14,7 +14,7 @@
 #include "ballbar/formats/series/profile_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
-#include "ballbar/temperature/mean_point_sigma.hpp"
+#include "ballbar/temperature/mean_point.hpp"
 
 namespace ballbar {
 namespace {

@@ -11,7 +11,6 @@
 #include "ballbar/formats/series/profile_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/temperature/mean_point.hpp"
-#include "ballbar/temperature/mean_point_sigma.hpp"
 #include "mean_point/meanpoint_plot.hpp"
 #include "mean_point/meanpoint_result.hpp"
 #include "terminal/caller.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "diagnose/diagnosis_report.hpp"
-#include "measure/five_probe_options.hpp"
+#include "measure/five_probe_drift.hpp"
 #include "model/model_options.hpp"
 
 namespace ballbar {

@@ -1,31 +1,18 @@
 // Runs of a machine whose drift is linear in two lagged temperatures and the heat of its speed.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <random>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "ballbar/error.hpp"
-#include "ballbar/series/series.hpp"
+#include "../made_series.hpp"
 
 namespace ballbar::made {
-
-inline void expect_error(const std::string& message, const std::function<void()>& what) {
-  try {
-    what();
-    ADD_FAILURE() << "no Error: " << message;
-  } catch (const Error& error) {
-    EXPECT_EQ(error.what(), message);
-  }
-}
 
 // Equal bits, gaps included.
 inline bool same(double left, double right) {
@@ -102,10 +89,6 @@ inline Series rows_of(const Series& series, std::size_t first, std::size_t end) 
   result.time_s = cut(series.time_s);
   for (Column& column : result.columns) column.values = cut(column.values);
   return result;
-}
-
-inline std::vector<double>& values_of(Series& series, std::string_view column) {
-  return const_cast<Column*>(find_column(series, column))->values;
 }
 
 }  // namespace ballbar::made
