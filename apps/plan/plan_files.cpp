@@ -10,7 +10,6 @@
 #include "ballbar/formats/schedules/dry_run.hpp"
 #include "ballbar/formats/schedules/schedule_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "plan/plan_picture.hpp"
 #include "terminal/new_folder.hpp"
 
 namespace ballbar {

@@ -31,7 +31,7 @@
 #include "history/page_parts.hpp"
 #include "history/test_result.hpp"
 #include "logs/log_results.hpp"
-#include "mean_point/meanpoint_result.hpp"
+#include "shaft_picture/shaft_result.hpp"
 #include "measure/comparison_result.hpp"
 #include "measure/drift_result.hpp"
 #include "measure/fit_result.hpp"
@@ -119,7 +119,7 @@ int run(const std::filesystem::path& folder, bool update) {
                  InjectedResult, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult, History,
                  ImportedLog, MergedLogs, SimulatedRun, SimulatedFleet, TrainedOnBatches, TrainedOnEffects,
                  SelectedBatches, PredictedSeries, PredictedJob, PredictedByEffects, ReplayResult, MadeSets, NextRun,
-                 ScoredSets, MeanPointsResult, MeanPointPart, PageReport, ModelPart, HeldPart, RevisedPart,
+                 ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart, HeldPart, RevisedPart,
                  HistoryReport, FleetReport, CarriedFiles>();
   std::vector<std::pair<std::filesystem::path, std::string>> files{
       {folder / "apps/page/src/results.ts", typescript_file(schemas)},
