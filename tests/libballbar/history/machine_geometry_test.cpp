@@ -53,7 +53,7 @@ TEST(machine_geometry, planes_that_disagree) {
   const MachineGeometry found = machine_geometry(tests);
   EXPECT_EQ(found.agreement.degrees, 1u);
   EXPECT_NEAR(found.agreement.chi2, 18.0, 1e-9);
-  EXPECT_NEAR(found.p_value, chi2_upper_tail(18.0, 1), 1e-12);
+  EXPECT_NEAR(found.agreement.p_value, chi2_upper_tail(18.0, 1), 1e-12);
   EXPECT_NEAR(found.agreement.scatter_ppm, std::sqrt(17.0), 1e-6);
   EXPECT_NEAR(found.scales[0].value_ppm, 10.0, 1e-9);
   EXPECT_NEAR(found.scales[0].sigma_ppm, std::sqrt(18.0), 1e-6);
