@@ -58,12 +58,12 @@ struct ResultType<ScoredSet> {
       Field{"match", &BlindAnswer::match, "of a spindle: each of them is right"},
       Field{"d", &BlindAnswer::d, "of each hidden signal"},
       Field{"amplitude_um", &BlindAnswer::amplitude_um, "largest less smallest of each"}};
-  static constexpr std::tuple said{Field{"verdict", &BlindVerdict::verdict, ""},
-                                   Field{"named", &BlindVerdict::named, ""},
-                                   Field{"reported", &BlindVerdict::reported, "any of these"}};
+  static constexpr std::tuple judged{Field{"verdict", &BlindVerdict::verdict, ""},
+                                     Field{"named", &BlindVerdict::named, ""},
+                                     Field{"reported", &BlindVerdict::reported, "any of these"}};
   static constexpr std::tuple fields =
       std::tuple_cat(std::tuple{Field{"set", &ScoredSet::name, ""}}, fields_through(&ScoredSet::answer, answered),
-                     fields_through(&ScoredSet::verdict, said),
+                     fields_through(&ScoredSet::verdict, judged),
                      std::tuple{Field{"outcome", &ScoredSet::outcome, "right, in the set, missed, wrong"}});
 };
 

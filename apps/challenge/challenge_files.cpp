@@ -153,7 +153,7 @@ std::string write_blind(const fs::path& folder, const fs::path& answers, std::si
   expect_seal();
   const fs::path target = folder_to_write(folder);
   expect_new(folder, answers);
-  const bool apart = fs::absolute(answers).lexically_normal() != target / "answers.json";
+  const bool is_elsewhere = fs::absolute(answers).lexically_normal() != target / "answers.json";
   const fs::path temporary = new_folder_beside(target);
   std::string digest;
   std::error_code ignored;
@@ -187,7 +187,7 @@ std::string write_blind(const fs::path& folder, const fs::path& answers, std::si
     digest = sha256(bytes);
     write_bytes(temporary / "README.txt", kReadme);
     write_bytes(temporary / "SEAL", fmt::format("{}  {}\n", digest, answers.filename().string()));
-    if (apart) {
+    if (is_elsewhere) {
       write_bytes(answers, bytes);
       answers_written = true;
     } else {

@@ -39,6 +39,10 @@ std::string write_blind(const std::filesystem::path& folder, const std::filesyst
 // Throws Error: no answers or no SEAL, other answers than were sealed, other data or another model than were made.
 std::vector<SealedSet> read_blind(const std::filesystem::path& folder, const std::filesystem::path& answers);
 
+// data.csv of a set's folder, which need not be there, and what further runs it has, run2.csv, run3.csv ..., in their
+// order.
+std::vector<std::filesystem::path> runs_of_set(const std::filesystem::path& set_folder);
+
 // A person's verdicts, one line a set: `set,verdict,effects` with that heading. Effects as on the command line, joined
 // by ";", behind `named` (what is missing) and `equivalent` (which of these it is); none behind the other verdicts.
 // Throws Error "name:line: ..." for anything else, a set that is not there, missing or twice. In the order of `sets`.

@@ -11,7 +11,6 @@
 #include "challenge/blind_results.hpp"
 #include "challenge/challenge.hpp"
 #include "challenge/challenge_files.hpp"
-#include "challenge/challenge_runs.hpp"
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/progress.hpp"
@@ -46,7 +45,7 @@ std::string labels(const std::vector<BoundEffect>& bounds, std::string_view betw
   return fmt::format("{}", fmt::join(texts, between));
 }
 
-std::string said(const BlindVerdict& verdict) {
+std::string effects_text(const BlindVerdict& verdict) {
   std::string text = labels(verdict.named, " and ");
   if (!verdict.reported.empty()) text += (text.empty() ? "" : "; ") + labels(verdict.reported, " or ");
   return text.empty() ? "-" : text;
@@ -68,37 +67,27 @@ void print_share(Table& table, const std::string& what, const Share& share) {
              fmt::format("{:.0f} to {:.0f} %", 100.0 * share.low, 100.0 * share.high)});
 }
 
-void print_text(const std::vector<SealedSet>& sets, const std::vector<BlindVerdict>& verdicts,
-                const std::vector<BlindOutcome>& outcomes, const Scores& scores, const std::string& by_hand) {
+void print_text(const ScoredSets& scored, const std::string& by_hand) {
   Table table({"set", "kind", "truth", "d", "verdict", "effects said", "outcome"});
-  for (std::size_t i = 0; i < sets.size(); ++i) {
-    const BlindAnswer& answer = sets[i].answer;
-    table.add({sets[i].name, std::string(name_of(answer.kind)), one_line(answer.what), d_text(answer),
-               std::string(name_of(verdicts[i].verdict)), one_line(said(verdicts[i])),
-               std::string(name_of(outcomes[i]))});
+  for (const ScoredSet& set : scored.sets) {
+    table.add({set.name, std::string(name_of(set.answer.kind)), one_line(set.answer.what), d_text(set.answer),
+               std::string(name_of(set.verdict.verdict)), one_line(effects_text(set.verdict)),
+               std::string(name_of(set.outcome))});
   }
-  fmt::print("{} set{}, the seal is whole; verdicts {}\n\n{}\n", sets.size(), sets.size() == 1 ? "" : "s",
+  fmt::print("{} set{}, the seal is whole; verdicts {}\n\n{}\n", scored.sets.size(), scored.sets.size() == 1 ? "" : "s",
              by_hand.empty() ? "by ballbar diagnose" : "of " + by_hand, table.left_aligned(table_width(150)));
   Table totals({"", "sets", "share", "95 % interval"});
-  print_share(totals, "false call where nothing is hidden", scores.false_calls);
-  print_share(totals, "right", scores.right);
-  print_share(totals, "wrong", scores.wrong);
-  print_share(totals, "truth named or in the reported set", scores.in_set);
-  print_share(totals, "false name for what the catalogue lacks", scores.false_names);
+  print_share(totals, "false call where nothing is hidden", scored.scores.false_calls);
+  print_share(totals, "right", scored.scores.right);
+  print_share(totals, "wrong", scored.scores.wrong);
+  print_share(totals, "truth named or in the reported set", scored.scores.in_set);
+  print_share(totals, "false name for what the catalogue lacks", scored.scores.false_names);
   fmt::print("{}\n", totals.text());
   fmt::print("{}", wrapped("Right: all that is hidden is named and nothing else is reported; where nothing is hidden, "
                            "nothing found; for what the catalogue lacks, unexplained; where the data cannot tell, the "
                            "truth in a set and nothing named. Wrong: another effect named, or something found where "
                            "nothing is. d: root of the fall of chi^2 that finding the hidden signal brings. Intervals "
                            "are Wilson's."));
-}
-
-ScoredSets result_of(const std::vector<SealedSet>& sets, const std::vector<BlindVerdict>& verdicts,
-                     const std::vector<BlindOutcome>& outcomes, const Scores& scores) {
-  ScoredSets result{{}, scores};
-  for (std::size_t i = 0; i < sets.size(); ++i)
-    result.sets.push_back({sets[i].name, sets[i].answer, verdicts[i], outcomes[i]});
-  return result;
 }
 
 void score(const ScoreOptions& options) {
@@ -112,18 +101,16 @@ void score(const ScoreOptions& options) {
       show_sets("diagnosed set", verdicts.size(), sets.size());
     }
   }
+  ScoredSets scored;
   std::vector<BlindAnswer> answers;
   std::vector<BlindOutcome> outcomes;
   for (std::size_t i = 0; i < sets.size(); ++i) {
     answers.push_back(sets[i].answer);
     outcomes.push_back(outcome_of(sets[i].answer, verdicts[i]));
+    scored.sets.push_back({sets[i].name, sets[i].answer, verdicts[i], outcomes[i]});
   }
-  const Scores scores = scores_of(answers, outcomes);
-  if (options.json) {
-    print_json(json_of(result_of(sets, verdicts, outcomes, scores)));
-  } else {
-    print_text(sets, verdicts, outcomes, scores, options.by_hand);
-  }
+  scored.scores = scores_of(answers, outcomes);
+  options.json ? print_json(json_of(scored)) : print_text(scored, options.by_hand);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "compensate/compensate_live.hpp"
 #include "compensate/compensate_replay.hpp"
 #include "compensate/compensation_options.hpp"
-#include "mean_point/meanpoint.hpp"
+#include "shaft_picture/shaft_picture.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
@@ -31,7 +31,7 @@ struct CompensateArguments {
   std::vector<std::string> out;  // of these the series, .csv, are the replay's
   std::string save;              // and the model is this one, .toml
   bool json = false;
-  MeanpointArguments place;
+  ShaftPictureArguments place;
 };
 
 // The model as it runs: every value held, the ranges it was trained on.
@@ -99,15 +99,13 @@ void run_place(CompensateArguments options, const CLI::App& command) {
   }
   if (!options.out.empty()) options.place.out = options.out.front();
   options.place.json = options.json;
-  show_mean_points(options.place);
+  show_shaft_picture(options.place);
 }
 
-void run(const CompensateArguments& given, const CLI::App& command) {
+void run(const CompensateArguments& given, CLI::App& command) {
   if (!given.place.of.files.empty()) return run_place(given, command);
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->count() == 0 || option->get_group() != kPlaceGroup) continue;
-    throw CLI::ValidationError(fmt::format("{}: expected --from-picture with it", option->get_name()));
-  }
+  const auto is_of_place = [](const CLI::Option* option) { return option->get_group() == kPlaceGroup; };
+  expect_none_given(command.get_options(is_of_place), "--from-picture");
   if (given.compensation.models.empty()) throw CLI::RequiredError("--model");
   const CompensateArguments options = sorted_out(given);
   expect_fitting(options);
@@ -117,8 +115,8 @@ void run(const CompensateArguments& given, const CLI::App& command) {
   if (replay) compensate_replay(options.compensation, options.replay);
 }
 
-void add_place_options(CLI::App& command, MeanpointArguments& options) {
-  MeanPointOptions& of = options.of;
+void add_place_options(CLI::App& command, ShaftPictureArguments& options) {
+  ShaftPictureOptions& of = options.of;
   const auto add = [&](const char* name, auto& value, const char* what, const char* type) {
     return command.add_option(name, value, what)->group(kPlaceGroup)->type_name(type);
   };

@@ -22,8 +22,8 @@
 namespace ballbar {
 namespace {
 
-constexpr double kStateAge_s = 1.0;     // of the state's file while counts stay
-constexpr std::size_t kMostTold = 100;  // changes of a hold
+constexpr double kStateAge_s = 1.0;        // of the state's file while counts stay
+constexpr std::size_t kMostChanges = 100;  // changes of a hold
 
 volatile std::sig_atomic_t g_stop = 0;
 
@@ -48,9 +48,9 @@ void write_out(fmt::memory_buffer& out) {
 }
 
 // What is held and goes on again, as it changes.
-class Told {
+class HoldLog {
  public:
-  Told(const CompensatedAxes& machine, double gap_s) : machine_(machine), gap_s_(gap_s), axes_(machine.size()) {}
+  HoldLog(const CompensatedAxes& machine, double gap_s) : machine_(machine), gap_s_(gap_s), axes_(machine.size()) {}
 
   void row(double time_s, std::span<const Offset> offsets) {
     for (std::size_t a = 0; a < offsets.size(); ++a) {
@@ -60,12 +60,12 @@ class Told {
       if (offset.hold == axis.hold && (offset.hold == Hold::none || offset.column == axis.column)) continue;
       axis.hold = offset.hold;
       axis.column = offset.column;
-      if (told_++ < kMostTold) tell(a, time_s, offset);
+      if (changes_++ < kMostChanges) tell(a, time_s, offset);
     }
   }
 
   void sum() const {
-    if (told_ > kMostTold) stderr_line(fmt::format("... and {} more changes", told_ - kMostTold));
+    if (changes_ > kMostChanges) stderr_line(fmt::format("... and {} more changes", changes_ - kMostChanges));
     for (std::size_t a = 0; a < axes_.size(); ++a) {
       const std::string held = held_text(axes_[a].rows);
       const std::size_t rows = std::accumulate(axes_[a].rows.begin(), axes_[a].rows.end(), std::size_t{0});
@@ -101,7 +101,7 @@ class Told {
   const CompensatedAxes& machine_;
   double gap_s_ = 0.0;
   std::vector<Axis> axes_;
-  std::size_t told_ = 0;
+  std::size_t changes_ = 0;
 };
 
 void say_unranged(const std::vector<CompensatedAxis>& axes, const CompensatedAxes& machine) {
@@ -140,16 +140,16 @@ void compensate_live(const CompensationOptions& options, const LiveOptions& live
   KeptState state(options.state, axes, machine);
   SignalSource source(live.signals, live.follow, limits.gap_s, g_stop);
   const std::string name = live.signals == "-" ? "standard input" : live.signals;
-  const std::vector<std::string> wanted(machine.columns().begin(), machine.columns().end());
-  LiveRows rows(name, wanted);
+  const std::vector<std::string> columns(machine.columns().begin(), machine.columns().end());
+  LiveRows rows(name, columns);
   std::optional<SignalsPlace> place = source.place();
   std::uint64_t known = state.bytes_of(place);
   if (state.resumed()) stderr_line(fmt::format("goes on from {}", options.state));
   say_unranged(axes, machine);
-  Told told(machine, limits.gap_s);
+  HoldLog holds(machine, limits.gap_s);
   fmt::memory_buffer out;
   append_names(out, live.format, machine);
-  std::vector<std::int64_t> written;  // counts that the control was told
+  std::vector<std::int64_t> written;  // counts that the control has
   for (std::size_t a = 0; a < machine.size(); ++a) written.push_back(machine.axis(a).state().counts);
   const auto hand_over = [&] {
     if (place) place->bytes = std::max(known, rows.taken());
@@ -161,7 +161,7 @@ void compensate_live(const CompensationOptions& options, const LiveOptions& live
     if (rows.taken() <= known) return;  // before a restart
     const std::span<const Offset> offsets = machine.next(row->time_s, row->values);
     append_row(out, live.format, row->time_s, offsets, machine);
-    told.row(row->time_s, offsets);
+    holds.row(row->time_s, offsets);
     // What is stored and not yet written is less than a step, so that a restart makes none.
     for (std::size_t a = 0; a < offsets.size(); ++a) {
       if (2.0 * std::abs(static_cast<double>(offsets[a].counts - written[a])) * limits.resolution_um > limits.step_um) {
@@ -177,7 +177,7 @@ void compensate_live(const CompensationOptions& options, const LiveOptions& live
     if (piece.empty()) {
       if (g_stop != 0 || !source.reopened()) break;
       stderr_line(fmt::format("{}: goes on with the file that has its name now", name));
-      rows = LiveRows(name, wanted);
+      rows = LiveRows(name, columns);
       place = source.place();
       known = 0;
       continue;
@@ -192,7 +192,7 @@ void compensate_live(const CompensationOptions& options, const LiveOptions& live
   if (place) place->bytes = std::max(known, rows.taken());
   state.keep(machine, place, 0.0);
   write_out(out);
-  told.sum();
+  holds.sum();
 }
 
 }  // namespace ballbar

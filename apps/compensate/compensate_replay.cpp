@@ -47,12 +47,6 @@ Recorded open_recorded(const Source& data) {
   return recorded;
 }
 
-double largest(const std::vector<double>& values) {
-  double most = 0.0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
-
 std::string percent(const Reduction& reduction) {
   if (!std::isfinite(reduction.share)) return "?";
   return with_sigma(100.0 * reduction.share, 100.0 * reduction.sigma, 1);
@@ -116,8 +110,8 @@ void print(const Replay& replay, const CompensationOptions& options, const Recor
   for (const ReplayedAxis& axis : replay.axes) {
     const std::string held = held_text(axis.rows_held);
     table.add({axis.name, axis.target, fmt::format("{}", axis.time_s.size() - 1), fixed(axis.reduction.before_um, 3),
-               fixed(axis.reduction.after_um, 3), percent(axis.reduction), fixed(largest(axis.before_um), 3),
-               fixed(largest(axis.after_um), 3), held.empty() ? "0" : held});
+               fixed(axis.reduction.after_um, 3), percent(axis.reduction), fixed(largest_of(axis.before_um), 3),
+               fixed(largest_of(axis.after_um), 3), held.empty() ? "0" : held});
   }
   fmt::print(
       "{}\n{}", table.text(table_width()),
@@ -129,13 +123,7 @@ void print(const Replay& replay, const CompensationOptions& options, const Recor
 ReplayResult result_of(const Replay& replay, const CompensationOptions& options, const Recorded& recorded) {
   ReplayResult result{replay.rows, std::nullopt, {}};
   if (!options.fit.empty()) result.in_sample = in_sample(options, recorded);
-  for (const ReplayedAxis& axis : replay.axes) {
-    ReplayedAxisResult one{axis, largest(axis.before_um), largest(axis.after_um), {}};
-    for (std::size_t kind = 1; kind < kHoldKinds; ++kind) {
-      if (axis.rows_held[kind] > 0) one.rows_held.emplace_back(name_of(Hold(kind)), axis.rows_held[kind]);
-    }
-    result.axes.emplace_back(axis.name, std::move(one));
-  }
+  for (const ReplayedAxis& axis : replay.axes) result.axes.emplace_back(axis.name, axis);
   return result;
 }
 

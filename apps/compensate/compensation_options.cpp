@@ -155,10 +155,7 @@ std::vector<CompensatedAxis> axes_of(const CompensationOptions& options) {
                             options.axes.size()));
   }
   for (const CompensatedAxis& axis : axes) {
-    const bool plain = !axis.name.empty() && std::all_of(axis.name.begin(), axis.name.end(), [](unsigned char c) {
-      return std::isalnum(c) != 0 || c == '_';
-    });
-    if (!plain) {
+    if (!is_plain(axis.name)) {
       throw Error(
           fmt::format("--to: expected a name of letters, digits and _ for an axis, found {}.", in_quotes(axis.name)));
     }

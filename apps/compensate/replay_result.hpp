@@ -1,52 +1,59 @@
 // What `compensate --on --json` prints.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ballbar/compensation/compensation_replay.hpp"
 #include "ballbar/formats/results/result_type.hpp"
 
 namespace ballbar {
 
-struct ReplayedAxisResult {
-  ReplayedAxis axis;
-  double largest_before_um = 0.0, largest_after_um = 0.0;
-  TableOf<std::size_t> rows_held;
-};
+inline double largest_of(const std::vector<double>& values) {
+  double most = 0.0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
 
 template <>
-struct ResultType<ReplayedAxisResult> {
+struct ResultType<ReplayedAxis> {
   using Axis = const ReplayedAxis&;
   static constexpr std::string_view name = "ReplayedAxis";
   static constexpr std::string_view meaning = "An axis before and after it is compensated.";
-  static constexpr std::tuple reduced{
+  static constexpr std::tuple fields{
       Field{"target", &ReplayedAxis::target, "column that is compensated"},
       Field{"values", [](Axis of) { return of.time_s.size() - 1; }, "since the first, which is left out"},
       Field{"rms_before_um", [](Axis of) { return of.reduction.before_um; }, ""},
       Field{"rms_after_um", [](Axis of) { return of.reduction.after_um; }, ""},
       Field{"reduction_percent", [](Axis of) { return 100.0 * of.reduction.share; }, ""},
       Field{"reduction_sigma_percent", [](Axis of) { return 100.0 * of.reduction.sigma; }, ""},
-      Field{"stretch", [](Axis of) { return of.reduction.stretch; }, "values over which what is left stays alike"}};
-  static constexpr std::tuple held{
+      Field{"stretch", [](Axis of) { return of.reduction.stretch; }, "values over which what is left stays alike"},
+      Field{"largest_before_um", [](Axis of) { return largest_of(of.before_um); }, ""},
+      Field{"largest_after_um", [](Axis of) { return largest_of(of.after_um); }, ""},
+      Field{"rows_held",
+            [](Axis of) {
+              TableOf<std::size_t> rows;
+              for (std::size_t kind = 1; kind < kHoldKinds; ++kind) {
+                if (of.rows_held[kind] > 0) rows.emplace_back(name_of(Hold(kind)), of.rows_held[kind]);
+              }
+              return rows;
+            },
+            "by why"},
       Field{"most_held_by",
             [](Axis of) {
               return MayLack<std::string>{of.most_held_by.empty() ? std::nullopt : std::optional(of.most_held_by)};
             },
             "column"},
       Field{"rows_limited", &ReplayedAxis::rows_limited, "by the limits"}};
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&ReplayedAxisResult::axis, reduced),
-                     std::tuple{Field{"largest_before_um", &ReplayedAxisResult::largest_before_um, ""},
-                                Field{"largest_after_um", &ReplayedAxisResult::largest_after_um, ""},
-                                Field{"rows_held", &ReplayedAxisResult::rows_held, "by why"}},
-                     fields_through(&ReplayedAxisResult::axis, held));
 };
 
 struct ReplayResult {
   std::size_t rows = 0;
   std::optional<bool> in_sample;
-  TableOf<ReplayedAxisResult> axes;
+  TableOf<ReplayedAxis> axes;
 };
 
 template <>

@@ -159,13 +159,14 @@ void run(const HistoryArguments& options) {
   how.every_quantity = are_of_one_machine(files.tests);
   const History history = history_of(files.tests, how);
   const MachineGeometry geometry = how.every_quantity ? machine_geometry(files.tests) : MachineGeometry{};
-  const auto json = [&] { return json_of(result_of(files, history, geometry)); };
+  HistoryResult result{history, {}, files.remarks, files.skipped};
+  if (history.machines.size() == 1) result.geometry.value = geometry;
   for (const std::string& path : options.out) {
     write_bytes(path, is_page(path)            ? history_page(title_of(options.folders), files, history, geometry)
                       : path.ends_with(".csv") ? test_table_csv(files.tests)
-                                               : json().dump(2) + '\n');
+                                               : json_of(result).dump(2) + '\n');
   }
-  options.json ? print_json(json()) : fmt::print("{}", history_text(files, history, geometry, options.all));
+  options.json ? print_json(json_of(result)) : fmt::print("{}", history_text(files, history, geometry, options.all));
   for (const std::string& path : options.out) wrote_line(path);
 }
 

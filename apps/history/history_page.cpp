@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "history/geometry_text.hpp"
 #include "history/history_text.hpp"
 #include "history/page_parts.hpp"
 #include "history/quantity_text.hpp"

@@ -1,4 +1,4 @@
-// What `history --json` prints: History, whose parts name each other by their places, with geometry and skipped files.
+// What `history --json` prints: History with squareness, scales and skipped files.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 #include "ballbar/formats/results/result_type.hpp"
 #include "ballbar/history/history.hpp"
-#include "history/geometry_result.hpp"
+#include "ballbar/history/machine_geometry.hpp"
 #include "history/quantity_text.hpp"
 #include "history/test_files.hpp"
 #include "history/test_result.hpp"
@@ -42,42 +42,30 @@ inline std::optional<std::string> day_of(const std::optional<double>& time_s) {
   return time_s ? std::optional(date_text(*time_s)) : std::nullopt;
 }
 
-// What a finding or a tolerance states of a quantity.
-template <class Part>
-struct OfSeries {
-  QuantityHistory series;
-  Part part;
-};
-
-inline constexpr std::tuple kQuantityFields{Field{"quantity", &QuantityHistory::name, ""},
-                                            Field{"plane", &QuantityHistory::plane, "XY, YZ, ZX"},
-                                            Field{"unit", &QuantityHistory::unit, ""}};
-inline constexpr std::tuple kLevelFields{Field{"level", &QuantityHistory::level, "of the curve at the last test"},
-                                         Field{"sigma", &QuantityHistory::level_sigma, "of the level"}};
+template <class Type>
+inline constexpr std::tuple kQuantityFields{Field{"quantity", &Type::name, ""},
+                                            Field{"plane", &Type::plane, "XY, YZ, ZX"}, Field{"unit", &Type::unit, ""}};
+template <class Type>
+inline constexpr std::tuple kLevelFields{Field{"level", &Type::level, "of the curve at the last test"},
+                                         Field{"sigma", &Type::level_sigma, "of the level"}};
 
 template <>
-struct ResultType<OfSeries<FindingQuantity>> {
+struct ResultType<FindingQuantity> {
   static constexpr std::string_view name = "FindingQuantity";
   static constexpr std::string_view meaning = "A quantity that has part in a finding.";
-  static constexpr std::tuple found{
-      Field{"size", &FindingQuantity::size, "after less before, a year, or half from trough to peak"},
-      Field{"sigma", &FindingQuantity::sigma, "of the size"}, Field{"p_value", &FindingQuantity::p_value, ""},
-      Field{"q_value", &FindingQuantity::q_value, "corrected for all questions"}};
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&OfSeries<FindingQuantity>::series, kQuantityFields),
-                     fields_through(&OfSeries<FindingQuantity>::part, found));
-};
-
-struct FindingResult {
-  Finding finding;
-  std::vector<OfSeries<FindingQuantity>> quantities;
+  static constexpr std::tuple fields = std::tuple_cat(
+      kQuantityFields<FindingQuantity>,
+      std::tuple{Field{"size", &FindingQuantity::size, "after less before, a year, or half from trough to peak"},
+                 Field{"sigma", &FindingQuantity::sigma, "of the size"},
+                 Field{"p_value", &FindingQuantity::p_value, ""},
+                 Field{"q_value", &FindingQuantity::q_value, "corrected for all questions"}});
 };
 
 template <>
-struct ResultType<FindingResult> {
+struct ResultType<Finding> {
   static constexpr std::string_view name = "Finding";
   static constexpr std::string_view meaning = "What was found of a machine.";
-  static constexpr std::tuple found{
+  static constexpr std::tuple fields{
       Field{"kind", &Finding::kind, "step, replaced_part, instrument, trend, season"},
       Field{"from", [](const Finding& of) { return date_text(of.from_s); },
             "date; the tests between which it steps, else the first and the last"},
@@ -88,28 +76,24 @@ struct ResultType<FindingResult> {
       Field{"p_value", &Finding::p_value, "of the clearest quantity"},
       Field{"q_value", &Finding::q_value, ""},
       Field{"sentence", &Finding::sentence, "what was found"},
-      Field{"remedy", &Finding::remedy, "what to do"}};
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&FindingResult::finding, found),
-                     std::tuple{Field{"quantities", &FindingResult::quantities, "the clearest first"}});
+      Field{"remedy", &Finding::remedy, "what to do"},
+      Field{"quantities", &Finding::quantities, "the clearest first"}};
 };
 
 template <>
-struct ResultType<OfSeries<ToleranceOutlook>> {
+struct ResultType<ToleranceOutlook> {
   static constexpr std::string_view name = "ToleranceOutlook";
   static constexpr std::string_view meaning = "A tolerance, and when it is met.";
-  static constexpr std::tuple met{
-      Field{"lower", [](const ToleranceOutlook& of) { return of.tolerance.lower; }, "null: none"},
-      Field{"upper", [](const ToleranceOutlook& of) { return of.tolerance.upper; }, ""},
-      Field{"outlook", [](const ToleranceOutlook& of) { return of.date.outlook; },
-            "beyond, expected, no_trend, not_within_10_years"},
-      Field{"met", [](const ToleranceOutlook& of) { return day_of(of.date.at_s); }, "date; null: not known"},
-      Field{"earliest", [](const ToleranceOutlook& of) { return day_of(of.date.earliest_s); }, ""},
-      Field{"latest", [](const ToleranceOutlook& of) { return day_of(of.date.latest_s); }, ""},
-      Field{"last_test_alone", &ToleranceOutlook::last_alone, "the last test is beyond, the level is not"}};
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&OfSeries<ToleranceOutlook>::series, std::tuple_cat(kQuantityFields, kLevelFields)),
-                     fields_through(&OfSeries<ToleranceOutlook>::part, met));
+  static constexpr std::tuple fields = std::tuple_cat(
+      kQuantityFields<ToleranceOutlook>, kLevelFields<ToleranceOutlook>,
+      std::tuple{Field{"lower", [](const ToleranceOutlook& of) { return of.tolerance.lower; }, "null: none"},
+                 Field{"upper", [](const ToleranceOutlook& of) { return of.tolerance.upper; }, ""},
+                 Field{"outlook", [](const ToleranceOutlook& of) { return of.date.outlook; },
+                       "beyond, expected, no_trend, not_within_10_years"},
+                 Field{"met", [](const ToleranceOutlook& of) { return day_of(of.date.at_s); }, "date; null: not known"},
+                 Field{"earliest", [](const ToleranceOutlook& of) { return day_of(of.date.earliest_s); }, ""},
+                 Field{"latest", [](const ToleranceOutlook& of) { return day_of(of.date.latest_s); }, ""},
+                 Field{"last_test_alone", &ToleranceOutlook::last_alone, "the last test is beyond, the level is not"}});
 };
 
 template <>
@@ -117,7 +101,7 @@ struct ResultType<QuantityHistory> {
   static constexpr std::string_view name = "QuantityHistory";
   static constexpr std::string_view meaning = "A quantity of a machine over its tests.";
   static constexpr std::tuple fields =
-      std::tuple_cat(kQuantityFields, kLevelFields,
+      std::tuple_cat(kQuantityFields<QuantityHistory>, kLevelFields<QuantityHistory>,
                      std::tuple{Field{"group", &QuantityHistory::group, "place in groups"},
                                 Field{"scatter", &QuantityHistory::scatter, "about the curve"},
                                 Field{"dates",
@@ -135,9 +119,6 @@ struct ResultType<QuantityHistory> {
                                       "through the values since the last step"}});
 };
 
-std::vector<FindingResult> findings_of(const MachineHistory& machine);
-std::vector<OfSeries<ToleranceOutlook>> tolerances_of(const MachineHistory& machine);
-
 template <>
 struct ResultType<MachineHistory> {
   static constexpr std::string_view name = "MachineHistory";
@@ -149,30 +130,21 @@ struct ResultType<MachineHistory> {
       Field{"last", [](const MachineHistory& of) { return day_of(of.last_s); }, ""},
       Field{"need", &MachineHistory::need, "beyond, expected, finding, nothing"},
       Field{"reason", &MachineHistory::reason, "why it stands where it does"},
-      Field{"findings", &findings_of, "the clearest first"},
-      Field{"tolerances", &tolerances_of, ""},
+      Field{"findings", &MachineHistory::findings, "the clearest first"},
+      Field{"tolerances", &MachineHistory::tolerances, ""},
       Field{"series", &MachineHistory::series,
             "every one of one machine, of several those with findings and tolerances"},
       Field{"groups", &MachineHistory::groups, "of tests that can be compared"}};
 };
 
-// A change of a bar, with the names of the machines.
-struct BarChangeResult {
-  BarChange change;
-  std::vector<std::string> machines;
-};
-std::vector<BarChangeResult> bar_changes_of(const History& history);
-
 template <>
-struct ResultType<BarChangeResult> {
+struct ResultType<BarChange> {
   static constexpr std::string_view name = "BarChange";
   static constexpr std::string_view meaning = "A change of the bar that machines are tested with.";
-  static constexpr std::tuple fields{
-      Field{"from", [](const BarChangeResult& of) { return of.change.from; }, "serial number"},
-      Field{"to", [](const BarChangeResult& of) { return of.change.to; }, ""},
-      Field{"machines", &BarChangeResult::machines, ""},
-      Field{"step_um_per_m", [](const BarChangeResult& of) { return of.change.size_ppm; }, "mean step of the scales"},
-      Field{"sigma_um_per_m", [](const BarChangeResult& of) { return of.change.sigma_ppm; }, ""}};
+  static constexpr std::tuple fields{Field{"from", &BarChange::from, "serial number"}, Field{"to", &BarChange::to, ""},
+                                     Field{"machines", &BarChange::machines, ""},
+                                     Field{"step_um_per_m", &BarChange::size_ppm, "mean step of the scales"},
+                                     Field{"sigma_um_per_m", &BarChange::sigma_ppm, ""}};
 };
 
 template <>
@@ -181,20 +153,78 @@ struct ResultType<History> {
   static constexpr std::string_view meaning = "Machines over their tests, what needs something first.";
   static constexpr std::tuple fields{
       Field{"machines", &History::machines, "what needs something first"},
-      Field{"bar_changes", &bar_changes_of, ""},
+      Field{"bar_changes", &History::bar_changes, ""},
       Field{"judged", &History::judged, "questions"},
       Field{"found", &History::found, "of these answered with yes"},
       Field{"false_discovery_rate", &History::false_discovery_rate, "share of those by chance"},
       Field{"without_date", &History::without_date, "files of tests that are in nothing"}};
 };
 
+constexpr auto letter_of(auto member) {
+  return [member](const auto& of) { return std::string(1, "XYZ"[of.*member]); };
+}
+
+template <>
+struct ResultType<PlaneSquareness> {
+  static constexpr std::string_view name = "PlaneSquareness";
+  static constexpr std::string_view meaning = "How far a plane is out of square.";
+  static constexpr std::tuple fields{
+      Field{"plane", &PlaneSquareness::plane, ""}, Field{"value", &PlaneSquareness::value, "um/m"},
+      Field{"sigma", &PlaneSquareness::sigma, ""},
+      Field{"p_value", &PlaneSquareness::p_value, "of tests that differ as much by chance"},
+      Field{"files", &PlaneSquareness::files, "that it is from"}};
+};
+
+template <>
+struct ResultType<AxisScale> {
+  static constexpr std::string_view name = "AxisScale";
+  static constexpr std::string_view meaning = "The scale of an axis.";
+  static constexpr std::tuple fields{
+      Field{"axis", letter_of(&AxisScale::axis), "X, Y, Z"}, Field{"value", &AxisScale::value_ppm, "um/m"},
+      Field{"sigma", &AxisScale::sigma_ppm, ""}, Field{"planes", &AxisScale::planes, "that it is measured in"}};
+};
+
+template <>
+struct ResultType<ScalePull> {
+  static constexpr std::string_view name = "ScalePull";
+  static constexpr std::string_view meaning = "The scale of an axis in one test.";
+  static constexpr std::tuple fields{
+      Field{"file", &ScalePull::file, ""},
+      Field{"plane", &ScalePull::plane, ""},
+      Field{"axis", letter_of(&ScalePull::axis), "X, Y, Z"},
+      Field{"value", &ScalePull::value_ppm, "um/m"},
+      Field{"sigma", &ScalePull::sigma_ppm, ""},
+      Field{"pull", &ScalePull::pull, "what is left over its sigma; null: only this test tells the axis"}};
+};
+
+template <>
+struct ResultType<ScaleAgreement> {
+  static constexpr std::string_view name = "AgreementOfTests";
+  static constexpr std::string_view meaning = "Whether tests of several planes agree.";
+  static constexpr std::tuple fields{
+      Field{"chi2", &ScaleAgreement::chi2, ""},
+      Field{"degrees", &ScaleAgreement::degrees, "of freedom; 0: nothing to compare"},
+      Field{"p_value", &ScaleAgreement::p_value, ""},
+      Field{"scatter_um_per_m", &ScaleAgreement::scatter_ppm, "of each scale beyond its sigma, where they disagree"},
+      Field{"pulls", &ScaleAgreement::pulls, "a row a scale and test"}};
+};
+
+template <>
+struct ResultType<MachineGeometry> {
+  static constexpr std::string_view name = "MachineGeometry";
+  static constexpr std::string_view meaning = "Squareness and scales of a machine.";
+  static constexpr std::tuple fields{Field{"within_a_day", &MachineGeometry::within_a_day, "whether all tests are"},
+                                     Field{"out_of_square_um_per_m", &MachineGeometry::squareness, "a row a plane"},
+                                     Field{"scales_um_per_m", &MachineGeometry::scales, "a row an axis"},
+                                     Field{"agreement", &MachineGeometry::agreement, "of the tests"}};
+};
+
 struct HistoryResult {
   History history;
-  MayLack<GeometryResult> geometry;
+  MayLack<MachineGeometry> geometry;
   std::vector<std::string> remarks;
   std::vector<SkippedTest> skipped;
 };
-HistoryResult result_of(const TestFiles& files, const History& history, const MachineGeometry& geometry);
 
 template <>
 struct ResultType<HistoryResult> {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <optional>
 
-#include "history/geometry_text.hpp"
 #include "history/quantity_text.hpp"
 #include "history/ranking_text.hpp"
 #include "terminal/terminal_table.hpp"
@@ -108,6 +107,74 @@ std::string list_text(const Names& names) {
   return text;
 }
 
+std::string axis_name(int axis) { return std::string(1, "XYZ"[axis]); }
+
+std::string date_of(const MachineTest& test) {
+  return test.started_s ? date_text(static_cast<double>(*test.started_s)) : "no date";
+}
+
+std::string dates_of(const TestFiles& files, const std::vector<std::size_t>& places) {
+  std::vector<std::string> dates;
+  for (const std::size_t i : places) {
+    const std::string date = date_of(files.tests[i]);
+    if (std::find(dates.begin(), dates.end(), date) == dates.end()) dates.push_back(date);
+  }
+  return fmt::format("{}", fmt::join(dates, ", "));
+}
+
+// "planes" where several tell, else "tests of XY".
+std::string who_text(const ScaleAgreement& agreement) {
+  std::vector<Plane> planes;
+  for (const ScalePull& pull : agreement.pulls) {
+    if (std::find(planes.begin(), planes.end(), pull.plane) == planes.end()) planes.push_back(pull.plane);
+  }
+  return planes.size() > 1 ? "planes" : fmt::format("tests of {}", name_of(planes.front()));
+}
+
+std::string p_text(double p_value) { return p_value < 0.001 ? "p < 0.001" : fmt::format("p {:.2g}", p_value); }
+
+std::string chi2_text(const ScaleAgreement& agreement) {
+  return fmt::format("chi^2 {:.1f} at {} degree{} of freedom, {}", agreement.chi2, agreement.degrees,
+                     agreement.degrees == 1 ? "" : "s", p_text(agreement.p_value));
+}
+
+// How the tests differ of which the axes that several planes tell say different things.
+std::vector<std::string> disagreement_texts(const MachineGeometry& geometry) {
+  std::vector<std::string> texts{
+      fmt::format("The {} disagree on the scales: {}. Sigmas hold {:.1f} um/m by which they scatter beyond theirs.",
+                  who_text(geometry.agreement), chi2_text(geometry.agreement), geometry.agreement.scatter_ppm)};
+  for (const AxisScale& scale : geometry.scales) {
+    if (scale.planes < 2) continue;
+    std::string tests;
+    for (const ScalePull& pull : geometry.agreement.pulls) {
+      if (pull.axis != scale.axis || !std::isfinite(pull.pull)) continue;
+      tests += fmt::format("{}{} {} um/m ({}{:.1f} sigma)", tests.empty() ? "" : ", ", name_of(pull.plane),
+                           with_sigma(pull.value_ppm, pull.sigma_ppm, 1), pull.pull < 0.0 ? "" : "+", pull.pull);
+    }
+    if (!tests.empty()) texts.push_back(fmt::format("{}: {}.", axis_name(scale.axis), tests));
+  }
+  return texts;
+}
+
+std::vector<std::string> sentences_of(const MachineGeometry& geometry) {
+  std::vector<std::string> sentences;
+  for (const PlaneSquareness& plane : geometry.squareness) {
+    if (plane.p_value >= 0.01) continue;
+    sentences.push_back(fmt::format("The tests of {} disagree on the squareness, {}; its sigma is wider for it.",
+                                    name_of(plane.plane), p_text(plane.p_value)));
+  }
+  if (geometry.agreement.degrees > 0 && geometry.agreement.scatter_ppm == 0.0) {
+    sentences.push_back(
+        fmt::format("The {} agree on the scales: {}.", who_text(geometry.agreement), chi2_text(geometry.agreement)));
+  } else if (geometry.agreement.degrees > 0) {
+    for (std::string& text : disagreement_texts(geometry)) sentences.push_back(std::move(text));
+  }
+  if (!geometry.scales.empty()) {
+    sentences.emplace_back("Scales are against the bar as it was calibrated: its own error moves all of them alike.");
+  }
+  return sentences;
+}
+
 }  // namespace
 
 std::vector<std::string> machine_conclusion(const History& history) {
@@ -156,6 +223,40 @@ std::string history_text(const TestFiles& files, const History& history, const M
     text += fmt::format("\nSkipped, {}:\n", several(sentences.size(), "file")) + list_text(sentences);
   }
   return text;
+}
+
+GeometryTexts geometry_texts(const TestFiles& files, const MachineGeometry& geometry) {
+  GeometryTexts texts;
+  if (geometry.squareness.empty() && geometry.scales.empty()) return texts;
+  texts.heading = fmt::format(
+      "Squareness and scales, {}{}",
+      geometry.within_a_day ? "tests of " : "the newest test of each plane: ", dates_of(files, geometry.tests));
+  for (const PlaneSquareness& plane : geometry.squareness) {
+    texts.rows.push_back({fmt::format("squareness {}", name_of(plane.plane)), with_sigma(plane.value, plane.sigma, 1),
+                          dates_of(files, plane.tests)});
+  }
+  for (const AxisScale& scale : geometry.scales) {
+    std::string planes;
+    for (const ScalePull& pull : geometry.agreement.pulls) {
+      const std::string plane(name_of(pull.plane));
+      if (pull.axis != scale.axis || planes.find(plane) != std::string::npos) continue;
+      planes += (planes.empty() ? "" : ", ") + plane;
+    }
+    texts.rows.push_back(
+        {fmt::format("scale {}", axis_name(scale.axis)), with_sigma(scale.value_ppm, scale.sigma_ppm, 1), planes});
+  }
+  texts.sentences = sentences_of(geometry);
+  return texts;
+}
+
+std::string geometry_text(const TestFiles& files, const MachineGeometry& geometry) {
+  const GeometryTexts texts = geometry_texts(files, geometry);
+  if (texts.rows.empty()) return "";
+  Table table({"", "um/m", "from"});
+  for (const std::vector<std::string>& row : texts.rows) table.add(row);
+  std::string text = texts.heading + '\n' + table.text();
+  for (const std::string& sentence : texts.sentences) text += wrapped(sentence);
+  return text + '\n';
 }
 
 }  // namespace ballbar

@@ -19,4 +19,15 @@ std::string history_text(const TestFiles& files, const History& history, const M
 std::vector<std::string> machine_conclusion(const History& history);
 std::vector<std::string> quantity_row(const MachineHistory& machine, std::size_t series);
 
+struct GeometryTexts {
+  std::string heading;
+  std::vector<std::vector<std::string>> rows;  // what, um/m, from
+  std::vector<std::string> sentences;          // whether the tests agree, and what scales are against
+};
+
+GeometryTexts geometry_texts(const TestFiles& files, const MachineGeometry& geometry);
+
+// Empty where no test tells them. Places of the geometry are those in files.tests.
+std::string geometry_text(const TestFiles& files, const MachineGeometry& geometry);
+
 }  // namespace ballbar

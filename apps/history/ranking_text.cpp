@@ -48,14 +48,13 @@ std::string kind_text(FindingKind kind) {
   return text;
 }
 
-std::string size_text(const MachineHistory& machine, const Finding& finding) {
+std::string size_text(const Finding& finding) {
   const FindingQuantity& quantity = finding.quantities.front();
-  const std::string& unit = machine.series[quantity.series].unit;
-  const int decimals = decimals_of(unit);
+  const int decimals = decimals_of(quantity.unit);
   const bool to_either_side = finding.kind == FindingKind::season;
   return fmt::format("{} ± {} {}{}",
                      to_either_side ? fixed(quantity.size, decimals) : signed_text(quantity.size, decimals),
-                     fixed(quantity.sigma, decimals), unit, finding.kind == FindingKind::trend ? "/a" : "");
+                     fixed(quantity.sigma, decimals), quantity.unit, finding.kind == FindingKind::trend ? "/a" : "");
 }
 
 std::string q_text(double q) { return q < 1e-3 ? "< 0.001" : fmt::format("{:.3f}", q); }
@@ -105,24 +104,23 @@ std::vector<std::string> ranking_row(const MachineHistory& machine) {
   if (machine.findings.empty()) {
     const ToleranceOutlook* beyond = tolerance_with(machine, Outlook::beyond);
     if (beyond == nullptr) return {name, need_text(machine), "-", "-", "-", "-", "-", "-"};
-    const QuantityHistory& series = machine.series[beyond->series];
     return {name,
             need_text(machine),
             "-",
-            fmt::format("{} {}", series.name, name_of(series.plane)),
-            with_sigma(series.level, series.level_sigma, decimals_of(series.unit)) + ' ' + series.unit,
+            fmt::format("{} {}", beyond->name, name_of(beyond->plane)),
+            with_sigma(beyond->level, beyond->level_sigma, decimals_of(beyond->unit)) + ' ' + beyond->unit,
             "-",
             "-",
             "-"};
   }
   const Finding& finding = machine.findings.front();
-  const QuantityHistory& series = machine.series[finding.quantities.front().series];
+  const FindingQuantity& quantity = finding.quantities.front();
   const std::size_t more = finding.quantities.size() - 1;
   return {name,
           need_text(machine),
           kind_text(finding.kind),
-          fmt::format("{} {}{}", series.name, name_of(series.plane), more == 0 ? "" : fmt::format(" + {}", more)),
-          size_text(machine, finding),
+          fmt::format("{} {}{}", quantity.name, name_of(quantity.plane), more == 0 ? "" : fmt::format(" + {}", more)),
+          size_text(finding),
           date_text(finding.from_s),
           date_text(finding.to_s),
           q_text(finding.q_value)};

@@ -8,7 +8,7 @@
 
 #include "ballbar/drift/measured_drift.hpp"
 #include "ballbar/formats/text/source.hpp"
-#include "measure/five_probe_options.hpp"
+#include "measure/five_probe_drift.hpp"
 
 namespace ballbar {
 

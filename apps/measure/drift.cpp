@@ -17,7 +17,6 @@
 #include "measure/drift_result.hpp"
 #include "measure/drift_text.hpp"
 #include "measure/five_probe_drift.hpp"
-#include "measure/five_probe_options.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
@@ -60,20 +59,17 @@ std::string position_text(const Position& position) {
 
 Table table_of(const DriftSeries& series) {
   std::vector<std::string> heading{"time min"};
-  std::vector<DriftMember> columns;
-  for (const auto& quantities : {drift_quantities(), radius_quantities()}) {
-    for (const DriftQuantity& quantity : quantities) {
-      if (!any_has(series, quantity.member)) continue;
-      heading.push_back(fmt::format("{} um", quantity.name));
-      columns.push_back(quantity.member);
-    }
-  }
+  std::vector<DriftQuantity> columns(kDriftQuantities.begin(), kDriftQuantities.end());
+  columns.push_back({"radius change", &DriftPoint::radius_change});
+  columns.push_back({"radius change A", &DriftPoint::radius_change_a});
+  std::erase_if(columns, [&](const DriftQuantity& one) { return !any_has(series, one.member); });
+  for (const DriftQuantity& one : columns) heading.push_back(fmt::format("{} um", one.name));
   const bool corrected = series.method == Method::spindle_rotation;
   if (corrected) heading.emplace_back("elongation correction um");
   Table table(heading);
   for (const DriftPoint& point : series.points) {
     std::vector<std::string> row{fmt::format("{:8.1f}", min_from_s(point.time_s))};
-    for (const DriftMember member : columns) row.push_back(point.*member ? with_sigma(*(point.*member)) : "-");
+    for (const auto& [name, member] : columns) row.push_back(point.*member ? with_sigma(*(point.*member)) : "-");
     if (corrected) row.push_back(fmt::format("{:.4f}", point.elongation_correction_um.value_or(0.0)));
     table.add(row);
   }

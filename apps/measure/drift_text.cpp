@@ -11,14 +11,6 @@
 namespace ballbar {
 namespace {
 
-constexpr DriftQuantity kDrift[] = {{"x", &DriftPoint::x},
-                                    {"y", &DriftPoint::y},
-                                    {"z", &DriftPoint::z},
-                                    {"radial", &DriftPoint::radial},
-                                    {"axial", &DriftPoint::axial}};
-constexpr DriftQuantity kRadii[] = {{"radius change", &DriftPoint::radius_change},
-                                    {"radius change A", &DriftPoint::radius_change_a}};
-
 std::string largest(const DriftSeries& series, const DriftQuantity& quantity) {
   const DriftPoint* best = nullptr;
   for (const DriftPoint& point : series.points) {
@@ -32,17 +24,14 @@ std::string largest(const DriftSeries& series, const DriftQuantity& quantity) {
 
 }  // namespace
 
-std::span<const DriftQuantity> drift_quantities() { return kDrift; }
-std::span<const DriftQuantity> radius_quantities() { return kRadii; }
-
-bool any_has(const DriftSeries& series, DriftMember member) {
+bool any_has(const DriftSeries& series, std::optional<Estimate> DriftPoint::*member) {
   return std::any_of(series.points.begin(), series.points.end(),
                      [&](const DriftPoint& point) { return (point.*member).has_value(); });
 }
 
 std::vector<std::string> largest_drifts(const DriftSeries& series) {
   std::vector<std::string> texts;
-  for (const DriftQuantity& quantity : kDrift) {
+  for (const DriftQuantity& quantity : kDriftQuantities) {
     if (any_has(series, quantity.member)) texts.push_back(largest(series, quantity));
   }
   return texts;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -10,15 +9,7 @@
 
 namespace ballbar {
 
-using DriftMember = std::optional<Estimate> DriftPoint::*;
-struct DriftQuantity {
-  const char* name;
-  DriftMember member;
-};
-std::span<const DriftQuantity> drift_quantities();   // x, y, z, radial, axial
-std::span<const DriftQuantity> radius_quantities();  // what must not change
-
-bool any_has(const DriftSeries& series, DriftMember member);
+bool any_has(const DriftSeries& series, std::optional<Estimate> DriftPoint::*member);
 
 // "y 30.1 ± 0.0 um at 64 min": the largest of each quantity that the series has.
 std::vector<std::string> largest_drifts(const DriftSeries& series);

@@ -50,18 +50,18 @@ void print_text(const TestPlan& plan, const ModelData& data, const std::string& 
 }
 
 // Spread of the curves at each time, beside the readings' sigma.
-std::vector<double> apart_of(const TestPlan& plan) {
-  std::vector<double> apart;
-  apart.reserve(plan.time_s.size());
+std::vector<double> separation_of(const TestPlan& plan) {
+  std::vector<double> separation;
+  separation.reserve(plan.time_s.size());
   for (std::size_t i = 0; i < plan.time_s.size(); ++i) {
     double low = plan.curves.front().um[i], high = low;
     for (const ExpectedCurve& curve : plan.curves) {
       low = std::min(low, curve.um[i]);
       high = std::max(high, curve.um[i]);
     }
-    apart.push_back(plan.sigma_um > 0.0 ? (high - low) / plan.sigma_um : 0.0);
+    separation.push_back(plan.sigma_um > 0.0 ? (high - low) / plan.sigma_um : 0.0);
   }
-  return apart;
+  return separation;
 }
 
 PlanContents contents_of(const TestPlan& plan, const PlanArguments& options, const ModelData& data,
@@ -74,7 +74,7 @@ PlanContents contents_of(const TestPlan& plan, const PlanArguments& options, con
     contents.curves.push_back(
         {curve.label, curve.p, plan.time_s, curve.um, std::vector<double>(plan.time_s.size(), plan.sigma_um)});
   }
-  if (!plan.curves.empty()) contents.apart = apart_of(plan);
+  if (!plan.curves.empty()) contents.separation = separation_of(plan);
   for (const Column& column : data.series->columns) {
     if (column.role != Role::measured || column.name == target) contents.columns_to_log.push_back(column.name);
   }

@@ -11,7 +11,6 @@
 #include "ballbar/formats/schedules/schedule_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/new_folder.hpp"
-#include "plan/plan_picture.hpp"
 
 namespace ballbar {
 namespace {

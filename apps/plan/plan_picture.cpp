@@ -1,5 +1,3 @@
-#include "plan/plan_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <string_view>
 
 #include "ballbar/number_text.hpp"
+#include "plan/plan_files.hpp"
 #include "plan/svg.hpp"
 
 namespace ballbar {
@@ -115,25 +114,25 @@ Drawn drawn_of(const PlanCurve& curve) {
   return drawn;
 }
 
-// Darker where `apart` is larger; times of equal length each take the largest that falls into them.
+// Darker where `separation` is larger; times of equal length each take the largest that falls into them.
 bool shade(Svg& svg, const Scale& time, const PlanContents& contents, double top, double height) {
   if (contents.curves.empty()) return false;
   const std::vector<double>& time_s = contents.curves.front().time_s;
-  const std::size_t count = std::min(time_s.size(), contents.apart.size());
+  const std::size_t count = std::min(time_s.size(), contents.separation.size());
   std::array<double, kMostShades> largest{};
   double most = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     const double share = time_s[i] / time.high;
-    if (!(share >= 0.0 && share <= 1.0) || !is_drawn(contents.apart[i])) continue;
+    if (!(share >= 0.0 && share <= 1.0) || !is_drawn(contents.separation[i])) continue;
     // Until the next time, so that few times leave no gaps.
     const double next = i + 1 < count && is_drawn(time_s[i + 1]) ? time_s[i + 1] / time.high : share;
     const auto place = [](double part) {
       return std::min(static_cast<std::size_t>(std::clamp(part, 0.0, 1.0) * kMostShades), kMostShades - 1);
     };
     for (std::size_t k = place(share); k == place(share) || k < place(next); ++k) {
-      largest[k] = std::max(largest[k], contents.apart[i]);
+      largest[k] = std::max(largest[k], contents.separation[i]);
     }
-    most = std::max(most, contents.apart[i]);
+    most = std::max(most, contents.separation[i]);
   }
   if (most <= 0.0) return false;
   const double width = (kRight - kLeft) / kMostShades;

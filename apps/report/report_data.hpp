@@ -9,7 +9,7 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/sessions/data_file.hpp"
 #include "diagnose/diagnosis_report.hpp"
-#include "measure/five_probe_options.hpp"
+#include "measure/five_probe_drift.hpp"
 #include "model/model_options.hpp"
 #include "report/report_results.hpp"
 

@@ -32,7 +32,7 @@
 #include "history/page_parts.hpp"
 #include "history/test_result.hpp"
 #include "logs/log_results.hpp"
-#include "mean_point/meanpoint_result.hpp"
+#include "shaft_picture/shaft_result.hpp"
 #include "measure/comparison_result.hpp"
 #include "measure/drift_result.hpp"
 #include "measure/fit_result.hpp"
@@ -117,7 +117,7 @@ std::vector<ResultSchema> all_schemas() {
                     Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult, History,
                     ImportedLog, MergedLogs, SimulatedRun, SimulatedFleet, TrainedOnTemperatures, TrainedOnEffects,
                     TrainedForJob, PredictedSeries, PredictedTarget, ReplayResult, MadeSets, NextRun, ScoredSets,
-                    MeanPointsResult, MeanPointPart, PageReport, ModelPart, HeldPart, RevisedPart, HistoryReport,
+                    MeanPointsResult, ShaftPart, PageReport, ModelPart, HeldPart, RevisedPart, HistoryReport,
                     FleetReport, PageFiles>();
 }
 

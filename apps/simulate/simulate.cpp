@@ -98,16 +98,14 @@ void run_fleet(const SimulateArguments& options, std::string_view bytes) {
   fmt::print("truth      {} (kept apart: no other command reads it)\n", truth.string());
 }
 
-// Of the options, those that go with `way`; empty: with a machine.
+// Of the options, those that go with `way`.
 void expect_only(const CLI::App& command, const std::string& way, const std::vector<std::string>& names) {
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name(option->get_positional());
     if (option->count() == 0 || name == way || std::find(names.begin(), names.end(), name) != names.end()) continue;
     throw CLI::ValidationError(
-        way.empty()
-            ? fmt::format("{}: expected {} with it", name, name == "--n" ? "--hidden" : "--hidden or --schedule")
-        : names.empty() ? fmt::format("expected the options of {} behind it, found {} before it", way, name)
-                        : fmt::format("{}: expected only {} with it, found {}", way, fmt::join(names, ", "), name));
+        names.empty() ? fmt::format("expected the options of {} behind it, found {} before it", way, name)
+                      : fmt::format("{}: expected only {} with it, found {}", way, fmt::join(names, ", "), name));
   }
 }
 
@@ -130,10 +128,11 @@ void run_further(const SimulateArguments& options, const CLI::App& command) {
   make_further_run({options.machine, options.schedule, options.out, options.sets.answers, options.json});
 }
 
-void run(const SimulateArguments& options, const CLI::App& command) {
+void run(const SimulateArguments& options, CLI::App& command) {
   if (options.hidden) return run_hidden(options, command);
   if (!options.schedule.empty()) return run_further(options, command);
-  expect_only(command, "", {"MACHINE", "--out", "--truth", "--seed", "--b5r", "--force", "--json"});
+  expect_none_given({command.get_option("--n")}, "--hidden");
+  expect_none_given({command.get_option("--answers")}, "--hidden or --schedule");
   if (options.machine.empty()) throw CLI::RequiredError("MACHINE");
   std::error_code absent;
   if (fs::is_directory(options.machine, absent)) {

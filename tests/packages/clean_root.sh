@@ -33,7 +33,7 @@ echo 'Pictures, for which OpenCV is in the program'
 dpkg-deb -x "$scratch"/debian/ballbar_*.deb "$scratch/unpacked"
 program=$scratch/unpacked/usr/bin/ballbar
 python3 "$source/tests/cli/transcript.py" "$program" simulate.txt simulate-shaft-images
-python3 "$source/tests/cli/readme.py" "$program" "$source" "$scratch/readme" apps/mean_point/README.md
+python3 "$source/tests/cli/readme.py" "$program" "$source" "$scratch/readme" apps/shaft_picture/README.md
 
 echo 'Desktop'
 sh "$here/desktop.sh" "$scratch/unpacked/usr" "$source/sample-runs/qc20-style-b5r/00.b5r"

@@ -7,6 +7,7 @@
 
 #include "ballbar/circle/trace.hpp"
 #include "ballbar/error.hpp"
+#include "ballbar/formats/logs/log.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
@@ -122,7 +123,9 @@ ModelData data_of_runs(const std::vector<ListedRun>& listed_runs, const std::str
     data.files.insert(data.files.end(), one.files.begin(), one.files.end());
     data.remarks.insert(data.remarks.end(), one.remarks.begin(), one.remarks.end());
   }
-  Stacked all = stacked(runs, names);
+  std::vector<std::optional<double>> zeros_s;
+  for (const Series& run : runs) zeros_s.push_back(run.started ? seconds_of_stamp(*run.started) : std::nullopt);
+  Stacked all = stacked(runs, names, zeros_s);
   for (std::size_t run = 0; run < all.series.runs.size(); ++run) {
     if (listed_runs[run].start) all.series.runs[run].start = *listed_runs[run].start;
   }

@@ -1,11 +1,11 @@
 #include "ballbar/circle/axial_length.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
 #include "numerics/autocorrelation.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 
@@ -17,7 +17,7 @@ AxialLength axial_length(const Recording& recording) {
   const double mean_um = length_um.mean();
   AxialLength result;
   result.length_mm = mm_from_um(mean_um);
-  result.sigma_um = std::numeric_limits<double>::quiet_NaN();
+  result.sigma_um = kUnknown;
   if (n < 2) return result;
   const Eigen::ArrayXd residual_um = length_um - mean_um;
   const double count = static_cast<double>(n);
@@ -31,6 +31,21 @@ AxialLength axial_length(const Recording& recording) {
   }
   result.sigma_um = std::sqrt(residual_um.square().sum() / (count - widening) * widening / count);
   return result;
+}
+
+double elongation_correction_um(ElongationForm form, double radius_mm, double height_offset_mm, double elongation_um) {
+  const double elongation_mm = mm_from_um(elongation_um);
+  if (form == ElongationForm::eq34) {
+    // r / cos(x) - r = r (1 - cos x) / cos x = 2 r sin^2(x/2) / cos x, without the difference of near equals.
+    const double x = elongation_mm / radius_mm;
+    const double half = std::sin(x / 2.0);
+    return um_from_mm(radius_mm * 2.0 * half * half / std::cos(x));
+  }
+  const double lifted_mm = height_offset_mm + elongation_mm;
+  const double before_mm = std::hypot(radius_mm, height_offset_mm);
+  const double after_mm = std::hypot(radius_mm, lifted_mm);
+  // after - before = (after^2 - before^2) / (after + before)
+  return um_from_mm((lifted_mm - height_offset_mm) * (lifted_mm + height_offset_mm) / (after_mm + before_mm));
 }
 
 }  // namespace ballbar

@@ -242,8 +242,8 @@ Eigen::ArrayXd residual_um(const Recording& recording, const Circle& circle) {
 
 Eigen::Matrix3d covariance_of_change_um2(const Recording& now, const Circle& now_circle, const Recording& reference,
                                          const Circle& reference_circle) {
-  Eigen::Matrix3d apart = now_circle.covariance_um2 + reference_circle.covariance_um2;
-  if (!same_angles(now, reference) || !apart.allFinite()) return apart;
+  Eigen::Matrix3d independent = now_circle.covariance_um2 + reference_circle.covariance_um2;
+  if (!same_angles(now, reference) || !independent.allFinite()) return independent;
   const std::vector<std::size_t> out = in_either(now_circle.discounted, reference_circle.discounted);
   const Recording kept_now = out.empty() ? Recording{} : without(now, out);
   const Recording kept_reference = out.empty() ? Recording{} : without(reference, out);

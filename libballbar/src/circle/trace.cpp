@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -14,6 +13,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
@@ -65,7 +65,6 @@ std::vector<double> times_s(const Recording& recording, std::size_t number) {
 }  // namespace
 
 Series trace_of(std::span<const Recording> recordings) {
-  constexpr double kNotStated = std::numeric_limits<double>::quiet_NaN();
   std::size_t n = 0;
   for (std::size_t k = 0; k < recordings.size(); ++k) {
     if (recordings[k].kind == Kind::axial) {
@@ -92,15 +91,15 @@ Series trace_of(std::span<const Recording> recordings) {
       const std::array row = {um_from_mm(recording.length_mm[i] - recording.nominal_length_mm),
                               recording.angle_rad[i],
                               direction,
-                              recording.feed_mm_per_min.value_or(kNotStated),
+                              recording.feed_mm_per_min.value_or(kUnknown),
                               recording.nominal_length_mm,
                               recording.height_offset_mm,
                               times[i] - middle_s,
-                              recording.bar_temperature_degC.value_or(kNotStated),
+                              recording.bar_temperature_degC.value_or(kUnknown),
                               static_cast<double>(k),
                               recording.motion == Motion::linear_axes ? 1.0 : 0.0,
-                              recording.pitch_a_mm.value_or(kNotStated),
-                              recording.pitch_b_mm.value_or(kNotStated)};
+                              recording.pitch_a_mm.value_or(kUnknown),
+                              recording.pitch_b_mm.value_or(kUnknown)};
       static_assert(std::tuple_size_v<decltype(row)> == 1 + kColumns.size());
       for (std::size_t column = 0; column < row.size(); ++column) trace.columns[column].values.push_back(row[column]);
     }

@@ -8,12 +8,12 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr double kLatest_s = 1e12;  // doubles still tell 0.1 ms there
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<std::string_view, kHoldKinds> kHolds{"none",    "no_value",   "spike",     "stuck", "out_of_range",
                                                           "no_time", "clock_back", "clock_gap", "model"};
 
@@ -21,7 +21,7 @@ void expect_limit(bool holds, std::string_view name, std::string_view expected, 
   if (!holds) throw Error(fmt::format("{}: expected {}, found {}.", name, expected, found));
 }
 
-const Model& residual_report_of(const Model& model) {
+const Model& checked_model(const Model& model) {
   if (model.targets.size() != 1) {
     throw Error(fmt::format("expected a model of one target, found {}: each axis has a compensator of its own.",
                             model.targets.size()));
@@ -40,7 +40,7 @@ const Model& residual_report_of(const Model& model) {
   return model;
 }
 
-CompensationLimits residual_report_of(const CompensationLimits& limits) {
+CompensationLimits checked_limits(const CompensationLimits& limits) {
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
   expect_limit(positive(limits.resolution_um), "resolution", "a least increment above 0 um", limits.resolution_um);
   expect_limit(limits.hysteresis >= 0.0 && limits.hysteresis <= 10.0, "hysteresis", "0 to 10 increments",
@@ -73,7 +73,7 @@ bool is_about_a_column(Hold hold) {
 }
 
 Compensator::Compensator(const Model& model, const CompensationLimits& limits)
-    : limits_(residual_report_of(limits)), model_(residual_report_of(model)) {
+    : limits_(checked_limits(limits)), model_(checked_model(model)) {
   for (const std::string& column : columns()) {
     const auto trained = std::find_if(model.trained.begin(), model.trained.end(),
                                       [&](const ColumnRange& range) { return range.column == column; });
@@ -93,7 +93,7 @@ Offset Compensator::next(double time_s, std::span<const double> values) {
   assert(values.size() == columns().size());
   Hold hold = Hold::none;
   const std::optional<double> elapsed_s = follows(time_s, hold);
-  if (!elapsed_s) return offset(hold, 0, kNoNumber, false);
+  if (!elapsed_s) return offset(hold, 0, kUnknown, false);
   std::size_t bad = 0;
   bool only_spikes = true;
   for (std::size_t c = 0; c < values.size(); ++c) {
@@ -116,16 +116,16 @@ Offset Compensator::next(double time_s, std::span<const double> values) {
     begin_anew(values);
     hold = Hold::none;
   }
-  if (hold != Hold::none) return offset(hold, bad, kNoNumber, false);
+  if (hold != Hold::none) return offset(hold, bad, kUnknown, false);
   const double model_um = model_.next(state_.time_s, values);
-  if (!std::isfinite(model_um)) return offset(Hold::model, 0, kNoNumber, false);
+  if (!std::isfinite(model_um)) return offset(Hold::model, 0, kUnknown, false);
   if (!state_.started) state_.origin_um = model_um;
   state_.started = true;
   state_.believed = std::min(state_.believed + 1, 2);
   state_.contradicted = 0;
   const double error_um = model_um - state_.origin_um;
-  const double wanted_um = std::clamp(-error_um, -limits_.largest_um, limits_.largest_um);
-  walk(wanted_um, *elapsed_s);
+  const double target_um = std::clamp(-error_um, -limits_.largest_um, limits_.largest_um);
+  walk(target_um, *elapsed_s);
   return offset(Hold::none, 0, error_um, state_.offset_um != -error_um);
 }
 
@@ -141,7 +141,7 @@ std::optional<double> Compensator::follows(double time_s, Hold& why) {
   if (!back && elapsed_s <= std::max(limits_.gap_s, 2.0 * state_.pace_s)) {
     if (state_.timed) state_.pace_s = elapsed_s;
     state_.timed = true;
-    state_.doubtful_s = kNoNumber;
+    state_.doubtful_s = kUnknown;
     state_.time_s = now_s;
     return elapsed_s;
   }
@@ -154,7 +154,7 @@ std::optional<double> Compensator::follows(double time_s, Hold& why) {
   }
   if (!back) {  // nothing came for that long
     for (Sensor& sensor : state_.sensors) sensor.unchanged_since_s = now_s;
-    state_.doubtful_s = kNoNumber;
+    state_.doubtful_s = kUnknown;
     state_.pace_s = since_doubtful_s;
     state_.time_s = now_s;
     return elapsed_s;
@@ -163,7 +163,7 @@ std::optional<double> Compensator::follows(double time_s, Hold& why) {
     why = Hold::clock_back;
     return std::nullopt;
   }
-  state_.doubtful_s = kNoNumber;
+  state_.doubtful_s = kUnknown;
   state_.time_s += since_doubtful_s;
   state_.clock_s = state_.time_s - time_s;
   return since_doubtful_s;
@@ -190,12 +190,12 @@ Hold Compensator::hold_of(std::size_t column, double time_s, double value) const
   return time_s - sensor.unchanged_since_s > limits_.stuck_s ? Hold::stuck : Hold::none;
 }
 
-void Compensator::walk(double wanted_um, double elapsed_s) {
+void Compensator::walk(double target_um, double elapsed_s) {
   const double step =
       whole_increments(limits_.step_um, limits_.resolution_um);  // as the counts, which would fall behind else
   const double most_um = std::min(step * limits_.resolution_um, limits_.rate_um_per_s * elapsed_s);
-  const double way_um = wanted_um - state_.offset_um;
-  state_.offset_um = std::abs(way_um) <= most_um ? wanted_um : state_.offset_um + std::copysign(most_um, way_um);
+  const double way_um = target_um - state_.offset_um;
+  state_.offset_um = std::abs(way_um) <= most_um ? target_um : state_.offset_um + std::copysign(most_um, way_um);
   const double increments = state_.offset_um / limits_.resolution_um;
   const double counts = static_cast<double>(state_.counts);
   if (std::abs(increments - counts) <= 0.5 + limits_.hysteresis) return;
@@ -223,8 +223,8 @@ void Compensator::resume(const State& state, const LiveModel::State& model) {
     throw Error(fmt::format("expected an offset of at most {} um, found {} um, {} increments.", limits_.largest_um,
                             state.offset_um, state.counts));
   }
-  const double apart = std::abs(state.offset_um / limits_.resolution_um - static_cast<double>(state.counts));
-  if (apart > 1.5 + limits_.hysteresis + limits_.step_um / limits_.resolution_um) {
+  const double difference = std::abs(state.offset_um / limits_.resolution_um - static_cast<double>(state.counts));
+  if (difference > 1.5 + limits_.hysteresis + limits_.step_um / limits_.resolution_um) {
     throw Error(fmt::format("expected counts near the offset of {} um, found {}.", state.offset_um, state.counts));
   }
   for (const double number : {state.time_s, state.clock_s, state.origin_um, state.pace_s}) {

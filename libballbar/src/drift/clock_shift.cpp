@@ -7,6 +7,7 @@
 
 #include "ballbar/numerics/order_statistic.hpp"
 #include "numerics/interpolation.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
@@ -24,7 +25,7 @@ struct Curve {
   double at(double at_s) const {
     const std::optional<Place> place = place_of(time_s, at_s);
     if (!place || (place->share > 0.0 && time_s[place->row + 1] - time_s[place->row] > max_gap_s)) {
-      return std::numeric_limits<double>::quiet_NaN();
+      return kUnknown;
     }
     return value_at(value, *place);
   }
@@ -95,10 +96,10 @@ double variance_at(const Samples& samples, const Curve& curve, double shift_s) {
   double sum = 0.0, squares = 0.0;
   std::size_t n = 0;
   for (std::size_t i = 0; i < samples.time_s.size(); ++i) {
-    const double apart = samples.value[i] - curve.at(samples.time_s[i] - shift_s);
-    if (std::isnan(apart)) continue;
-    sum += apart;
-    squares += apart * apart;
+    const double difference = samples.value[i] - curve.at(samples.time_s[i] - shift_s);
+    if (std::isnan(difference)) continue;
+    sum += difference;
+    squares += difference * difference;
     ++n;
   }
   if (n < 4 || 3 * n < 2 * samples.time_s.size()) return kNotCovered;

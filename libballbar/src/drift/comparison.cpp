@@ -14,8 +14,8 @@
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/units.hpp"
 #include "drift/clock_shift.hpp"
+#include "drift/drift_methods.hpp"
 #include "drift/sample_agreement.hpp"
-#include "drift/sample_statistics.hpp"
 #include "numerics/interpolation.hpp"
 #include "numerics/not_finite.hpp"
 
@@ -176,15 +176,6 @@ std::size_t rows_within(const MeasuredDrift& drift, double from_s, double to_s) 
   return static_cast<std::size_t>(last - first);
 }
 
-std::size_t nearest(const std::vector<double>& time_s, std::optional<double> wanted_s) {
-  if (!wanted_s) return 0;
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < time_s.size(); ++i) {
-    if (std::abs(time_s[i] - *wanted_s) < std::abs(time_s[best] - *wanted_s)) best = i;
-  }
-  return best;
-}
-
 }  // namespace
 
 Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const ComparisonOptions& options) {
@@ -228,7 +219,7 @@ Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const Compari
                       own.time_s.size()));
       continue;
     }
-    const std::size_t zero = nearest(own.time_s, options.reference_s);
+    const std::size_t zero = reference_index(own.time_s, options.reference_s);
     if (result.axes.empty()) result.reference_s = own.time_s[zero];
     Side side_a = side_at(axis_a, a_is_sparse ? own.sparse : own.dense, zero);
     Side side_b = side_at(*axis_b, a_is_sparse ? own.dense : own.sparse, zero);

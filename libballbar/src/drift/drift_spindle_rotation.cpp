@@ -1,16 +1,16 @@
 // Drift from the spindle-rotation test and the axial gauge (Huang, Li, Zhao 2022).
-#include <limits>
 
 #include "ballbar/circle/axial_length.hpp"
 #include "ballbar/units.hpp"
 #include "drift/drift_methods.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
 
 // Axial length of a test, um; a length read off a display has no sigma.
 Estimate axial_length_of(const SessionTest& test) {
-  if (test.axial_length_mm) return {um_from_mm(*test.axial_length_mm), std::numeric_limits<double>::quiet_NaN()};
+  if (test.axial_length_mm) return {um_from_mm(*test.axial_length_mm), kUnknown};
   if (!test.axial) throw Error("spindle_rotation needs axial or axial_length_mm in every test");
   const AxialLength axial = axial_length(*test.axial);
   return {um_from_mm(axial.length_mm), axial.sigma_um};

@@ -67,8 +67,8 @@ std::optional<double> scatter_um(const std::vector<double>& time_s, const std::v
   square.reserve(value.size());
   for (std::size_t i = 1; i + 1 < value.size(); ++i) {
     const double w = (time_s[i] - time_s[i - 1]) / (time_s[i + 1] - time_s[i - 1]);
-    const double apart = value[i] - (1.0 - w) * value[i - 1] - w * value[i + 1];
-    if (!std::isnan(apart)) square.push_back(apart * apart / (1.0 + w * w + (1.0 - w) * (1.0 - w)));
+    const double from_line = value[i] - (1.0 - w) * value[i - 1] - w * value[i + 1];
+    if (!std::isnan(from_line)) square.push_back(from_line * from_line / (1.0 + w * w + (1.0 - w) * (1.0 - w)));
   }
   if (square.size() + 2 < kRowsForScatter) return std::nullopt;
   const std::size_t kept = square.size() - square.size() / 20;

@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kSigma = "_sigma";
 
 // Bar's temperature of a test, from the first of its recordings that states one.
@@ -73,7 +72,7 @@ double sigma_of(const DriftAxis& axis, std::size_t row) {
     known = true;
     variance += sigma * sigma;
   }
-  return known ? std::sqrt(variance) : kGap;
+  return known ? std::sqrt(variance) : kUnknown;
 }
 
 const DriftAxis* find_axis(const MeasuredDrift& drift, std::string_view name) {
@@ -83,24 +82,19 @@ const DriftAxis* find_axis(const MeasuredDrift& drift, std::string_view name) {
 }
 
 MeasuredDrift measured(const DriftSeries& drift, const Session& session) {
-  constexpr std::pair<const char*, std::optional<Estimate> DriftPoint::*> kAxes[] = {{"x", &DriftPoint::x},
-                                                                                     {"y", &DriftPoint::y},
-                                                                                     {"z", &DriftPoint::z},
-                                                                                     {"radial", &DriftPoint::radial},
-                                                                                     {"axial", &DriftPoint::axial}};
   MeasuredDrift result;
   result.what = fmt::format("ballbar, {}", name_of(drift.method));
   result.reference_s = drift.reference_s;
   for (const DriftPoint& point : drift.points) result.time_s.push_back(point.time_s);
-  for (const auto& [name, member] : kAxes) {
+  for (const auto& [name, member] : kDriftQuantities) {
     DriftAxis axis{name, "um", {}, {}};
     Contribution fits{"circle fits", {}};
     bool any = false;
     for (const DriftPoint& point : drift.points) {
       const std::optional<Estimate>& estimate = point.*member;
       any = any || estimate.has_value();
-      axis.value.push_back(estimate ? estimate->value_um : kGap);
-      fits.sigma.push_back(estimate ? estimate->sigma_um : kGap);
+      axis.value.push_back(estimate ? estimate->value_um : kUnknown);
+      fits.sigma.push_back(estimate ? estimate->sigma_um : kUnknown);
     }
     if (!any) continue;
     const bool known = std::any_of(fits.sigma.begin(), fits.sigma.end(), [](double s) { return s > 0.0; });

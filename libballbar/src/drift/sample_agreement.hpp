@@ -9,4 +9,9 @@ namespace ballbar {
 // count.
 void decide_by_samples(AxisComparison& axis, double reference_s);
 
+// What the samples of an axis come to.
+
+// Deviations, limits of agreement and correlation, from the samples and their sigma.
+void describe_samples(AxisComparison& axis, double reference_s);
+
 }  // namespace ballbar

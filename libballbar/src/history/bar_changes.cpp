@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "ballbar/history/trend.hpp"
 #include "history/event_texts.hpp"
-#include "history/fit_columns.hpp"
-#include "history/quantity_kind.hpp"
+#include "history/quantity_series.hpp"
 #include "history/robust_fit.hpp"
 #include "history/series_judgement.hpp"
 
@@ -62,13 +62,11 @@ void note_common_bars(const AllSeries& all, History& history) {
   }
 }
 
-std::vector<BarChange> bar_changes_of(const AllSeries& all, const Scatter& scatter, const History& history) {
+std::vector<BarChange> bar_changes_of(const AllSeries& all, const Scatter& scatter) {
   struct Sum {
     double weights = 0.0, weighted = 0.0;
-    std::map<std::string, std::size_t> machines;
+    std::set<std::string> machines;
   };
-  std::map<std::string, std::size_t> place_of;
-  for (std::size_t i = 0; i < history.machines.size(); ++i) place_of[history.machines[i].name] = i;
   std::map<std::pair<std::string, std::string>, Sum> sums;
   for (std::size_t i = 0; i < all.series.size(); ++i) {
     const QuantitySeries& series = all.series[i];
@@ -84,14 +82,16 @@ std::vector<BarChange> bar_changes_of(const AllSeries& all, const Scatter& scatt
       Sum& sum = sums[{std::string(series.bar[k - 1]), std::string(series.bar[k])}];
       sum.weights += weight;
       sum.weighted += weight * factor * fit.gains[1];
-      sum.machines[all.machines[series.machine].name] = place_of.at(all.machines[series.machine].name);
+      sum.machines.insert(all.machines[series.machine].name);
     }
   }
   std::vector<BarChange> changes;
   for (const auto& [bars, sum] : sums) {
-    BarChange change{bars.first, bars.second, {}, sum.weighted / sum.weights, std::sqrt(1.0 / sum.weights)};
-    for (const auto& [name, place] : sum.machines) change.machines.push_back(place);
-    changes.push_back(std::move(change));
+    changes.push_back({bars.first,
+                       bars.second,
+                       {sum.machines.begin(), sum.machines.end()},
+                       sum.weighted / sum.weights,
+                       std::sqrt(1.0 / sum.weights)});
   }
   return changes;
 }

@@ -14,6 +14,6 @@ namespace ballbar {
 void note_common_bars(const AllSeries& all, History& history);
 
 // Every exchange of a bar, with the mean step of the scales over the machines, found or not.
-std::vector<BarChange> bar_changes_of(const AllSeries& all, const Scatter& scatter, const History& history);
+std::vector<BarChange> bar_changes_of(const AllSeries& all, const Scatter& scatter);
 
 }  // namespace ballbar

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ballbar/history/history.hpp"
-#include "history/fit_columns.hpp"
 #include "history/quantity_series.hpp"
+#include "history/robust_fit.hpp"
 #include "history/scatter.hpp"
 #include "history/series_judgement.hpp"
 
@@ -38,5 +39,14 @@ struct SeriesCurve {
 // Fits it and completes size, sigma and levels of the calls.
 SeriesCurve curve_with(const QuantitySeries& series, const SeriesScatter& scatter, const FamilyScatter& family,
                        const std::vector<Call*>& calls);
+
+// p values of many questions at a time.
+
+// q of each: of those with q below a rate no larger share is by chance (Benjamini and Hochberg 1995),
+// for p values that are independent or rise and fall together. O(n log n).
+std::vector<double> q_values(std::span<const double> p_values);
+
+// That nothing at all is behind these (Simes 1986): min of n p_(i) / i. 1 of none.
+double simes(std::vector<double> p_values);
 
 }  // namespace ballbar

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "history/quantity_kind.hpp"
+#include "history/quantity_series.hpp"
 
 namespace ballbar {
 namespace {

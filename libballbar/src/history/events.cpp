@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "ballbar/history/trend.hpp"
-#include "history/quantity_kind.hpp"
+#include "history/quantity_series.hpp"
 
 namespace ballbar {
 namespace {

@@ -125,12 +125,10 @@ class MachineAssembly {
 
   void add_tolerance(const Tolerance& tolerance, bool has_trend) {
     const QuantityHistory& series = machine_.series.back();
-    ToleranceOutlook one;
-    one.series = machine_.series.size() - 1;
-    one.tolerance = tolerance;
-    one.date = tolerance_date(tolerance, series.level, has_trend ? series.trend : std::nullopt);
-    one.last_alone = within(tolerance, series.level) && !within(tolerance, series.value.back());
-    machine_.tolerances.push_back(std::move(one));
+    const bool last_alone = within(tolerance, series.level) && !within(tolerance, series.value.back());
+    machine_.tolerances.push_back(
+        {machine_.series.size() - 1, series.name, series.unit, series.plane, series.level, series.level_sigma,
+         tolerance, tolerance_date(tolerance, series.level, has_trend ? series.trend : std::nullopt), last_alone});
   }
 
   Finding finding_of(const Event& event) const {
@@ -140,7 +138,10 @@ class MachineAssembly {
     finding.to_s = event.to_s;
     finding.axis = event.axis;
     for (const Call* call : event.calls) {
-      finding.quantities.push_back({place_of_.at(call->series), call->size, call->sigma, call->p_value, call->q_value});
+      const std::size_t place = place_of_.at(call->series);
+      const QuantityHistory& of = machine_.series[place];
+      finding.quantities.push_back(
+          {place, of.name, of.unit, of.plane, call->size, call->sigma, call->p_value, call->q_value});
     }
     for (const FindingQuantity& quantity : finding.quantities) {
       finding.p_value = std::min(finding.p_value, quantity.p_value);
@@ -207,7 +208,7 @@ History history_of(std::span<const MachineTest> tests, const HistoryOptions& opt
   note_common_bars(all, history);
   for (MachineHistory& machine : history.machines) say_need(machine);
   rank(history.machines);
-  history.bar_changes = bar_changes_of(all, scatter, history);
+  history.bar_changes = bar_changes_of(all, scatter);
   return history;
 }
 

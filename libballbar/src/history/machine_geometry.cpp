@@ -8,6 +8,7 @@
 
 #include "ballbar/history/trend.hpp"
 #include "numerics/not_finite.hpp"
+#include "numerics/root.hpp"
 #include "numerics/tails.hpp"
 
 namespace ballbar {
@@ -79,6 +80,7 @@ std::optional<PlaneSquareness> squareness_in(std::span<const MachineTest> tests,
     sum += weight * row.value;
     found.unit = row.unit;
     found.tests.push_back(i);
+    found.files.push_back(tests[i].file);
   }
   if (found.tests.empty()) return std::nullopt;
   found.value = sum / weights;
@@ -142,13 +144,10 @@ Solved solved(const Equations& equations, double scatter_ppm) {
 // With which chi^2 is what it is on average, the degrees of freedom (Mandel and Paule).
 double scatter_for(const Equations& equations, std::size_t degrees) {
   const auto expected = static_cast<double>(degrees);
-  double low = 0.0, high = 1.0;
-  while (solved(equations, high).chi2 > expected && high < 1e9) high *= 2.0;
-  for (int halving = 0; halving < 40; ++halving) {
-    const double middle = 0.5 * (low + high);
-    (solved(equations, middle).chi2 > expected ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  const auto is_below = [&](double scatter_ppm) { return solved(equations, scatter_ppm).chi2 > expected; };
+  double high = 1.0;
+  while (is_below(high) && high < 1e9) high *= 2.0;
+  return root_between(is_below, 0.0, high).second;
 }
 
 // Of the axes that the tests reach; unweighted where no test has a covariance.
@@ -187,13 +186,14 @@ std::vector<ScalePull> pulls_of(std::span<const MachineTest> tests, const Equati
   for (std::size_t k = 0; k < equations.tests.size(); ++k) {
     const auto a = equations.a.middleRows<2>(equations.row(k));
     const Eigen::Matrix2d of_residual = equations.covariance[k] - a * solution.covariance * a.transpose();
-    const auto pair = axes_of(tests[equations.tests[k]].plane);
+    const MachineTest& test = tests[equations.tests[k]];
+    const auto pair = axes_of(test.plane);
     for (int side = 0; side < 2; ++side) {
       const double variance = equations.covariance[k](side, side);
       constexpr double kRounding = 1e-9;  // an axis that one test alone tells leaves no residual
       const bool compared = weighted && of_residual(side, side) > kRounding * variance;
       const Eigen::Index row = equations.row(k) + side;
-      pulls.push_back({equations.tests[k], pair[static_cast<std::size_t>(side)], equations.y[row],
+      pulls.push_back({test.file, test.plane, pair[static_cast<std::size_t>(side)], equations.y[row],
                        weighted ? std::sqrt(variance) : kUnknown,
                        compared ? left[row] / std::sqrt(of_residual(side, side)) : kUnknown});
     }
@@ -218,16 +218,17 @@ void solve_scales(std::span<const MachineTest> tests, MachineGeometry& geometry)
   const Equations equations = equations_of(tests, geometry.tests, weighted);
   if (equations.tests.empty()) return;
   Solved solution = solved(equations, 0.0);
-  geometry.pulls = pulls_of(tests, equations, solution, weighted);
+  ScaleAgreement& agreement = geometry.agreement;
+  agreement.pulls = pulls_of(tests, equations, solution, weighted);
   if (weighted) {
-    geometry.chi2 = solution.chi2;
-    geometry.degrees = static_cast<std::size_t>(equations.a.rows() - equations.a.cols());
+    agreement.chi2 = solution.chi2;
+    agreement.degrees = static_cast<std::size_t>(equations.a.rows() - equations.a.cols());
   }
-  if (geometry.degrees > 0) {
-    geometry.p_value = chi2_upper_tail(geometry.chi2, geometry.degrees);
-    if (geometry.p_value < kDisagree) {
-      geometry.scatter_ppm = scatter_for(equations, geometry.degrees);
-      solution = solved(equations, geometry.scatter_ppm);
+  if (agreement.degrees > 0) {
+    agreement.p_value = chi2_upper_tail(agreement.chi2, agreement.degrees);
+    if (agreement.p_value < kDisagree) {
+      agreement.scatter_ppm = scatter_for(equations, agreement.degrees);
+      solution = solved(equations, agreement.scatter_ppm);
     }
   }
   for (int axis = 0; axis < 3; ++axis) {

@@ -13,16 +13,16 @@ namespace ballbar {
 namespace {
 
 // How far beyond, over the tolerance's own size.
-double excess_of(const MachineHistory& machine, const ToleranceOutlook& one) {
+double excess_of(const ToleranceOutlook& one) {
   const double limit = one.date.limit.value_or(0.0);
-  return std::abs(machine.series[one.series].level - limit) / std::max(std::abs(limit), 1e-9);
+  return std::abs(one.level - limit) / std::max(std::abs(limit), 1e-9);
 }
 
 const ToleranceOutlook* farthest_beyond(const MachineHistory& machine) {
   const ToleranceOutlook* worst = nullptr;
   for (const ToleranceOutlook& one : machine.tolerances) {
     if (one.date.outlook != Outlook::beyond) continue;
-    if (worst == nullptr || excess_of(machine, one) > excess_of(machine, *worst)) worst = &one;
+    if (worst == nullptr || excess_of(one) > excess_of(*worst)) worst = &one;
   }
   return worst;
 }
@@ -49,7 +49,7 @@ struct Urgency {
 Urgency urgency_of(const MachineHistory& machine) {
   switch (machine.need) {
     case Need::beyond:
-      return {0, -excess_of(machine, *farthest_beyond(machine))};
+      return {0, -excess_of(*farthest_beyond(machine))};
     case Need::expected:
       return {0, *soonest(machine)->date.at_s};
     case Need::finding: {
@@ -61,11 +61,6 @@ Urgency urgency_of(const MachineHistory& machine) {
       break;
   }
   return {};
-}
-
-std::string label_of(const MachineHistory& machine, const ToleranceOutlook& one) {
-  const QuantityHistory& series = machine.series[one.series];
-  return label_of(series.name, series.plane);
 }
 
 }  // namespace
@@ -86,18 +81,17 @@ std::string_view name_of(Need need) {
 
 void say_need(MachineHistory& machine) {
   if (const ToleranceOutlook* worst = farthest_beyond(machine)) {
-    const QuantityHistory& series = machine.series[worst->series];
     machine.need = Need::beyond;
     machine.reason =
-        fmt::format("{} is {}, beyond its tolerance of {:g} {}.", label_of(machine, *worst),
-                    amount_text(series.level, series.level_sigma, series.unit), *worst->date.limit, series.unit);
+        fmt::format("{} is {}, beyond its tolerance of {:g} {}.", label_of(worst->name, worst->plane),
+                    amount_text(worst->level, worst->level_sigma, worst->unit), *worst->date.limit, worst->unit);
     return;
   }
   if (const ToleranceOutlook* first = soonest(machine)) {
     machine.need = Need::expected;
     machine.reason =
-        fmt::format("{} meets its tolerance of {:g} {} on {} ({} to {}) if it goes on.", label_of(machine, *first),
-                    *first->date.limit, machine.series[first->series].unit, day_text(*first->date.at_s),
+        fmt::format("{} meets its tolerance of {:g} {} on {} ({} to {}) if it goes on.",
+                    label_of(first->name, first->plane), *first->date.limit, first->unit, day_text(*first->date.at_s),
                     day_text(*first->date.earliest_s), first->date.latest_s ? day_text(*first->date.latest_s) : "open");
     return;
   }
@@ -113,7 +107,7 @@ void say_need(MachineHistory& machine) {
   for (const ToleranceOutlook& one : machine.tolerances) {
     if (!one.last_alone) continue;
     machine.reason = fmt::format("{} of the last test is beyond its tolerance, those before are not: measure again.",
-                                 label_of(machine, one));
+                                 label_of(one.name, one.plane));
     return;
   }
   machine.reason = machine.judged == 0 ? "The tests are too few to show a step or a trend." : "Nothing stands out.";

@@ -2,15 +2,20 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "ballbar/circle/recording.hpp"
+#include "ballbar/effects/effect.hpp"
 #include "ballbar/history/machine_test.hpp"
-#include "ballbar/history/test_groups.hpp"
 
 namespace ballbar {
+
+inline constexpr std::size_t kTestsOfTrend = 3;        // fewer tell no trend
+inline constexpr double kSpanOfTrend_s = 7 * 86400.0;  // tests of one week tell none that a year has
 
 // One quantity of one group of a machine's tests. Tests of a day with one bar are one value, their mean. Values with an
 // infinite sigma and without a date are left out.
@@ -43,5 +48,18 @@ struct AllSeries {
 
 // O(n log n).
 AllSeries all_series(std::span<const MachineTest> tests);
+
+// What a quantity of a test is of: which axis, which effect, or all axes together.
+
+struct QuantityKind {
+  const Effect* effect = nullptr;  // of the catalogue, whose row it is; of a scale that of two scales
+  std::optional<int> axis;         // 0, 1, 2 of X, Y, Z
+  std::string stem;                // what it is without axis and side: the same for both sides and all axes
+  bool of_scale = false;           // of one axis, or of all
+  bool of_sum = false;             // circularity, what the fit leaves: they follow the others
+  bool of_both_scales = false;     // how the scales of both axes differ
+};
+
+QuantityKind kind_of(std::string_view name, Plane plane);
 
 }  // namespace ballbar

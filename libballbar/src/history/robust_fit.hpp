@@ -31,4 +31,18 @@ inline double clipped(double z, double clip) { return z > clip ? clip : z < -cli
 // n rows, at most kMostColumns columns, n values, n scatters above 0.
 RobustFit robust_fit(const FitColumns& columns, std::span<const double> values, std::span<const double> scatter);
 
+// The columns of the curves that values over time are held against.
+
+// 1, and years since the middle of the dates.
+FitColumns trend_columns(std::span<const double> time_s);
+
+// sin and cos of the time of the year; each of 1970-01-01T00:00:00 begins one.
+FitColumns season_columns(std::span<const double> time_s);
+
+// 0 before place k, 1 from it on.
+FitColumns step_column(std::size_t n, std::size_t k);
+
+// Two sets side by side.
+FitColumns joined(const FitColumns& left, const FitColumns& right);
+
 }  // namespace ballbar

@@ -7,17 +7,17 @@
 
 #include "ballbar/history/trend.hpp"
 #include "ballbar/numerics/parallel.hpp"
-#include "history/fit_columns.hpp"
 #include "history/robust_fit.hpp"
 #include "history/tail_table.hpp"
 #include "numerics/median.hpp"
+#include "numerics/root.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr double kDegreesOfDifference =
     0.6;  // of one difference for a scatter, where a normal value about a known mean has 1
-constexpr double kMostPriorDegrees = 30.0;
+constexpr double kLeastPriorDegrees = 0.5, kMostPriorDegrees = 30.0;
 constexpr std::size_t kSeriesOfPrior = 4;
 constexpr double kSquareOfClipped = 0.9205;  // of a standard normal number, clipped at kHuberClip
 
@@ -77,13 +77,8 @@ void moderate(const AllSeries& all, const std::vector<std::size_t>& members, std
   deviation.reserve(logs.size());
   for (const double one : logs) deviation.push_back(std::abs(one - middle));
   const double excess = std::pow(kSigmaOfDeviation * median(deviation), 2) - median(own);
-  // trigamma(d0 / 2) = excess, by halving.
-  double low = 0.5, high = kMostPriorDegrees;
-  for (int halving = 0; halving < 40; ++halving) {
-    const double d0 = 0.5 * (low + high);
-    (boost::math::trigamma(0.5 * d0) > excess ? low : high) = d0;
-  }
-  const double d0 = 0.5 * (low + high);
+  const auto is_below = [&](double degrees) { return boost::math::trigamma(0.5 * degrees) > excess; };
+  const double d0 = root_between(is_below, kLeastPriorDegrees, kMostPriorDegrees).second;
   const double s02 = std::exp(middle + boost::math::digamma(0.5 * d0) - std::log(0.5 * d0));
   for (const std::size_t i : members) {
     const double d = degrees_of(all.series[i]);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 
 #include "ballbar/history/history.hpp"
 #include "ballbar/history/trend.hpp"

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "history/quantity_series.hpp"
 #include "numerics/median.hpp"
+#include "numerics/root.hpp"
 
 namespace ballbar {
 namespace {
@@ -103,11 +105,7 @@ double quantile_of(const Trend& trend, const Of& of, double chance) {
     low = std::min(low, normal.mean - kFar * normal.sigma);
     high = std::max(high, normal.mean + kFar * normal.sigma);
   }
-  for (int halving = 0; halving < 40; ++halving) {
-    const double middle = 0.5 * (low + high);
-    (chance_below(trend, of, middle) < chance ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  return root_between([&](double value) { return chance_below(trend, of, value) < chance; }, low, high).second;
 }
 
 // One line a tau, with the posterior as weights.
@@ -145,6 +143,24 @@ double median_of(const std::vector<TrendLine>& lines, const std::vector<double>&
     if (chance >= 0.5) return taus[k];
   }
   return taus.back();
+}
+
+constexpr int kSteps = 120;  // a month each
+
+// The first time from the last test on when the line is beyond the limit with that chance.
+std::optional<double> reached_s(const Trend& trend, double limit, bool upper, double chance) {
+  const auto beyond = [&](double time_s) {
+    const double above = chance_above(trend, time_s, limit);
+    return (upper ? above : 1.0 - above) >= chance;
+  };
+  const double step_s = kForecast_years * kYear_s / kSteps;
+  for (int step = 0; step <= kSteps; ++step) {
+    const double after_s = trend.last_s + step_s * step;
+    if (!beyond(after_s)) continue;
+    const double before_s = std::max(after_s - step_s, trend.last_s);
+    return root_between([&](double time_s) { return !beyond(time_s); }, before_s, after_s).second;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -206,6 +222,26 @@ double quantile(const Trend& trend, double time_s, double chance) {
   const double x_years = (time_s - trend.last_s) / kYear_s;
   return quantile_of(
       trend, [&](const TrendLine& line) { return at(line, x_years); }, chance);
+}
+
+ToleranceDate tolerance_date(const Tolerance& tolerance, double last_value, const std::optional<Trend>& trend) {
+  ToleranceDate date;
+  if (!within(tolerance, last_value)) {
+    date.outlook = Outlook::beyond;
+    date.limit = tolerance.upper && last_value > *tolerance.upper ? tolerance.upper : tolerance.lower;
+    return date;
+  }
+  if (!trend || !trend->significant) return date;
+  const bool upper = trend->rate_per_year > 0.0;
+  date.outlook = Outlook::away;
+  date.limit = upper ? tolerance.upper : tolerance.lower;
+  if (!date.limit) return date;
+  date.at_s = reached_s(*trend, *date.limit, upper, 0.5);
+  if (!date.at_s) return date;
+  date.outlook = Outlook::expected;
+  date.earliest_s = reached_s(*trend, *date.limit, upper, 0.025).value_or(*date.at_s);
+  date.latest_s = reached_s(*trend, *date.limit, upper, 0.975);
+  return date;
 }
 
 }  // namespace ballbar

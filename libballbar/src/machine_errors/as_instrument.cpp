@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "ballbar/circle/trace.hpp"
 #include "ballbar/units.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
@@ -38,7 +38,7 @@ Eigen::VectorXd left_as_instrument(const ErrorFitted& fitted) {
 double spike_of(const ErrorFitted& fitted, const Eigen::VectorXd& left, double reversal_deg, std::size_t recording) {
   const std::vector<double>& angle_rad = find_column(fitted.rows.fine, trace_column("angle"))->values;
   const std::vector<double>& direction = find_column(fitted.rows.fine, trace_column("direction"))->values;
-  double largest = std::numeric_limits<double>::quiet_NaN();
+  double largest = kUnknown;
   for (std::size_t i = 0; i < angle_rad.size(); ++i) {
     if (fitted.rows.recording[fitted.rows.row_of[i]] != recording) continue;
     const double since_deg = direction[i] * std::remainder(deg_from_rad(angle_rad[i]) - reversal_deg, 360.0);

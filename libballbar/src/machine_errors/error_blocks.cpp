@@ -69,11 +69,76 @@ double best_shape(const Effect& effect, const std::vector<double>& shapes, const
       normal -= shared.transpose() * base.fit->inverse * shared;
     }
     normal.diagonal() *= 1.0 + kRidge;
-    const Eigen::VectorXd seen = weighted.transpose() * left;
-    const double lowers = seen.dot(normal.ldlt().solve(seen));
+    const Eigen::VectorXd right = weighted.transpose() * left;
+    const double lowers = right.dot(normal.ldlt().solve(right));
     if (lowers > most) most = lowers, best = shape;
   }
   return best;
+}
+
+GainMaps::GainMaps(const GainStages& stages)
+    : stages_(stages),
+      p_(stages.together->size()),
+      c_(stages.cyclic->size()),
+      e_(stages.extra->size()),
+      s_(stages.spikes->size()) {
+  const Eigen::Index n = stages.rows->size();
+  Eigen::MatrixXd columns(n, p_ + e_);
+  columns.leftCols(p_) = stages.together->values;
+  columns.rightCols(e_) = stages.extra->values;
+  z_.resize(n, p_ + e_ + c_ + s_);
+  z_.leftCols(p_ + e_) = stages.far->asDiagonal() * columns;
+  z_.middleCols(p_ + e_, c_) = stages.cyclic_block->weighted;
+  z_.rightCols(s_) = *stages.filters;
+  normal_ = columns.transpose() * z_.leftCols(p_ + e_);
+  with_cyclic_ = z_.leftCols(p_ + e_).transpose() * stages.cyclic->values;
+  spike_squares_ = (stages.filters->array() * stages.spikes->values.array()).colwise().sum().max(1e-12).transpose();
+  const Eigen::MatrixXd per_square = *stages.filters * spike_squares_.cwiseInverse().asDiagonal();
+  spikes_of_ = per_square.transpose() * columns;
+  spikes_of_cyclic_ = per_square.transpose() * stages.cyclic->values;
+  // G (C' y - C' M b), b = N^-1 M' y of the first fit.
+  Eigen::MatrixXd t_first = Eigen::MatrixXd::Zero(p_, z_.cols());
+  t_first.leftCols(p_) = stages.first->inverse;
+  const Block& cyclic = *stages.cyclic_block;
+  t_cyclic_ = -cyclic.inverse * (cyclic.weighted.transpose() * stages.together->values) * t_first;
+  t_cyclic_.middleCols(p_ + e_, c_) += cyclic.inverse;
+}
+
+GainMap GainMaps::of(const Indices& chosen, const Eigen::MatrixXd& precision) const {
+  const Eigen::MatrixXd normal = normal_(chosen, chosen);
+  const Eigen::MatrixXd inverse = inverse_of(normal, precision);
+  GainMap map{Eigen::MatrixXd::Zero(inverse.rows(), z_.cols()), {}};
+  map.t(Eigen::all, chosen) = inverse;
+  map.t -= inverse * with_cyclic_(chosen, Eigen::all) * t_cyclic_;
+  // What the prior leaves open: N^-1 L T L N^-1 with L T = s^2. The ridge is one too: without it, a combination that no
+  // reading sees would have the sigma of its sum alone, or of rounding.
+  Eigen::MatrixXd held = (kRidge * normal.diagonal()).asDiagonal();
+  held.topLeftCorner(p_, p_) += precision;
+  map.open = stages_.slow_variance_um2 * inverse * held * inverse;
+  return map;
+}
+
+GainMap GainMaps::joined(const GainMap& whole, const Indices& chosen, const GainMap& own) const {
+  const Eigen::Index before = p_ + c_ + e_, all = before + s_;
+  GainMap map{Eigen::MatrixXd::Zero(all, z_.cols()), Eigen::MatrixXd::Zero(all, all)};
+  map.t.middleRows(p_, c_) = t_cyclic_;
+  map.t.middleRows(p_ + c_, e_) = whole.t.bottomRows(e_);
+  Indices places;
+  places.reserve(chosen.size());
+  for (const Eigen::Index k : chosen) places.push_back(k < p_ ? k : k + c_);
+  map.t(places, Eigen::all) = own.t;
+  map.open(places, places) = own.open;
+  // (F' y - F' X b - F' C g) / f' s
+  const Eigen::MatrixXd of_chosen = spikes_of_(Eigen::all, chosen);
+  map.t.bottomRows(s_) = -of_chosen * own.t - spikes_of_cyclic_ * t_cyclic_;
+  map.t.bottomRightCorner(s_, s_) += spike_squares_.cwiseInverse().asDiagonal().toDenseMatrix();
+  const Eigen::MatrixXd crossed = -of_chosen * own.open;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    map.open.bottomRows(s_).col(places[k]) = crossed.col(static_cast<Eigen::Index>(k));
+    map.open.rightCols(s_).row(places[k]) = crossed.col(static_cast<Eigen::Index>(k)).transpose();
+  }
+  map.open.bottomRightCorner(s_, s_) = -crossed * of_chosen.transpose();
+  return map;
 }
 
 }  // namespace ballbar

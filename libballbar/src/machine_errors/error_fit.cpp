@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "ballbar/circle/trace.hpp"
@@ -11,9 +10,8 @@
 #include "machine_errors/as_instrument.hpp"
 #include "machine_errors/cyclic_fit.hpp"
 #include "machine_errors/error_blocks.hpp"
-#include "machine_errors/gain_maps.hpp"
-#include "machine_errors/reversal_noise.hpp"
 #include "machine_errors/spike_fit.hpp"
+#include "numerics/not_finite.hpp"
 #include "numerics/tails.hpp"
 
 namespace ballbar {
@@ -324,9 +322,9 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
   }
   std::vector<ErrorColumn> names = stages.together.columns.columns;
   names.insert(names.end(), stages.extra.columns.columns.begin(), stages.extra.columns.columns.end());
-  const std::vector<std::string> alike = undetermined(fitted.normal, names);
-  fitted.undetermined.insert(fitted.undetermined.begin(), alike.begin(), alike.end());
-  fitted.as_instrument = Eigen::VectorXd::Constant(fitted.gains.size(), std::numeric_limits<double>::quiet_NaN());
+  const std::vector<std::string> phrases = undetermined(fitted.normal, names);
+  fitted.undetermined.insert(fitted.undetermined.begin(), phrases.begin(), phrases.end());
+  fitted.as_instrument = Eigen::VectorXd::Constant(fitted.gains.size(), kUnknown);
   fitted.as_instrument.head(gains.size()) = gains;
   fitted.as_instrument.segment(gains.size(), waves.size()) = waves;
   add_spikes_as_instrument(fitted, options.cyclic_of_runs);

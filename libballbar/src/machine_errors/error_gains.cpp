@@ -7,6 +7,7 @@
 
 #include "ballbar/circle/trace.hpp"
 #include "ballbar/units.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
@@ -148,7 +149,7 @@ void add_gains(MachineErrors& found, const ErrorFitted& fitted, const Series& tr
     RankedError& one = found.ranked[k];
     one.circularity_without_um = extremes.range_without(curves.of_each[k]);
     one.gain_um = found.circularity_um - one.circularity_without_um;
-    one.gain_sigma_um = std::numeric_limits<double>::quiet_NaN();
+    one.gain_sigma_um = kUnknown;
   }
   if (with_sigmas) add_sigmas(found.ranked, fitted, extremes, curves);
   rank(found.ranked);

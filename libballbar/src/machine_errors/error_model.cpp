@@ -86,14 +86,14 @@ ErrorColumns circle_columns(const ErrorRows& rows) {
   for (std::size_t i = 0; i < n; ++i) recording_of[i] = static_cast<double>(rows.recording[rows.row_of[i]]);
   // The first of each direction differ by a shift; every further one has a circle of its own beside them.
   std::vector<std::size_t> further;
-  bool seen_ccw = false, seen_cw = false;
+  bool has_ccw = false, has_cw = false;
   for (std::size_t k = 0, i = 0; k < rows.recordings; ++k) {
     while (i < n && static_cast<std::size_t>(recording_of[i]) < k) ++i;
-    bool& seen = direction[i] > 0.0 ? seen_ccw : seen_cw;
-    if (seen) further.push_back(k);
-    seen = true;
+    bool& has_one = direction[i] > 0.0 ? has_ccw : has_cw;
+    if (has_one) further.push_back(k);
+    has_one = true;
   }
-  const bool both = seen_ccw && seen_cw;
+  const bool both = has_ccw && has_cw;
   const std::size_t parts = 3 * ((both ? 2 : 1) + further.size());
   circle.fine.setZero(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(parts));
   Eigen::Index column = 0;

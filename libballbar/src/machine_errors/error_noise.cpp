@@ -170,15 +170,15 @@ std::vector<WeightedNoise> likely_noises(const ErrorRows& rows, const Restricted
 
 // Orthonormal columns that span these.
 Eigen::MatrixXd span_of(const Eigen::MatrixXd& columns) {
-  Eigen::MatrixXd alike = columns;  // in size, so that none is lost to rounding
-  for (Eigen::Index k = 0; k < alike.cols(); ++k) {
-    const double size = alike.col(k).norm();
-    if (size > 0.0) alike.col(k) /= size;
+  Eigen::MatrixXd scaled = columns;  // in size, so that none is lost to rounding
+  for (Eigen::Index k = 0; k < scaled.cols(); ++k) {
+    const double size = scaled.col(k).norm();
+    if (size > 0.0) scaled.col(k) /= size;
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> parts(alike.rows(), alike.cols());
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> parts(scaled.rows(), scaled.cols());
   parts.setThreshold(kLeastOfSpan);
-  parts.compute(alike);
-  return parts.householderQ() * Eigen::MatrixXd::Identity(alike.rows(), parts.rank());
+  parts.compute(scaled);
+  return parts.householderQ() * Eigen::MatrixXd::Identity(scaled.rows(), parts.rank());
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
+#include "numerics/not_finite.hpp"
 #include "numerics/tails.hpp"
 
 namespace ballbar {
@@ -261,7 +261,7 @@ std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTab
 
 double held_out_rms_um(const ErrorFitted& fitted, const std::set<const Effect*>& effects) {
   const Directions directions = directions_of(fitted.rows);
-  if (!directions.both()) return std::numeric_limits<double>::quiet_NaN();
+  if (!directions.both()) return kUnknown;
   std::set<const Effect*> all;
   for (const FittedEffect& effect : fitted.effects) all.insert(effect.effect);
   const OwnColumns own = own_columns(fitted, effects);

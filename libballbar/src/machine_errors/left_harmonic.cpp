@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <map>
 
 #include "ballbar/units.hpp"
-#include "machine_errors/reversal_noise.hpp"
+#include "machine_errors/spike_fit.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
@@ -48,13 +48,13 @@ std::vector<Wave> waves_of(const ErrorRows& all, const Eigen::VectorXd& residual
   const Eigen::MatrixXd weighted = rows.count.asDiagonal() * columns;
   // A line in the spectrum stands out of the likeliest noise or of none.
   const Eigen::MatrixXd spread = spread_of(weighted, rows, {{1.0, noises.front().noise}});
-  const Eigen::VectorXd seen = weighted.transpose() * residual(own);
+  const Eigen::VectorXd right = weighted.transpose() * residual(own);
   std::vector<Wave> waves;
   waves.reserve(static_cast<std::size_t>(kWaves));
   for (Eigen::Index k = 0; k < kWaves; ++k) {
     const auto pair = columns.middleCols<2>(2 * k);
     const Eigen::Matrix2d inverse = Eigen::Matrix2d(pair.transpose() * weighted.middleCols<2>(2 * k)).inverse();
-    const Eigen::Vector2d wave = inverse * seen.segment<2>(2 * k);
+    const Eigen::Vector2d wave = inverse * right.segment<2>(2 * k);
     const Eigen::Matrix2d scatter = weighted.middleCols<2>(2 * k).transpose() * spread.middleCols<2>(2 * k);
     const Eigen::Matrix2d covariance = inverse * scatter * inverse;
     const double chi2 = wave.dot(covariance.ldlt().solve(wave));
@@ -64,8 +64,8 @@ std::vector<Wave> waves_of(const ErrorRows& all, const Eigen::VectorXd& residual
 }
 
 // The noise that is left beside this wave too.
-std::vector<WeightedNoise> noise_beside(const ErrorRows& rows, const Eigen::MatrixXd& columns,
-                                        const LeftHarmonic& wave) {
+std::vector<WeightedNoise> noise_without(const ErrorRows& rows, const Eigen::MatrixXd& columns,
+                                         const LeftHarmonic& wave) {
   Eigen::MatrixXd with(columns.rows(), columns.cols() + 2);
   with.leftCols(columns.cols()) = columns;
   for (Eigen::Index i = 0; i < rows.size(); ++i) {
@@ -97,7 +97,7 @@ double repeatability_um(const ErrorRows& rows, const Eigen::VectorXd& residual) 
     squares += 0.5 * difference * difference;
     ++number;
   }
-  return number == 0 ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(squares / static_cast<double>(number));
+  return number == 0 ? kUnknown : std::sqrt(squares / static_cast<double>(number));
 }
 
 std::optional<LeftHarmonic> left_harmonic(const ErrorRows& rows, const Eigen::MatrixXd& columns,
@@ -120,9 +120,9 @@ std::optional<LeftHarmonic> left_harmonic(const ErrorRows& rows, const Eigen::Ma
   if (most.harmonic == 0) return std::nullopt;
   const double looked_at = static_cast<double>(rows.recordings) * (kLast - kFirst + 1);
   if (most.p_value * looked_at >= kClear && most.p_value * looked_at < kPerhaps) {
-    const std::vector<WeightedNoise> beside = noise_beside(rows, columns, most);
+    const std::vector<WeightedNoise> others = noise_without(rows, columns, most);
     most.p_value =
-        waves_of(rows, residual, beside, most.recording)[static_cast<std::size_t>(most.harmonic - kFirst)].p_value;
+        waves_of(rows, residual, others, most.recording)[static_cast<std::size_t>(most.harmonic - kFirst)].p_value;
   }
   most.p_value *= looked_at;
   if (!(most.p_value < kClear)) return std::nullopt;

@@ -12,11 +12,10 @@
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
 #include "numerics/interpolation.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 bool is_signal(const Column& column) { return column.role != Role::measured && column.role != Role::event; }
 
@@ -99,7 +98,7 @@ void expect_common_times(std::span<const Series> parts, const Range& range) {
 }
 
 std::vector<double> on(const std::vector<double>& time_s, const Known& values, Role role) {
-  std::vector<double> result(time_s.size(), kGap);
+  std::vector<double> result(time_s.size(), kUnknown);
   std::size_t next = 0;  // first known value after the row
   for (std::size_t row = 0; row < time_s.size(); ++row) {
     while (next < values.time_s.size() && values.time_s[next] <= time_s[row]) ++next;

@@ -4,15 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "ballbar/error.hpp"
 
 namespace ballbar {
 namespace {
+
+constexpr double kRest_s = 8.0 * 3600.0;  // a machine that stood less since the run before begins warm
 
 std::string_view stem_of(std::string_view column) {
   const std::string_view unit = unit_of(column);
@@ -52,37 +52,20 @@ bool same_rows(const Series& a, const Series& b) {
   return compared > 0;
 }
 
-// Of "2026-11-22T13:05:10".
-std::optional<double> seconds_of_clock(const std::string& text) {
-  int year = 0;
-  unsigned month = 0, day = 0, hour = 0, minute = 0;
-  double second = 0.0;
-  // NOLINTNEXTLINE(cert-err34-c): what does not fit is no clock
-  if (std::sscanf(text.c_str(), "%4d-%2u-%2uT%2u:%2u:%9lf", &year, &month, &day, &hour, &minute, &second) != 6) {
-    return std::nullopt;
-  }
-  const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)};
-  if (!date.ok()) return std::nullopt;
-  const auto days = std::chrono::sys_days(date).time_since_epoch().count();
-  return 86400.0 * static_cast<double>(days) + 3600.0 * hour + 60.0 * minute + second;
-}
-
 struct Hours {
   std::optional<double> begin_s, end_s;
 };
 
-std::vector<Hours> hours_of(const std::vector<Series>& runs) {
-  std::vector<Hours> hours;
-  hours.reserve(runs.size());
-  for (const Series& run : runs) {
-    const std::optional<double> zero_s = run.started ? seconds_of_clock(*run.started) : std::nullopt;
-    hours.push_back(zero_s ? Hours{*zero_s + run.time_s.front(), *zero_s + run.time_s.back()} : Hours{});
+std::vector<Hours> hours_of(const std::vector<Series>& runs, const std::vector<std::optional<double>>& zeros_s) {
+  std::vector<Hours> hours(runs.size());
+  for (std::size_t r = 0; r < zeros_s.size(); ++r) {
+    if (zeros_s[r]) hours[r] = {*zeros_s[r] + runs[r].time_s.front(), *zeros_s[r] + runs[r].time_s.back()};
   }
   return hours;
 }
 
-void expect_apart(const std::vector<Series>& runs, const std::vector<std::string>& names,
-                  const std::vector<Hours>& hours) {
+void expect_separate(const std::vector<Series>& runs, const std::vector<std::string>& names,
+                     const std::vector<Hours>& hours) {
   for (std::size_t a = 0; a < runs.size(); ++a) {
     for (std::size_t b = a + 1; b < runs.size(); ++b) {
       if (same_rows(runs[a], runs[b])) {
@@ -140,10 +123,10 @@ std::vector<double> unrolled(std::span<const double> time_s) {
   std::vector<double> result(time_s.begin(), time_s.end());
   if (result.empty()) return result;
   const auto [low, high] = std::minmax_element(time_s.begin(), time_s.end());
-  const double apart_s = *high - *low + kDay_s;
+  const double between_s = *high - *low + kDay_s;
   double offset_s = 0.0;
   for (std::size_t row = 0; row < result.size(); ++row) {
-    if (row > 0 && time_s[row] < time_s[row - 1]) offset_s += apart_s;
+    if (row > 0 && time_s[row] < time_s[row - 1]) offset_s += between_s;
     result[row] += offset_s;
   }
   return result;
@@ -162,7 +145,8 @@ std::vector<double> one_after_another(std::span<const double> time_s) {
   return result;
 }
 
-Stacked stacked(const std::vector<Series>& runs, const std::vector<std::string>& names) {
+Stacked stacked(const std::vector<Series>& runs, const std::vector<std::string>& names,
+                const std::vector<std::optional<double>>& zeros_s) {
   Stacked result;
   if (runs.size() == 1) {
     result.series = runs.front();
@@ -173,8 +157,8 @@ Stacked stacked(const std::vector<Series>& runs, const std::vector<std::string>&
     throw Error(fmt::format("{}: expected a run of at least 2 rows, found {}.", names[r], runs[r].time_s.size()));
   }
   expect_same_units(runs, names);
-  const std::vector<Hours> hours = hours_of(runs);
-  expect_apart(runs, names, hours);
+  const std::vector<Hours> hours = hours_of(runs, zeros_s);
+  expect_separate(runs, names, hours);
   Series& all = result.series;
   all.five_probe = runs.front().five_probe;
   std::vector<std::string> left_out;

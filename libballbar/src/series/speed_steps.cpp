@@ -1,11 +1,12 @@
 #include "ballbar/series/speed_steps.hpp"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/series/runs.hpp"
+#include "numerics/not_finite.hpp"
+#include "series/standstill.hpp"
 
 namespace ballbar {
 namespace {
@@ -18,7 +19,7 @@ double median_of_known(const std::vector<double>& values, std::size_t begin, std
   for (std::size_t row = begin; row < end; ++row) {
     if (!std::isnan(values[row])) known.push_back(values[row]);
   }
-  return known.empty() ? std::numeric_limits<double>::quiet_NaN() : median(std::move(known));
+  return known.empty() ? kUnknown : median(std::move(known));
 }
 
 void add_steps(const std::vector<double>& time_s, const std::vector<double>& rpm, const RowRange& run, double largest,
@@ -54,8 +55,7 @@ void add_steps(const std::vector<double>& time_s, const std::vector<double>& rpm
 
 std::vector<SpeedStep> speed_steps(const std::vector<double>& time_s, const Column& speed) {
   const std::vector<double>& rpm = speed.values;
-  double largest = 0.0;
-  for (const double value : rpm) largest = std::fmax(largest, std::abs(value));  // a gap does not count
+  const double largest = largest_of(rpm);
   std::vector<SpeedStep> steps;
   for (const RowRange& run : runs_of(time_s)) add_steps(time_s, rpm, run, largest, steps);
   return steps;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
@@ -35,7 +36,7 @@ Series subsampled(const Series& data, const std::string& target, std::size_t mos
     for (std::size_t k = first; k < end; k += 1 + (end - first) / kMostAbout) is_kept[k] = 1;
   }
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (is_kept[k] == 0) column->values[rows[k]] = std::numeric_limits<double>::quiet_NaN();
+    if (is_kept[k] == 0) column->values[rows[k]] = kUnknown;
   }
   return result;
 }

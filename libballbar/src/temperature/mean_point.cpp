@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "ballbar/error.hpp"
+#include "numerics/interpolation.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
@@ -44,12 +46,7 @@ void check_profile(const TemperatureProfile& profile) {
 
 // Straight lines through (x, y), the end's value outside.
 double line_at(const std::vector<double>& x, const std::vector<double>& y, double at) {
-  const auto above = std::upper_bound(x.begin(), x.end(), at);
-  if (above == x.begin()) return y.front();
-  if (above == x.end()) return y.back();
-  const auto i = static_cast<std::size_t>(above - x.begin());
-  const double share = (at - x[i - 1]) / (x[i] - x[i - 1]);
-  return (1.0 - share) * y[i - 1] + share * y[i];
+  return value_at(y, *place_of(x, std::clamp(at, x.front(), x.back())));
 }
 
 // Crossings, and stretches at the level, of the straight lines alone.
@@ -115,6 +112,8 @@ MeanPoint with_chord(const TemperatureProfile& profile, MeanPoint point) {
   return point;
 }
 
+constexpr double kSame = 2.0;  // sigma: crossings not farther apart than that in T are one
+
 }  // namespace
 
 double length_mm(const TemperatureProfile& profile) {
@@ -127,7 +126,7 @@ double temperature_at(const TemperatureProfile& profile, double x_mm) {
 }
 
 double sigma_at(const TemperatureProfile& profile, double x_mm) {
-  if (profile.sigma_degC.size() != profile.x_mm.size()) return std::numeric_limits<double>::quiet_NaN();
+  if (profile.sigma_degC.size() != profile.x_mm.size()) return kUnknown;
   return line_at(profile.x_mm, profile.sigma_degC, x_mm);
 }
 
@@ -143,7 +142,7 @@ double mean_degC(const TemperatureProfile& profile) {
 double sigma_of_mean_degC(const TemperatureProfile& profile) {
   const double length = length_mm(profile);
   const std::size_t n = profile.x_mm.size();
-  if (profile.sigma_degC.size() != n) return std::numeric_limits<double>::quiet_NaN();
+  if (profile.sigma_degC.size() != n) return kUnknown;
   double sigma = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     const double w = 0.5 * (profile.x_mm[std::min(i + 1, n - 1)] - profile.x_mm[i == 0 ? 0 : i - 1]) / length;
@@ -169,7 +168,7 @@ std::vector<MeanPoint> points_at(const TemperatureProfile& profile, double level
     MeanPoint& last = points.back();
     last.to_mm = next.to_mm;
     last.x_mm = 0.5 * (last.from_mm + last.to_mm);
-    last.slope_degC_per_mm = std::numeric_limits<double>::quiet_NaN();  // until it has its chord
+    last.slope_degC_per_mm = kUnknown;  // until it has its chord
   }
   for (MeanPoint& point : points) point = with_chord(profile, point);
   return points;
@@ -242,6 +241,29 @@ BestPoint best_point(std::span<const TemperatureProfile> profiles, double expans
     best.misplaced_um_per_mm = std::max(best.misplaced_um_per_mm, um_per_K[k] * std::abs(here.slope_degC_per_mm));
   }
   return best;
+}
+
+double same_degC(const TemperatureProfile& profile, double level_degC) {
+  const std::vector<MeanPoint> crossings = points_at(profile, level_degC);
+  if (crossings.empty() || profile.sigma_degC.empty()) return 0.0;
+  return kSame * sigma_at(profile, crossings.front().x_mm);
+}
+
+TemperatureProfile with_step(TemperatureProfile profile, double step_degC) {
+  for (double& sigma : profile.sigma_degC) sigma = std::hypot(sigma, step_degC / std::sqrt(12.0));
+  return profile;
+}
+
+std::vector<MeanPoint> flattest_first(std::vector<MeanPoint> points) {
+  std::stable_sort(points.begin(), points.end(), [](const MeanPoint& a, const MeanPoint& b) {
+    return std::abs(a.slope_degC_per_mm) < std::abs(b.slope_degC_per_mm);
+  });
+  return points;
+}
+
+double sigma_of_place_mm(const TemperatureProfile& profile, const MeanPoint& point, double edge_sigma_mm) {
+  const double along = sigma_at(profile, point.x_mm) / std::abs(point.slope_degC_per_mm);
+  return std::hypot(along, edge_sigma_mm, 0.5 * (point.to_mm - point.from_mm));
 }
 
 }  // namespace ballbar

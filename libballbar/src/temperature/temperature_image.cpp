@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <unordered_map>
 
 #include "ballbar/error.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
+#include "numerics/not_finite.hpp"
 #include "temperature/colour_scale.hpp"
 
 namespace ballbar {
@@ -22,7 +22,6 @@ constexpr double kAtEnd = 0.01;          // of the scale's span
 constexpr double kSaturated = 0.03;      // of the pixels used
 constexpr std::size_t kSpike = 4;        // times as many as beside
 constexpr std::size_t kWidestLine = 8;   // pixels: what is apart by more is not one thing
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 enum class Pixel : std::uint8_t { on, off_scale, contrasting, at_edge };
 
@@ -119,9 +118,9 @@ std::vector<std::size_t> contrasting(const Field& field, double limit_degC) {
       for (std::size_t y = row - std::min(row, kMedianReach); y <= std::min(row + kMedianReach, height - 1); ++y) {
         for (std::size_t x = column - std::min(column, kMedianReach); x <= std::min(column + kMedianReach, width - 1);
              ++x) {
-          const std::size_t beside = y * width + x;
-          if (field.state[beside] != Pixel::on) continue;
-          around.push_back(field.degC[beside]);
+          const std::size_t neighbour = y * width + x;
+          if (field.state[neighbour] != Pixel::on) continue;
+          around.push_back(field.degC[neighbour]);
           low = std::min(low, around.back());
           high = std::max(high, around.back());
         }
@@ -272,7 +271,7 @@ TemperatureImage temperature_image(const Picture& picture, const ColourScale& sc
     for (std::size_t column = 0; column < box.width; ++column) {
       const std::size_t at = (box.y - looked_at.y + row) * looked_at.width + box.x - looked_at.x + column;
       const Pixel state = field.state[at];
-      image.degC.push_back(state == Pixel::on ? field.degC[at] : kGap);
+      image.degC.push_back(state == Pixel::on ? field.degC[at] : kUnknown);
       if (state == Pixel::on) {
         ++image.used;
       }

@@ -30,7 +30,7 @@ History small_plant() {
   series.scatter = 0.2;
   machine.series.push_back(series);
   Finding step;
-  step.quantities.push_back({0, 4.5, 0.25, 1e-6, 1e-4});
+  step.quantities.push_back({0, series.name, series.unit, series.plane, 4.5, 0.25, 1e-6, 1e-4});
   step.from_s = series.time_s[0];
   step.to_s = series.time_s[1];
   step.p_value = 1e-6;

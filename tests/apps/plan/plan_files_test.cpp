@@ -20,7 +20,7 @@ PlanContents sample() {
           .title = "Which of two",
           .text = "Two effects explain the data.",
           .curves = {{"one", 0.6, {0.0, 7200.0}, {0.0, 9.0}, {0.5, 0.5}}, {"two", 0.4, {0.0, 7200.0}, {0.0, 3.0}, {}}},
-          .apart = {0.0, 2.0},
+          .separation = {0.0, 2.0},
           .columns_to_log = {"T_room_degC"},
           .options = {.ballbar = BallbarTest{}, .max_rpm = 12000.0}};
 }

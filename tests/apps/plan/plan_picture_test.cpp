@@ -1,11 +1,10 @@
-#include "plan/plan_picture.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <pugixml.hpp>
 
+#include "plan/plan_files.hpp"
 #include "plan/svg.hpp"
 
 namespace ballbar {
@@ -25,7 +24,7 @@ PlanContents sample() {
     }
     contents.curves.push_back(curve);
   }
-  for (int i = 0; i <= 120; ++i) contents.apart.push_back(i < 60 ? 0.0 : (i - 60) / 60.0);
+  for (int i = 0; i <= 120; ++i) contents.separation.push_back(i < 60 ? 0.0 : (i - 60) / 60.0);
   return contents;
 }
 
@@ -123,8 +122,8 @@ TEST(plan_picture, any_text_and_any_number) {
   contents.curves[0].um[9] = 1e300;
   contents.curves[1].time_s[5] = NAN;
   contents.curves[1].sigma_um.clear();
-  contents.apart[100] = NAN;
-  contents.apart.resize(110);
+  contents.separation[100] = NAN;
+  contents.separation.resize(110);
   const pugi::xml_document document = parsed(plan_picture(contents));
   const std::vector<std::string> texts = texts_of(document);
   EXPECT_TRUE(has(texts, "<script>alert(1)</script> & \"so\"  ?? on"));

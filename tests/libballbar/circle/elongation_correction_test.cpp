@@ -1,6 +1,6 @@
-#include "ballbar/circle/elongation_correction.hpp"
-
 #include <gtest/gtest.h>
+
+#include "ballbar/circle/axial_length.hpp"
 
 namespace ballbar {
 namespace {

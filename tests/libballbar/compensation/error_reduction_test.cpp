@@ -1,10 +1,10 @@
-#include "ballbar/compensation/error_reduction.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <vector>
+
+#include "ballbar/compensation/compensation_replay.hpp"
 
 namespace ballbar {
 namespace {

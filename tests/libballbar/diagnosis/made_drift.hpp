@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "../made_series.hpp"
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 
 namespace ballbar::made {
@@ -67,11 +68,6 @@ inline Model by_speed() {
   model.targets = {"z_um"};
   model.terms = {term_of("speed_heating", {"speed_rpm"})};
   return model;
-}
-
-inline std::vector<double>& values_of(Series& data, const std::string& name) {
-  return std::find_if(data.columns.begin(), data.columns.end(), [&](const Column& one) { return one.name == name; })
-      ->values;
 }
 
 // Few surrogates: a verdict takes a tenth of a second less.

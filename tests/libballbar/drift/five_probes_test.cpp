@@ -7,7 +7,7 @@
 #include <limits>
 #include <string_view>
 
-#include "ballbar/error.hpp"
+#include "../made_series.hpp"
 #include "numerics/random_streams.hpp"
 
 namespace ballbar {
@@ -298,12 +298,7 @@ TEST(five_point, errors) {
     Series series = probes();
     FivePointOptions options;
     spoil(series, options);
-    try {
-      five_point(series, options);
-      ADD_FAILURE() << "no Error: " << message;
-    } catch (const Error& error) {
-      EXPECT_STREQ(error.what(), message);
-    }
+    made::expect_error(message, [&] { five_point(series, options); });
   }
 }
 

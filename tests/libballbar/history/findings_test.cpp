@@ -9,7 +9,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/history/history.hpp"
 #include "ballbar/history/trend.hpp"
-#include "history/false_discovery.hpp"
+#include "history/calls.hpp"
 #include "history/robust_fit.hpp"
 #include "numerics/not_finite.hpp"
 
@@ -65,9 +65,9 @@ const MachineHistory& machine_called(const History& history, const std::string& 
   return *found;
 }
 
-std::vector<std::string> names_in(const MachineHistory& machine, const Finding& finding) {
+std::vector<std::string> names_in(const Finding& finding) {
   std::vector<std::string> names;
-  for (const FindingQuantity& one : finding.quantities) names.push_back(machine.series[one.series].name);
+  for (const FindingQuantity& one : finding.quantities) names.push_back(one.name);
   return names;
 }
 
@@ -151,7 +151,7 @@ TEST(findings, what_steps_at_one_date_is_one_event) {
   ASSERT_EQ(hit.findings.size(), 1u);
   const Finding& step = hit.findings[0];
   EXPECT_EQ(step.kind, FindingKind::step);
-  const std::vector<std::string> names = names_in(hit, step);
+  const std::vector<std::string> names = names_in(step);
   EXPECT_TRUE(holds(names, "squareness") && holds(names, "straightness_b") && holds(names, "backlash_a_pos"));
   EXPECT_NEAR((step.from_s - 1579046400) / kYear_s, 20.0 / 12.0, 0.01);
   EXPECT_NEAR((step.to_s - 1579046400) / kYear_s, 21.0 / 12.0, 0.01);

@@ -36,8 +36,8 @@ TEST(machine_geometry, planes_that_agree) {
     EXPECT_NEAR(scale.sigma_ppm, std::sqrt(0.5), 1e-9);
     EXPECT_EQ(scale.planes, 2u);
   }
-  EXPECT_EQ(found.degrees, 3u);
-  EXPECT_NEAR(found.chi2, 0.0, 1e-12);
+  EXPECT_EQ(found.agreement.degrees, 3u);
+  EXPECT_NEAR(found.agreement.chi2, 0.0, 1e-12);
   EXPECT_TRUE(found.within_a_day);
   ASSERT_EQ(found.squareness.size(), 3u);
   EXPECT_EQ(found.squareness[1].plane, Plane::YZ);
@@ -51,18 +51,18 @@ TEST(machine_geometry, planes_that_agree) {
 TEST(machine_geometry, planes_that_disagree) {
   const std::vector<MachineTest> tests{test_in(Plane::XY, 0, 10, 20, 1, 5), test_in(Plane::YZ, 60, 26, 30, 1, 6)};
   const MachineGeometry found = machine_geometry(tests);
-  EXPECT_EQ(found.degrees, 1u);
-  EXPECT_NEAR(found.chi2, 18.0, 1e-9);
-  EXPECT_NEAR(found.p_value, chi2_upper_tail(18.0, 1), 1e-12);
-  EXPECT_NEAR(found.scatter_ppm, std::sqrt(17.0), 1e-6);
+  EXPECT_EQ(found.agreement.degrees, 1u);
+  EXPECT_NEAR(found.agreement.chi2, 18.0, 1e-9);
+  EXPECT_NEAR(found.agreement.p_value, chi2_upper_tail(18.0, 1), 1e-12);
+  EXPECT_NEAR(found.agreement.scatter_ppm, std::sqrt(17.0), 1e-6);
   EXPECT_NEAR(found.scales[0].value_ppm, 10.0, 1e-9);
   EXPECT_NEAR(found.scales[0].sigma_ppm, std::sqrt(18.0), 1e-6);
   EXPECT_NEAR(found.scales[1].value_ppm, 23.0, 1e-9);
   EXPECT_NEAR(found.scales[1].sigma_ppm, 3.0, 1e-6);
-  ASSERT_EQ(found.pulls.size(), 4u);
-  EXPECT_TRUE(std::isnan(found.pulls[0].pull)) << "X is in one plane alone";
-  EXPECT_NEAR(found.pulls[1].pull, -std::sqrt(18.0), 1e-9);
-  EXPECT_NEAR(found.pulls[2].pull, std::sqrt(18.0), 1e-9);
+  ASSERT_EQ(found.agreement.pulls.size(), 4u);
+  EXPECT_TRUE(std::isnan(found.agreement.pulls[0].pull)) << "X is in one plane alone";
+  EXPECT_NEAR(found.agreement.pulls[1].pull, -std::sqrt(18.0), 1e-9);
+  EXPECT_NEAR(found.agreement.pulls[2].pull, std::sqrt(18.0), 1e-9);
 }
 
 // Scales of one test go together through the common radius: X follows what Y's other test says. C = [[2, 1], [1, 2]] of
@@ -73,7 +73,7 @@ TEST(machine_geometry, the_covariance_of_a_test_counts) {
   const MachineGeometry found = machine_geometry(tests);
   EXPECT_NEAR(found.scales[1].value_ppm, 22.0, 1e-9);
   EXPECT_NEAR(found.scales[0].value_ppm, 11.0, 1e-9);
-  EXPECT_NEAR(found.chi2, 3.0, 1e-9) << "9 / (2 + 1)";
+  EXPECT_NEAR(found.agreement.chi2, 3.0, 1e-9) << "9 / (2 + 1)";
 }
 
 TEST(machine_geometry, newest_of_each_plane_and_all_of_the_last_day) {
@@ -97,7 +97,7 @@ TEST(machine_geometry, stored_values_stand_without_sigma) {
   const MachineGeometry found = machine_geometry(tests);
   EXPECT_NEAR(found.scales[1].value_ppm, 21.0, 1e-9);
   EXPECT_TRUE(std::isnan(found.scales[1].sigma_ppm));
-  EXPECT_EQ(found.degrees, 0u);
+  EXPECT_EQ(found.agreement.degrees, 0u);
   EXPECT_TRUE(std::isnan(found.squareness[0].sigma));
 }
 

@@ -2,30 +2,19 @@
 #pragma once
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <random>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "ballbar/error.hpp"
+#include "../made_series.hpp"
 #include "ballbar/predict/batch.hpp"
 
 namespace ballbar::made {
-
-inline void expect_error(const std::string& message, const std::function<void()>& what) {
-  try {
-    what();
-    ADD_FAILURE() << "no Error: " << message;
-  } catch (const Error& error) {
-    EXPECT_EQ(error.what(), message);
-  }
-}
 
 // FNV-1a, the same everywhere: seeds keyed by a test's name.
 inline std::uint64_t seed_of(std::string_view name) {
@@ -91,10 +80,6 @@ inline std::vector<Batch> batches_of(const std::vector<Series>& all, const Batch
     batches.push_back(batch_of(fmt::format("batch {}", k + 1), all[k], columns));
   }
   return batches;
-}
-
-inline std::vector<double>& values_of(Series& series, std::string_view column) {
-  return const_cast<Column*>(find_column(series, column))->values;
 }
 
 }  // namespace ballbar::made

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "ballbar/series/series.hpp"
+#include "../made_series.hpp"
 #include "made_batches.hpp"
 
 namespace ballbar::made {

@@ -55,11 +55,9 @@ TEST(runs, one_that_turns_in_its_first_row_begins_warm) {
 }
 
 TEST(runs, one_soon_after_another_begins_warm) {
-  Series a = run_of({0.0, 100.0}), b = run_of({0.0, 200.0}), c = run_of({0.0, 300.0});
-  a.started = "2026-11-22T08:00:00";
-  b.started = "2026-11-22T10:00:00";
-  c.started = "2026-11-23T10:00:00";
-  const Stacked all = stacked({a, b, c}, {"a", "b", "c"});
+  const Series a = run_of({0.0, 100.0}), b = run_of({0.0, 200.0}), c = run_of({0.0, 300.0});
+  const double hour_s = 3600.0;
+  const Stacked all = stacked({a, b, c}, {"a", "b", "c"}, {8.0 * hour_s, 10.0 * hour_s, 34.0 * hour_s});
   EXPECT_EQ(all.series.runs[0].start, RunStart::rest);
   EXPECT_EQ(all.series.runs[1].start, RunStart::warm);
   EXPECT_EQ(all.series.runs[2].start, RunStart::rest);
@@ -69,6 +67,7 @@ struct Refused {
   const char* what;
   std::vector<Series> runs;
   const char* message;
+  std::vector<std::optional<double>> zeros_s = {};
 };
 
 TEST(runs, what_is_refused) {
@@ -77,9 +76,7 @@ TEST(runs, what_is_refused) {
   celsius.columns.push_back({"T_bed_degC", Role::structure, {20.0, 21.0}});
   Series other = run_of({0.0, 100.0});
   other.columns = {{"T_bed_degC", Role::structure, {20.0, 21.0}}};
-  Series early = run_of({0.0, 100.0}), late = run_of({0.0, 200.0});
-  early.started = "2026-11-22T08:00:00";
-  late.started = "2026-11-22T08:00:30";
+  const Series early = run_of({0.0, 100.0}), late = run_of({0.0, 200.0});
   Series short_one = run_of({0.0});
   const std::vector<Refused> cases{
       {"the same rows",
@@ -95,11 +92,12 @@ TEST(runs, what_is_refused) {
        {early, late},
        "expected runs of one machine one after another, found a.csv and b.csv, which overlap by their clocks; where "
        "they "
-       "are two logs of one run, `ballbar import` makes one of them."},
+       "are two logs of one run, `ballbar import` makes one of them.",
+       {0.0, 30.0}},
       {"one row", {run_of({0.0, 100.0}), short_one}, "b.csv: expected a run of at least 2 rows, found 1."}};
   for (const Refused& one : cases) {
     try {
-      stacked(one.runs, {"a.csv", "b.csv"});
+      stacked(one.runs, {"a.csv", "b.csv"}, one.zeros_s);
       ADD_FAILURE() << one.what;
     } catch (const Error& error) {
       EXPECT_STREQ(error.what(), one.message) << one.what;

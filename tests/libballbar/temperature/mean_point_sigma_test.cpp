@@ -1,8 +1,8 @@
-#include "ballbar/temperature/mean_point_sigma.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "ballbar/temperature/mean_point.hpp"
 
 namespace ballbar {
 namespace {

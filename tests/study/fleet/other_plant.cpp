@@ -30,6 +30,8 @@ constexpr std::array kKinds{
     Kind{"circularity", "um", 0.0, 0.4, 0.1}};
 constexpr double kYear_days = 365.25;
 constexpr int kYears = 3;
+constexpr std::size_t kMachines = 40;
+constexpr double kBlockShare = 0.5;  // of the scatter's variance that stays for months
 
 double rounded_to(double value, double step) { return step * std::round(value / step); }
 
@@ -39,7 +41,7 @@ class Maker {
 
   Plant plant() {
     Plant plant;
-    for (std::size_t machine = 0; machine < options_.machines; ++machine) add_machine(machine, plant);
+    for (std::size_t machine = 0; machine < kMachines; ++machine) add_machine(machine, plant);
     return plant;
   }
 
@@ -47,10 +49,10 @@ class Maker {
   double normal() { return normal_(random_); }
   double share() { return uniform_(random_); }
   // One in twenty from a distribution four times as wide.
-  double heavy() { return normal() * (options_.heavy_tails && share() < 0.05 ? 4.0 : 1.0); }
+  double heavy() { return normal() * (share() < 0.05 ? 4.0 : 1.0); }
 
   void add_machine(std::size_t machine, Plant& plant) {
-    const bool quarterly = options_.quarterly && machine % 2 == 1;
+    const bool quarterly = machine % 2 == 1;
     const bool respelt = machine == 16;
     const std::string name = fmt::format("M{:03}", machine);
     const std::string story = story_of(machine);
@@ -62,7 +64,7 @@ class Maker {
     for (int month = 0; month < 12 * kYears; month += quarterly ? 3 : 1) {
       if (left_of_block <= 0) {
         left_of_block = 3 + static_cast<int>(share() * 6.0);
-        for (const Kind& kind : kKinds) block[kind.name] = kind.scatter * normal() * std::sqrt(options_.block_share);
+        for (const Kind& kind : kKinds) block[kind.name] = kind.scatter * normal() * std::sqrt(kBlockShare);
       }
       left_of_block -= quarterly ? 3 : 1;
       if (share() < 0.08) continue;
@@ -130,7 +132,7 @@ class Maker {
     std::map<std::string, double> values;
     for (const Kind& kind : kKinds) {
       double value =
-          constant.at(kind.name) + block.at(kind.name) + kind.scatter * std::sqrt(1.0 - options_.block_share) * heavy();
+          constant.at(kind.name) + block.at(kind.name) + kind.scatter * std::sqrt(1.0 - kBlockShare) * heavy();
       if (const auto found = added.find(kind.name); found != added.end()) value += found->second;
       if (std::string_view(kind.name).starts_with("scale_") && std::string_view(kind.unit) == "um/m") {
         value += common_scale;

@@ -1,4 +1,5 @@
-// A plant that is made otherwise: quantities alone, without recordings, by conventions of its own.
+// A plant that is made otherwise: quantities alone, without recordings, by conventions of its own. Nothing of the
+// laboratory is in it, so that the history is not judged by the scatter and the stories it was made with.
 //
 //   scatter    half of its variance is the same for months: the same person sets up alike
 //   values     rounded to 0.1 um and 1 um/m; on every fourth machine without sigma
@@ -17,10 +18,6 @@ namespace ballbar::study {
 struct OtherPlantOptions {
   std::uint64_t seed = 1;
   bool stories = true;
-  double block_share = 0.5;  // of the scatter's variance that stays for months
-  bool quarterly = true;     // every second machine
-  bool heavy_tails = true;
-  std::size_t machines = 40;
 };
 
 Plant other_plant_of(const OtherPlantOptions& options);

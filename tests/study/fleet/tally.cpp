@@ -18,11 +18,9 @@ std::string kinds_of(const MachineHistory& machine) {
 
 }  // namespace
 
-PlantTally tally_of(const Plant& plant, const HistoryOptions& options) {
-  const History history = history_of(plant.tests, options);
+PlantTally tally_of(const Plant& plant) {
+  const History history = history_of(plant.tests);
   PlantTally tally;
-  tally.judged = history.judged;
-  tally.machines = history.machines.size();
   for (const MachineHistory& machine : history.machines) {
     bool has_story = false;
     if (!machine.findings.empty()) ++tally.called;
@@ -46,20 +44,18 @@ PlantTally tally_of(const Plant& plant, const HistoryOptions& options) {
   return tally;
 }
 
-PlantTally tally_of_each(const Plant& plant, const HistoryOptions& options) {
+PlantTally tally_of_each(const Plant& plant) {
   std::map<std::string, Plant> machines;
   for (const MachineTest& test : plant.tests) machines[test.machine].tests.push_back(test);
   for (const KnownStory& story : plant.stories) machines[story.machine].stories.push_back(story);
   PlantTally sum;
   for (const auto& [name, machine] : machines) {
-    const PlantTally one = tally_of(machine, options);
+    const PlantTally one = tally_of(machine);
     sum.missed.insert(sum.missed.end(), one.missed.begin(), one.missed.end());
     sum.others.insert(sum.others.end(), one.others.begin(), one.others.end());
     sum.found_stories += one.found_stories;
     sum.stories += one.stories;
-    sum.machines += one.machines;
     sum.called += one.called;
-    sum.judged += one.judged;
   }
   return sum;
 }

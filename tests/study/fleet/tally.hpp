@@ -24,13 +24,12 @@ struct Plant {
 struct PlantTally {
   std::vector<std::string> missed;  // "crash (nothing)", "replaced_part (step)"
   std::vector<std::string> others;  // machines without a story that were called, with the kind
-  std::size_t found_stories = 0, stories = 0, machines = 0;
-  std::size_t called = 0, judged = 0;
+  std::size_t found_stories = 0, stories = 0, called = 0;
 };
 
-PlantTally tally_of(const Plant& plant, const HistoryOptions& options = {});
+PlantTally tally_of(const Plant& plant);
 
 // Each machine judged alone; the sum.
-PlantTally tally_of_each(const Plant& plant, const HistoryOptions& options = {});
+PlantTally tally_of_each(const Plant& plant);
 
 }  // namespace ballbar::study

@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/circle/elongation_correction.hpp"
+#include "ballbar/circle/axial_length.hpp"
 #include "ballbar/circle/recording.hpp"
 
 namespace ballbar {

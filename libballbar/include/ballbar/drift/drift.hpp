@@ -29,6 +29,7 @@
 // rotary axes, the bar's own growth, a ball moved between tests.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -88,6 +89,15 @@ struct DriftPoint {
   std::optional<double> elongation_correction_um;  // spindle_rotation: taken off the radial test
   std::optional<double> correlation_y_z;           // two_arcs: of the test's own y and z
 };
+
+// What a drift is of.
+struct DriftQuantity {
+  const char* name;
+  std::optional<Estimate> DriftPoint::*member;
+};
+inline constexpr std::array kDriftQuantities{
+    DriftQuantity{"x", &DriftPoint::x}, DriftQuantity{"y", &DriftPoint::y}, DriftQuantity{"z", &DriftPoint::z},
+    DriftQuantity{"radial", &DriftPoint::radial}, DriftQuantity{"axial", &DriftPoint::axial}};
 
 // Where the spindle ball was at each test, before the difference is taken (set-up errors included).
 struct Position {

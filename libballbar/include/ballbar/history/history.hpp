@@ -32,8 +32,6 @@
 
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/history/machine_test.hpp"
-#include "ballbar/history/test_groups.hpp"
-#include "ballbar/history/tolerance_date.hpp"
 #include "ballbar/history/trend.hpp"
 
 namespace ballbar {
@@ -70,7 +68,9 @@ struct QuantityHistory {
 };
 
 struct FindingQuantity {
-  std::size_t series = 0;               // place in MachineHistory::series
+  std::size_t series = 0;  // place in MachineHistory::series
+  std::string name, unit;
+  Plane plane = Plane::XY;
   double size = 0.0;                    // step: after less before; trend: a year; season: half from trough to peak
   double sigma = 0.0;                   // of the size
   double p_value = 1.0, q_value = 1.0;  // q: corrected for all that was looked at
@@ -90,6 +90,9 @@ struct Finding {
 // Of one quantity that has a tolerance.
 struct ToleranceOutlook {
   std::size_t series = 0;
+  std::string name, unit;
+  Plane plane = Plane::XY;
+  double level = 0.0, level_sigma = 0.0;
   Tolerance tolerance;
   ToleranceDate date;       // by the level, and where there is a trend by the tests since the last step
   bool last_alone = false;  // the last test is beyond, the level is not
@@ -115,7 +118,7 @@ struct MachineHistory {
 // Tests with one bar, then with another.
 struct BarChange {
   std::string from, to;                    // serial numbers; equal: calibrated anew
-  std::vector<std::size_t> machines;       // places in History::machines
+  std::vector<std::string> machines;       // by name
   double size_ppm = 0.0, sigma_ppm = 0.0;  // mean step of all scales
 };
 

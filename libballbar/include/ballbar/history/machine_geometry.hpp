@@ -27,7 +27,8 @@ struct PlaneSquareness {
   double sigma = 0.0;  // NaN: of stored values
   std::string unit;
   std::vector<std::size_t> tests;
-  double p_value = 1.0;  // that so many tests differ so much by chance; below 0.01 the sigma is widened
+  std::vector<std::string> files;  // of these
+  double p_value = 1.0;            // that so many tests differ so much by chance; below 0.01 the sigma is widened
 };
 
 struct AxisScale {
@@ -38,10 +39,20 @@ struct AxisScale {
 };
 
 struct ScalePull {
-  std::size_t test = 0;
+  std::string file;  // of the test
+  Plane plane = Plane::XY;
   int axis = 0;
   double value_ppm = 0.0, sigma_ppm = 0.0;  // of that test
   double pull = 0.0;                        // residual over its sigma; NaN: only this test tells the axis
+};
+
+// Whether the tests agree.
+struct ScaleAgreement {
+  double chi2 = 0.0;
+  std::size_t degrees = 0;  // 0: nothing to compare
+  double p_value = 1.0;
+  double scatter_ppm = 0.0;  // of each scale of a test beyond its sigma, where the tests disagree
+  std::vector<ScalePull> pulls;
 };
 
 struct MachineGeometry {
@@ -49,11 +60,7 @@ struct MachineGeometry {
   bool within_a_day = true;
   std::vector<PlaneSquareness> squareness;
   std::vector<AxisScale> scales;
-  std::vector<ScalePull> pulls;
-  double chi2 = 0.0;
-  std::size_t degrees = 0;  // 0: nothing to compare
-  double p_value = 1.0;
-  double scatter_ppm = 0.0;  // of each scale of a test beyond its sigma, where the tests disagree
+  ScaleAgreement agreement;
 };
 
 // The tests within a day before the newest; of a plane without one there, its newest. Tests with a sigma go before

@@ -1,6 +1,7 @@
 // One ballbar test as the history of a machine keeps it: numbers and what they were measured with, no readings.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -55,5 +56,21 @@ MachineTest machine_test(const MachineErrors& errors, std::span<const Recording>
 
 // "scale_x", "scale_y", "scale_z" of 0, 1, 2.
 std::string scale_name(int axis);
+
+// Which tests of a machine can be held against each other.
+//
+// Those of one plane, nominal length, arc and feed, whatever the bar. Numbers differ where they leave a gap: lengths
+// 0.1 mm, arcs and where they start 2 deg, feeds 5 %. Full circles compare wherever they start.
+
+struct TestGroup {
+  Plane plane = Plane::XY;
+  double nominal_length_mm = 100.0;
+  double start_deg = 0.0, arc_deg = 360.0;
+  std::optional<double> feed_mm_per_min;  // of the last test; nothing: not stated
+  std::vector<std::size_t> tests;         // places in the tests: by date, those without one first
+};
+
+// Of the tests at these places, by plane, length, arc, feed. O(n log n).
+std::vector<TestGroup> groups_of(std::span<const MachineTest> tests, std::vector<std::size_t> places);
 
 }  // namespace ballbar

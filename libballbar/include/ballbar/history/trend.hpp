@@ -17,12 +17,12 @@
 #include <span>
 #include <vector>
 
+#include "ballbar/history/machine_test.hpp"
+
 namespace ballbar {
 
 inline constexpr double kYear_s = 365.25 * 86400.0;
 inline constexpr double kDay_s = 86400.0;
-inline constexpr std::size_t kTestsOfTrend = 3;        // fewer tell no trend
-inline constexpr double kSpanOfTrend_s = 7 * 86400.0;  // tests of one week tell none that a year has
 // A change or a trend beyond that many sigmas is one; by chance one in 107 is.
 inline constexpr double kSignificantSigmas = 2.6;
 
@@ -50,11 +50,32 @@ struct Trend {
   std::vector<TrendLine> lines;
 };
 
-// Nothing for fewer than kTestsOfTrend values or less than kSpanOfTrend_s. Values in any order. O(n).
+// Nothing for fewer than 3 values or within a week. Values in any order. O(n).
 std::optional<Trend> trend_of(std::span<const DatedValue> values);
 
 // Of the line at that time: the chance that it is above the limit, and the value that it is below with that chance.
 double chance_above(const Trend& trend, double time_s, double limit);
 double quantile(const Trend& trend, double time_s, double chance);
+
+// When a quantity meets its tolerance if its trend goes on.
+
+inline constexpr double kForecast_years = 10.0;  // as far as a straight line is drawn
+
+enum class Outlook {
+  beyond,    // the last value is
+  no_trend,  // too few tests, or none that is significant
+  away,      // the trend goes to an end that is open, or reaches none within kForecast_years
+  expected,  // within kForecast_years
+};
+
+struct ToleranceDate {
+  Outlook outlook = Outlook::no_trend;
+  std::optional<double> limit;  // the end that the trend goes to
+  // s since 1970-01-01T00:00:00: when the line meets the limit as likely as not, and the interval of 95 %, from the
+  // last test on. `latest` is missing where a straight line may never meet it within kForecast_years.
+  std::optional<double> at_s, earliest_s, latest_s;
+};
+
+ToleranceDate tolerance_date(const Tolerance& tolerance, double last_value, const std::optional<Trend>& trend);
 
 }  // namespace ballbar

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,18 +31,17 @@ std::vector<double> unrolled(std::span<const double> time_s);
 // Times with one run right after another, for a picture or a file: a run begins a step of the clock after the last row.
 std::vector<double> one_after_another(std::span<const double> time_s);
 
-// A machine that stood less than this since the run before begins warm.
-inline constexpr double kRest_s = 8.0 * 3600.0;
-
 struct Stacked {
   Series series;
   std::vector<std::string> remarks;  // whole sentences: what was left out
 };
 
 // Runs one after another, in their order; of one run itself. Columns that not all have are left out; roles are those of
-// the first. A run begins warm where its log says that it began less than kRest_s after the end of another, or where
-// its speed is not 0 in the first row. Throws Error, with the names: runs of fewer than two rows, with no column in
-// common, a column in other units (T_bed_degC, T_bed_K), the same rows twice, wall clocks that overlap.
-Stacked stacked(const std::vector<Series>& runs, const std::vector<std::string>& names);
+// the first. A run begins warm where it began less than 8 h after the end of another, or where its speed is not 0
+// in the first row. zeros_s: the wall clock at time_s = 0 of each run (Series::started), s since any one day; empty:
+// not known. Throws Error, with the names: runs of fewer than two rows, with no column in common, a column in other
+// units (T_bed_degC, T_bed_K), the same rows twice, wall clocks that overlap.
+Stacked stacked(const std::vector<Series>& runs, const std::vector<std::string>& names,
+                const std::vector<std::optional<double>>& zeros_s = {});
 
 }  // namespace ballbar

@@ -8,9 +8,9 @@ namespace {
 
 constexpr double kZ = 1.959964;  // two-sided 95 % of the normal distribution
 
-bool same(const BoundEffect& truth, const BoundEffect& said) {
-  return truth.effect == said.effect &&
-         (truth.columns.empty() || said.columns.empty() || truth.columns == said.columns);
+bool same(const BoundEffect& truth, const BoundEffect& stated) {
+  return truth.effect == stated.effect &&
+         (truth.columns.empty() || stated.columns.empty() || truth.columns == stated.columns);
 }
 
 bool holds(const std::vector<BoundEffect>& bounds, const BoundEffect& one) {
@@ -20,16 +20,16 @@ bool holds(const std::vector<BoundEffect>& bounds, const BoundEffect& one) {
 BlindOutcome outcome_of_effects(const BlindAnswer& answer, const BlindVerdict& verdict) {
   const bool any = answer.kind == BlindKind::spindle;  // which of those that match
   const std::vector<BoundEffect>& truth = any ? answer.match : answer.hidden;
-  const auto is_true = [&](const BoundEffect& said) { return holds(truth, said); };
+  const auto is_true = [&](const BoundEffect& stated) { return holds(truth, stated); };
   if (!std::all_of(verdict.named.begin(), verdict.named.end(), is_true)) return BlindOutcome::wrong;
   const auto is_named = [&](const BoundEffect& one) { return holds(verdict.named, one); };
-  const auto is_said = [&](const BoundEffect& one) { return is_named(one) || holds(verdict.reported, one); };
+  const auto is_stated = [&](const BoundEffect& one) { return is_named(one) || holds(verdict.reported, one); };
   const auto enough = [&](const auto& question) {
     return any ? std::any_of(truth.begin(), truth.end(), question) : std::all_of(truth.begin(), truth.end(), question);
   };
   const bool alone = any || (verdict.reported.empty() && verdict.named.size() == truth.size());
   if (enough(is_named) && alone) return BlindOutcome::right;
-  return enough(is_said) ? BlindOutcome::in_set : BlindOutcome::missed;
+  return enough(is_stated) ? BlindOutcome::in_set : BlindOutcome::missed;
 }
 
 }  // namespace

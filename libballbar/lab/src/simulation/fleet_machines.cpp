@@ -10,6 +10,7 @@
 #include "ballbar/circle/trace.hpp"
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/error.hpp"
+#include "ballbar/history/trend.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/units.hpp"
 #include "machine_errors/error_rows.hpp"
@@ -19,8 +20,6 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kMostMonths = 1'000'000;  // of machines: what is kept of their tests fits into a memory of 1 GB
-constexpr double kStoryYear_s = 365.25 * 86400.0;
-constexpr std::array kFleetPlanes{Plane::XY, Plane::YZ, Plane::ZX};
 
 std::string small(std::string_view text) {
   std::string letters(text);
@@ -63,7 +62,7 @@ std::vector<std::string> names_at(const std::string& error, const std::optional<
 }
 
 double share_of_story(const FleetStory& story, double since_s, std::int64_t at_s) {
-  const double years = since_s / kStoryYear_s - story.month / 12.0;
+  const double years = since_s / kYear_s - story.month / 12.0;
   switch (story.kind) {
     case StoryKind::wear:
       return std::max(0.0, years);
@@ -81,7 +80,7 @@ double share_of_story(const FleetStory& story, double since_s, std::int64_t at_s
 
 std::vector<std::string> all_names(const FleetCurves& curves) {
   std::vector<std::string> names;
-  for (const Plane plane : kFleetPlanes) {
+  for (const Plane plane : kPlanes) {
     for (const int axis : axes_of(plane)) names.push_back(fmt::format("scale_{}", "xyz"[axis]));
     for (const FleetCurves::Column& column : curves.columns) {
       const std::optional<int> axis =
@@ -92,30 +91,9 @@ std::vector<std::string> all_names(const FleetCurves& curves) {
   return names;
 }
 
-// Shapes as the effect has them.
-std::vector<std::vector<double>> unit_gains(const Effect& effect, const Series& trace) {
-  EffectRows rows{trace.time_s, {}};
-  for (const Input& input : effect.inputs) {
-    rows.inputs.emplace_back(find_column(trace, trace_column(input.role))->values);
-  }
-  std::vector<std::vector<double>> curves;
-  for (const std::size_t gain : gains_of(effect)) {
-    std::vector<double> parameters;
-    for (const Parameter& parameter : effect.parameters) {
-      parameters.push_back(parameter.kind == ParameterKind::gain ? 0.0 : parameter.start);
-    }
-    parameters[gain] = 1.0;
-    curves.emplace_back(trace.time_s.size());
-    effect.evaluate(rows, parameters.data(), curves.back().data(), nullptr);
-  }
-  return curves;
-}
-
 }  // namespace
 
-double warmth_of_year(std::int64_t at_s) {
-  return -std::cos(2.0 * kPi * (static_cast<double>(at_s) / kStoryYear_s - 0.04));
-}
+double warmth_of_year(std::int64_t at_s) { return -std::cos(2.0 * kPi * (static_cast<double>(at_s) / kYear_s - 0.04)); }
 
 BarInUse bar_of(const VirtualFleet& fleet, std::size_t machine, double month) {
   const std::size_t number = machine % std::max<std::size_t>(fleet.bars, 1);
@@ -199,14 +177,19 @@ FleetCurves fleet_curves(const VirtualFleet& fleet) {
       side = stem.ends_with("_a") ? 0 : 1;
       stem.resize(stem.size() - 2);
     }
-    const std::vector<std::vector<double>> units = unit_gains(*effect, trace);
+    const std::size_t shape = shape_of(*effect);
+    const Eigen::MatrixXd units =
+        unit_curves(*effect, trace, shape == kNoShape ? 0.0 : effect->parameters[shape].start);
     const std::vector<std::size_t> gains = gains_of(*effect);
     std::string before;
     for (std::size_t k = 0; k < gains.size(); ++k) {
       const std::string& row = effect->parameters[gains[k]].row;
       if (k > 0 && row == before) continue;  // the cosine of an amplitude: all of it is a sine
       before = row;
-      curves.columns.push_back({row.empty() ? stem : fmt::format("{}_{}", stem, row), side, units[k],
+      const auto unit = units.col(static_cast<Eigen::Index>(k));
+      curves.columns.push_back({row.empty() ? stem : fmt::format("{}_{}", stem, row),
+                                side,
+                                {unit.begin(), unit.end()},
                                 effect->rules.relation == AxisRelation::scale});
     }
   }

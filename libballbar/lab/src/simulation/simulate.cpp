@@ -9,7 +9,6 @@
 #include "ballbar/units.hpp"
 #include "numerics/random_streams.hpp"
 #include "simulation/simulate_parts.hpp"
-#include "simulation/simulate_spindle.hpp"
 
 namespace ballbar {
 namespace {

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
-#include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/history/trend.hpp"
 #include "ballbar/units.hpp"
 #include "numerics/random_streams.hpp"
 #include "simulation/fleet_machines.hpp"
@@ -16,8 +14,7 @@
 namespace ballbar {
 namespace {
 
-constexpr double kFleetYear_s = 365.25 * 86400.0;
-constexpr double kMonth_s = kFleetYear_s / 12.0;
+constexpr double kMonth_s = kYear_s / 12.0;
 constexpr double kHour_s = 3600.0;
 
 // Student's t of whole degrees of freedom, as wide in its middle as a standard normal number.

@@ -11,7 +11,7 @@
 
 #include "ballbar/error.hpp"
 #include "numerics/random_streams.hpp"
-#include "simulation/simulate_spindle.hpp"
+#include "simulation/simulate_parts.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,4 +1,4 @@
-#include "mean_point/mean_point_states.hpp"
+#include "shaft_picture/shaft_states.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include "ballbar/formats/series/profile_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
-#include "ballbar/temperature/mean_point_sigma.hpp"
+#include "ballbar/temperature/mean_point.hpp"
 
 namespace ballbar {
 namespace {
@@ -67,27 +67,34 @@ double of_picture(const char* option, const std::vector<double>& stated, std::si
   return stated.size() == 1 ? stated.front() : stated[index];
 }
 
-// step_degC is of the scale: it is in the sigma of T at each place, but does not make crossings one.
-void set_points(MeanPointState& state, double step_degC, double pixel_mm) {
+// Mean, places and elongation of the profile. step_degC is of the scale: it is in the sigma of T at each place, but
+// does not make crossings one.
+void measure(ShaftState& state, const ShaftPictureOptions& options, double step_degC, double pixel_mm) {
   state.mean_degC = mean_degC(state.profile);
-  state.points = flattest_first(mean_points(state.profile, same_degC(state.profile, state.mean_degC)));
+  const std::vector<MeanPoint> points =
+      flattest_first(mean_points(state.profile, same_degC(state.profile, state.mean_degC)));
   state.profile = with_step(std::move(state.profile), step_degC);
-  for (const MeanPoint& point : state.points) {
-    state.sigma_mm.push_back(sigma_of_place_mm(state.profile, point, pixel_mm));  // the region's edges to a pixel
-    state.sigma_slope_degC_per_mm.push_back(sigma_of_slope_degC_per_mm(state.profile, point));
+  for (const MeanPoint& point : points) {
+    state.places.push_back({point, sigma_of_place_mm(state.profile, point, pixel_mm),  // the region's edges to a pixel
+                            sigma_of_slope_degC_per_mm(state.profile, point),
+                            misplacement_um_per_mm(state.profile, point, options.expansion_ppm_per_K)});
   }
+  if (state.from && (state.from->image.saturated_cold || state.from->image.saturated_hot)) {
+    // What lies beyond the scale is not known: no sigma holds.
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    state.sigma_mean_degC = kUnknown;
+    for (SensorPlace& place : state.places) place.sigma_mm = place.sigma_slope_degC_per_mm = kUnknown;
+    state.profile.sigma_degC.clear();
+  }
+  if (!options.start_degC) return;
+  const auto elongation_um = [&](double rise_K) {
+    return mean_point_elongation_um(options.expansion_ppm_per_K, length_mm(state.profile), rise_K);
+  };
+  state.elongation_um = elongation_um(state.mean_degC - *options.start_degC);
+  state.sigma_elongation_um = elongation_um(state.sigma_mean_degC);
 }
 
-// What lies beyond the scale is not known: no sigma holds.
-void take_sigmas_away(MeanPointState& state) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  state.sigma_mean_degC = kUnknown;
-  state.sigma_mm.assign(state.points.size(), kUnknown);
-  state.sigma_slope_degC_per_mm.assign(state.points.size(), kUnknown);
-  state.profile.sigma_degC.clear();
-}
-
-std::size_t edge_of(const MeanPointOptions& options) {
+std::size_t edge_of(const ShaftPictureOptions& options) {
   if (!options.edge_px) return ImageOptions{}.edge_px;
   if (*options.edge_px >= 0 && *options.edge_px <= kWidestEdge_px) return static_cast<std::size_t>(*options.edge_px);
   throw CLI::ValidationError(
@@ -100,7 +107,7 @@ void expect_bounded(const char* option, double value, double largest, const char
       fmt::format("{}: expected -{:g} to {:g} {}, found {:g}.", option, largest, largest, unit, value));
 }
 
-void expect_usable(const MeanPointOptions& options) {
+void expect_usable(const ShaftPictureOptions& options) {
   edge_of(options);
   box_of("--legend", options.legend);
   box_of("--region", options.region);
@@ -120,12 +127,14 @@ void expect_usable(const MeanPointOptions& options) {
   }
 }
 
-MeanPointState state_of(const MeanPointOptions& options, const std::string& path, const std::string& bytes,
-                        std::size_t index) {
+ShaftState state_of(const ShaftPictureOptions& options, const std::string& path, const std::string& bytes,
+                    std::size_t index) {
   const double min = of_picture("--min-degC", options.min_degC, index);
   const double max = of_picture("--max-degC", options.max_degC, index);
   const std::optional<PixelBox> legend = box_of("--legend", options.legend);
-  MeanPointState state{path, {}, 0.0, 0.0, {}, {}, {}, PictureState{}};
+  ShaftState state;
+  state.name = path;
+  state.from.emplace();
   PictureState& from = *state.from;
   from.vertical = options.vertical;
   from.picture = read_picture(bytes, path);
@@ -141,13 +150,12 @@ MeanPointState state_of(const MeanPointOptions& options, const std::string& path
     throw Error(fmt::format("{}: {}", path, error.what()));
   }
   state.profile = from.columns.profile;
-  set_points(state, from.scale.step_degC, length_mm(state.profile) / static_cast<double>(from.columns.columns));
   state.sigma_mean_degC = from.columns.sigma_mean_degC;
-  if (from.image.saturated_cold || from.image.saturated_hot) take_sigmas_away(state);
+  measure(state, options, from.scale.step_degC, length_mm(state.profile) / static_cast<double>(from.columns.columns));
   return state;
 }
 
-std::vector<MeanPointState> states_of_table(const MeanPointOptions& options, const std::string& bytes) {
+std::vector<ShaftState> states_of_table(const ShaftPictureOptions& options, const std::string& bytes) {
   const std::string& path = options.files.front();
   const std::pair<const char*, bool> given[] = {
       {"--from-mm", options.from_mm.has_value()}, {"--to-mm", options.to_mm.has_value()},
@@ -158,12 +166,14 @@ std::vector<MeanPointState> states_of_table(const MeanPointOptions& options, con
   for (const auto& [option, there] : given) {
     if (there) throw Error(fmt::format("{}: expected a picture to use it with, found the table {}.", option, path));
   }
-  std::vector<MeanPointState> states;
+  std::vector<ShaftState> states;
   for (NamedProfile& named : read_profiles(bytes, path)) {
-    MeanPointState state{std::move(named.name), std::move(named.profile), 0.0, 0.0, {}, {}, {}, std::nullopt};
+    ShaftState state;
+    state.name = std::move(named.name);
+    state.profile = std::move(named.profile);
     try {
       state.sigma_mean_degC = sigma_of_mean_degC(state.profile);
-      set_points(state, 0.0, 0.0);
+      measure(state, options, 0.0, 0.0);
     } catch (const Error& error) {
       throw Error(fmt::format("{}: {}: {}", path, state.name, error.what()));
     }
@@ -174,7 +184,7 @@ std::vector<MeanPointState> states_of_table(const MeanPointOptions& options, con
 
 }  // namespace
 
-std::vector<MeanPointState> mean_point_states(const MeanPointOptions& options) {
+std::vector<ShaftState> shaft_states(const ShaftPictureOptions& options) {
   expect_usable(options);
   std::vector<std::string> bytes;
   std::size_t pictures = 0;
@@ -196,7 +206,7 @@ std::vector<MeanPointState> mean_point_states(const MeanPointOptions& options) {
     throw Error(
         "--legend: expected the box of the colour scale in the picture, or --colours with a map, found neither.");
   }
-  std::vector<MeanPointState> states;
+  std::vector<ShaftState> states;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     states.push_back(state_of(options, options.files[i], bytes[i], i));
   }

@@ -1,4 +1,4 @@
-// What `meanpoint --json` prints, and the part of a page that `--plot` draws.
+// What `compensate --from-picture --json` prints, and the part of a page that `--plot` draws.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ballbar/formats/results/result_type.hpp"
-#include "mean_point/mean_point_states.hpp"
+#include "shaft_picture/shaft_states.hpp"
 
 namespace ballbar {
 
@@ -58,45 +58,39 @@ struct ResultType<PictureState> {
       fields_through(&PictureState::scale, of_scale), std::tuple{Field{"three_areas", &PictureState::areas, ""}});
 };
 
-struct MeanPointResult {
-  double x_mm = 0.0, sigma_mm = 0.0, slope_degC_per_mm = 0.0, sigma_slope_degC_per_mm = 0.0, misplaced_um_per_mm = 0.0;
-};
+// A value that a state may lack.
+constexpr auto if_known(std::optional<double> ShaftState::*member) {
+  return [member](const ShaftState& of) { return MayLack<double>{of.*member}; };
+}
 
 template <>
-struct ResultType<MeanPointResult> {
+struct ResultType<SensorPlace> {
+  using Of = const SensorPlace&;
   static constexpr std::string_view name = "MeanPoint";
   static constexpr std::string_view meaning = "A place at which the temperature is its mean.";
   static constexpr std::tuple fields{
-      Field{"x_mm", known(&MeanPointResult::x_mm), ""},
-      Field{"sigma_mm", &MeanPointResult::sigma_mm, "null: not known"},
-      Field{"slope_degC_per_mm", &MeanPointResult::slope_degC_per_mm, ""},
-      Field{"sigma_slope_degC_per_mm", &MeanPointResult::sigma_slope_degC_per_mm, "null: not known"},
-      Field{"misplaced_um_per_mm", &MeanPointResult::misplaced_um_per_mm, "for each mm that the sensor is off"}};
-};
-
-struct MeanPointStateResult {
-  std::string name;
-  double length_mm = 0.0, mean_degC = 0.0, sigma_mean_degC = 0.0;
-  MayLack<double> elongation_um, sigma_elongation_um;
-  std::vector<MeanPointResult> mean_points;
-  MayLack<double> error_at_best_um;
-  MayLack<PictureState> picture;
+      Field{"x_mm", [](Of of) { return Known<double>{of.point.x_mm}; }, ""},
+      Field{"sigma_mm", &SensorPlace::sigma_mm, "null: not known"},
+      Field{"slope_degC_per_mm", [](Of of) { return of.point.slope_degC_per_mm; }, ""},
+      Field{"sigma_slope_degC_per_mm", &SensorPlace::sigma_slope_degC_per_mm, "null: not known"},
+      Field{"misplaced_um_per_mm", &SensorPlace::misplaced_um_per_mm, "for each mm that the sensor is off"}};
 };
 
 template <>
-struct ResultType<MeanPointStateResult> {
-  using Of = MeanPointStateResult;
+struct ResultType<ShaftState> {
+  using Of = const ShaftState&;
   static constexpr std::string_view name = "MeanPointState";
   static constexpr std::string_view meaning = "Temperatures along a spindle, and their mean-value points.";
-  static constexpr std::tuple fields{Field{"name", &Of::name, "the picture's file or the table's column"},
-                                     Field{"length_mm", &Of::length_mm, ""},
-                                     Field{"mean_degC", known(&Of::mean_degC), "along the spindle"},
-                                     Field{"sigma_mean_degC", &Of::sigma_mean_degC, "null: not known"},
-                                     Field{"elongation_um", &Of::elongation_um, "since the start"},
-                                     Field{"sigma_elongation_um", &Of::sigma_elongation_um, ""},
-                                     Field{"mean_points", &Of::mean_points, "the flattest first"},
-                                     Field{"error_at_best_um", &Of::error_at_best_um, "of a sensor at the best place"},
-                                     Field{"picture", &Of::picture, "of a picture"}};
+  static constexpr std::tuple fields{
+      Field{"name", &ShaftState::name, "the picture's file or the table's column"},
+      Field{"length_mm", [](Of of) { return length_mm(of.profile); }, ""},
+      Field{"mean_degC", known(&ShaftState::mean_degC), "along the spindle"},
+      Field{"sigma_mean_degC", &ShaftState::sigma_mean_degC, "null: not known"},
+      Field{"elongation_um", if_known(&ShaftState::elongation_um), "since the start"},
+      Field{"sigma_elongation_um", if_known(&ShaftState::sigma_elongation_um), ""},
+      Field{"mean_points", &ShaftState::places, "the flattest first"},
+      Field{"error_at_best_um", if_known(&ShaftState::error_at_best_um), "of a sensor at the best place"},
+      Field{"picture", [](Of of) { return MayLack<PictureState>{of.from}; }, "of a picture"}};
 };
 
 inline constexpr std::tuple kBestPlace{Field{"x_mm", known(&BestPoint::x_mm), ""}};
@@ -116,7 +110,7 @@ struct MeanPointsResult {
   double expansion_ppm_per_K = 0.0;
   std::optional<double> start_degC;
   MayLack<BestPoint> best;
-  std::vector<MeanPointStateResult> states;
+  std::vector<ShaftState> states;
 };
 
 template <>
@@ -150,31 +144,42 @@ struct ResultType<MeanPoint> {
   static constexpr std::tuple fields{Field{"x_mm", known(&MeanPoint::x_mm), ""}};
 };
 
+struct DrawnShaft {
+  ShaftState state;
+};
+
 template <>
-struct ResultType<MeanPointState> {
-  using Of = const MeanPointState&;
+struct ResultType<DrawnShaft> {
+  using Of = const DrawnShaft&;
   static constexpr std::string_view name = "DrawnMeanPointState";
   static constexpr std::string_view meaning = "Temperature along a spindle, and where it is its mean.";
   static constexpr std::tuple fields{
-      Field{"name", &MeanPointState::name, "the picture's file or the table's column"},
-      Field{"mean_degC", known(&MeanPointState::mean_degC), ""}, Field{"mean_points", &MeanPointState::points, ""},
-      Field{"x_mm", [](Of of) { return Known<std::vector<double>>{of.profile.x_mm}; }, "rising"},
-      Field{"degC", [](Of of) { return of.profile.degC; }, ""}};
+      Field{"name", [](Of of) { return of.state.name; }, "the picture's file or the table's column"},
+      Field{"mean_degC", [](Of of) { return Known<double>{of.state.mean_degC}; }, ""},
+      Field{"mean_points",
+            [](Of of) {
+              std::vector<MeanPoint> points;
+              for (const SensorPlace& place : of.state.places) points.push_back(place.point);
+              return points;
+            },
+            ""},
+      Field{"x_mm", [](Of of) { return Known<std::vector<double>>{of.state.profile.x_mm}; }, "rising"},
+      Field{"degC", [](Of of) { return of.state.profile.degC; }, ""}};
 };
 
-struct MeanPointPart {
+struct ShaftPart {
   std::string conclusion;
   MayLack<BestPlace> best;
-  std::vector<MeanPointState> states;
+  std::vector<DrawnShaft> states;
 };
 
 template <>
-struct ResultType<MeanPointPart> {
+struct ResultType<ShaftPart> {
   static constexpr std::string_view name = "MeanPointPart";
   static constexpr std::string_view meaning = "Temperature along a spindle, and where it is its mean, as it is drawn.";
-  static constexpr std::tuple fields{Field{"conclusion", &MeanPointPart::conclusion, ""},
-                                     Field{"best", &MeanPointPart::best, "one place for all states"},
-                                     Field{"states", &MeanPointPart::states, ""}};
+  static constexpr std::tuple fields{Field{"conclusion", &ShaftPart::conclusion, ""},
+                                     Field{"best", &ShaftPart::best, "one place for all states"},
+                                     Field{"states", &ShaftPart::states, ""}};
 };
 
 }  // namespace ballbar

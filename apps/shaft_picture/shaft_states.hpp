@@ -13,7 +13,7 @@
 
 namespace ballbar {
 
-struct MeanPointOptions {
+struct ShaftPictureOptions {
   std::vector<std::string> files;
   std::optional<double> from_mm, to_mm;
   std::vector<double> min_degC, max_degC;  // one for all pictures or one each
@@ -34,19 +34,26 @@ struct PictureState {
   bool vertical = false;
 };
 
-struct MeanPointState {
+// A mean-value point, and how well it is known: NaN where it is not.
+struct SensorPlace {
+  MeanPoint point;
+  double sigma_mm = 0.0, sigma_slope_degC_per_mm = 0.0;
+  double misplaced_um_per_mm = 0.0;  // um of elongation for each mm that the sensor is off
+};
+
+struct ShaftState {
   std::string name;            // the picture's file or the table's column
   TemperatureProfile profile;  // its sigma of a picture with the step of the scale; none where that is saturated
   double mean_degC = 0.0;
-  double sigma_mean_degC = 0.0;                 // NaN where it is not known
-  std::vector<MeanPoint> points;                // flattest first
-  std::vector<double> sigma_mm;                 // of points; NaN where it is not known
-  std::vector<double> sigma_slope_degC_per_mm;  // of points; NaN where it is not known
-  std::optional<PictureState> from;             // of a picture
+  double sigma_mean_degC = 0.0;                              // NaN where it is not known
+  std::vector<SensorPlace> places;                           // flattest first
+  std::optional<double> elongation_um, sigma_elongation_um;  // since the start, where its temperature is stated
+  std::optional<double> error_at_best_um;                    // of a sensor at the best place of several states
+  std::optional<PictureState> from;                          // of a picture
 };
 
 // Throws Error: files that cannot be read, pictures and tables together, options of a picture with a table, an option a
 // picture needs, an edge that is no number of pixels, numbers that are not finite or far beyond any machine.
-std::vector<MeanPointState> mean_point_states(const MeanPointOptions& options);
+std::vector<ShaftState> shaft_states(const ShaftPictureOptions& options);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-#include "mean_point/meanpoint.hpp"
+#include "shaft_picture/shaft_picture.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,9 +11,7 @@
 #include "ballbar/formats/series/profile_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/temperature/mean_point.hpp"
-#include "ballbar/temperature/mean_point_sigma.hpp"
-#include "mean_point/meanpoint_plot.hpp"
-#include "mean_point/meanpoint_result.hpp"
+#include "shaft_picture/shaft_result.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -22,19 +20,18 @@
 namespace ballbar {
 namespace {
 
-// dL of the state since the start, for a mean and its sigma.
-double elongation_um(const MeanpointArguments& options, const MeanPointState& state, double rise_K) {
-  return mean_point_elongation_um(options.of.expansion_ppm_per_K, length_mm(state.profile), rise_K);
-}
-
 // A sigma of zero or none is not shown: a table does not state one.
 std::string value_text(double value, double sigma, int decimals) {
   return std::isfinite(sigma) ? with_sigma(value, sigma, decimals) : fixed(value, decimals);
 }
 
+std::string elongation_text(const ShaftState& state) {
+  return state.elongation_um ? value_text(*state.elongation_um, *state.sigma_elongation_um, 2) : "-";
+}
+
 // Of the first state whose scale ends too early; empty where there is none.
-std::string saturation(const std::vector<MeanPointState>& states) {
-  for (const MeanPointState& state : states) {
+std::string saturation(const std::vector<ShaftState>& states) {
+  for (const ShaftState& state : states) {
     if (!state.from || !(state.from->image.saturated_cold || state.from->image.saturated_hot)) continue;
     const TemperatureImage& image = state.from->image;
     const auto share = [&](std::size_t pixels) {
@@ -57,7 +54,7 @@ std::string saturation(const std::vector<MeanPointState>& states) {
   return "";
 }
 
-std::string conclusion(const MeanpointArguments& options, const std::vector<MeanPointState>& states,
+std::string conclusion(const ShaftPictureArguments& options, const std::vector<ShaftState>& states,
                        const std::optional<BestPoint>& best) {
   if (best) {
     double largest = 0.0;
@@ -68,35 +65,34 @@ std::string conclusion(const MeanpointArguments& options, const std::vector<Mean
         states.size(), fixed(best->x_mm, 2), fixed(best->rms_um, 2), fixed(largest, 2),
         fixed(best->misplaced_um_per_mm, 3), saturation(states));
   }
-  const MeanPointState& state = states.front();
+  const ShaftState& state = states.front();
   std::string text =
       fmt::format("The sensor belongs at x = {} mm: there the temperature is the mean of the whole length, {} degC.",
-                  value_text(state.points.front().x_mm, state.sigma_mm.front(), 2),
+                  value_text(state.places.front().point.x_mm, state.places.front().sigma_mm, 2),
                   value_text(state.mean_degC, state.sigma_mean_degC, 2));
   if (options.of.start_degC) {
-    text += fmt::format(" Since {:g} degC the axial elongation is {} um.", *options.of.start_degC,
-                        value_text(elongation_um(options, state, state.mean_degC - *options.of.start_degC),
-                                   elongation_um(options, state, state.sigma_mean_degC), 2));
+    text +=
+        fmt::format(" Since {:g} degC the axial elongation is {} um.", *options.of.start_degC, elongation_text(state));
   }
-  if (state.points.size() > 1) {
-    text += fmt::format(" There are {} such places; this one forgives a misplaced sensor most.", state.points.size());
+  if (state.places.size() > 1) {
+    text += fmt::format(" There are {} such places; this one forgives a misplaced sensor most.", state.places.size());
   }
   return text + saturation(states);
 }
 
-void print_points(const MeanpointArguments& options, const MeanPointState& state) {
+void print_points(const ShaftState& state) {
   Table table({"mean-value point", "x mm", "dT/dx degC/mm", "sensor misplaced um/mm"});
-  for (std::size_t i = 0; i < state.points.size(); ++i) {
-    const MeanPoint& point = state.points[i];
-    table.add({fmt::format("{}", i + 1), value_text(point.x_mm, state.sigma_mm[i], 2),
-               value_text(point.slope_degC_per_mm, state.sigma_slope_degC_per_mm[i], 4),
-               fixed(misplacement_um_per_mm(state.profile, point, options.of.expansion_ppm_per_K), 3)});
+  for (std::size_t i = 0; i < state.places.size(); ++i) {
+    const SensorPlace& place = state.places[i];
+    table.add({fmt::format("{}", i + 1), value_text(place.point.x_mm, place.sigma_mm, 2),
+               value_text(place.point.slope_degC_per_mm, place.sigma_slope_degC_per_mm, 4),
+               fixed(place.misplaced_um_per_mm, 3)});
   }
   fmt::print("{}\n", table.text());
 }
 
 // Where T(x) is a mean that was found another way; "-" where it is nowhere.
-std::string places_of(const MeanPointState& state, double level_degC) {
+std::string places_of(const ShaftState& state, double level_degC) {
   std::vector<std::string> places;
   const TemperatureProfile& profile = state.from->columns.profile;  // its sigma is the scatter alone
   for (const MeanPoint& point : points_at(profile, level_degC, same_degC(profile, level_degC))) {
@@ -105,15 +101,17 @@ std::string places_of(const MeanPointState& state, double level_degC) {
   return places.empty() ? "-" : fmt::format("{}", fmt::join(places, ", "));
 }
 
-void print_ways(const MeanpointArguments& options, const MeanPointState& state) {
+void print_ways(const ShaftPictureArguments& options, const ShaftState& state) {
   const ThreeAreas& areas = state.from->areas;
   Table table({"mean temperature by", "degC", "elongation um", "x mm"});
   const auto add = [&](const char* way, double mean, double sigma) {
-    const std::string elongation = options.of.start_degC
-                                       ? value_text(elongation_um(options, state, mean - *options.of.start_degC),
-                                                    elongation_um(options, state, sigma), 2)
-                                       : "-";
-    table.add({way, value_text(mean, sigma, 2), elongation, places_of(state, mean)});
+    const auto elongation_um = [&](double rise_K) {
+      return mean_point_elongation_um(options.of.expansion_ppm_per_K, length_mm(state.profile), rise_K);
+    };
+    table.add({way, value_text(mean, sigma, 2),
+               options.of.start_degC ? value_text(elongation_um(mean - *options.of.start_degC), elongation_um(sigma), 2)
+                                     : "-",
+               places_of(state, mean)});
   };
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   add("each pixel's colour", state.mean_degC, state.sigma_mean_degC);
@@ -122,7 +120,7 @@ void print_ways(const MeanpointArguments& options, const MeanPointState& state) 
   fmt::print("{}\n", table.text());
 }
 
-void print_picture(const MeanPointState& state) {
+void print_picture(const ShaftState& state) {
   const PictureState& from = *state.from;
   const PixelBox& box = from.image.region;
   const ThreeAreas& areas = from.areas;
@@ -155,31 +153,24 @@ void print_picture(const MeanPointState& state) {
                 areas.red_triangle, areas.blue_otsu, areas.blue_triangle)));
 }
 
-void print_states(const MeanpointArguments& options, const std::vector<MeanPointState>& states, const BestPoint& best) {
+void print_states(const std::vector<ShaftState>& states) {
   Table table({"state", "mean degC", "elongation um", "its own points x mm", "error at the best um"});
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    const MeanPointState& state = states[k];
+  for (const ShaftState& state : states) {
     std::vector<std::string> places;
-    for (std::size_t i = 0; i < state.points.size(); ++i) {
-      places.push_back(value_text(state.points[i].x_mm, state.sigma_mm[i], 2));
-    }
-    table.add({one_line(state.name), value_text(state.mean_degC, state.sigma_mean_degC, 2),
-               options.of.start_degC
-                   ? value_text(elongation_um(options, state, state.mean_degC - *options.of.start_degC),
-                                elongation_um(options, state, state.sigma_mean_degC), 2)
-                   : "-",
-               fmt::format("{}", fmt::join(places, ", ")), fixed(best.error_um[k], 2)});
+    for (const SensorPlace& place : state.places) places.push_back(value_text(place.point.x_mm, place.sigma_mm, 2));
+    table.add({one_line(state.name), value_text(state.mean_degC, state.sigma_mean_degC, 2), elongation_text(state),
+               fmt::format("{}", fmt::join(places, ", ")), fixed(*state.error_at_best_um, 2)});
   }
   fmt::print("{}\n", table.text(table_width(140)));
 }
 
-void print_text(const MeanpointArguments& options, const std::vector<MeanPointState>& states,
+void print_text(const ShaftPictureArguments& options, const std::vector<ShaftState>& states,
                 const std::optional<BestPoint>& best) {
   fmt::print("{}\n", wrapped(conclusion(options, states, best)));
   if (best) {
-    print_states(options, states, *best);
+    print_states(states);
   } else {
-    print_points(options, states.front());
+    print_points(states.front());
     if (states.front().from) {
       print_ways(options, states.front());
       print_picture(states.front());
@@ -202,57 +193,22 @@ void print_text(const MeanpointArguments& options, const std::vector<MeanPointSt
                        states.front().from ? ", --min-degC and --max-degC" : "")));
 }
 
-std::vector<MeanPointResult> points_of(const MeanpointArguments& options, const MeanPointState& state) {
-  std::vector<MeanPointResult> points;
-  for (std::size_t i = 0; i < state.points.size(); ++i) {
-    const MeanPoint& point = state.points[i];
-    points.push_back({point.x_mm, state.sigma_mm[i], point.slope_degC_per_mm, state.sigma_slope_degC_per_mm[i],
-                      misplacement_um_per_mm(state.profile, point, options.of.expansion_ppm_per_K)});
-  }
-  return points;
-}
-
-MeanPointsResult result_of(const MeanpointArguments& options, const std::vector<MeanPointState>& states,
-                           const std::optional<BestPoint>& best) {
-  MeanPointsResult result{
-      conclusion(options, states, best), options.of.expansion_ppm_per_K, options.of.start_degC, {best}, {}};
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    const MeanPointState& state = states[k];
-    MeanPointStateResult one{state.name,
-                             length_mm(state.profile),
-                             state.mean_degC,
-                             state.sigma_mean_degC,
-                             {},
-                             {},
-                             points_of(options, state),
-                             {},
-                             {state.from}};
-    if (options.of.start_degC) {
-      one.elongation_um.value = elongation_um(options, state, state.mean_degC - *options.of.start_degC);
-      one.sigma_elongation_um.value = elongation_um(options, state, state.sigma_mean_degC);
-    }
-    if (best) one.error_at_best_um.value = best->error_um[k];
-    result.states.push_back(std::move(one));
-  }
-  return result;
-}
-
 }  // namespace
 
-void show_mean_points(const MeanpointArguments& options) {
+void show_shaft_picture(const ShaftPictureArguments& options) {
   std::vector<std::string> outputs;
   if (!options.plot.empty()) {
-    expect_meanpoint_plot(options.plot);
+    expect_shaft_plot(options.plot);
     outputs.push_back(options.plot);
   }
   if (!options.out.empty()) {
     outputs.push_back(options.out);
   }
   expect_no_input(outputs, {options.of.files.begin(), options.of.files.end()});
-  const std::vector<MeanPointState> states = mean_point_states(options.of);
+  std::vector<ShaftState> states = shaft_states(options.of);
   std::vector<NamedProfile> profiles;
   std::vector<TemperatureProfile> plain;
-  for (const MeanPointState& state : states) {
+  for (const ShaftState& state : states) {
     profiles.push_back({!state.from          ? state.name
                         : states.size() == 1 ? "T_degC"
                                              : fmt::format("T{}_degC", profiles.size() + 1),
@@ -260,11 +216,15 @@ void show_mean_points(const MeanpointArguments& options) {
     plain.push_back(state.profile);
   }
   std::optional<BestPoint> best;
-  if (states.size() > 1) best = best_point(plain, options.of.expansion_ppm_per_K);
+  if (states.size() > 1) {
+    best = best_point(plain, options.of.expansion_ppm_per_K);
+    for (std::size_t k = 0; k < states.size(); ++k) states[k].error_at_best_um = best->error_um[k];
+  }
   if (!options.out.empty()) write_bytes(options.out, write_profiles(profiles));
-  if (!options.plot.empty()) plot_meanpoint(states, best, conclusion(options, states, best), options.plot);
+  if (!options.plot.empty()) plot_shaft(states, best, conclusion(options, states, best), options.plot);
   if (options.json) {
-    print_json(json_of(result_of(options, states, best)));
+    print_json(json_of(MeanPointsResult{
+        conclusion(options, states, best), options.of.expansion_ppm_per_K, options.of.start_degC, {best}, states}));
   } else {
     print_text(options, states, best);
   }

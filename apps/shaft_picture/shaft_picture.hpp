@@ -1,4 +1,4 @@
-// Pictures of `ballbar compensate --from-picture`.
+// Where one sensor should sit so that it tells the axial elongation: `ballbar compensate --from-picture`.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,24 +7,33 @@
 #include <vector>
 
 #include "ballbar/temperature/mean_point.hpp"
-#include "mean_point/mean_point_states.hpp"
+#include "shaft_picture/shaft_states.hpp"
 
 namespace ballbar {
 
+struct ShaftPictureArguments {
+  ShaftPictureOptions of;
+  std::string out, plot;  // empty: none
+  bool json = false;
+};
+
+// Prints the places and writes what is asked for. Throws Error with the file or the option that is at fault.
+void show_shaft_picture(const ShaftPictureArguments& options);
+
 // Throws Error where the name ends in neither .svg nor .png, or in .svg and the program was built without the page; to
 // be called before the work is done.
-void expect_meanpoint_plot(const std::string& path);
+void expect_shaft_plot(const std::string& path);
 
 // .svg: T(x) of all states, each mean a dashed line, each mean-value point a dot; the best place of several states a
 // line; drawn by the code of the page. .png: the one picture with its region, the borders of the three areas, T(x) (the
 // scale's span over the height of the region) and lines at the mean-value points. Throws Error: no node, several
 // pictures or a table for a .png, the file cannot be written.
-void plot_meanpoint(const std::vector<MeanPointState>& states, const std::optional<BestPoint>& best,
-                    const std::string& conclusion, const std::string& path);
+void plot_shaft(const std::vector<ShaftState>& states, const std::optional<BestPoint>& best,
+                const std::string& conclusion, const std::string& path);
 
 // The data of the .svg, a part of a report, and the picture of the .png.
-nlohmann::ordered_json mean_point_part(const std::vector<MeanPointState>& states, const std::optional<BestPoint>& best,
+nlohmann::ordered_json mean_point_part(const std::vector<ShaftState>& states, const std::optional<BestPoint>& best,
                                        const std::string& conclusion);
-Picture marked_picture(const MeanPointState& state);
+Picture marked_picture(const ShaftState& state);
 
 }  // namespace ballbar

@@ -1,5 +1,3 @@
-#include "mean_point/meanpoint_plot.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +8,9 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/pictures/picture_file.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "mean_point/meanpoint_result.hpp"
 #include "page/report_page.hpp"
+#include "shaft_picture/shaft_picture.hpp"
+#include "shaft_picture/shaft_result.hpp"
 
 namespace ballbar {
 namespace {
@@ -68,8 +67,8 @@ void draw_borders(Canvas& canvas, const PictureState& from) {
   for (std::size_t at = 0; at < from.areas.areas.size(); ++at) {
     const Area area = from.areas.areas[at];
     if (area == Area::none) continue;
-    const auto other = [&](std::size_t beside) {
-      return from.areas.areas[beside] != Area::none && from.areas.areas[beside] != area;
+    const auto other = [&](std::size_t neighbour) {
+      return from.areas.areas[neighbour] != Area::none && from.areas.areas[neighbour] != area;
     };
     const bool right = at % width + 1 < width && other(at + 1);
     const bool below = at + width < from.areas.areas.size() && other(at + width);
@@ -82,7 +81,7 @@ void draw_borders(Canvas& canvas, const PictureState& from) {
 }
 
 // T(x) black on white, so that it is seen on any colour; the scale's span over the height of the region.
-void draw_curve(Canvas& canvas, const MeanPointState& state) {
+void draw_curve(Canvas& canvas, const ShaftState& state) {
   const double low = state.from->scale.degC.front(), high = state.from->scale.degC.back();
   const double from_mm = state.profile.x_mm.front(), length = length_mm(state.profile);
   const auto across = [&](long i) {
@@ -100,9 +99,9 @@ void draw_curve(Canvas& canvas, const MeanPointState& state) {
   }
 }
 
-void draw_points(Canvas& canvas, const MeanPointState& state) {
-  for (const MeanPoint& point : state.points) {
-    const double share = (point.x_mm - state.profile.x_mm.front()) / length_mm(state.profile);
+void draw_points(Canvas& canvas, const ShaftState& state) {
+  for (const SensorPlace& place : state.places) {
+    const double share = (place.point.x_mm - state.profile.x_mm.front()) / length_mm(state.profile);
     const long along = std::lround(share * static_cast<double>(canvas.length()) - 0.5);
     for (long j = -kBeyond; j < canvas.height() + kBeyond; ++j) canvas.dot(along, j, kMagenta, 1);
   }
@@ -110,19 +109,19 @@ void draw_points(Canvas& canvas, const MeanPointState& state) {
 
 }  // namespace
 
-void expect_meanpoint_plot(const std::string& path) {
-  const std::string ending = ending_of(path);
-  if (ending == ".svg") expect_page("--plot");
+void expect_shaft_plot(const std::string& path) {
+  if (ending_of(path) == ".svg") expect_page("--plot");
 }
 
-nlohmann::ordered_json mean_point_part(const std::vector<MeanPointState>& states, const std::optional<BestPoint>& best,
+nlohmann::ordered_json mean_point_part(const std::vector<ShaftState>& states, const std::optional<BestPoint>& best,
                                        const std::string& conclusion) {
-  MeanPointPart part{conclusion, {}, states};
+  ShaftPart part{conclusion, {}, {}};
+  for (const ShaftState& state : states) part.states.push_back({state});
   if (best) part.best.value = {*best};
   return json_of(part);
 }
 
-Picture marked_picture(const MeanPointState& state) {
+Picture marked_picture(const ShaftState& state) {
   Canvas canvas(state.from->picture, state.from->image.region, state.from->vertical);
   draw_borders(canvas, *state.from);
   draw_region(canvas);
@@ -131,9 +130,9 @@ Picture marked_picture(const MeanPointState& state) {
   return canvas.picture();
 }
 
-void plot_meanpoint(const std::vector<MeanPointState>& states, const std::optional<BestPoint>& best,
-                    const std::string& conclusion, const std::string& path) {
-  expect_meanpoint_plot(path);
+void plot_shaft(const std::vector<ShaftState>& states, const std::optional<BestPoint>& best,
+                const std::string& conclusion, const std::string& path) {
+  expect_shaft_plot(path);
   if (ending_of(path) == ".svg") {
     write_bytes(path, plot_of({{"mean_point", mean_point_part(states, best, conclusion)}}, conclusion));
     return;

@@ -1,5 +1,3 @@
-#include "mean_point/meanpoint_plot.hpp"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -7,21 +5,22 @@
 
 #include "ballbar/error.hpp"
 #include "page/page_assets.hpp"
+#include "shaft_picture/shaft_picture.hpp"
 
 namespace ballbar {
 namespace {
 
 // T falls from 40 to 20 over 10 mm: mean 30 at 5 mm.
-MeanPointState falling() {
-  MeanPointState state;
+ShaftState falling() {
+  ShaftState state;
   state.name = "a";
   state.profile = {{0, 10}, {40, 20}, {}};
   state.mean_degC = 30.0;
-  state.points = mean_points(state.profile);
+  for (const MeanPoint& point : mean_points(state.profile)) state.places.push_back({point});
   return state;
 }
 
-TEST(meanpoint_plot, data_of_the_drawing_are_the_profile_its_mean_and_its_points) {
+TEST(shaft_plot, data_of_the_drawing_are_the_profile_its_mean_and_its_points) {
   EXPECT_EQ(mean_point_part({falling()}, {}, "why").dump(),
             R"({"conclusion":"why","states":[{"name":"a","mean_degC":30.0,"mean_points":[{"x_mm":5.0}],)"
             R"("x_mm":[0.0,10.0],"degC":[40.0,20.0]}]})");
@@ -29,25 +28,25 @@ TEST(meanpoint_plot, data_of_the_drawing_are_the_profile_its_mean_and_its_points
 }
 
 // With the page and without, as this program is built: the checks build it without.
-TEST(meanpoint_plot, svg_needs_the_page_and_png_does_not) {
-  std::string told;
+TEST(shaft_plot, svg_needs_the_page_and_png_does_not) {
+  std::string complaint;
   try {
-    expect_meanpoint_plot("shaft.svg");
+    expect_shaft_plot("shaft.svg");
   } catch (const Error& error) {
-    told = error.what();
+    complaint = error.what();
   }
   const std::string without_page =
       "--plot: this ballbar was built without its page: expected node and npm when it was built; on Debian install "
       "nodejs and npm, then run cmake -S . -B build -DBALLBAR_PAGE=ON && cmake --build build.";
-  EXPECT_EQ(told, page::kScript.empty() ? without_page : "");
-  EXPECT_NO_THROW(expect_meanpoint_plot("shaft.png"));
+  EXPECT_EQ(complaint, page::kScript.empty() ? without_page : "");
+  EXPECT_NO_THROW(expect_shaft_plot("shaft.png"));
 }
 
 // A region of 20 by 11 pixels at (4, 5) in 30 by 40, the scale 20 to 40 degC. The mean point is at 5 of 10 mm, column
 // 4 + 10 - 0.5, drawn on 14 (lround away from zero: 9.5 is 10) and one to each side, 12 rows beyond the region; T is 40
 // at the left, in the region's first row.
-TEST(meanpoint_plot, marks_stand_where_they_belong) {
-  MeanPointState state = falling();
+TEST(shaft_plot, marks_stand_where_they_belong) {
+  ShaftState state = falling();
   state.from = PictureState{};
   state.from->picture = {30, 40, std::vector<std::uint8_t>(3 * 30 * 40, 100)};
   state.from->scale = {{{0, 0, 0}, {1, 1, 1}}, {20.0, 40.0}, false, 20.0};
