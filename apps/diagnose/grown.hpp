@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "ballbar/predict/growth.hpp"
 #include "ballbar/model/model.hpp"
+#include "ballbar/predict/growth.hpp"
 #include "ballbar/revision/ledger.hpp"
 #include "diagnose/revision_results.hpp"
 #include "model/model_options.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/predict/growth.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
+#include "ballbar/predict/growth.hpp"
 #include "ballbar/revision/effect_test.hpp"
 #include "ballbar/revision/ledger.hpp"
 #include "diagnose/effect_test_text.hpp"

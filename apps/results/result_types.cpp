@@ -32,7 +32,6 @@
 #include "history/page_parts.hpp"
 #include "history/test_result.hpp"
 #include "logs/log_results.hpp"
-#include "shaft_picture/shaft_result.hpp"
 #include "measure/comparison_result.hpp"
 #include "measure/drift_result.hpp"
 #include "measure/fit_result.hpp"
@@ -42,6 +41,7 @@
 #include "predict/predict_result.hpp"
 #include "report/report_inside.hpp"
 #include "report/report_results.hpp"
+#include "shaft_picture/shaft_result.hpp"
 #include "simulate/simulate_result.hpp"
 
 namespace ballbar {
@@ -115,7 +115,7 @@ std::vector<ResultSchema> all_schemas() {
   return schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsReports, PosteriorSoFar, Looked, Followed,
                     CheckedTargets, PreflightTargets, EffectPages, TestPlan, EffectTest, Added, Ledger, Undone,
                     Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult, History,
-                    ImportedLog, MergedLogs, SimulatedRun, SimulatedFleet, TrainedOnTemperatures, TrainedOnEffects,
+                    ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet, TrainedOnTemperatures, TrainedOnEffects,
                     TrainedForJob, PredictedSeries, PredictedTarget, ReplayResult, MadeSets, NextRun, ScoredSets,
                     MeanPointsResult, ShaftPart, PageReport, ModelPart, HeldPart, RevisedPart, HistoryReport,
                     FleetReport, PageFiles>();

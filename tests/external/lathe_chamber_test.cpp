@@ -2,10 +2,10 @@
 // predicted as well as a separate program (numpy, by eigenvectors of the stacked rows) found it.
 #include <gtest/gtest.h>
 
-#include "ballbar/predict/batch_choice.hpp"
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/predict/batch_choice.hpp"
 #include "external_data.hpp"
 
 namespace ballbar {

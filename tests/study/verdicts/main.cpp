@@ -1,5 +1,5 @@
-// Verdicts on data sets by code written apart from the product's own: other physics code, other logging, other noise, so
-// that a diagnosis is not judged by data that its own library, or the laboratory beside it, made.
+// Verdicts on data sets by code written apart from the product's own: other physics code, other logging, other noise,
+// so that a diagnosis is not judged by data that its own library, or the laboratory beside it, made.
 //
 //   study_verdicts [N [CELL...]] [--first SEED] [--verbose]
 //   study_verdicts --list                      names of the cells
