@@ -185,7 +185,7 @@ Series made(double begin_s, std::size_t rows) {
   return series;
 }
 
-void expect_same(const EffectPrediction& a, const EffectPrediction& b) {
+void expect_same(const RegressionPrediction& a, const RegressionPrediction& b) {
   EXPECT_EQ(a.goes_on, b.goes_on);
   EXPECT_EQ(a.holds, b.holds);
   ASSERT_EQ(a.predicted_um.size(), b.predicted_um.size());
