@@ -20,6 +20,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kMostMonths = 1'000'000;  // of machines: what is kept of their tests fits into a memory of 1 GB
+constexpr std::array kFleetPlanes{Plane::XY, Plane::YZ, Plane::ZX};
 
 std::string small(std::string_view text) {
   std::string letters(text);
@@ -80,7 +81,7 @@ double share_of_story(const FleetStory& story, double since_s, std::int64_t at_s
 
 std::vector<std::string> all_names(const FleetCurves& curves) {
   std::vector<std::string> names;
-  for (const Plane plane : kPlanes) {
+  for (const Plane plane : kFleetPlanes) {
     for (const int axis : axes_of(plane)) names.push_back(fmt::format("scale_{}", "xyz"[axis]));
     for (const FleetCurves::Column& column : curves.columns) {
       const std::optional<int> axis =
