@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <string>
 
 #include "ballbar/effects/effect.hpp"
 #include "example_rows.hpp"
@@ -26,12 +27,16 @@ std::vector<double> generic_parameters(const Effect& effect) {
   return p;
 }
 
-// A check of each effect of the catalogue.
+// A check of each effect of the catalogue. Which they were stands in the test's record.
 void expect_of_all(const std::function<void(const Effect&)>& check) {
+  std::string checked;
   for (const auto& effect : built_in_catalogue()) {
-    SCOPED_TRACE(effect->name + (effect->level == Level::series ? " on a series" : " on a recording"));
+    const std::string label = effect->name + (effect->level == Level::series ? " on a series" : " on a recording");
+    SCOPED_TRACE(label);
     check(*effect);
+    checked += label + "; ";
   }
+  testing::Test::RecordProperty("effects", checked);
 }
 
 TEST(all_effects, are_explained) {
