@@ -29,7 +29,7 @@ set -eux
 cd "$source"
 sh apps/quickstart.sh
 sh tests/run.sh
-sh tests/run.sh
+sh tests/run.sh -L 'slow|page'
 END_OF_FILE
 else
   build=$(realpath "$build")

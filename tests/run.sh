@@ -1,6 +1,6 @@
 #!/bin/sh
 # Builds ballbar with its tests in build-tests/ and runs those that a change must pass: minutes. Arguments are passed on
-# to ctest:
+# to ctest, which then chooses among all that are built:
 #
 #   sh tests/run.sh -R circle_fit
 #   sh tests/run.sh --all           then all others too: studies, tutorials, browsers, sanitizers, packages ... hours
@@ -27,9 +27,11 @@ cat $configured
 cmake --build build-tests -j "$(nproc)"
 rm -f "$results"
 status=0
+chosen=$#
+[ $# -gt 0 ] || set -- -LE 'slow|page'
 ctest --test-dir build-tests --output-on-failure -j "$(nproc)" --output-junit "$results" \
-  --test-output-size-passed 1000000 -LE 'slow|page' "$@" || status=$?
+  --test-output-size-passed 1000000 "$@" || status=$?
 [ ! -f "$results" ] || { echo && python3 tests/skipped.py "$results" $configured; }
 if [ -n "$all" ] && [ $status = 0 ]; then exec bash tests/all.sh; fi
-[ -n "$all" ] || echo 'Not run: studies, tutorials, the page, sanitizers, packages: sh tests/run.sh --all'
+[ -n "$all" ] || [ "$chosen" -gt 0 ] || echo 'Not run: studies, tutorials, the page, sanitizers, packages: sh tests/run.sh --all'
 exit $status

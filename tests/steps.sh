@@ -23,7 +23,7 @@ keep_summary() {
 
 # The time of each step, and the summaries.
 closing() {
-  step 'All steps passed'
+  step 'These steps passed'
   printf '%s\n' "${times[@]}" "$(printf '%5d s  in all' "$SECONDS")"
   ((${#closing_lines[@]} == 0)) || printf '%s\n' "${closing_lines[@]}"
 }

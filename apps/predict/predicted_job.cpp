@@ -69,6 +69,14 @@ Series series_of(const PredictedJob& job) {
   return series;
 }
 
+void expect_prediction(const PredictedJob& job) {
+  const std::vector<double>& um = job.prediction.predicted_um;
+  if (std::any_of(um.begin(), um.end(), [](double value) { return std::isfinite(value); })) return;
+  throw Error(fmt::format(
+      "{}: expected a row with a value in every column of the model, and a finite prediction there, found none.",
+      job.source));
+}
+
 // " from 0.07 to 24.45 um, at the end 24.45 um ±5.37 um (95 %)", of the rows that have a prediction.
 std::string range_text(const RegressionPrediction& prediction) {
   std::vector<std::size_t> rows;
@@ -266,6 +274,7 @@ BatchJob batch_job(const Source& data, const Source& model, bool anyway) {
                     "without it (--without-sensor), or predict all the same by --anyway.",
                     job.source, job.prediction.broken.front()));
   }
+  expect_prediction(job);
   job.warnings = temperature_warnings(job.prediction);
   return made;
 }
@@ -300,10 +309,7 @@ void predict_by_effects(const JobOptions& options) {
   }
   job.prediction = with_source(from ? options.state : job.source, [&] { return predict(model, job.data, from); });
   const RegressionPrediction& prediction = job.prediction;
-  if (std::none_of(prediction.predicted_um.begin(), prediction.predicted_um.end(),
-                   [](double value) { return std::isfinite(value); })) {
-    throw Error(fmt::format("{}: expected a row with a value in every column of the model, found none.", job.source));
-  }
+  expect_prediction(job);
   job.warnings = effect_warnings(prediction);
   const std::vector<double>& time_s = job.data.time_s;
   const auto first_new =

@@ -111,6 +111,19 @@ class Command(unittest.TestCase):
                 self.assertEqual(file.read(), "the former one")
         self.assertEqual([name for name in os.listdir(self.scratch.name) if name.startswith(".")], [])
 
+    def test_misuse(self):
+        for words, sentence in (
+            (["--workers", "-3"], '--workers: expected a number from 1 to 1024, found "-3"'),
+            (["--workers", "two"], '--workers: expected a number from 1 to 1024, found "two"'),
+            (["--false-discovery-rate", "2"], '--false-discovery-rate: expected a number from 0 to 1, found "2"'),
+            (["--tolerance", "x=y"], '--tolerance: expected NAME=VALUE with a number above 0, found "x=y"'),
+            (["--tolerance", "circularity=-3"], '--tolerance: expected NAME=VALUE with a number above 0, found "circularity=-3"'),
+            (["--out", "x.txt"], '--out: expected a name that ends in .csv, .json or .html, found "x.txt"'),
+            (["--table", ""], '--table: expected a value, found ""'),
+            (["--tab", "x"], "unrecognized arguments: --tab x"),
+        ):
+            self.assertEqual(ran(self.plant, *words), (2, "", f"ballbar: {sentence}; see ballbar history --help\n"))
+
     def test_one_sentence(self):
         for words, sentence in (
             ([self.plant, "--tolerance", "circularty=3"], 'tolerance: expected a quantity of tests, found "circularty"; the nearest is circularity.'),

@@ -10,27 +10,60 @@ import os
 import signal
 import sys
 import tempfile
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Callable, Iterator
+from typing import Any, NoReturn
 
 from ._errors import BallbarError
 
+# The same checks as apps/history/history.cpp has.
+_ENDINGS = (".csv", ".json", ".html")
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        self.exit(2, f"ballbar: {message.removeprefix('argument ')}; see ballbar history --help\n")
+
+
+def _checked(take: Callable[[str], Any], expected: str) -> Callable[[str], Any]:
+    """A kind of value: `take` raises ValueError where it is none."""
+
+    def kind(text: str) -> Any:
+        try:
+            return take(text)
+        except ValueError:
+            raise argparse.ArgumentTypeError(f'expected {expected}, found "{text}"') from None
+
+    return kind
+
+
+def _if(is_right: bool, value: Any) -> Any:
+    if not is_right:
+        raise ValueError
+    return value
+
+
 def _limit(text: str) -> tuple[str, float]:
     name, _, number = text.partition("=")
-    return name, float(number)
+    return name, _if(bool(name) and 0.0 < float(number) < float("inf"), float(number))
+
+
+_TEXT = _checked(lambda text: _if(bool(text), text), "a value")
+_WORKERS = _checked(lambda text: _if(1 <= int(text) <= 1024, int(text)), "a number from 1 to 1024")
+_RATE = _checked(lambda text: _if(0.0 <= float(text) <= 1.0, float(text)), "a number from 0 to 1")
+_LIMIT = _checked(_limit, "NAME=VALUE with a number above 0")
+_OUT = _checked(lambda text: _if(text.endswith(_ENDINGS), text), "a name that ends in .csv, .json or .html")
 
 
 def _options(words: list[str]) -> argparse.Namespace:
-    """Of words that the program has checked, which knows what each may be: apps/history/history.cpp."""
-    parser = argparse.ArgumentParser(prog="ballbar history", allow_abbrev=False)
-    parser.add_argument("paths", nargs="+", metavar="FOLDER")
-    parser.add_argument("--table", metavar="FOLDER")
-    parser.add_argument("--workers", type=int, metavar="N")
-    parser.add_argument("--scheduler", metavar="ADDRESS")
-    parser.add_argument("--tolerance", action="append", type=_limit, default=[], metavar="NAME=VALUE")
-    parser.add_argument("--false-discovery-rate", type=float, default=0.05, metavar="RATE")
-    parser.add_argument("--out", action="append", default=[], metavar="FILE")
-    parser.add_argument("--json", action="store_true")
+    parser = _Parser(prog="ballbar history", description="The tests of many machines: table, ranking, page", allow_abbrev=False)
+    parser.add_argument("paths", nargs="+", type=_TEXT, metavar="FOLDER", help="folders of .b5r files, patterns, or files")
+    parser.add_argument("--table", type=_TEXT, metavar="FOLDER", help="where the table is kept: only what is new or changed is read")
+    parser.add_argument("--workers", type=_WORKERS, metavar="N", help="processes that read; default: this one, on all cores")
+    parser.add_argument("--scheduler", type=_TEXT, metavar="ADDRESS", help="of a Dask cluster, tcp://host:8786, whose workers read")
+    parser.add_argument("--tolerance", action="append", type=_LIMIT, default=[], metavar="NAME=VALUE", help="limit of a quantity, to both sides of 0; may be repeated")
+    parser.add_argument("--false-discovery-rate", type=_RATE, default=0.05, metavar="RATE", help="share of what is found by chance; default 0.05")
+    parser.add_argument("--out", action="append", type=_OUT, default=[], metavar="FILE", help=".csv: the table; .json: what was found; .html: a page; may be repeated")
+    parser.add_argument("--json", action="store_true", help="the result for a program")
     return parser.parse_args(words)
 
 

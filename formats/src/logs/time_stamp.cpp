@@ -386,9 +386,8 @@ std::optional<TimeStamp> time_stamp(std::string_view text, DateOrder order) {
 }
 
 std::string stamp_text(double seconds) {
-  const double whole_s = std::floor(std::round(seconds * 1e3) / 1e3);
-  const auto milli = std::llround((seconds - whole_s) * 1e3);
-  std::string text = fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(static_cast<std::time_t>(whole_s)));
+  const long long all_ms = std::llround(seconds * 1e3), milli = (all_ms % 1000 + 1000) % 1000;
+  std::string text = fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(static_cast<std::time_t>((all_ms - milli) / 1000)));
   if (milli != 0) text += fmt::format(".{:03}", milli);
   return text;
 }

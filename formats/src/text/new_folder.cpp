@@ -26,7 +26,8 @@ void expect_new_folder(const fs::path& folder) {
 fs::path new_folder_beside(const fs::path& folder) {
   std::random_device random;
   for (int attempt = 0;; ++attempt) {
-    fs::path name = folder.string() + fmt::format(".{:08x}", random());
+    // Hidden: whoever reads the folder around it meanwhile does not read half of it.
+    const fs::path name = folder.parent_path() / fmt::format(".{}.{:08x}", folder.filename().string(), random());
     std::error_code error;
     if (fs::create_directories(name, error)) return name;
     if (error || attempt == 100) {

@@ -5,14 +5,12 @@
 #include <iterator>
 #include <map>
 #include <string>
-#include <tuple>
 #include <unordered_map>
 
 #include "ballbar/history/machine_test.hpp"
 #include "ballbar/history/trend.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "history/series_judgement.hpp"
-#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {

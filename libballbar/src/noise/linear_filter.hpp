@@ -121,6 +121,11 @@ class LinearFilter {
       return stated == next.stated && relative == next.relative && shock == next.shock && share == next.share &&
              !is_left_out && !next.is_left_out;
     }
+    bool is_difference() const { return stated < 0.0; }
+    // S where the white part is what is left of large numbers: no less than a millionth of the memory's variance.
+    double difference(const Covariance& noise, double before) const {
+      return std::max(before + stated + noise.white * relative, 1e-6 * noise.correlated);
+    }
     double white(const Covariance& noise) const {
       const double variance = noise.white * relative + stated;
       return stated < 0.0 ? variance : std::max(variance, kLeastVariance_um2);
@@ -167,9 +172,11 @@ double LinearFilter::for_each_gain(const Covariance& noise, Take&& take) const {
     const double r = stretch.white(noise);
     double last = -1.0;
     for (Eigen::Index i = 0; i < stretch.rows; ++i) {
-      const double before = a * a * p + added, variance = before + r;
+      const double before = a * a * p + added;
+      const double variance = stretch.is_difference() ? stretch.difference(noise, before) : before + r;
       const double gain = stretch.is_left_out ? 0.0 : before / variance, weight = 1.0 / variance;
-      p = stretch.is_left_out ? before : before * r / variance;
+      const double keeps = stretch.is_difference() ? variance - before : r;
+      p = stretch.is_left_out ? before : before * keeps / variance;
       if (i > 0 && std::abs(before - last) <= 1e-14 * before) {
         log_weights += static_cast<double>(stretch.rows - i) * std::log(weight);
         take(FilterGain{a, gain, weight}, stretch.rows - i);

@@ -117,7 +117,7 @@ Grown grown_on(const Thin& thin, const Eigen::MatrixXd& of, const BaseColumns& b
   problem.end_s = problem.time_s.back();
   grown.selection = forward_selection(
       problem, selection_states(std::array{600.0, 1800.0, 7200.0, 30'000.0}, std::array{0.3, 1.0, 3.0, 10.0}),
-      kMostEffects);
+      kMostSelected);
   const Eigen::Index fixed = base.free.cols();
   for (std::size_t k = 0; k < grown.selection.fits.size(); ++k) {
     const Eigen::VectorXd& gains = grown.selection.fits[k].gains;
@@ -225,7 +225,7 @@ Growth growth(const Model& base, const Series& data, std::size_t target,
     ++result.tried;
   }
   std::size_t kept = result.tried;
-  result.stop = result.tried < kMostEffects ? GrowthStop::none_needed : GrowthStop::most;
+  result.stop = result.tried < kMostSelected ? GrowthStop::none_needed : GrowthStop::most;
   if (ahead.empty()) {
     kept = 0;
     result.stop = GrowthStop::untested;

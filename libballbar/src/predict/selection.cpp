@@ -227,7 +227,7 @@ RidgeFit few_effects(const RidgeProblem& problem) {
       selection_states(std::array{0.0, 1800.0, 7200.0, 30'000.0}, std::array{1.0, 3.0, 10.0});
   std::vector<Variant> variants(states.size());
   in_parallel(states.size(), [&](std::size_t s) {
-    const PredictorSelection selection = forward_selection(selected, {&states[s], 1}, kMostEffects);
+    const PredictorSelection selection = forward_selection(selected, {&states[s], 1}, kMostSelected);
     Variant& of = variants[s];
     of.length_s = states[s].length_s;
     of.log_likelihood = selection.log_likelihood;

@@ -62,7 +62,7 @@ PredictorSelection forward_selection(const SelectionProblem& problem, std::span<
 std::vector<RidgeSetting> selection_states(std::span<const double> lengths_s, std::span<const double> variances);
 
 inline constexpr double kNotNeeded = 0.5;        // P(none)
-inline constexpr std::size_t kMostEffects = 12;  // of a selection
+inline constexpr std::size_t kMostSelected = 12;  // of a selection
 
 // As ridge_fit, over the predictors that any of the nine has chosen, at most 12 each: l = 1800, 7200 and 30 000 s, v =
 // 1, 3 and 10; three with l = 0 where that is likelier. Its covariance is that of the mixture: the mean of theirs and

@@ -157,6 +157,9 @@ Stacked stacked(const std::vector<Series>& runs, const std::vector<std::string>&
     throw Error(fmt::format("{}: expected a run of at least 2 rows, found {}.", names[r], runs[r].time_s.size()));
   }
   expect_same_units(runs, names);
+  if (!zeros_s.empty() && zeros_s.size() != runs.size()) {
+    throw Error(fmt::format("expected a start of each of {} runs, found {}.", runs.size(), zeros_s.size()));
+  }
   const std::vector<Hours> hours = hours_of(runs, zeros_s);
   expect_separate(runs, names, hours);
   Series& all = result.series;

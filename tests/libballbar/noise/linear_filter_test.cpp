@@ -166,6 +166,24 @@ TEST(Covariance, a_shock_by_hand) {
 
 // Rows that are means share less, or more, of the memory (h), and have a variance of their own, which may be below 0; a
 // start remembers nothing, though time goes on: C(i, j) = h_i h_j q^2 exp(-|dt| / theta) within a part, written out.
+// Many readings of a standstill are one row whose share of the memory is e^60: what is left of its variance is lost to
+// rounding. It is never 0, nor below.
+TEST(Covariance, a_row_of_a_long_standstill_has_a_variance) {
+  std::vector<double> time_s, share(20, 1.01), own(20, -0.02), relative(20, 0.1);
+  for (std::size_t i = 0; i < 20; ++i) time_s.push_back(10.0 * static_cast<double>(i));
+  share[10] = 1e12;
+  own[10] = -1e24;
+  const LinearFilter filter(time_s, {.variance = own, .relative_variance = relative, .memory_share = share});
+  std::size_t rows = 0;
+  const double log_variances = filter.for_each_gain({0.1, 1.0, 10.0}, [&](const FilterGain& of, Eigen::Index count) {
+    EXPECT_GT(of.weight, 0.0);
+    EXPECT_TRUE(std::isfinite(of.weight) && std::isfinite(of.gain)) << rows;
+    rows += static_cast<std::size_t>(count);
+  });
+  EXPECT_EQ(rows, 20u);
+  EXPECT_TRUE(std::isfinite(log_variances));
+}
+
 TEST(Covariance, rows_that_are_means_and_starts) {
   const Covariance covariance{0.5, 1.0, 40.0};
   const std::vector<double> time_s{0.0, 10.0, 20.0, 30.0, 42.0, 50.0}, share{1.0, 1.02, 1.02, 1.1, 1.0, 0.9};

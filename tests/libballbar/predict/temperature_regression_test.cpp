@@ -78,7 +78,7 @@ double dense_rmse_um(const Rows& rows, const Regression& regression) {
 const std::vector<RegressionSettings> kSettings{
     {RegressionMethod::pcr, 1, 0.0},    {RegressionMethod::pcr, 2, 0.0},   {RegressionMethod::pcr, 3, 0.0},
     {RegressionMethod::pcr, 8, 0.0},    {RegressionMethod::pcr, 24, 0.0},  {RegressionMethod::ridge, 0, 1e-6},
-    {RegressionMethod::ridge, 0, 1e-2}, {RegressionMethod::ridge, 0, 1e3},
+    {RegressionMethod::ridge, 0, 1e-2}, {RegressionMethod::ridge, 0, 1e3}, {RegressionMethod::ridge, 0, 0.0},
 };
 
 // The scatter has the squared condition of the rows, some 1e7 here: 1e-16 * 1e7 is 1e-9 of the slope's norm.

@@ -69,7 +69,7 @@ struct Fit {
 // Throws Error where the model does not suit the data (expect_suits), or the target has fewer than 3 values.
 Fit fit(const Model& model, const Series& data, std::size_t target = 0, const FitOptions& options = {});
 
-// Whether FitOptions::beside_all_errors says anything: circles of one bar that linear axes drive, and a model of
+// Whether FitOptions::among_all_errors says anything: circles of one bar that linear axes drive, and a model of
 // nothing but circles and errors of the machine, all gains free.
 bool is_of_machine_errors(const Model& model, const Series& data);
 

@@ -23,7 +23,7 @@ struct DistinctColumns {
 // the model stay.
 DistinctColumns distinct_columns_of(const Series& data, const Model& model);
 
-// Effects of the diagnosis of `alike.data` that are missing by P >= 0.2 and read a column that has a twin: each with
+// Effects of the diagnosis of `distinct.data` that are missing by P >= 0.2 and read a column that has a twin: each with
 // the same on the twin.
 std::vector<std::vector<BoundEffect>> inseparable_effects(const Diagnosis& diagnosis, const DistinctColumns& distinct);
 
