@@ -49,34 +49,41 @@ std::array<double, kMemories> memories_s(const ErrorRows& rows) {
   return memories;
 }
 
-// Of the part with a memory, for q = 1: what of it a row keeps from the row before (0 at the start of a recording),
-// what a mean over a row shares with others (k), and its own variance beyond k^2.
+// Of the part with a memory, for q = 1, in a mean over a row: what it shares with others (k), its variance, and that
+// beyond k^2.
+struct MeanOfRow {
+  double with_others = 1.0, variance = 1.0, own = 0.0;
+};
+
+// Row by row; `decay`: what is kept from the row before, 0 at the start of a recording.
 struct RowMemory {
-  std::vector<double> decay, with_others, own;
+  std::vector<double> decay, with_others, variance, own;
 };
 
 // Of a mean of `count` readings.
-std::pair<double, double> mean_of_row(double count, double interval_s, double memory_s) {
-  if (count < 1.5) return {1.0, 0.0};
+MeanOfRow mean_of_row(double count, double interval_s, double memory_s) {
+  if (count < 1.5) return {};
   const double half = 0.5 * interval_s / memory_s;
   const double with_others = std::sinh(count * half) / (count * std::sinh(half));
   double variance = count;
   for (double m = 1.0; m < count - 0.5; m += 1.0) variance += 2.0 * (count - m) * std::exp(-2.0 * half * m);
-  return {with_others, variance / (count * count) - with_others * with_others};
+  variance /= count * count;
+  return {with_others, variance, variance - with_others * with_others};
 }
 
 RowMemory row_memory(const ErrorRows& rows, double memory_s) {
   const auto n = static_cast<std::size_t>(rows.size());
-  RowMemory memory{std::vector<double>(n, 0.0), std::vector<double>(n), std::vector<double>(n)};
-  std::map<std::pair<double, double>, std::pair<double, double>> known;  // few rows differ
+  RowMemory memory{std::vector<double>(n, 0.0), std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
+  std::map<std::pair<double, double>, MeanOfRow> known;  // few rows differ
   double step_s = -1.0, decay = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     const std::pair key{rows.count[row], rows.interval_s[row]};
     auto found = known.find(key);
     if (found == known.end()) found = known.emplace(key, mean_of_row(key.first, key.second, memory_s)).first;
-    memory.with_others[i] = found->second.first;
-    memory.own[i] = found->second.second;
+    memory.with_others[i] = found->second.with_others;
+    memory.variance[i] = found->second.variance;
+    memory.own[i] = found->second.own;
     if (i == 0 || rows.recording[i] != rows.recording[i - 1]) continue;
     const double step = rows.time_s[row] - rows.time_s[row - 1];
     if (std::abs(step - step_s) > 1e-9 * step) {
@@ -107,9 +114,9 @@ LinearFilter filter_of(const ErrorRows& rows, double memory_s) {
   const Eigen::ArrayXd of_white = rows.count.array().inverse();
   const std::vector<std::size_t> starts = starts_of(rows);
   return LinearFilter({rows.time_s.data(), rows.recording.size()},
-                      {.variance = memory.own,
-                       .relative_variance = {of_white.data(), rows.recording.size()},
+                      {.relative_variance = {of_white.data(), rows.recording.size()},
                        .memory_share = memory.with_others,
+                       .memory_variance = memory.variance,
                        .starts = starts});
 }
 
@@ -261,9 +268,10 @@ Eigen::MatrixXd covariance_of(const ErrorRows& rows, const std::vector<Eigen::In
   std::vector<double> with_others(which.size());
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index row = which[static_cast<std::size_t>(i)];
-    const auto [others, own] = mean_of_row(rows.count[row], rows.interval_s[row], noise.correlation_time_s);
+    const MeanOfRow mean = mean_of_row(rows.count[row], rows.interval_s[row], noise.correlation_time_s);
+    const double others = mean.with_others;
     with_others[static_cast<std::size_t>(i)] = others;
-    covariance(i, i) = q2 * (others * others + own) + w2 / rows.count[row] + kLeastVariance;
+    covariance(i, i) = q2 * mean.variance + w2 / rows.count[row] + kLeastVariance;
     for (Eigen::Index j = 0; j < i; ++j) {
       const double apart_s = std::abs(rows.time_s[row] - rows.time_s[which[static_cast<std::size_t>(j)]]);
       covariance(i, j) = covariance(j, i) =

@@ -108,8 +108,12 @@ LinearFilter::LinearFilter(std::span<const double> time_s, const RowScatter& row
   steps.reserve(time_s.size());
   for (std::size_t i = 0; i < time_s.size(); ++i) {
     const bool goes_on = !is_next(starts, i) && i > 0 && !(time_s[i] < time_s[i - 1]);
-    const Stretch now{known(rows.variance, i, 0.0), known(rows.relative_variance, i, 1.0),
-                      goes_on ? known(rows.shock, i, 1.0) : 1.0, known(rows.memory_share, i, 1.0),
+    const double share = known(rows.memory_share, i, 1.0);
+    const Stretch now{known(rows.variance, i, 0.0),
+                      known(rows.relative_variance, i, 1.0),
+                      goes_on ? known(rows.shock, i, 1.0) : 1.0,
+                      share,
+                      known(rows.memory_variance, i, share * share),
                       is_next(left_out, i)};
     double step = std::numeric_limits<double>::infinity();
     if (goes_on) {
@@ -145,10 +149,11 @@ LinearFilter::Gains LinearFilter::gains_with_discrepancy(const Covariance& noise
     Eigen::Matrix3d added = stationary - usual * stationary * usual.transpose(), transition = usual, last = added;
     added(0, 0) *= stretch.shock;
     transition(0, 0) *= growth_of_share(k);
+    const double white = stretch.white(noise) + noise.correlated * (stretch.own - stretch.share * stretch.share);
     bool settled = false;
     for (Eigen::Index i = 0; i < stretch.rows && !settled; ++i) {
       const StateEstimate<3> before = predicted(state, transition, added);
-      const StateUpdate<3> update = updated(before, h, stretch.white(noise), 0.0);
+      const StateUpdate<3> update = updated(before, h, white, 0.0);
       const Eigen::Vector3d gain = stretch.is_left_out ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : update.gain;
       state = stretch.is_left_out ? before : update.after;
       settled = i > 0 && (before.p - last).cwiseAbs().maxCoeff() <= kSettled * (noise.white + noise.correlated);

@@ -41,10 +41,13 @@ Covariance with_memory(double total, double log_white, double step_s, double mem
 
 // What is known of each row; empty: nothing of any. Read by the constructor of the filter alone.
 struct RowScatter {
-  std::span<const double> variance = {};           // stated: added to the white part; below 0 where h is above 1
+  std::span<const double> variance = {};           // stated: added to the white part
   std::span<const double> relative_variance = {};  // of the white part; 1 where the reading is as good as the others
   std::span<const double> shock = {};              // factor on the variance of what is new in the memory there
   std::span<const double> memory_share = {};       // h
+  // Variance of the memory in the row, of q^2; h^2 unless given. Of a mean of many readings it is far below h^2: what
+  // the row shares with others goes on to grow within it.
+  std::span<const double> memory_variance = {};
   std::span<const std::size_t> left_out = {};  // rows, rising: their innovations are there, but no row after them knows
   std::span<const std::size_t> starts = {};    // rows, rising, that remember nothing though time goes on
 };
@@ -114,21 +117,16 @@ class LinearFilter {
  private:
   // Rows of the same step that are known alike, or one that is left out.
   struct Stretch {
-    double stated = 0.0, relative = 1.0, shock = 1.0, share = 1.0;
+    double stated = 0.0, relative = 1.0, shock = 1.0, share = 1.0, own = 1.0;
     bool is_left_out = false;
     Eigen::Index rows = 1;
     bool goes_on_with(const Stretch& next) const {
       return stated == next.stated && relative == next.relative && shock == next.shock && share == next.share &&
-             !is_left_out && !next.is_left_out;
+             own == next.own && !is_left_out && !next.is_left_out;
     }
-    bool is_difference() const { return stated < 0.0; }
-    // S where the white part is what is left of large numbers: no less than a millionth of the memory's variance.
-    double difference(const Covariance& noise, double before) const {
-      return std::max(before + stated + noise.white * relative, 1e-6 * noise.correlated);
-    }
+    bool is_mean() const { return own != share * share; }
     double white(const Covariance& noise) const {
-      const double variance = noise.white * relative + stated;
-      return stated < 0.0 ? variance : std::max(variance, kLeastVariance_um2);
+      return std::max(noise.white * relative + stated, kLeastVariance_um2);
     }
   };
   struct Gains {
@@ -147,7 +145,8 @@ class LinearFilter {
 };
 
 // Of the memory alone: s ~ (0, p) before row i:  S = p + R,  gain = p / S,  p after = p R / S;  to the next row
-// p = a^2 p + q^2 (1 - a^2).
+// p = a^2 p + q^2 (1 - a^2). Of a mean S = R + v + a^2 (p - q^2), v the variance of the memory in it: p itself would
+// cancel out in it.
 template <class Take>
 double LinearFilter::for_each_gain(const Covariance& noise, Take&& take) const {
   if (noise.slow > 0.0) {
@@ -169,13 +168,14 @@ double LinearFilter::for_each_gain(const Covariance& noise, Take&& take) const {
     double a = decay[k % kDecays] * growth_of_share(static_cast<std::size_t>(k));
     const double kept = decay[k % kDecays] * decay[k % kDecays];
     const double added = noise.correlated * stretch.share * stretch.share * stretch.shock * (1.0 - kept);
-    const double r = stretch.white(noise);
+    const double r = stretch.white(noise), own = noise.correlated * stretch.own;
+    const double known = noise.correlated * stretch.share * stretch.share * kept;
     double last = -1.0;
     for (Eigen::Index i = 0; i < stretch.rows; ++i) {
       const double before = a * a * p + added;
-      const double variance = stretch.is_difference() ? stretch.difference(noise, before) : before + r;
+      const double variance = stretch.is_mean() ? std::max(r + own + (a * a * p - known), r) : before + r;
       const double gain = stretch.is_left_out ? 0.0 : before / variance, weight = 1.0 / variance;
-      const double keeps = stretch.is_difference() ? variance - before : r;
+      const double keeps = stretch.is_mean() ? variance - before : r;
       p = stretch.is_left_out ? before : before * keeps / variance;
       if (i > 0 && std::abs(before - last) <= 1e-14 * before) {
         log_weights += static_cast<double>(stretch.rows - i) * std::log(weight);
