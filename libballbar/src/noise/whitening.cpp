@@ -35,12 +35,12 @@ void filter_reading(const FilterGain& of, double scale, double& reading, double&
 
 Whitening::Whitening(const Covariance& covariance, std::span<const double> time_s, const RowScatter& rows)
     : has_slow_(covariance.slow > 0.0), has_memory_(covariance.correlated > 0.0) {
-  gain_.reserve(time_s.size());
-  scale_.reserve(time_s.size());
+  gain_of_row_.reserve(time_s.size());
   log_determinant_ =
       LinearFilter(time_s, rows).for_each_gain(covariance, [&](const FilterGain& of, Eigen::Index count) {
-        gain_.insert(gain_.end(), static_cast<std::size_t>(count), of);
-        scale_.insert(scale_.end(), static_cast<std::size_t>(count), std::sqrt(of.weight));
+        gain_of_row_.insert(gain_of_row_.end(), static_cast<std::size_t>(count),
+                            static_cast<std::uint32_t>(gains_.size()));
+        gains_.push_back({of, std::sqrt(of.weight)});
       });
 }
 
@@ -50,12 +50,13 @@ Whitening::Whitening(const Noise& noise, std::span<const double> time_s, std::sp
 
 void Whitening::apply(const double* column, std::size_t stride, double* out, std::size_t out_stride) const {
   double s = 0.0, m = 0.0, slope = 0.0;
-  for (std::size_t i = 0; i < gain_.size(); ++i) {
+  for (std::size_t i = 0; i < size(); ++i) {
+    const auto& [of, scale] = of_row(i);
     double value = column[i * stride];
     if (has_slow_) {
-      filter_reading(gain_[i], scale_[i], value, s, m, slope);
+      filter_reading(of, scale, value, s, m, slope);
     } else {
-      filter_row(gain_[i], scale_[i], value, s);
+      filter_row(of, scale, value, s);
     }
     out[i * out_stride] = value;
   }
@@ -64,8 +65,7 @@ void Whitening::apply(const double* column, std::size_t stride, double* out, std
 void Whitening::apply(std::size_t first, RowMajorBlock block, RowMajorMatrix& state) const {
   if (block.cols() == 0) return;
   for (Eigen::Index i = 0; i < block.rows(); ++i) {
-    const FilterGain& of = gain_[first + static_cast<std::size_t>(i)];
-    const double scale = scale_[first + static_cast<std::size_t>(i)];
+    const auto& [of, scale] = of_row(first + static_cast<std::size_t>(i));
     auto values = block.row(i).array();
     auto s = state.row(0).array();
     if (has_slow_) {
@@ -87,8 +87,7 @@ RowMajorMatrix Whitening::transposed(RowMajorMatrix white) const {
   const Eigen::Index columns = white.cols();
   Eigen::ArrayXXd adjoint = Eigen::ArrayXXd::Zero(3, columns);
   for (Eigen::Index i = white.rows() - 1; i >= 0; --i) {
-    const FilterGain& of = gain_[static_cast<std::size_t>(i)];
-    const double scale = scale_[static_cast<std::size_t>(i)];
+    const auto& [of, scale] = of_row(static_cast<std::size_t>(i));
     for (Eigen::Index k = 0; k < columns; ++k) {
       double& s = adjoint(0, k);
       double& m = adjoint(1, k);
@@ -108,11 +107,10 @@ RowMajorMatrix Whitening::transposed(RowMajorMatrix white) const {
 // there has no state.
 Eigen::VectorXd Whitening::squares_of_steps() const {
   using Matrix = Eigen::Matrix4d;
-  Eigen::VectorXd squares(static_cast<Eigen::Index>(gain_.size()));
+  Eigen::VectorXd squares(static_cast<Eigen::Index>(size()));
   Matrix m = Matrix::Zero();
   for (Eigen::Index i = squares.size() - 1; i >= 0; --i) {
-    const FilterGain& of = gain_[static_cast<std::size_t>(i)];
-    const double scale = scale_[static_cast<std::size_t>(i)];
+    const auto& [of, scale] = of_row(static_cast<std::size_t>(i));
     const Eigen::RowVector4d innovation(-of.decay, -of.f00, -of.f01, 1.0);
     Matrix next = Matrix::Zero();
     next(0, 0) = of.decay;

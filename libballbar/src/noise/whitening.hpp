@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -25,7 +26,7 @@ class Whitening {
   Whitening(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um,
             std::span<const std::size_t> left_out = {});
 
-  std::size_t size() const { return gain_.size(); }
+  std::size_t size() const { return gain_of_row_.size(); }
   double log_determinant() const { return log_determinant_; }  // of the covariance
 
   // n innovations over their standard deviation. `stride`: distance of the column's values in memory. `out` may be the
@@ -43,8 +44,15 @@ class Whitening {
   Eigen::VectorXd squares_of_steps() const;
 
  private:
-  std::vector<FilterGain> gain_;
-  std::vector<double> scale_;
+  // Rows of one step have one gain once it has settled: a few gains, and which of them is each row's.
+  struct RowGain {
+    FilterGain gain;
+    double scale = 0.0;  // 1 over the innovation's standard deviation
+  };
+  const RowGain& of_row(std::size_t row) const { return gains_[gain_of_row_[row]]; }
+
+  std::vector<RowGain> gains_;
+  std::vector<std::uint32_t> gain_of_row_;
   bool has_slow_ = false, has_memory_ = false;
   double log_determinant_ = 0.0;
 };
