@@ -134,15 +134,15 @@ RowMajorMatrix whitened_rows(const Whitening& whitening, RowMajorMatrix columns)
 
 Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::Ref<const Eigen::MatrixXd>& columns) {
   // The filter goes from row to row; columns beside one another fill the time that each step has to wait.
-  constexpr Eigen::Index kTogether = 8, kBlockRows = 256;
+  constexpr Eigen::Index kTogether = 8, kRows = 256;
   const Eigen::Index n = columns.rows();
   Eigen::MatrixXd out(n, columns.cols());
-  RowMajorMatrix block(std::min(kBlockRows, n), kTogether);
+  RowMajorMatrix block(std::min(kRows, n), kTogether);
   Eigen::Index k = 0;
   for (; k + kTogether <= columns.cols(); k += kTogether) {
     RowMajorMatrix state = RowMajorMatrix::Zero(3, kTogether);
-    for (Eigen::Index first = 0; first < n; first += kBlockRows) {
-      auto part = block.topRows(std::min(kBlockRows, n - first));
+    for (Eigen::Index first = 0; first < n; first += kRows) {
+      auto part = block.topRows(std::min(kRows, n - first));
       part = columns.block(first, k, part.rows(), kTogether);
       whitening.apply(static_cast<std::size_t>(first), part, state);
       out.block(first, k, part.rows(), kTogether) = part;
