@@ -387,7 +387,8 @@ std::optional<TimeStamp> time_stamp(std::string_view text, DateOrder order) {
 
 std::string stamp_text(double seconds) {
   const long long all_ms = std::llround(seconds * 1e3), milli = (all_ms % 1000 + 1000) % 1000;
-  std::string text = fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(static_cast<std::time_t>((all_ms - milli) / 1000)));
+  std::string text =
+      fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(static_cast<std::time_t>((all_ms - milli) / 1000)));
   if (milli != 0) text += fmt::format(".{:03}", milli);
   return text;
 }
