@@ -61,7 +61,7 @@ PredictorSelection forward_selection(const SelectionProblem& problem, std::span<
 // Of each length l every v.
 std::vector<RidgeSetting> selection_states(std::span<const double> lengths_s, std::span<const double> variances);
 
-inline constexpr double kNotNeeded = 0.5;        // P(none)
+inline constexpr double kNotNeeded = 0.5;         // P(none)
 inline constexpr std::size_t kMostSelected = 12;  // of a selection
 
 // As ridge_fit, over the predictors that any of the nine has chosen, at most 12 each: l = 1800, 7200 and 30 000 s, v =

@@ -4,8 +4,8 @@
 //
 // x_j: an effect of the catalogue on columns that it accepts, at one of a few shapes. The next is that of the largest
 // mean rise of the restricted likelihood over 16 covariances of e (memories of 600 to 30 000 s) and priors of its gain;
-// gains are fitted jointly, held near 0 by those priors (src/predict/selection.hpp). It is chosen to predict: which of the
-// columns that move together joins first says little about causes.
+// gains are fitted jointly, held near 0 by those priors (src/predict/selection.hpp). It is chosen to predict: which of
+// the columns that move together joins first says little about causes.
 //
 // Growth ends where P(none) is above 0.5, at 12 effects, or earlier: after the last row whose forecasts are better than
 // those of the base model, and than those of as many surrogates, columns as smooth without a cause that are chosen and
