@@ -37,12 +37,12 @@ fi
 
 # The rest of the build for the sanitizers. Left out: the studies, statistics that the Release run holds; what takes
 # seconds there and minutes here, whose parts are tested here; and the consumer, which is built by the compiler of the
-# Release run.
+# Release run. Where the time is counted, the check has run the tests of readers and core.
 if fits 700 'Sanitizers of the program'; then
   step 'All tests under address and undefined-behaviour sanitizers'
   sh tests/sanitized.sh
   UBSAN_OPTIONS=print_stacktrace=1 keep_summary 'Sanitizers' ctest --test-dir build-fuzz --output-on-failure -j "$jobs" \
-    -LE 'study|slow' -E '^consumer$|^StoredDiagnostics|_NOT_BUILT'
+    -LE "study|slow${budget:+|core}" -E '^consumer$|^StoredDiagnostics|_NOT_BUILT'
 fi
 if fits 120 'Fuzz targets'; then
   step 'Fuzz targets, 5 s each'

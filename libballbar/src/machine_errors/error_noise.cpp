@@ -49,15 +49,14 @@ std::array<double, kMemories> memories_s(const ErrorRows& rows) {
   return memories;
 }
 
-// Of the part with a memory, for q = 1, in a mean over a row: what it shares with others (k), its variance, and that
-// beyond k^2.
+// Of the part with a memory, for q = 1, in a mean over a row: what it shares with others (k), and its variance.
 struct MeanOfRow {
-  double with_others = 1.0, variance = 1.0, own = 0.0;
+  double with_others = 1.0, variance = 1.0;
 };
 
-// Row by row; `decay`: what is kept from the row before, 0 at the start of a recording.
+// Row by row.
 struct RowMemory {
-  std::vector<double> decay, with_others, variance, own;
+  std::vector<double> with_others, variance;
 };
 
 // Of a mean of `count` readings.
@@ -67,15 +66,13 @@ MeanOfRow mean_of_row(double count, double interval_s, double memory_s) {
   const double with_others = std::sinh(count * half) / (count * std::sinh(half));
   double variance = count;
   for (double m = 1.0; m < count - 0.5; m += 1.0) variance += 2.0 * (count - m) * std::exp(-2.0 * half * m);
-  variance /= count * count;
-  return {with_others, variance, variance - with_others * with_others};
+  return {with_others, variance / (count * count)};
 }
 
 RowMemory row_memory(const ErrorRows& rows, double memory_s) {
   const auto n = static_cast<std::size_t>(rows.size());
-  RowMemory memory{std::vector<double>(n, 0.0), std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
+  RowMemory memory{std::vector<double>(n), std::vector<double>(n)};
   std::map<std::pair<double, double>, MeanOfRow> known;  // few rows differ
-  double step_s = -1.0, decay = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     const std::pair key{rows.count[row], rows.interval_s[row]};
@@ -83,14 +80,6 @@ RowMemory row_memory(const ErrorRows& rows, double memory_s) {
     if (found == known.end()) found = known.emplace(key, mean_of_row(key.first, key.second, memory_s)).first;
     memory.with_others[i] = found->second.with_others;
     memory.variance[i] = found->second.variance;
-    memory.own[i] = found->second.own;
-    if (i == 0 || rows.recording[i] != rows.recording[i - 1]) continue;
-    const double step = rows.time_s[row] - rows.time_s[row - 1];
-    if (std::abs(step - step_s) > 1e-9 * step) {
-      step_s = step;
-      decay = std::exp(-step / memory_s);
-    }
-    memory.decay[i] = decay;
   }
   return memory;
 }
@@ -100,13 +89,34 @@ struct Restricted {
   double variance = 0.0;  // s^2: of q^2 = 1
 };
 
-// Recordings, rows after one another, that remember nothing of the one before.
+// Recordings, rows after one another, remember nothing of the one before.
+bool is_start(const ErrorRows& rows, std::size_t row) {
+  return row == 0 || rows.recording[row] != rows.recording[row - 1];
+}
+
 std::vector<std::size_t> starts_of(const ErrorRows& rows) {
   std::vector<std::size_t> starts;
   for (std::size_t i = 0; i < rows.recording.size(); ++i) {
-    if (i == 0 || rows.recording[i] != rows.recording[i - 1]) starts.push_back(i);
+    if (is_start(rows, i)) starts.push_back(i);
   }
   return starts;
+}
+
+// What each row keeps from the one before; 0 at a start.
+std::vector<double> decays_of(const ErrorRows& rows, double memory_s) {
+  std::vector<double> decays(rows.recording.size(), 0.0);
+  double step_s = -1.0, decay = 0.0;
+  for (std::size_t i = 0; i < decays.size(); ++i) {
+    if (is_start(rows, i)) continue;
+    const auto row = static_cast<Eigen::Index>(i);
+    const double step = rows.time_s[row] - rows.time_s[row - 1];
+    if (std::abs(step - step_s) > 1e-9 * step) {
+      step_s = step;
+      decay = std::exp(-step / memory_s);
+    }
+    decays[i] = decay;
+  }
+  return decays;
 }
 
 LinearFilter filter_of(const ErrorRows& rows, double memory_s) {
@@ -237,17 +247,19 @@ Eigen::MatrixXd spread_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
   for (const auto& [memory_s, variances] : by_memory) {
     const auto [q2, w2] = variances;
     const RowMemory memory = row_memory(rows, memory_s);
+    const std::vector<double> decay = decays_of(rows, memory_s);
     // sum over j of k_j exp(-|t_i - t_j| / theta) z_j: those before and the row itself, then those after.
     sum.setZero();
     for (Eigen::Index i = 0; i < z.rows(); ++i) {
       const auto at = static_cast<std::size_t>(i);
-      sum = memory.decay[at] * sum + memory.with_others[at] * z.row(i);
-      correlated.row(i) += (q2 * memory.with_others[at]) * sum + (q2 * memory.own[at] + w2 / rows.count[i]) * z.row(i);
+      const double with_others = memory.with_others[at], own = memory.variance[at] - with_others * with_others;
+      sum = decay[at] * sum + with_others * z.row(i);
+      correlated.row(i) += (q2 * with_others) * sum + (q2 * own + w2 / rows.count[i]) * z.row(i);
     }
     sum.setZero();
     for (Eigen::Index i = z.rows() - 1; i > 0; --i) {
       const auto at = static_cast<std::size_t>(i);
-      sum = memory.decay[at] * (sum + memory.with_others[at] * z.row(i));
+      sum = decay[at] * (sum + memory.with_others[at] * z.row(i));
       correlated.row(i - 1) += (q2 * memory.with_others[at - 1]) * sum;
     }
   }

@@ -1,11 +1,11 @@
 // What a regression on effects predicts: row by row, and of a series.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "ballbar/predict/batch.hpp"
 #include "ballbar/predict/effect_regression.hpp"
+#include "numerics/not_finite.hpp"
 #include "predict/driver_report.hpp"
 #include "predict/ridge.hpp"
 
@@ -101,7 +101,6 @@ LivePrediction::LivePrediction(const EffectRegression& regression)
 }
 
 LivePrediction::At LivePrediction::next(double time_s, std::span<const double> values) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   if (!std::isfinite(live_.next(time_s, values))) return {kUnknown, kUnknown, false};
   const std::span<const double> units = live_.contributions_um();
   const auto m = static_cast<Eigen::Index>(gains_.size());

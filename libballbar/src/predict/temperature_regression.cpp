@@ -9,6 +9,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/numerics/parallel.hpp"
+#include "numerics/not_finite.hpp"
 #include "numerics/root.hpp"
 
 namespace ballbar {
@@ -177,7 +178,6 @@ RegressionSettings best_settings(std::span<const Batch> batches, RegressionMetho
 
 TrainedRange range_of(const Moments& moments) {
   constexpr double kShare = 0.999;
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
   const Principal p = principal(moments);
   const Eigen::Index m = p.value.size(),
                      used = std::min(static_cast<Eigen::Index>(components_for(moments, kShare)), p.determined);
