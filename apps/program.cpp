@@ -137,6 +137,7 @@ void run_command(const CommandCall& call) {
   CommandLine app;
   app.name("ballbar");
   app.values = call.values;
+  app.catalogue = call.catalogue;
   CLI::App& command = add_command(app, call.command);
   for (const auto& [name, value] : call.options) set_option(command, name, value);
   std::vector<std::string> line{call.command, "--"};
@@ -167,6 +168,12 @@ void run_command(const std::vector<std::string>& words) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(usage_fault(app, error, words));
   }
+}
+
+std::vector<CommandWords> words_of_commands() {
+  CommandLine app;
+  set_up(app);
+  return command_words(app);
 }
 
 int program(const std::vector<std::string>& words) {

@@ -132,20 +132,6 @@ std::string stop_text(const AddArguments& options, const Diagnosis& diagnosis) {
   }
 }
 
-// With its held shapes (an exponent) where the search found them.
-Term as_diagnosed(const BoundEffect& bound, const Diagnosis& diagnosis) {
-  Term term = term_of(*bound.effect, bound.columns);
-  const auto candidate = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
-                                      [&](const Candidate& one) { return one.bound == bound; });
-  if (candidate == diagnosis.candidates.end()) return term;
-  for (std::size_t k = 0; k < term.settings.size(); ++k) {
-    if (!term.settings[k].held) continue;
-    term.settings[k].start = candidate->parameters[k].value;
-    term.settings[k].stated = true;
-  }
-  return term;
-}
-
 // The errors of the axes that are significant, each a revision, first the one that leaves least. Returns why it
 // stopped.
 std::string add_errors(const AddArguments& options, const ModelData& data, Additions& additions) {

@@ -66,6 +66,24 @@ std::vector<StandIn> stand_ins_of(const ModelOptions& options, const DiagnoseOpt
   return result;
 }
 
+Term as_diagnosed(const BoundEffect& bound, const Diagnosis& found) {
+  Term term = term_of(*bound.effect, bound.columns);
+  const auto candidate = std::find_if(found.candidates.begin(), found.candidates.end(),
+                                      [&](const Candidate& one) { return one.bound == bound; });
+  if (candidate == found.candidates.end()) return term;
+  for (std::size_t k = 0; k < term.settings.size(); ++k) {
+    if (!term.settings[k].held && bound.effect->parameters[k].shape_of != ShapeOf::onset) continue;
+    term.settings[k].start = candidate->parameters[k].value;
+    term.settings[k].stated = true;
+  }
+  return term;
+}
+
+const std::vector<BoundEffect>& best_of(const Diagnosis& found) {
+  static const std::vector<BoundEffect> kNone;
+  return found.verdict == Verdict::named ? found.named : found.verdict == Verdict::probable ? found.probable : kNone;
+}
+
 std::string next_text(const DiagnosisReport& diagnosis_report) {
   const Diagnosis& found = diagnosis_report.diagnosis;
   if (found.verdict == Verdict::named && found.equivalent.empty()) return "";  // nothing is left to tell

@@ -45,6 +45,12 @@ DiagnosisOptions diagnosis_options(const DiagnoseOptions& how_to, const std::str
 // Throws Error, with the file that is at fault.
 DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& bench);
 
+// An effect of the diagnosis as a term, with its moment and its held shapes (an exponent) where the search found them.
+Term as_diagnosed(const BoundEffect& bound, const Diagnosis& found);
+
+// What the verdict names, or calls probable; empty where it does neither.
+const std::vector<BoundEffect>& best_of(const Diagnosis& found);
+
 // The test that would tell what is left open, whole sentences; empty where nothing is left to tell.
 std::string next_text(const DiagnosisReport& diagnosis_report);
 

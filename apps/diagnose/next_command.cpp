@@ -58,6 +58,9 @@ std::string word_of(const Term& term) { return word_of(label_of(term), term.colu
 std::string command_of(const std::string& verb, const std::vector<std::string>& effects, const ModelOptions& options,
                        const std::string& target, bool dry_run = false) {
   if (std::find(effects.begin(), effects.end(), "") != effects.end()) return "";
+  for (const Source& one : options.data) {
+    if (!one.is_path()) return "";  // values of a program, which nobody can type
+  }
   std::vector<std::string> words{"ballbar", verb};
   words.insert(words.end(), effects.begin(), effects.end());
   for (const std::string& file : names_of(options.data))

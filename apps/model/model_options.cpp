@@ -74,6 +74,7 @@ void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s) {
 }
 
 void add_model_options(CLI::App& command, ModelOptions& options, bool model_required) {
+  options.catalogue = catalogue_of(command);
   add_sources(command, "DATA", options.data, "series .csv, session, or recordings (.b5r, logs)")
       ->required()
       ->type_name("");
@@ -126,13 +127,13 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
   Model model;
   if (options.model.empty()) {
     if (data.level == Level::recording) {
-      model = recording_base_model(*data.series);
+      model = recording_base_model(*data.series, options.catalogue);
       model.targets = data.targets;
     } else {
       model.targets = data.targets;
     }
   } else {
-    model = read_model(options.model.bytes(kLargestText), options.model.name());
+    model = read_model(options.model.bytes(kLargestText), options.model.name(), options.catalogue);
     if (model.level != data.level) {
       throw Error(fmt::format("{}: expected a model of {}, found one of {}.", options.model.name(),
                               data.level == Level::recording ? "recordings (level = \"recording\")" : "a drift series",

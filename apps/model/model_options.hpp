@@ -28,6 +28,7 @@ struct ModelOptions {
   StatedCircle circle;
   bool robust = false;
   bool white = false;
+  Catalogue catalogue = built_in_catalogue();  // of effects that models may have, and that are searched
 };
 
 void add_model_options(CLI::App& command, ModelOptions& options, bool model_required);

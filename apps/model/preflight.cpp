@@ -108,8 +108,8 @@ void show_preflight(const ModelOptions& options, const Model& model, const Model
     const Model one = of_one_target(model, options, target);
     expect_to_fit(options, one, data);
     show_progress(fmt::format("{}, target {} of {}", model.targets[target], target + 1, model.targets.size()));
-    results.push_back(
-        with_source(options.data.front().name(), [&] { return preflight(one, *data.series, 0, data.motion); }));
+    results.push_back(with_source(options.data.front().name(),
+                                  [&] { return preflight(one, *data.series, 0, data.motion, options.catalogue); }));
   }
   show_progress({});
   if (json) {

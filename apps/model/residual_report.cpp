@@ -25,6 +25,7 @@ Workbench workbench_of(const ModelOptions& options, const std::shared_ptr<const 
                        DiagnosisOptions diagnosis) {
   expect_to_fit(options, model, *data);
   diagnosis.search.motion = data->motion;
+  diagnosis.search.catalogue = options.catalogue;
   return {data->series, model, {fit_options(options), std::move(diagnosis)}};
 }
 

@@ -107,6 +107,7 @@ void run(PlanArguments options) {
   if (model.targets.size() != 1) {
     throw Error(fmt::format("expected one target to plan for, found {}; --target chooses one.", model.targets.size()));
   }
+  options.plan.search.catalogue = options.model.catalogue;
   const ProgressLine line;
   if (!options.json || progress_is_taken()) {
     options.plan.search.progress = [](std::string_view step) { show_progress(std::string(step)); };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
@@ -61,6 +62,12 @@ std::vector<double> vector_of(const py::object& data, const std::string& name) {
 
 py::array array_of(const std::vector<double>& values) {
   return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+py::array array_of(std::vector<double>&& values) {
+  auto* const kept = new std::vector<double>(std::move(values));
+  const py::capsule owner(kept, [](void* all) { delete static_cast<std::vector<double>*>(all); });
+  return py::array_t<double>(static_cast<py::ssize_t>(kept->size()), kept->data(), owner);
 }
 
 py::array view_of(const std::vector<double>& values, py::handle owner) {

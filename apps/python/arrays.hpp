@@ -21,6 +21,9 @@ std::vector<double> vector_of(const pybind11::object& data, const std::string& n
 // A copy.
 pybind11::array array_of(const std::vector<double>& values);
 
+// The values themselves, without a copy.
+pybind11::array array_of(std::vector<double>&& values);
+
 // Read-only, of memory that `owner` keeps.
 pybind11::array view_of(const std::vector<double>& values, pybind11::handle owner);
 

@@ -19,7 +19,6 @@
 #include "history/test_result.hpp"
 #include "python/arrays.hpp"
 #include "python/classes.hpp"
-#include "terminal/caller.hpp"
 
 namespace ballbar::python {
 namespace {
@@ -120,16 +119,9 @@ py::tuple fleet(const Texts& texts, const Columns& columns,
   return py::make_tuple(to_python(json), text, page);
 }
 
-// The keys of the JSON of `errors`; no test at all is no error. On the way Ctrl-C ends it.
+// The keys of the JSON of `errors`; no test at all is no error.
 py::object tests(const std::vector<std::string>& files) {
-  Caller caller;
-  caller.progress = progress_for(py::none());
-  const nlohmann::ordered_json json = [&] {
-    const py::gil_scoped_release free;
-    const CalledBy called(caller);
-    return json_of(tests_below(files, false));
-  }();
-  return to_python(json);
+  return to_python(Listener(py::none()).hear([&] { return json_of(tests_below(files, false)); }));
 }
 
 }  // namespace

@@ -15,22 +15,16 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/text/source.hpp"
 #include "measure/fit_result.hpp"
-#include "page/report_page.hpp"
 #include "program.hpp"
 #include "python/arrays.hpp"
 #include "python/classes.hpp"
-#include "terminal/caller.hpp"
 
 namespace ballbar::python {
 namespace {
 
 namespace py = pybind11;
 using Json = nlohmann::ordered_json;
-
-using Recordings = std::vector<std::shared_ptr<Recording>>;
-using Data = std::variant<std::shared_ptr<Series>, Recordings, std::string>;  // a text: what a file would hold
 
 std::vector<Recording> recordings_of(const Recordings& held) {
   std::vector<Recording> recordings;
@@ -39,41 +33,19 @@ std::vector<Recording> recordings_of(const Recordings& held) {
   return recordings;
 }
 
-// Nothing that Python is given changes a series, so that it is not copied.
-Source source_of(const std::string& name, const Data& data) {
-  if (const auto* const series = std::get_if<std::shared_ptr<Series>>(&data)) return {name, *series};
-  if (const auto* const text = std::get_if<std::string>(&data)) return Source::of_text(name, *text);
-  return {name, recordings_of(std::get<Recordings>(data))};
-}
-
-// What a command answers: its result, remarks, and the files that it wrote.
-struct Answer {
-  std::optional<Json> result;
-  std::vector<std::string> remarks, wrote;
-};
-
-// Without the GIL but for what Python is told; there, Ctrl-C ends the command.
-Answer answer(const CommandCall& call, const py::object& progress) {
-  Answer answer;
-  Caller caller;
-  caller.result = [&](const Json& json) { answer.result = json; };
-  caller.remark = [&](const std::string& line) { answer.remarks.push_back(line); };
-  caller.wrote = [&](const std::string& file) { answer.wrote.push_back(file); };
-  caller.progress = progress_for(progress);
-  const py::gil_scoped_release free;
-  const CalledBy called(caller);
-  run_command(call);
-  return answer;
-}
-
+// The result of a command, remarks, and the files that it wrote.
 py::tuple call(const std::string& command, const std::vector<std::string>& places,
                const std::vector<std::pair<std::string, CommandCall::Value>>& options,
-               const std::map<std::string, Data>& data, const py::object& progress) {
-  CommandCall call{command, places, options, {}};
+               const std::map<std::string, Data>& data, const Effects& effects, const py::object& progress) {
+  CommandCall call{command, places, options, {}, catalogue_with(effects)};
   for (const auto& [name, value] : data) call.values.emplace(name, source_of(name, value));
-  const Answer made = answer(call, progress);
-  return py::make_tuple(made.result ? to_python(*made.result) : py::none(), py::cast(made.remarks),
-                        py::cast(made.wrote));
+  std::optional<Json> result;
+  std::vector<std::string> wrote;
+  Listener listener(progress);
+  listener.caller.result = [&](const Json& json) { result = json; };
+  listener.caller.wrote = [&](const std::string& file) { wrote.push_back(file); };
+  listener.hear([&] { run_command(call); });
+  return py::make_tuple(result ? to_python(*result) : py::none(), listener.remarks, wrote);
 }
 
 // `fit` of recordings that Python holds, for those who fit thousands: setting up a command takes longer.
@@ -86,13 +58,6 @@ py::object fit(const Recordings& recordings, bool polar, bool robust) {
     return json_of(fit_files({Source("<data>", recordings_of(recordings))}, how));
   }();
   return to_python(json);
-}
-
-// The pictures of a page with these parts, one below the other.
-std::string picture(const std::string& parts, const std::string& conclusion) {
-  const py::gil_scoped_release free;
-  expect_page();
-  return plot_of(Json::parse(parts), conclusion);
 }
 
 // Both are classes of the package, so that they carry the place that a sentence begins with.
@@ -113,6 +78,13 @@ void translate(std::exception_ptr thrown) {
 }
 
 }  // namespace
+
+Source source_of(const std::string& name, const Data& data) {
+  if (const auto* const series = std::get_if<std::shared_ptr<Series>>(&data)) return {name, *series};
+  if (const auto* const text = std::get_if<std::string>(&data)) return Source::of_text(name, *text);
+  return {name, recordings_of(std::get<Recordings>(data))};
+}
+
 }  // namespace ballbar::python
 
 PYBIND11_MODULE(_core, module) {
@@ -125,11 +97,12 @@ PYBIND11_MODULE(_core, module) {
   ballbar::python::bind_series(module);
   ballbar::python::bind_recording(module);
   ballbar::python::bind_effects(module);
+  ballbar::python::bind_bench(module);
+  ballbar::python::bind_models(module);
   ballbar::python::bind_fleets(module);
   module.attr("version") = BALLBAR_VERSION;
   module.def("call", &ballbar::python::call, py::arg("command"), py::arg("places"), py::arg("options"), py::arg("data"),
-             py::arg("progress") = py::none());
+             py::arg("effects"), py::arg("progress") = py::none());
   module.def("fit", &ballbar::python::fit, py::arg("recordings"), py::arg("polar"), py::arg("robust"));
   module.def("numbers", &ballbar::python::numbers_of, py::arg("data"), py::arg("name"));
-  module.def("picture", &ballbar::python::picture, py::arg("parts"), py::arg("conclusion"));
 }

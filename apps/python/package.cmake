@@ -14,10 +14,12 @@ target_link_options(ballbar_python PRIVATE -Wl,--version-script=${exports})
 set_property(TARGET ballbar_python APPEND PROPERTY LINK_DEPENDS ${exports})
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/ballbar/*.py ${CMAKE_CURRENT_LIST_DIR}/ballbar/*.pyi
   ${CMAKE_CURRENT_LIST_DIR}/ballbar/py.typed)
-add_custom_command(OUTPUT ${package}/_kinds.py COMMAND ${CMAKE_COMMAND} -E make_directory ${package}
-  COMMAND result_types python ${package}/_kinds.py DEPENDS result_types VERBATIM)  # the classes of results
+set(generated ${package}/_effects.py ${package}/_functions.py ${package}/_kinds.py)  # of what the program says
+add_custom_command(OUTPUT ${generated} COMMAND ${CMAKE_COMMAND} -E make_directory ${package}
+  COMMAND python_api effects ${package}/_effects.py COMMAND python_api functions ${package}/_functions.py
+  COMMAND result_types python ${package}/_kinds.py DEPENDS python_api result_types VERBATIM)
 add_custom_target(ballbar_python_files ALL COMMAND ${CMAKE_COMMAND} -E make_directory ${package}
-  COMMAND ${CMAKE_COMMAND} -E copy_if_different ${sources} ${package} DEPENDS ${sources} ${package}/_kinds.py VERBATIM)
+  COMMAND ${CMAKE_COMMAND} -E copy_if_different ${sources} ${package} DEPENDS ${sources} ${generated} VERBATIM)
 set(BALLBAR_PYTHON_FOLDER lib/python3/dist-packages CACHE STRING "where the package of Python is installed, below the prefix")
 install(TARGETS ballbar_python DESTINATION ${BALLBAR_PYTHON_FOLDER}/ballbar COMPONENT python)
-install(FILES ${sources} ${package}/_kinds.py DESTINATION ${BALLBAR_PYTHON_FOLDER}/ballbar COMPONENT python)
+install(FILES ${sources} ${generated} DESTINATION ${BALLBAR_PYTHON_FOLDER}/ballbar COMPONENT python)

@@ -159,8 +159,8 @@ Parameter parameter_of(const std::string& name, const py::dict& stated, Paramete
                           parameter.lower, parameter.upper, parameter.start));
 }
 
-void add_effect(const std::string& name, py::function call, const py::dict& inputs, const py::dict& gains,
-                const py::dict& shapes, const py::dict& explanation) {
+std::shared_ptr<Effect> effect_of(const std::string& name, py::function call, const py::dict& inputs,
+                                  const py::dict& gains, const py::dict& shapes, const py::dict& explanation) {
   auto effect = std::make_shared<Effect>();
   auto function = std::make_shared<Function>();
   effect->name = function->name = name;
@@ -200,10 +200,22 @@ void add_effect(const std::string& name, py::function call, const py::dict& inpu
     evaluate(*function, rows, parameters, values, derivatives);
   };
   effect->evaluate.parameters = effect->parameters.size();
-  add_to_catalogue(std::move(effect));
+  return effect;
 }
 
 }  // namespace
+
+Catalogue catalogue_with(const Effects& effects) {
+  Catalogue all = built_in_catalogue();
+  for (const std::shared_ptr<Effect>& effect : effects) {
+    if (find_effect(effect->name, effect->level, all) != nullptr) {
+      throw Error(
+          fmt::format("{}: expected a name of its own, found that of an effect of the catalogue.", effect->name));
+    }
+    all.push_back(effect);
+  }
+  return all;
+}
 
 py::object raised_by_effect(std::string_view sentence) {
   auto& [known, raised] = last_raised();
@@ -212,7 +224,8 @@ py::object raised_by_effect(std::string_view sentence) {
 }
 
 void bind_effects(py::module_& module) {
-  module.def("add_effect", &add_effect, py::arg("name"), py::arg("function"), py::kw_only(), py::arg("inputs"),
+  py::class_<Effect, std::shared_ptr<Effect>>(module, "Effect");
+  module.def("effect", &effect_of, py::arg("name"), py::arg("function"), py::kw_only(), py::arg("inputs"),
              py::arg("gains"), py::arg("shapes"), py::arg("explanation"));
 }
 

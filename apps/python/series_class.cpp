@@ -172,6 +172,14 @@ void bind_series(py::module_& module) {
             return roles;
           },
           "What each column stands for in a model.")
+      .def_property_readonly(
+          "units",
+          [](const Series& series) {
+            std::map<std::string, std::string> units;
+            for (const Column& one : series.columns) units[one.name] = std::string(unit_of(one.name));
+            return units;
+          },
+          "The unit of each column, as its name ends; empty: none.")
       .def_readonly("started", &Series::started, "Wall clock at time 0, or None.")
       .def(
           "__getitem__",

@@ -67,12 +67,33 @@ class Converter {
 
 py::object to_python(const nlohmann::ordered_json& json) { return Converter().of(json); }
 
-std::function<void(std::string_view line)> progress_for(py::handle progress) {
-  return [progress](std::string_view line) {
+namespace {
+
+void expect_no_signal() {
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
+}  // namespace
+
+Listener::Listener(py::handle progress) {
+  caller.remark = [this](const std::string& line) { remarks.push_back(line); };
+  caller.progress = [progress](std::string_view line) {
     if (line.empty()) return;  // said as a command ends, by an error too
     const py::gil_scoped_acquire hold;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    expect_no_signal();
     if (!progress.is_none()) progress(py::str(line.data(), line.size()));
+  };
+}
+
+// The GIL may be another thread's: it is asked for now and then alone.
+std::function<void()> Listener::signals_asked() {
+  static constexpr std::chrono::milliseconds kPatience{50};
+  return [asked = std::chrono::steady_clock::now()]() mutable {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - asked < kPatience) return;
+    const py::gil_scoped_acquire hold;
+    expect_no_signal();
+    asked = std::chrono::steady_clock::now();
   };
 }
 

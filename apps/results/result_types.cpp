@@ -57,26 +57,23 @@ std::string typescript_file(const std::vector<ResultSchema>& schemas) {
 
 // What functions of Python answer.
 std::vector<PythonClass> python_classes() {
-  return {{"Fitted", "fit", {"Fitted"}},
-          {"Errors", "errors", {"Errors"}},
-          {"RankedErrors", "errors", {"RankedErrors", "RankedErrorsOfGroups"}},
+  return {{"Fitted", "circles", {"Fitted"}},
+          {"RankedErrors", "machine_errors", {"RankedErrors", "RankedErrorsOfGroups"}},
           {"Drift", "drift", {"Drift", "DriftOfProbes"}},
           {"Comparison", "compare", {"Comparison"}},
           {"History", "history", {"History"}},
           {"Imported", "import_log", {"Imported", "Merged"}},
-          {"Simulated", "simulate", {"Simulated", "SimulatedFleet"}},
+          {"Simulated", "simulate", {"Simulated", "SimulatedFleet", "BlindMade", "BlindRun", "BlindScore"}},
           {"Effects", "effects", {"Effects", "Effect"}},
-          {"Preflight", "preflight", {"Preflight", "PreflightTargets"}},
-          {"Checked", "check", {"Checked", "CheckedTargets"}},
-          {"Diagnosis", "diagnose", {"Diagnosed", "DiagnosedTargets"}, "Checked"},
+          {"Preflight", "could", {"Preflight", "PreflightTargets", "Injected"}},
+          {"Checked", "Model.fit", {"Checked"}},
+          {"Diagnosis", "Fit.diagnose", {"Diagnosed"}, "Checked"},
+          {"Tried", "Fit.compare", {"Tried"}},
           {"Plan", "plan", {"Plan"}},
-          {"Trained", "train", {"Trained", "TrainedOnEffects"}},
-          {"Selected", "select", {"Selected"}},
+          {"Trained", "train", {"Trained", "TrainedOnEffects", "Selected"}},
           {"Predicted", "predict", {"Predicted", "PredictedTarget"}},
-          {"Report", "report", {"Report"}},
-          {"Tried", "try_effect", {"Tried"}},
-          {"Added", "add", {"Added"}},
-          {"Injected", "inject", {"Injected"}}};
+          {"Replay", "compensate", {"Replayed"}},
+          {"Report", "report", {"Report"}}};
 }
 
 std::string python_file(const std::vector<ResultSchema>& schemas) {

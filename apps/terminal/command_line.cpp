@@ -3,16 +3,25 @@
 namespace ballbar {
 namespace {
 
-Source source_of(const CLI::App& command, const std::string& word) {
+const CommandLine* line_of(const CLI::App& command) {
   const CLI::App* root = &command;
   while (root->get_parent() != nullptr) root = root->get_parent();
-  const auto* const line = dynamic_cast<const CommandLine*>(root);
+  return dynamic_cast<const CommandLine*>(root);
+}
+
+Source source_of(const CLI::App& command, const std::string& word) {
+  const CommandLine* const line = line_of(command);
   if (line == nullptr) return word;
   const auto found = line->values.find(word);
   return found == line->values.end() ? Source(word) : found->second;
 }
 
 }  // namespace
+
+const Catalogue& catalogue_of(const CLI::App& command) {
+  const CommandLine* const line = line_of(command);
+  return line == nullptr ? built_in_catalogue() : line->catalogue;
+}
 
 CLI::Option* add_source(CLI::App& command, const std::string& name, Source& source, const std::string& help) {
   return command.add_option_function<std::string>(

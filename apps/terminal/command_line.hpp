@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/effects/effect.hpp"
 #include "ballbar/formats/text/source.hpp"
 
 namespace ballbar {
@@ -14,8 +15,12 @@ namespace ballbar {
 class CommandLine : public CLI::App {
  public:
   using CLI::App::App;
-  std::map<std::string, Source> values;  // by their names
+  std::map<std::string, Source> values;        // by their names
+  Catalogue catalogue = built_in_catalogue();  // of effects that models may have
 };
+
+// That of the command line that a command belongs to.
+const Catalogue& catalogue_of(const CLI::App& command);
 
 // An option or a place for data.
 CLI::Option* add_source(CLI::App& command, const std::string& name, Source& source, const std::string& help);

@@ -9,6 +9,7 @@ from collections.abc import Collection
 _LINE = re.compile(r"^(.+?):(\d+)(?::(\d+))?: ")
 _FILE = re.compile(r"^[^<>\s]+\.[A-Za-z]\w*$")  # by its ending, where there is none of that name
 
+
 class BallbarError(ValueError):
     """A file, a column or a value is at fault; the text is a whole sentence.
 
@@ -42,4 +43,8 @@ class BallbarError(ValueError):
 
 
 class UsageError(BallbarError):
-    """An argument that there is not, or a value of another kind."""
+    """An argument that does not exist, or a value of another kind."""
+
+
+class BallbarWarning(UserWarning):
+    """Something was left out, or taken for something else; the text says what."""

@@ -1,60 +1,37 @@
-"""Results: what a command says for a program, with its keys as attributes."""
+"""Results: the keys of the program's JSON as attributes that cannot be changed."""
 from __future__ import annotations
 
 import html
-import json
-from typing import Any, Callable, Iterator
+import re
+from collections.abc import Iterator
+from typing import Any, NoReturn, TypeVar, overload
 
 import numpy as np
 
-from . import _core
+_classes: dict[str, type[Result]] = {}  # by name, for the parts of results
 
 
-# By the class of a result: the part of a page that it is drawn as, or the picture of the page of the same data.
-_PARTS = {"Comparison": "compare", "Drift": "drift"}
-_PICTURES: dict[str, Callable[[Any], str]] = {
-    "Fitted": lambda _: "recording-circle",
-    "Checked": lambda found: f"model-{found.target}-fit" if "target" in found else "",
-    "Diagnosis": lambda found: "with-without" if "target" in found else "",
-    "RankedErrors": lambda found: "machine-errors" if "errors" in found else "",
-}
-
-
-def _is_numbers(values: list[Any]) -> bool:
+def is_numbers(values: list[Any]) -> bool:
     return bool(values) and all(value is None or type(value) in (int, float) for value in values)
-
-
-def _wrapped(value: Any) -> Any:
-    if type(value) is dict:
-        return Result(value)
-    if type(value) is list:
-        if value and all(type(one) is dict for one in value):
-            return Rows(value)
-        if _is_numbers(value):
-            whole = all(type(one) is int for one in value)
-            return np.array(value, dtype=np.int64 if whole else np.float64)
-    return value
-
-
-def _empty(kind: type, name: str) -> Any:
-    """An empty list as what the class says it is a list of."""
-    kind_text = next((one.__annotations__[name] for one in kind.__mro__ if name in one.__dict__.get("__annotations__", ())), "Rows")
-    return np.empty(0) if kind_text == "Array" else [] if kind_text.startswith("list") else Rows([])
 
 
 class Result:
     """One result: ``result.rmse_um`` is the key ``rmse_um`` of the program's JSON, to the last bit.
 
     Lists of numbers are arrays (a number that is not known is NaN), lists of objects are :class:`Rows`, objects are
-    results again. A key that is a word of Python is had as ``result["from"]``.
+    results. A key that is a word of Python is read as ``result["from"]``.
     """
 
-    __slots__ = ("_json", "_made", "_call")
+    __slots__ = ("_json", "_made")
+    _json: dict[str, Any]
+    _made: dict[str, Any]
 
-    def __init__(self, keys: dict[str, Any], call: Any = None) -> None:
-        self._json = keys
-        self._made: dict[str, Any] = {}
-        self._call = call  # that it came of
+    def __init__(self, keys: dict[str, Any]) -> None:
+        object.__setattr__(self, "_json", keys)
+        object.__setattr__(self, "_made", {})
+
+    def __init_subclass__(cls) -> None:
+        _classes.setdefault(cls.__name__, cls)
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
@@ -62,14 +39,17 @@ class Result:
         try:
             return self[name]
         except KeyError:
-            known = ", ".join(self._json)
-            raise AttributeError(f"{type(self).__name__} has no {name}; it has {known}") from None
+            raise AttributeError(f"{type(self).__name__} has no {name}; it has {', '.join(self._json)}") from None
 
     def __getitem__(self, name: str) -> Any:
         if name not in self._made:
-            value = self._json[name]
-            self._made[name] = _empty(type(self), name) if value == [] else _wrapped(value)
+            self._made[name] = _wrapped(self._json[name], type(self), name)
         return self._made[name]
+
+    def __setattr__(self, name: str, value: object) -> NoReturn:
+        raise AttributeError(f"{type(self).__name__} is a result and cannot be changed; to_dict() gives a dict of it")
+
+    __delattr__ = __setattr__  # type: ignore[assignment]
 
     def __contains__(self, name: object) -> bool:
         return name in self._json
@@ -86,43 +66,42 @@ class Result:
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> Any:
-        slots = {name: getattr(self, name) for name in type(self).__dict__.get("__slots__", ()) if name[0] != "_"}
-        return type(self), (self._json,), (None, slots) if slots else None
+        return type(self), (self._json,)
 
     def to_dict(self) -> dict[str, Any]:
         """The keys and values of the program's JSON: dict, list, str, float, int, bool, None."""
         return self._json
 
     def to_pandas(self) -> Any:
-        """A table of pandas: of the longest list of rows, else of the numbers of equal length.
-
-        Raises
-        ------
-        ImportError
-            Where pandas is not installed.
-        """
+        """A DataFrame of the longest list of rows, else of the numbers of equal length, else of the single values."""
         import pandas
 
-        rows = [value for value in self._json.values() if type(value) is list and value and type(value[0]) is dict]
+        lists = {key: value for key, value in self._json.items() if type(value) is list and value}
+        rows = [value for value in lists.values() if type(value[0]) is dict]
         if rows:
             return pandas.DataFrame(max(rows, key=len))
-        columns = {key: self[key] for key, value in self._json.items() if type(value) is list and _is_numbers(value)}
+        columns = {key: self[key] for key, value in lists.items() if is_numbers(value)}
         if columns:
             longest = max(len(values) for values in columns.values())
             return pandas.DataFrame({key: values for key, values in columns.items() if len(values) == longest})
         return pandas.DataFrame([{key: value for key, value in self._json.items() if type(value) not in (dict, list)}])
 
-    def conclusion_text(self) -> str:
-        """The sentence that says it, where the result has one."""
-        for key in ("conclusion", "sentence", "verdict"):
-            if isinstance(self._json.get(key), str):
-                return str(self._json[key])
-        return ""
+    def plot(self, axes: Any = None) -> Any:
+        """Draws this result with matplotlib on these axes, or on new ones, and returns them.
+
+        Raises
+        ------
+        TypeError
+            Of a kind of result that has no picture.
+        """
+        from . import plot
+
+        return plot.of(self, axes)
 
     def __repr__(self) -> str:
         short = []
         for key, value in self._json.items():
-            if type(value) is list:
+            if type(value) is list and not is_numbers(value[:1] if len(value) < 9 else []):
                 short.append(f"{key}: {len(value)} of them" if value else f"{key}: none")
             elif type(value) is dict:
                 short.append(f"{key}: {', '.join(value)}" if value else f"{key}: empty")
@@ -130,45 +109,69 @@ class Result:
                 short.append(f"{key}: {value}")
         return f"<{type(self).__name__}\n  " + "\n  ".join(line if len(line) < 116 else line[:113] + "..." for line in short) + ">"
 
-    def picture(self) -> str:
-        """What the page draws of this result, as SVG; by node. Empty: nothing.
-
-        Raises
-        ------
-        BallbarError
-            No node, or a ballbar that was built without its page.
-        """
-        kind = type(self).__name__
-        if kind in _PARTS:
-            return str(_core.picture(json.dumps({_PARTS[kind]: self._json}), self.conclusion_text()))
-        name = _PICTURES[kind](self) if kind in _PICTURES else ""
-        return str(self._call.picture(name)) if name and self._call else ""
-
     def _repr_html_(self) -> str:
-        try:
-            drawn = self.picture()
-        except ValueError:  # without node, or without the page
-            drawn = ""
-        return drawn + f"<pre>{html.escape(repr(self))}</pre>"
+        from . import plot
+
+        return plot.svg_of(self) + f"<pre>{html.escape(repr(self))}</pre>"
 
 
-class Rows(list):  # type: ignore[type-arg]
-    """Rows of a result, each a :class:`Result`; ``rows["value"]`` is a column."""
+Row = TypeVar("Row", bound=Result)
 
-    def __init__(self, rows: list[dict[str, Any]]) -> None:
-        super().__init__(Result(row) for row in rows)
 
+class Rows(tuple[Row, ...]):
+    """Rows of a result; ``rows["value"]`` is a column, as an array where it holds numbers."""
+
+    __slots__ = ()
+
+    @overload  # type: ignore[override]
+    def __getitem__(self, place: str) -> Any: ...
+    @overload
+    def __getitem__(self, place: int) -> Row: ...
+    @overload
+    def __getitem__(self, place: slice) -> tuple[Row, ...]: ...
     def __getitem__(self, place: Any) -> Any:
-        if isinstance(place, str):
-            return _wrapped([row.to_dict().get(place) for row in self]) if self else np.empty(0)
-        return super().__getitem__(place)
+        if not isinstance(place, str):
+            return super().__getitem__(place)
+        known = dict.fromkeys(key for row in self for key in row)
+        if self and place not in known:
+            raise KeyError(f"{place}: the rows have {', '.join(known)}")
+        values = [row.to_dict().get(place) for row in self]
+        return _wrapped(values, type(self[0]), place) if values else np.empty(0)
 
     def to_dict(self) -> list[dict[str, Any]]:
         """The rows of the program's JSON."""
         return [row.to_dict() for row in self]
 
     def to_pandas(self) -> Any:
-        """A table of pandas, a row each."""
+        """A DataFrame with a line a row."""
         import pandas
 
         return pandas.DataFrame(self.to_dict())
+
+
+def _annotation(kind: type, name: str) -> str:
+    return next((one.__dict__["__annotations__"][name] for one in kind.__mro__ if name in one.__dict__.get("__annotations__", ())), "")
+
+
+def _class_for(keys: dict[str, Any], annotation: str) -> type[Result]:
+    """Of the classes that an annotation names the first that says all of these keys."""
+    named = [_classes[word] for word in re.findall(r"\w+", annotation) if word in _classes]
+    for one in named:
+        if all(_annotation(one, key) for key in keys):
+            return one
+    return named[0] if named else Result
+
+
+def _wrapped(value: Any, of: type, name: str) -> Any:
+    annotation = _annotation(of, name)
+    if type(value) is dict:
+        return _class_for(value, annotation)(value)
+    if type(value) is list:
+        if not value:
+            return np.empty(0) if annotation == "Array" else [] if annotation.startswith("list") else Rows()
+        if all(type(one) is dict for one in value):
+            return Rows(_class_for(one, annotation)(one) for one in value)
+        if is_numbers(value):
+            whole = all(type(one) is int for one in value)
+            return np.array(value, dtype=np.int64 if whole else np.float64)
+    return value

@@ -1,23 +1,75 @@
-"""Pictures by matplotlib, where it is installed: each draws on the axes given, or on new ones, and returns them.
+"""Pictures by matplotlib, drawn from what results hold: each draws on the axes given, or on new ones, and returns them.
 
->>> import ballbar.plot
->>> axes = ballbar.plot.residual(ballbar.report("sample-runs/two-arcs-he2015", "sample-runs/two-arcs-he2015/model.toml"))
+>>> import ballbar as bb, ballbar.plot
+>>> axes = bb.drift("sample-runs/two-arcs-he2015").plot()
 >>> axes.get_xlabel()
 'time, min'
 """
 from __future__ import annotations
 
+import io
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+import pandas
 
 from ._core import Recording
-from ._kinds import Comparison, Drift, Errors, Fitted, Report
+from ._kinds import Comparison, Drift, Fitted, RankedErrors
+from ._model import Diagnosis, Fit
+from ._results import Result
 
-__all__ = ["circle", "comparison", "drift", "history", "residual"]
+__all__ = ["circle", "comparison", "diagnosis", "drift", "errors", "fit", "history", "of", "svg_of"]
 
 
-def circle(recordings: Recording | list[Recording], found: Fitted | None = None, *, magnified: float | None = None, axes: Any = None) -> Any:
+def of(result: Result, axes: Any = None) -> Any:
+    """The picture of a result. Raises TypeError where it has none."""
+    for kind, draw in _DRAWN:
+        if isinstance(result, kind):
+            return draw(result, axes=axes)
+    raise TypeError(f"expected a result with a picture, one of {', '.join(kind.__name__ for kind, _ in _DRAWN)}, found {type(result).__name__}")
+
+
+def svg_of(result: Result) -> str:
+    """The same as SVG, byte for byte the same of equal results; empty: no picture, or no matplotlib."""
+    try:
+        import matplotlib
+        from matplotlib.figure import Figure
+    except ImportError:
+        return ""
+    figure = Figure(figsize=(8.0, 4.0), layout="constrained")
+    try:
+        of(result, figure.subplots())
+    except TypeError:
+        return ""
+    text = io.StringIO()
+    with matplotlib.rc_context({"svg.hashsalt": "ballbar"}):
+        figure.savefig(text, format="svg", metadata={"Date": None})
+    return text.getvalue()
+
+
+def fit(found: Fit, *, axes: Any = None) -> Any:
+    """What was measured, the model and the residual, um."""
+    axes = axes or _new()
+    at = _times(found.index)
+    axes.plot(at, found.measured.to_numpy(), ".", markersize=3, label="measured")
+    axes.plot(at, found.fitted.to_numpy(), "-", label="model")
+    axes.plot(at, found.residuals.to_numpy(), "-", linewidth=0.8, label="residual")
+    return _named(axes, "" if isinstance(found.index, pandas.DatetimeIndex) else "time, min", f"{found.target}, µm")
+
+
+def diagnosis(found: Diagnosis, *, axes: Any = None) -> Any:
+    """How probable it is that each effect is missing, the most probable first."""
+    axes = axes or _new()
+    rows = sorted(found.to_dict()["effects"], key=lambda row: row["p"])[-12:]
+    names = [f"{row['effect']}({', '.join(row['columns'].values())})" for row in rows] + ["nothing"]
+    axes.barh(names, [*(row["p"] for row in rows), found.p_nothing])
+    axes.set_xlim(0.0, 1.0)
+    axes.set_title(f"{found.target}: {found.verdict}")
+    return _named(axes, "probability that it is missing", "")
+
+
+def circle(recordings: Recording | list[Recording], found: Fitted, *, magnified: float | None = None, axes: Any = None) -> Any:
     """The deviation from the fitted circle over the angle, magnified.
 
     Parameters
@@ -25,7 +77,7 @@ def circle(recordings: Recording | list[Recording], found: Fitted | None = None,
     recordings : Recording or list of Recording
         Circles.
     found : Fitted
-        What :func:`ballbar.fit` said of them; without it they are fitted.
+        What :func:`ballbar.fit_circle` says of them.
     magnified : float
         How many times; default such that the largest is a fifth of the radius.
     axes : matplotlib.axes.Axes
@@ -35,102 +87,62 @@ def circle(recordings: Recording | list[Recording], found: Fitted | None = None,
     -------
     matplotlib.axes.Axes
     """
-    from . import fit
-
     several = [recordings] if isinstance(recordings, Recording) else list(recordings)
-    circles = (found or fit(several)).recordings
     axes = axes or _new(subplot_kw={"projection": "polar"})
     each = []
-    for one, at in zip(several, circles):
+    for one, at in zip(several, found.recordings):
         centre_mm = 1e-3 * (at.centre_a_um * np.cos(one.angle_rad) + at.centre_b_um * np.sin(one.angle_rad))
         each.append(1e3 * (one.length_mm - at.radius_mm - centre_mm))
     largest = max(float(np.abs(deviation).max()) for deviation in each) or 1.0
-    scale = magnified or 0.2 * 1e3 * circles[0].radius_mm / largest
+    radius_mm = found.recordings[0].radius_mm
+    scale = magnified or 0.2 * 1e3 * radius_mm / largest
     for one, deviation in zip(several, each):
-        axes.plot(one.angle_rad, circles[0].radius_mm + 1e-3 * scale * deviation, label=f"{one.plane} {one.direction}")
+        axes.plot(one.angle_rad, radius_mm + 1e-3 * scale * deviation, label=f"{one.plane} {one.direction}")
     axes.set_title(f"deviation, {scale:.0f} times")
     axes.legend(loc="lower left")
     return axes
 
 
+def errors(found: RankedErrors, *, axes: Any = None) -> Any:
+    """What mending each error would gain of the circularity, um, the largest first."""
+    axes = axes or _new()
+    rows = [row for row in found.to_dict().get("errors", []) if row.get("gain_um") is not None]
+    rows = sorted(rows, key=lambda row: row["gain_um"])[-12:]
+    axes.barh([row["name"] for row in rows], [row["gain_um"] for row in rows])
+    return _named(axes, "circularity that mending it gains, µm", "")
+
+
 def drift(found: Drift, *, axes: Any = None) -> Any:
-    """Each direction over time with one sigma, um.
-
-    Parameters
-    ----------
-    found : Drift
-        Of :func:`ballbar.drift`.
-    axes : matplotlib.axes.Axes
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-    """
+    """Each direction over time with one sigma, um."""
     axes = axes or _new()
     rows = found.points
     minutes = rows["time_s"] / 60.0
     for name in (key for key in rows[0] if key.endswith("_um") and not key.endswith("_sigma_um")):
-        sigma = rows[name.replace("_um", "_sigma_um")] if name.replace("_um", "_sigma_um") in rows[0] else None
-        axes.errorbar(minutes, rows[name], None if sigma is None else np.nan_to_num(sigma), marker=".", label=name.removesuffix("_um"))
+        of_sigma = name.replace("_um", "_sigma_um")
+        sigma = np.nan_to_num(rows[of_sigma]) if of_sigma in rows[0] else None
+        axes.errorbar(minutes, rows[name], sigma, marker=".", label=name.removesuffix("_um"))
     return _named(axes, "time, min", "drift, µm")
 
 
-def comparison(found: Comparison, axis: str, *, axes: Any = None) -> Any:
-    """Both drifts along one axis, um.
-
-    Parameters
-    ----------
-    found : Comparison
-        Of :func:`ballbar.compare`.
-    axis : str
-        One of ``found.axes``.
-    axes : matplotlib.axes.Axes
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-    """
+def comparison(found: Comparison, axis: str | None = None, *, axes: Any = None) -> Any:
+    """Both drifts along one axis, um; without a name along the first."""
     axes = axes or _new()
-    at = found.axes[axis]
-    rows = at.points
+    axis = axis or next(iter(found.axes))
+    rows = found.axes[axis].points
     for name in (key for key in rows[0] if key.endswith("_um") and "sigma" not in key):
         axes.plot(rows["time_s"] / 60.0, rows[name], marker=".", label=name.removesuffix("_um"))
     return _named(axes, "time, min", f"{axis}, µm")
 
 
-def residual(found: Report, *, target: int = 0, axes: Any = None) -> Any:
-    """What was measured, the model and what it leaves, um.
+def history(tests: pandas.DataFrame, error: str, *, axes: Any = None) -> Any:
+    """One error over the tests, with one sigma, a line for each machine and plane.
 
     Parameters
     ----------
-    found : Report
-        Of :func:`ballbar.report` with a model.
-    target : int
-        Which of several targets, from 0.
-    axes : matplotlib.axes.Axes
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-    """
-    axes = axes or _new()
-    series = found.check.targets[target].series
-    minutes = series["time_s"] / 60.0
-    axes.plot(minutes, series["measured_um"], ".", label="measured")
-    axes.plot(minutes, series["predicted_um"], "-", label="model")
-    axes.plot(minutes, series["residual_um"], "-", linewidth=0.8, label="left")
-    return _named(axes, "time, min", "µm")
-
-
-def history(found: Errors, error: str, *, axes: Any = None) -> Any:
-    """One error over the tests, with one sigma, machine by machine, in the error's unit.
-
-    Parameters
-    ----------
-    found : Errors
+    tests : DataFrame
         Of :func:`ballbar.errors`.
     error : str
-        Its name.
+        A column such as ``backlash_a_pos_um``.
     axes : matplotlib.axes.Axes
 
     Returns
@@ -138,15 +150,19 @@ def history(found: Errors, error: str, *, axes: Any = None) -> Any:
     matplotlib.axes.Axes
     """
     axes = axes or _new()
-    machines: dict[str, list[tuple[Any, float, float]]] = {}
-    for test in found.tests:
-        for one in test.errors:
-            if one.name == error and test.date:
-                machines.setdefault(test.machine or "", []).append((np.datetime64(test.date), one.value, one.sigma or 0.0))
-    for machine, rows in sorted(machines.items()):
-        dates, values, sigmas = zip(*sorted(rows))
-        axes.errorbar(np.array(dates), np.array(values), np.array(sigmas), marker=".", label=machine or None)
+    rows = tests[tests["date"].notna() & tests[error].notna()].sort_values("date")
+    for (machine, plane), each in rows.groupby([rows["machine"].fillna(""), "plane"]):
+        dates = pandas.to_datetime(each["date"]).to_numpy()
+        axes.errorbar(dates, each[error].to_numpy(), each[f"{error}_sigma"].to_numpy(), marker=".", label=f"{machine} {plane}".strip())
     return _named(axes, "date", error)
+
+
+def _times(index: pandas.Index) -> Any:
+    if isinstance(index, pandas.DatetimeIndex):
+        return index.to_numpy()
+    if isinstance(index, pandas.TimedeltaIndex):
+        return index.total_seconds().to_numpy() / 60.0
+    return index.to_numpy() / 60.0 if index.name == "time_s" else index.to_numpy()
 
 
 def _new(**how: Any) -> Any:
@@ -163,3 +179,8 @@ def _named(axes: Any, x: str, y: str) -> Any:
     if axes.get_legend_handles_labels()[0]:
         axes.legend()
     return axes
+
+
+_DRAWN: list[tuple[type, Callable[..., Any]]] = [
+    (Diagnosis, diagnosis), (Fit, fit), (Drift, drift), (Comparison, comparison), (RankedErrors, errors),
+]

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/results/schema.hpp"
@@ -28,7 +29,8 @@ std::string type_of_list(const ValueSchema& of) {
   const ValueSchema& inner = of.kind == ValueKind::list ? of.of.front() : of;  // a matrix is an array too
   if (inner.kind == ValueKind::number || inner.kind == ValueKind::known || inner.kind == ValueKind::whole)
     return "Array";
-  if (of.kind == ValueKind::result || of.kind == ValueKind::one_of) return "Rows";
+  if (of.kind == ValueKind::result) return fmt::format("Rows[{}]", of.name);
+  if (of.kind == ValueKind::one_of) return "Rows[Result]";
   return of.kind == ValueKind::text ? "list[str]" : "list[Any]";
 }
 
@@ -46,17 +48,13 @@ std::string python_type(const ValueSchema& value) {
         return "str";
       case ValueKind::list:
         return type_of_list(value.of.front());
+      case ValueKind::result:
+        return value.name;
       default:
         return "Result";
     }
   };
   return value.or_null ? plain() + " | None" : plain();
-}
-
-// The type whose keys the value, or each of its rows, has; nullptr: none.
-const ResultSchema* rows_of(const ValueSchema& value, const std::vector<ResultSchema>& schemas) {
-  if (value.kind == ValueKind::result) return &schema_of(schemas, value.name);
-  return value.of.empty() || value.kind == ValueKind::one_of ? nullptr : rows_of(value.of.front(), schemas);
 }
 
 // Lines of at most kWidth signs.
@@ -75,17 +73,33 @@ std::string wrapped(const std::string& text, const std::string& indent) {
   return line.size() > indent.size() ? lines + line + "\n" : lines;
 }
 
-// "Where it fails: what, from, to.", of a key.
-std::string meaning_of(const FieldSchema& field, const std::vector<ResultSchema>& schemas) {
-  std::string text = field.meaning;
-  if (const ResultSchema* rows = rows_of(field.value, schemas)) {
-    std::vector<std::string> keys;
-    for (const FieldSchema& one : rows->fields) keys.push_back(key_text(one));
-    text += fmt::format("{}{}", text.empty() ? "" : ": ", fmt::join(keys, ", "));
+constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kUnits{
+    {{"_um_per_m", "um/m"}, {"_mm_per_min", "mm/min"},
+     {"_um_per_K", "um/K"}, {"_um", "um"},
+     {"_mm", "mm"},         {"_deg", "deg"},
+     {"_urad", "urad"},     {"_rad", "rad"},
+     {"_degC", "degC"},     {"_rpm", "rpm"},
+     {"_min", "min"},       {"_ms", "ms"},
+     {"_s", "s"},           {"_K", "K"},
+     {"_h", "h"},           {"_percent", "%"},
+     {"_W", "W"},           {"_A", "A"},
+     {"_Nm", "Nm"},         {"_V", "V"},
+     {"_ppm", "um/m"}}};
+
+// The meaning and the unit of a key; where no meaning is stated, the words of its name.
+std::string meaning_of(const FieldSchema& field) {
+  std::string words = field.name, unit;
+  for (const auto& [ending, text] : kUnits) {
+    if (!words.ends_with(ending) || field.value.kind == ValueKind::text) continue;
+    unit = fmt::format(", {}", text);
+    words.erase(words.size() - ending.size());
+    break;
   }
-  if (text.empty()) return text;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  std::string text = field.meaning.empty() ? words : field.meaning;
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text.back() == '.' ? text : text + ".";
+  if (text.back() == '.') text.pop_back();
+  return text + unit + ".";
 }
 
 struct Attribute {
@@ -129,21 +143,42 @@ bool is_attribute(const FieldSchema& field) {
 
 }  // namespace
 
-std::string python_of(const std::vector<PythonClass>& classes, const std::vector<ResultSchema>& schemas) {
+namespace {
+
+// Classes for the parts of results too, each once, before those that have them.
+void add_parts(const ValueSchema& value, const std::vector<ResultSchema>& schemas, std::vector<PythonClass>& classes) {
+  for (const ValueSchema& of : value.of) add_parts(of, schemas, classes);
+  if (value.kind != ValueKind::result) return;
+  const auto same = [&](const PythonClass& one) { return one.name == value.name; };
+  if (std::any_of(classes.begin(), classes.end(), same)) return;
+  classes.push_back({value.name, "", {value.name}});
+  for (const FieldSchema& field : schema_of(schemas, value.name).fields) add_parts(field.value, schemas, classes);
+}
+
+}  // namespace
+
+std::string python_of(const std::vector<PythonClass>& of, const std::vector<ResultSchema>& schemas) {
+  std::vector<PythonClass> classes = of;
+  for (const PythonClass& one : of) {
+    for (const std::string& name : one.results) {
+      for (const FieldSchema& field : schema_of(schemas, name).fields) add_parts(field.value, schemas, classes);
+    }
+  }
   std::string text;
   for (const PythonClass& one : classes) {
     std::string meaning = schema_of(schemas, one.results.front()).meaning;
     meaning.pop_back();  // the full stop
+    if (!one.function.empty()) meaning += fmt::format(", :func:`ballbar.{}`", one.function);
     std::string keys, annotations;
     for (const Attribute& attribute : attributes_of(one, classes, schemas)) {
       keys += fmt::format("    {} : {}\n{}", key_text(attribute.field), attribute.type,
-                          wrapped(meaning_of(attribute.field, schemas), "        "));
+                          wrapped(meaning_of(attribute.field), "        "));
       if (is_attribute(attribute.field))
         annotations += fmt::format("    {}: {}\n", attribute.field.name, attribute.type);
     }
-    text += fmt::format(
-        "\n\nclass {}({}):\n    \"\"\"{}, :func:`ballbar.{}`.\n\n    Attributes\n    ----------\n{}    \"\"\"\n\n{}",
-        one.name, one.base, meaning, one.function, keys, annotations);
+    if (annotations.empty()) annotations = "    __slots__ = ()\n";
+    text += fmt::format("\n\nclass {}({}):\n    \"\"\"{}.\n\n    Attributes\n    ----------\n{}    \"\"\"\n\n{}",
+                        one.name, one.base, meaning, keys, annotations);
   }
   return text;
 }

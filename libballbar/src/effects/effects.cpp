@@ -2,6 +2,7 @@
 
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/error.hpp"
+#include "ballbar/numerics/interruption.hpp"
 #include "ballbar/series/runs.hpp"
 
 namespace ballbar {
@@ -14,6 +15,7 @@ std::vector<double> grid_of(const Parameter& parameter, const EffectRows& rows, 
 }
 
 void Evaluate::operator()(const EffectRows& rows, const double* at, double* values, double* derivatives) const {
+  expect_no_interruption();
   if (std::is_sorted(rows.time_s.begin(), rows.time_s.end())) {
     all(rows, at, values, derivatives);
     return;

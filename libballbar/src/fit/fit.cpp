@@ -199,7 +199,8 @@ Fit fit(const Model& model, const Series& data, std::size_t target, const FitOpt
   return result;
 }
 
-Prediction predict(const Model& model, const std::vector<FittedParameter>& parameters, const Series& data) {
+Prediction predict(const Model& model, const std::vector<FittedParameter>& parameters, const Series& data,
+                   const Eigen::MatrixXd* covariance) {
   std::vector<std::size_t> all(data.time_s.size());
   for (std::size_t row = 0; row < all.size(); ++row) all[row] = row;
   const ModelRows rows(model, data, std::move(all));
@@ -208,7 +209,12 @@ Prediction predict(const Model& model, const std::vector<FittedParameter>& param
     throw Error(fmt::format("expected {} parameters of the model, found {}.", rows.parameters(), values.size()));
   }
   Prediction prediction;
-  prediction.predicted_um = vector_of(rows.sum(values, nullptr));
+  Eigen::MatrixXd jacobian;
+  prediction.predicted_um = vector_of(rows.sum(values, covariance == nullptr ? nullptr : &jacobian));
+  if (covariance != nullptr) {
+    const auto variance_um2 = (jacobian * *covariance).cwiseProduct(jacobian).rowwise().sum();
+    prediction.sigma_um = vector_of(variance_um2.cwiseMax(0.0).cwiseSqrt());
+  }
   for (std::size_t t = 0; t < rows.terms(); ++t) {
     prediction.contribution_um.push_back(vector_of(rows.term(t, values.data() + rows.offset(t), nullptr)));
   }

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "ballbar/noise/noise.hpp"
+#include "ballbar/numerics/interruption.hpp"
 
 namespace ballbar {
 
@@ -149,6 +150,7 @@ class LinearFilter {
 // cancel out in it.
 template <class Take>
 double LinearFilter::for_each_gain(const Covariance& noise, Take&& take) const {
+  expect_no_interruption();
   if (noise.slow > 0.0) {
     const Gains gains = gains_with_discrepancy(noise);
     for (std::size_t k = 0; k < gains.gain.size(); ++k) take(gains.gain[k], gains.rows[k]);

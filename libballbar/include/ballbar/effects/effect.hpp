@@ -230,14 +230,8 @@ bool applies_to(const Effect& effect, Motion motion);
 // Effects to choose from. Values: a copy has the same effects, and adding to it changes no other.
 using Catalogue = std::vector<std::shared_ptr<const Effect>>;
 
-// Every effect of src/effects, drift series first, in the order of the documentation; then what the program added.
-// The reference stays whole while effects are added.
+// Every effect of src/effects, drift series first, in the order of the documentation.
 const Catalogue& built_in_catalogue();
-
-// From now on, in this process, the built-in catalogue has this effect too: it is found by its name, searched and
-// fitted as the others. One that was added before under this name and level is replaced. Throws Error where an effect
-// of src/effects has the name.
-void add_to_catalogue(std::shared_ptr<const Effect> effect);
 
 // The effect of that name, or nullptr. `level` decides where both have one (bar_temperature).
 const Effect* find_effect(std::string_view name, Level level, const Catalogue& catalogue = built_in_catalogue());

@@ -1,0 +1,528 @@
+"""A model, a model fitted to data, and what it lacks."""
+from __future__ import annotations
+
+import os
+import pathlib
+import tomllib
+from collections.abc import Mapping, Sequence
+from typing import Any, NoReturn
+
+import numpy as np
+import pandas
+from numpy.typing import NDArray
+
+from . import _core, _kinds
+from ._errors import BallbarError
+from ._frame import Data, Held, Path, Progress
+from ._kinds import Plan, Preflight, Tried
+from ._terms import Effect, PythonEffect, effect_from_table, functions_of, toml_of, toml_table
+
+Array = NDArray[np.float64]
+
+
+class Model:
+    """A sum of effects and a constant that explains a column. A value: it cannot be changed, and touches no file.
+
+    Parameters
+    ----------
+    target : str or list of str
+        The column to explain, in um, or several, each by its own fit; recordings: leave it out.
+    effects : list of Effect or str
+        ``bb.LaggedExpansion("T_motor_degC")`` or ``"lagged_expansion(T_motor_degC)"``, or ``square.on(...)`` of an effect
+        made by :func:`effect`.
+    constant_um : float
+        Holds the constant there; None: the fit finds it.
+    of_recordings : bool
+        A model of ballbar recordings; their circles are part of it.
+
+    Raises
+    ------
+    BallbarError
+        An effect, an input or a parameter that does not exist, bounds that are crossed, an effect twice.
+
+    Examples
+    --------
+    >>> import ballbar as bb
+    >>> model = bb.Model("y_um", ["expansion(T_housing_degC)"])
+    >>> print(model.text)
+    format = "ballbar-model 1"
+    target = "y_um"
+    <BLANKLINE>
+    [[effect]]
+    name = "expansion"
+    temperature = "T_housing_degC"
+    <BLANKLINE>
+    >>> (model + bb.ThermostatCycle()) - "expansion(T_housing_degC)"
+    Model('y_um', [thermostat_cycle])
+    """
+
+    __slots__ = ("targets", "effects", "text", "of_recordings", "functions", "_root")
+    targets: tuple[str, ...]
+    effects: tuple[Effect, ...]
+    text: str
+    of_recordings: bool
+    functions: tuple[PythonEffect, ...]
+    _root: dict[str, Any]
+
+    def __init__(
+        self,
+        target: str | Sequence[str] | None = None,
+        effects: Sequence[Effect | str] = (),
+        *,
+        constant_um: float | None = None,
+        of_recordings: bool = False,
+    ) -> None:
+        if isinstance(effects, (str, Effect)):
+            effects = [effects]
+        root: dict[str, Any] = {"level": "recording"} if of_recordings else {}
+        if target is not None:
+            root["target"] = target if isinstance(target, str) else list(target)
+        if constant_um is not None:
+            root["constant_um"] = constant_um
+        self._make(root, [_effect(one, of_recordings) for one in effects], "model")
+
+    def _make(self, root: dict[str, Any], effects: Sequence[Effect], name: str) -> None:
+        functions = functions_of(effects)
+        plain = {key: value for key, value in root.items() if key not in ("trained", "effect", "history")}
+        text = toml_table({"format": "ballbar-model 1", **plain})
+        if root.get("trained"):
+            text += "\n[trained]\n" + toml_table(root["trained"])
+        text = _core.model_text(text + "".join(map(toml_of, effects)), name, [one.core for one in functions])
+        found = tomllib.loads(text)
+        target = found.get("target", [])
+        made = {
+            "targets": (target,) if isinstance(target, str) else tuple(target),
+            "effects": tuple(effect_from_table(table, functions) for table in found.get("effect", [])),
+            "text": text, "of_recordings": found.get("level") == "recording", "functions": tuple(functions), "_root": found,
+        }
+        for key, value in made.items():
+            object.__setattr__(self, key, value)
+
+    @classmethod
+    def load(cls, path: Path) -> Model:
+        """The model of a ``model.toml``, without its comments and its history.
+
+        Raises
+        ------
+        BallbarError
+            With file, line and column of what is wrong.
+        OSError
+            A file that cannot be read.
+        """
+        name = os.fspath(path)
+        return cls._of_text(_core.model_text(pathlib.Path(path).read_text(encoding="utf-8"), name, []), name)
+
+    @classmethod
+    def _of_text(cls, text: str, name: str = "model", functions: Sequence[PythonEffect] = ()) -> Model:
+        root = tomllib.loads(text)
+        return cls._of(root, [effect_from_table(table, functions) for table in root.get("effect", [])], name)
+
+    @classmethod
+    def _of(cls, root: dict[str, Any], effects: Sequence[Effect], name: str = "model") -> Model:
+        model = cls.__new__(cls)
+        model._make(root, effects, name)
+        return model
+
+    def save(self, path: Path) -> None:
+        """Writes a ``model.toml``.
+
+        Raises
+        ------
+        BallbarError
+            A model with an effect that is a function of Python, which no file can hold.
+        """
+        if self.functions:
+            raise BallbarError(f"{os.fspath(path)}: expected effects of the catalogue, found {self.functions[0].name}, a function of Python; pickle keeps such a model.")
+        pathlib.Path(path).write_text(self.text, encoding="utf-8")
+
+    def __add__(self, effects: Effect | str | Sequence[Effect | str]) -> Model:
+        more = [effects] if isinstance(effects, (str, Effect)) else effects
+        return self._of(self._root, [*self.effects, *(_effect(one, self.of_recordings) for one in more)])
+
+    def __sub__(self, effects: Effect | str | Sequence[Effect | str]) -> Model:
+        left = list(self.effects)
+        for one in [effects] if isinstance(effects, (str, Effect)) else effects:
+            less = _effect(one, self.of_recordings)
+            same = [k for k, mine in enumerate(left) if mine.name == less.name and mine.columns == less.columns]
+            exact = [k for k in same if left[k].parameters == less.parameters]
+            if not same:
+                raise BallbarError(f"expected an effect of the model, one of {', '.join(map(repr, left)) or 'none'}, found {less!r}.")
+            del left[(exact or same)[0]]
+        return self._of(self._root, left)
+
+    def with_target(self, target: str | Sequence[str]) -> Model:
+        """The same effects for another column, or for several."""
+        return self._of({**self._root, "target": target if isinstance(target, str) else list(target)}, self.effects)
+
+    def fit(
+        self,
+        data: Data,
+        *,
+        target: str | None = None,
+        robust: bool = False,
+        white: bool = False,
+        hold: Mapping[str, float] | None = None,
+        also_input: str | Sequence[str] = (),
+        max_gap_s: float | None = None,
+        units: Mapping[str, str] | None = None,
+        roles: Mapping[str, str] | None = None,
+        every: float | str | None = None,
+        progress: Progress | None = None,
+    ) -> Fit:
+        """Fits the model to data; all numbers are computed here, once.
+
+        Parameters
+        ----------
+        data : DataFrame, path, list of paths, dict of arrays, Series, recordings
+            A DataFrame has its time in a column ``time_s`` (or ``time_min``, ``time_h``) or as index of dates or durations;
+            columns end in their unit. Columns that are no numbers are left out with a :class:`BallbarWarning`.
+        target : str
+            One column instead of the model's own.
+        robust : bool
+            Discounts outlying values (Tukey's biweight).
+        white : bool
+            Ordinary least squares: the noise has no memory.
+        hold : dict
+            Parameters held, in their units: ``{"lagged_expansion(T9_degC).time_constant_s": 3600.0}``.
+        also_input : str or list of str
+            Other targets, which effects may read.
+        max_gap_s : float
+            Longest gap of a signal to interpolate over, s; default 600.
+        units : dict
+            Of columns whose names have none: ``{"z": "um"}`` makes ``z_um`` of it.
+        roles : dict
+            Of columns whose role is not the usual one of their unit: ``{"T_room_degC": "ambient"}``.
+        every : float or str
+            Step of the rows, s or such as ``"10s"``, for a table without times.
+        progress : callable
+            Is told how far the work is: (done, of, text); `of` is 0 where it is not known.
+
+        Returns
+        -------
+        Fit
+
+        Raises
+        ------
+        BallbarError
+            What can be put right in data or model.
+
+        Notes
+        -----
+        Noise: A. C. Harvey, Forecasting, Structural Time Series Models and the Kalman Filter (1989), chapter 3; D. A.
+        Harville, J. Am. Stat. Assoc. 72 (1977). Whiteness: J. Durbin, Biometrika 56 (1969) 1.
+
+        Examples
+        --------
+        >>> import ballbar as bb
+        >>> he = "sample-runs/two-arcs-he2015"
+        >>> fit = bb.Model.load(f"{he}/model.toml").fit(he)
+        >>> round(fit.rmse_um, 3), fit.residuals.name
+        (0.201, 'residual_um')
+        """
+        how = {
+            "target": [] if target is None else [target], "also_input": [also_input] if isinstance(also_input, str) else list(also_input),
+            "set": [f"{key}={value!r}" for key, value in (hold or {}).items()], "max_gap_s": max_gap_s, "robust": robust, "white": white,
+        }
+        held = Held(units=units, roles=roles, every=every)
+        places = held.places(data)
+        return Fit._of(self, places, held.values, held.index, how, progress)
+
+    def fit_all(self, data: Data, **how: Any) -> dict[str, Fit]:
+        """A fit of each target, by its name; parameters as of :meth:`fit`."""
+        return {target: self.fit(data, target=target, **how) for target in self.targets}
+
+    def __setattr__(self, name: str, value: object) -> NoReturn:
+        raise AttributeError("a model cannot be changed; + and - make another one")
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Model) and (self.text, self.functions) == (other.text, other.functions)
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+    def __reduce__(self) -> Any:
+        return Model._of_text, (self.text, "model", self.functions)
+
+    def __repr__(self) -> str:
+        target = self.targets[0] if len(self.targets) == 1 else list(self.targets)
+        return f"Model({'of_recordings=True' if self.of_recordings else repr(target)}, {list(self.effects)!r})"
+
+
+def _effect(said: Effect | str | PythonEffect, of_recordings: bool) -> Effect:
+    if isinstance(said, Effect):
+        return said
+    if isinstance(said, PythonEffect):
+        return said.on()
+    if not isinstance(said, str):
+        raise TypeError(f"expected an effect, or its name with columns, found {type(said).__name__}")
+    table: dict[str, Any] = tomllib.loads(_core.model_of_effect(said, of_recordings, []))["effect"][0]
+    return effect_from_table(table)
+
+
+class Fit(_kinds.Checked):
+    """A model fitted to data. Cannot be changed; pickled and copied whole.
+
+    Attributes
+    ----------
+    model : Model
+        That was fitted.
+    params : DataFrame
+        A row a parameter: effect, parameter, value, sigma, low, high (95 %), unit, state.
+    residuals, fitted, measured : pandas.Series
+        um, on the index of the data.
+    contributions : DataFrame
+        What each effect adds, um, on that index.
+    cov : (p, p) array
+        Covariance of the parameters, in the order of `params`; 0 where one is held.
+    where : DataFrame
+        Where the model fails: a row a group of readings.
+    """
+
+    __slots__ = ("model", "_places", "_held", "_index", "_how", "_arrays", "_labels", "_bench")
+    model: Model
+    _places: list[str]
+    _held: dict[str, Any]
+    _index: pandas.Index | None
+    _how: dict[str, Any]
+    _arrays: dict[str, Any]
+    _labels: list[str]
+    _bench: Any
+
+    @classmethod
+    def _of(cls, model: Model, places: list[str], held: dict[str, Any], index: Any, how: dict[str, Any], progress: Any) -> Fit:
+        from ._call import lines, told
+
+        bench = _bench_of(model, places, held, how, progress)
+        keys, arrays = told(lambda: (*bench.check(lines(progress)), ()), places)
+        return cls._from(keys, model, places, held, index, how, arrays, bench.labels, bench)
+
+    @classmethod
+    def _from(cls, keys: dict[str, Any], *state: Any) -> Fit:
+        fit = cls(keys)
+        for name, value in zip(cls.__slots__, (*state, None)):
+            object.__setattr__(fit, name, value)
+        return fit
+
+    def __reduce__(self) -> Any:
+        return Fit._from, (self.to_dict(), *(getattr(self, name) for name in self.__slots__[:-1]))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Fit) and self.model == other.model and super().__eq__(other)
+
+    @property
+    def params(self) -> pandas.DataFrame:
+        rows = pandas.DataFrame(self.to_dict()["parameters"]).rename(columns={"name": "parameter"})
+        rows[["value", "sigma"]] = rows[["value", "sigma"]].astype(float)
+        half = 1.959963984540054 * rows["sigma"]  # of a normal distribution, 95 %
+        rows.insert(4, "low", rows["value"] - half)
+        rows.insert(5, "high", rows["value"] + half)
+        return rows
+
+    @property
+    def index(self) -> pandas.Index:
+        """Of the readings that were fitted: the rows of the data's index, else their time in s."""
+        rows = self._arrays["row"]
+        return pandas.Index(self._arrays["time_s"], name="time_s") if self._index is None else self._index[rows]
+
+    def _on_index(self, name: str) -> pandas.Series:
+        return pandas.Series(self._arrays[name], index=self.index, name=name, copy=False)
+
+    @property
+    def residuals(self) -> pandas.Series:
+        return self._on_index("residual_um")
+
+    @property
+    def fitted(self) -> pandas.Series:
+        return self._on_index("predicted_um")
+
+    @property
+    def measured(self) -> pandas.Series:
+        return self._on_index("measured_um")
+
+    @property
+    def contributions(self) -> pandas.DataFrame:
+        return pandas.DataFrame(dict(zip(self._labels, self._arrays["contribution_um"])), index=self.index, copy=False)
+
+    @property
+    def cov(self) -> Array:
+        return np.array(self._arrays["covariance"])
+
+    @property
+    def where(self) -> pandas.DataFrame:  # type: ignore[override]
+        return pandas.DataFrame(self.to_dict()["where"])
+
+    def diagnose(
+        self,
+        *,
+        seed: int | None = None,
+        tolerance_um: float = 0.0,
+        most_rows: int | None = None,
+        extra: Sequence[PythonEffect] = (),
+        progress: Progress | None = None,
+    ) -> Diagnosis:
+        """Which physical effect the model lacks: one verdict, the candidates, what the data cannot tell.
+
+        Parameters
+        ----------
+        seed : int
+            Of the random draws; the same seed gives the same result.
+        tolerance_um : float
+            Smaller effects are called minor, um.
+        most_rows : int
+            Values of the target that are searched; of longer series every k-th.
+        extra : list of PythonEffect
+            Effects made by :func:`effect`, searched beside the catalogue's in this call alone.
+        progress : callable
+            As of :meth:`Model.fit`.
+
+        Returns
+        -------
+        Diagnosis
+
+        Notes
+        -----
+        The sets of effects are weighed by their marginal likelihood (C. E. Rasmussen, C. K. I. Williams, Gaussian
+        Processes for Machine Learning (2006), chapter 5).
+
+        Examples
+        --------
+        >>> import ballbar as bb
+        >>> run = "sample-runs/hidden-effect/01"
+        >>> found = bb.Model.load(f"{run}/model.toml").fit(f"{run}/data.csv").diagnose(seed=1)
+        >>> found.verdict, found.best
+        ('named', (lagged_expansion(T_room_degC),))
+        """
+        from ._call import lines, told
+
+        bench = _bench_of(self.model, self._places, self._held, self._how, progress, extra) if extra else self._workbench()
+        keys, text = told(lambda: (*bench.diagnose(tolerance_um, seed, most_rows, lines(progress)), ()), self._places)
+        tables = tomllib.loads(text).get("effect", [])
+        functions = functions_of(self.model.effects, extra)
+        return Diagnosis._from(keys, self, tuple(effect_from_table(table, functions) for table in tables))
+
+    def test(self, effects: Effect | str | Sequence[Effect | str], *, progress: Progress | None = None) -> Tried:
+        """What effects would change, and whether the data support them; the model stays as it is.
+
+        Returns
+        -------
+        Tried
+            Before and after, with the evidence, the surrogates, and each earlier effect tested anew.
+        """
+        more = [_effect(one, self.model.of_recordings) for one in ([effects] if isinstance(effects, (str, Effect)) else effects)]
+        return self._tested(more, progress)
+
+    def _tested(self, more: Sequence[Effect], progress: Progress | None) -> Tried:
+        from ._call import lines, told
+
+        of_them = Model._of({key: value for key, value in self.model._root.items() if key in ("level", "target")}, more)
+        functions = [one.core for one in of_them.functions]
+        keys, = told(lambda: (*self._workbench().test(of_them.text, functions, lines(progress)), ()), self._places)
+        return Tried(keys)
+
+    def compare(self, other: Fit, *, progress: Progress | None = None) -> Tried:
+        """This fit beside one of a smaller model of the same data: the fall of the error, tests, a surrogate beside.
+
+        Parameters
+        ----------
+        other : Fit
+            Whose model has some of the effects of this one's.
+
+        Returns
+        -------
+        Tried
+
+        Raises
+        ------
+        BallbarError
+            Where the other model is not part of this one, or the data are others.
+        """
+        more = list(self.model.effects)
+        for one in other.model.effects:
+            same = [k for k, mine in enumerate(more) if (mine.name, mine.columns) == (one.name, one.columns)]
+            if not same:
+                raise BallbarError(f"expected a fit whose model is part of this one's, found {one!r}, which this one lacks.")
+            del more[same[0]]
+        if not more:
+            raise BallbarError("expected a fit of a smaller model, found one with the same effects.")
+        if self.target != other.target or not np.array_equal(self._arrays["measured_um"], other._arrays["measured_um"]):
+            raise BallbarError(f"expected a fit of the same readings of {self.target}, found others of {other.target}.")
+        return other._tested(more, progress)
+
+    def predict(self, data: Data = None, *, units: Mapping[str, str] | None = None, roles: Mapping[str, str] | None = None,
+                every: float | str | None = None, progress: Progress | None = None) -> pandas.DataFrame:
+        """The model's series for these data or others, with sigma, and what each effect adds, um.
+
+        Returns
+        -------
+        DataFrame
+            The target, its sigma by what the parameters scatter (``z_um_sigma``), and a column an effect.
+        """
+        from ._call import lines, told
+
+        held = Held(units=units, roles=roles, every=every)
+        held.index = self._index
+        places, values = (self._places, self._held) if data is None else (held.places(data), held.values)
+        bench = self._workbench()
+        mean, sigma, parts = told(lambda: (*bench.predict(places, values, lines(progress)), ()), places)
+        index = held.index
+        if index is None:
+            series = values.get(places[0])
+            time_s = series.time_s if isinstance(series, _core.Series) else bench.time_s if data is None else None
+            index = pandas.RangeIndex(len(mean)) if time_s is None or len(time_s) != len(mean) else pandas.Index(time_s, name="time_s")
+        columns = {self.target: mean, f"{self.target}_sigma": sigma, **dict(zip(self._labels, parts))}
+        return pandas.DataFrame(columns, index=index, copy=False)
+
+    def could(self) -> Preflight:
+        """Which effects the data could show, and from which size, before any residual is looked at."""
+        from ._functions import could
+
+        return could(self._sources(), model=self.model, target=self.target)
+
+    def plan(self, **how: Any) -> Plan:
+        """The run of the machine that would decide what is missing; parameters as of :func:`ballbar.plan`."""
+        from ._functions import plan
+
+        return plan(self._sources(), model=self.model, target=self.target, **how)
+
+    def _sources(self) -> Any:
+        return [one if not isinstance(one, list) else one[0] for one in (self._held.get(place, place) for place in self._places)]
+
+    def _workbench(self) -> Any:
+        if self._bench is None:
+            object.__setattr__(self, "_bench", _bench_of(self.model, self._places, self._held, self._how, None))
+        return self._bench
+
+
+def _bench_of(
+    model: Model, places: list[str], held: dict[str, Any], how: dict[str, Any], progress: Any, extra: Sequence[PythonEffect] = ()
+) -> Any:
+    from ._call import lines, told
+
+    functions = [one.core for one in functions_of(model.effects, extra)]
+    return told(lambda: (*_core.bench(places, held, model.text, functions, **how, progress=lines(progress)), ()), places)[0]
+
+
+class Diagnosis(_kinds.Diagnosis):
+    """Which effect a model lacks; ``model + found.best`` has it.
+
+    Attributes
+    ----------
+    fit : Fit
+        Of the model that was asked.
+    best : tuple of Effect
+        The effects that the verdict names, or calls probable; empty where it does neither.
+    """
+
+    __slots__ = ("fit", "best")
+    fit: Fit
+    best: tuple[Effect, ...]
+
+    @classmethod
+    def _from(cls, keys: dict[str, Any], fit: Fit, best: tuple[Effect, ...]) -> Diagnosis:
+        found = cls(keys)
+        object.__setattr__(found, "fit", fit)
+        object.__setattr__(found, "best", best)
+        return found
+
+    def __reduce__(self) -> Any:
+        return Diagnosis._from, (self.to_dict(), self.fit, self.best)

@@ -1,0 +1,208 @@
+// A workbench whose results are arrays: the fit of one target, what it lacks, what effects would change.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/models/model_toml.hpp"
+#include "diagnose/diagnosis_result.hpp"
+#include "diagnose/revision_results.hpp"
+#include "model/model_options.hpp"
+#include "model/residual_report.hpp"
+#include "python/arrays.hpp"
+#include "python/classes.hpp"
+
+namespace ballbar::python {
+namespace {
+
+namespace py = pybind11;
+
+std::vector<Source> sources_of(const std::vector<std::string>& places, const std::map<std::string, Data>& held) {
+  std::vector<Source> sources;
+  for (const std::string& place : places) {
+    const auto value = held.find(place);
+    sources.push_back(value == held.end() ? Source(place) : source_of(place, value->second));
+  }
+  return sources;
+}
+
+// Of one target.
+class Bench {
+  template <class Work>
+  decltype(auto) of_data(Work work) const {
+    return with_source(options_.data.front().name(), work);
+  }
+
+ public:
+  explicit Bench(ModelOptions options)
+      : options_(std::move(options)), data_(std::make_shared<const ModelData>(open_data(options_))) {
+    const Model model = open_model(options_, *data_);
+    if (model.targets.size() != 1) {
+      throw Error(fmt::format("target: expected one, found {}; fit(..., target=...) chooses one, fit_all() fits each.",
+                              fmt::join(model.targets, ", ")));
+    }
+    model_ = of_one_target(model, options_, 0);
+  }
+
+  [[nodiscard]] const std::string& target() const { return model_.targets.front(); }
+  [[nodiscard]] const std::vector<double>& time_s() const { return data_->series->time_s; }
+  [[nodiscard]] std::vector<std::string> labels() const {
+    std::vector<std::string> labels;
+    for (const Term& term : model_.terms) labels.push_back(label_of(term));
+    return labels;
+  }
+
+  const ResidualReport& check() {
+    const std::lock_guard<std::mutex> lock(asking_);
+    return kept_check();
+  }
+
+  // The JSON, and what is best added as the text of a model.
+  [[nodiscard]] std::pair<nlohmann::ordered_json, std::string> diagnose(const DiagnoseOptions& how) const {
+    DiagnosisOptions options = diagnosis_options(how, target());
+    options.search.so_far = nullptr;  // who is told of progress reads texts
+    Workbench bench = workbench_of(options_, data_, model_, std::move(options));
+    DiagnosisReport report = diagnosis_report_of(options_, bench);
+    report.stand_ins = stand_ins_of(options_, how, bench.model(), *data_);
+    Model best;
+    best.level = model_.level;
+    best.targets = model_.targets;
+    for (const BoundEffect& bound : best_of(report.diagnosis))
+      best.terms.push_back(as_diagnosed(bound, report.diagnosis));
+    return {json_of(report), write_model(best)};
+  }
+
+  // The terms of another model's text, added to this one.
+  nlohmann::ordered_json test(const std::string& text, const Effects& effects) {
+    const std::lock_guard<std::mutex> lock(asking_);
+    kept_check();
+    const std::vector<Term> terms = read_model(text, "effects", catalogue_with(effects)).terms;
+    EffectTest tested = of_data([&] { return kept_->effect_test(terms); });
+    tested.after.data = names_of(options_.data);
+    return json_of(tested);
+  }
+
+  // Of other data by the parameters of the fit.
+  Prediction predict(const std::vector<std::string>& places, const std::map<std::string, Data>& held) {
+    ModelOptions elsewhere = options_;
+    elsewhere.data = sources_of(places, held);
+    const ModelData other = open_data(elsewhere);
+    const Fit& fit = check().fit;
+    return with_source(elsewhere.data.front().name(),
+                       [&] { return ballbar::predict(model_, fit.parameters, *other.series, &fit.covariance); });
+  }
+
+ private:
+  const ResidualReport& kept_check() {
+    if (!kept_) kept_.emplace(workbench_of(options_, data_, model_));
+    return of_data([&]() -> const ResidualReport& { return kept_->check(); });
+  }
+
+  ModelOptions options_;
+  std::shared_ptr<const ModelData> data_;
+  Model model_;
+  std::optional<Workbench> kept_;
+  std::mutex asking_;
+};
+
+py::array whole_numbers(const std::vector<std::size_t>& values) {
+  return py::array_t<std::size_t>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+py::list arrays_of(std::vector<std::vector<double>> all) {
+  py::list list;
+  for (std::vector<double>& one : all) list.append(array_of(std::move(one)));
+  return list;
+}
+
+py::dict arrays_of(const Fit& fit) {
+  py::dict arrays;
+  arrays["row"] = whole_numbers(fit.row);
+  arrays["discounted"] = whole_numbers(fit.discounted);
+  arrays["time_s"] = array_of(fit.time_s);
+  arrays["measured_um"] = array_of(fit.measured_um);
+  arrays["predicted_um"] = array_of(fit.predicted_um);
+  arrays["residual_um"] = array_of(fit.residual_um);
+  arrays["contribution_um"] = arrays_of(fit.contribution_um);
+  arrays["covariance"] = py::cast(fit.covariance);
+  return arrays;
+}
+
+}  // namespace
+
+void bind_bench(py::module_& module) {
+  using Places = std::vector<std::string>;
+  using Held = std::map<std::string, Data>;
+  py::class_<Bench, std::shared_ptr<Bench>>(module, "Bench")
+      .def_property_readonly("target", &Bench::target)
+      .def_property_readonly("labels", &Bench::labels)
+      .def_property_readonly("time_s", [](const Bench& bench) { return array_of(bench.time_s()); })
+      .def("check",
+           [](Bench& bench, const py::object& progress) {
+             Listener listener(progress);
+             const ResidualReport* report = nullptr;
+             const nlohmann::ordered_json json = listener.hear([&] {
+               report = &bench.check();
+               return json_of(*report);
+             });
+             return py::make_tuple(to_python(json), arrays_of(report->fit), listener.remarks);
+           })
+      .def("diagnose",
+           [](Bench& bench, double tolerance_um, std::optional<std::uint64_t> seed,
+              std::optional<std::size_t> most_rows, const py::object& progress) {
+             DiagnoseOptions how;
+             how.diagnosis.tolerance_um = tolerance_um;
+             if (seed) how.diagnosis.search.seed = *seed;
+             if (most_rows) how.diagnosis.most_rows = *most_rows;
+             Listener listener(progress);
+             const auto [json, best] = listener.hear([&] { return bench.diagnose(how); });
+             return py::make_tuple(to_python(json), best, listener.remarks);
+           })
+      .def("test",
+           [](Bench& bench, const std::string& text, const Effects& effects, const py::object& progress) {
+             Listener listener(progress);
+             const nlohmann::ordered_json json = listener.hear([&] { return bench.test(text, effects); });
+             return py::make_tuple(to_python(json), listener.remarks);
+           })
+      .def("predict", [](Bench& bench, const Places& places, const Held& held, const py::object& progress) {
+        Listener listener(progress);
+        Prediction found = listener.hear([&] { return bench.predict(places, held); });
+        return py::make_tuple(array_of(std::move(found.predicted_um)), array_of(std::move(found.sigma_um)),
+                              arrays_of(std::move(found.contribution_um)), listener.remarks);
+      });
+  module.def(
+      "bench",
+      [](const Places& places, const Held& held, const std::string& text, const Effects& effects,
+         const std::vector<std::string>& target, const std::vector<std::string>& also_input,
+         const std::vector<std::string>& set, std::optional<double> max_gap_s, bool robust, bool white,
+         const py::object& progress) {
+        ModelOptions options;
+        options.data = sources_of(places, held);
+        if (!text.empty()) options.model = Source::of_text("model", text);
+        options.catalogue = catalogue_with(effects);
+        options.target = target;
+        options.also_input = also_input;
+        options.set = set;
+        options.max_gap_s = max_gap_s;
+        options.robust = robust;
+        options.white = white;
+        Listener listener(progress);
+        const auto bench = listener.hear([&] { return std::make_shared<Bench>(std::move(options)); });
+        return py::make_tuple(bench, listener.remarks);
+      },
+      py::arg("places"), py::arg("held"), py::arg("model"), py::arg("effects"), py::kw_only(), py::arg("target"),
+      py::arg("also_input"), py::arg("set"), py::arg("max_gap_s"), py::arg("robust"), py::arg("white"),
+      py::arg("progress") = py::none());
+}
+
+}  // namespace ballbar::python
