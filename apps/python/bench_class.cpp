@@ -72,8 +72,7 @@ class Bench {
     DiagnosisOptions options = diagnosis_options(how, target());
     options.search.so_far = nullptr;  // who is told of progress reads texts
     Workbench bench = workbench_of(options_, data_, model_, std::move(options));
-    DiagnosisReport report = diagnosis_report_of(options_, bench);
-    report.stand_ins = stand_ins_of(options_, how, bench.model(), *data_);
+    const DiagnosisReport report = diagnosis_report_of(options_, bench);
     Model best;
     best.level = model_.level;
     best.targets = model_.targets;

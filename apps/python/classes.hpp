@@ -62,8 +62,11 @@ class Listener {
   static std::function<void()> signals_asked();
 };
 
+// What becomes of lists of numbers.
+enum class Columns { lists, arrays };
+
 // JSON as dict, list, str, float, int, bool, None: numbers keep every bit. Bytes that are no UTF-8 become U+FFFD. With
 // the GIL.
-pybind11::object to_python(const nlohmann::ordered_json& json);
+pybind11::object to_python(const nlohmann::ordered_json& json, Columns columns = Columns::lists);
 
 }  // namespace ballbar::python

@@ -45,7 +45,9 @@ py::tuple call(const std::string& command, const std::vector<std::string>& place
   listener.caller.result = [&](const Json& json) { result = json; };
   listener.caller.wrote = [&](const std::string& file) { wrote.push_back(file); };
   listener.hear([&] { run_command(call); });
-  return py::make_tuple(result ? to_python(*result) : py::none(), listener.remarks, wrote);
+  // A prediction is as long as its data.
+  const Columns columns = command == "predict" ? Columns::arrays : Columns::lists;
+  return py::make_tuple(result ? to_python(*result, columns) : py::none(), listener.remarks, wrote);
 }
 
 // `fit` of recordings that Python holds, for those who fit thousands: setting up a command takes longer.

@@ -1,8 +1,14 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
+#include "python/arrays.hpp"
 #include "python/classes.hpp"
 
 namespace ballbar::python {
@@ -13,8 +19,15 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kShort = 32;  // names, units, verdicts: the same words again and again
 
+bool are_numbers(const Json& json) {
+  const auto is_number = [](const Json& one) { return one.is_number() || one.is_null(); };
+  return !json.empty() && std::all_of(json.begin(), json.end(), is_number);
+}
+
 class Converter {
  public:
+  explicit Converter(Columns columns) : columns_(columns) {}
+
   py::object of(const Json& json) {
     switch (json.type()) {
       case Json::value_t::object: {
@@ -25,6 +38,7 @@ class Converter {
         return dict;
       }
       case Json::value_t::array: {
+        if (columns_ == Columns::arrays && are_numbers(json)) return array(json);
         py::list list(json.size());
         Py_ssize_t i = 0;
         for (const Json& value : json) PyList_SET_ITEM(list.ptr(), i++, of(value).release().ptr());
@@ -53,6 +67,13 @@ class Converter {
     return known;
   }
 
+  static py::object array(const Json& json) {
+    std::vector<double> values;
+    values.reserve(json.size());
+    for (const Json& one : json) values.push_back(one.is_null() ? std::nan("") : one.get<double>());
+    return array_of(std::move(values));
+  }
+
   static py::object made(const std::string& text) {
     auto object = py::reinterpret_steal<py::object>(
         PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
@@ -60,12 +81,13 @@ class Converter {
     return object;
   }
 
+  Columns columns_;
   std::unordered_map<std::string_view, py::object> known_;  // views of the JSON's own texts
 };
 
 }  // namespace
 
-py::object to_python(const nlohmann::ordered_json& json) { return Converter().of(json); }
+py::object to_python(const nlohmann::ordered_json& json, Columns columns) { return Converter(columns).of(json); }
 
 namespace {
 

@@ -13,7 +13,7 @@ from ._errors import BallbarError, UsageError
 from ._frame import Data, Held, Path, Progress
 from ._model import Model
 
-__all__ = ["Data", "DataOf", "ModelLike", "Path", "Progress", "run"]
+__all__ = ["Data", "DataOf", "ModelLike", "Path", "Progress", "TextOf", "run"]
 
 ModelLike = Union[Model, Path]
 _log = logging.getLogger("ballbar")
@@ -24,6 +24,13 @@ class DataOf:
 
     def __init__(self, data: Data) -> None:
         self.data = data
+
+
+class TextOf:
+    """What a file of an option would hold."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
 
 
 def run(command: str, places: Sequence[Any], options: Mapping[str, Any], progress: Progress | None = None) -> Any:
@@ -69,6 +76,8 @@ def lines(progress: Progress | None) -> Callable[[str], object] | None:
 
 
 def _word(value: Any, held: Held, effects: list[Any]) -> str:
+    if isinstance(value, TextOf):
+        return held.hold(value.text, "model")
     if not isinstance(value, Model):
         return _text(value)
     effects += [one.core for one in value.functions]

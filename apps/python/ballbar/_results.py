@@ -11,8 +11,8 @@ import numpy as np
 _classes: dict[str, type[Result]] = {}  # by name, for the parts of results
 
 
-def is_numbers(values: list[Any]) -> bool:
-    return bool(values) and all(value is None or type(value) in (int, float) for value in values)
+def is_numbers(values: Any) -> bool:
+    return isinstance(values, np.ndarray) or bool(values) and all(value is None or type(value) in (int, float) for value in values)
 
 
 class Result:
@@ -61,7 +61,7 @@ class Result:
         return [*super().__dir__(), *self._json]
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Result) and self._json == other._json
+        return isinstance(other, Result) and _equal(self._json, other._json)
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -69,18 +69,18 @@ class Result:
         return type(self), (self._json,)
 
     def to_dict(self) -> dict[str, Any]:
-        """The keys and values of the program's JSON: dict, list, str, float, int, bool, None."""
+        """The keys and values of the program's JSON; the columns of a prediction are arrays."""
         return self._json
 
     def to_pandas(self) -> Any:
         """A DataFrame of the longest list of rows, else of the numbers of equal length, else of the single values."""
         import pandas
 
-        lists = {key: value for key, value in self._json.items() if type(value) is list and value}
-        rows = [value for value in lists.values() if type(value[0]) is dict]
-        if rows:
-            return pandas.DataFrame(max(rows, key=len))
+        lists = {key: value for key, value in self._json.items() if type(value) in (list, np.ndarray) and len(value)}
         columns = {key: self[key] for key, value in lists.items() if is_numbers(value)}
+        rows = [value for value in lists.values() if type(value[0]) is dict]
+        if rows and not any(type(value) is np.ndarray for value in lists.values()):
+            return pandas.DataFrame(max(rows, key=len))
         if columns:
             longest = max(len(values) for values in columns.values())
             return pandas.DataFrame({key: values for key, values in columns.items() if len(values) == longest})
@@ -101,7 +101,9 @@ class Result:
     def __repr__(self) -> str:
         short = []
         for key, value in self._json.items():
-            if type(value) is list and not is_numbers(value[:1] if len(value) < 9 else []):
+            if type(value) is np.ndarray:
+                short.append(f"{key}: {len(value)} numbers")
+            elif type(value) is list and not is_numbers(value[:1] if len(value) < 9 else []):
                 short.append(f"{key}: {len(value)} of them" if value else f"{key}: none")
             elif type(value) is dict:
                 short.append(f"{key}: {', '.join(value)}" if value else f"{key}: empty")
@@ -147,6 +149,14 @@ class Rows(tuple[Row, ...]):
         import pandas
 
         return pandas.DataFrame(self.to_dict())
+
+
+def _equal(a: Any, b: Any) -> bool:
+    if isinstance(a, dict) and isinstance(b, dict):
+        return a.keys() == b.keys() and all(_equal(value, b[key]) for key, value in a.items())
+    if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
+        return np.array_equal(a, b, equal_nan=True)
+    return bool(a == b)
 
 
 def _annotation(kind: type, name: str) -> str:

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/numerics/interruption.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/series/runs.hpp"
 #include "noise/linear_filter.hpp"
@@ -61,6 +62,7 @@ std::size_t ramped_rows(const std::vector<double>& values) {
   std::size_t best = 1;
   double most = kBends;
   for (std::size_t rows = 3; rows <= kLongestHeld && 4 * rows < values.size(); ++rows) {
+    expect_no_interruption();
     std::vector<double> square(rows, 0.0);
     double all = 0.0;
     for (std::size_t i = 1; i + 1 < values.size(); ++i) {
@@ -166,6 +168,7 @@ struct Smoother {
   }
   // The scatter at its most likely; the first two observations tell where the curve begins.
   double log_likelihood() const {
+    expect_no_interruption();
     double log_variances = 0.0, squares = 0.0;
     StateEstimate<2> now = start();
     for (std::size_t i = 0; i < observations.size(); ++i) {
@@ -186,6 +189,7 @@ struct Smoother {
       StateEstimate<2> before, after;
       std::optional<std::size_t> row;  // of time_s
     };
+    expect_no_interruption();
     std::vector<Step> steps;
     steps.reserve(time_s.size() + observations.size());
     StateEstimate<2> now = start();
@@ -203,6 +207,7 @@ struct Smoother {
       last = time_s[i];
       steps.push_back({last, now, now, i});
     }
+    expect_no_interruption();
     std::vector<double> values(time_s.size());
     Eigen::Vector2d smooth = steps.back().after.x;
     for (std::size_t k = steps.size(); k-- > 0;) {
