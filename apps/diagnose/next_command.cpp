@@ -58,9 +58,8 @@ std::string word_of(const Term& term) { return word_of(label_of(term), term.colu
 std::string command_of(const std::string& verb, const std::vector<std::string>& effects, const ModelOptions& options,
                        const std::string& target, bool dry_run = false) {
   if (std::find(effects.begin(), effects.end(), "") != effects.end()) return "";
-  for (const Source& one : options.data) {
-    if (!one.is_path()) return "";  // values of a program, which nobody can type
-  }
+  const auto is_held = [](const Source& one) { return !one.empty() && !one.is_path(); };  // nobody can type it
+  if (is_held(options.model) || std::any_of(options.data.begin(), options.data.end(), is_held)) return "";
   std::vector<std::string> words{"ballbar", verb};
   words.insert(words.end(), effects.begin(), effects.end());
   for (const std::string& file : names_of(options.data))

@@ -15,7 +15,6 @@ from ._model import Model
 
 __all__ = ["Data", "DataOf", "ModelLike", "Path", "Progress", "TextOf", "run"]
 
-ModelLike = Union[Model, Path]
 _log = logging.getLogger("ballbar")
 
 
@@ -31,6 +30,9 @@ class TextOf:
 
     def __init__(self, text: str) -> None:
         self.text = text
+
+
+ModelLike = Union[Model, Path, TextOf]
 
 
 def run(command: str, places: Sequence[Any], options: Mapping[str, Any], progress: Progress | None = None) -> Any:
@@ -51,7 +53,10 @@ def run(command: str, places: Sequence[Any], options: Mapping[str, Any], progres
             several = list(value) if isinstance(value, (list, tuple, set, frozenset, np.ndarray, Iterator)) else [value]
             stated.append((name, [_word(one, held, effects) for one in several]))
     texts = [*words, *(word for _, value in stated if isinstance(value, list) for word in value)]
-    return told(lambda: _core.call(command, words, stated, held.values, effects, lines(progress)), texts)[0]
+    found = told(lambda: _core.call(command, words, stated, held.values, effects, lines(progress)), texts)[0]
+    if isinstance(found, list):  # pages of the catalogue
+        return found[0] if len(found) == 1 else {command: found}
+    return found
 
 
 def told(work: Callable[[], tuple[Any, ...]], words: Iterable[str] = ()) -> tuple[Any, ...]:
@@ -72,7 +77,10 @@ def told(work: Callable[[], tuple[Any, ...]], words: Iterable[str] = ()) -> tupl
 
 
 def lines(progress: Progress | None) -> Callable[[str], object] | None:
-    return None if progress is None else lambda line: progress(0, 0, line)
+    if progress is None:
+        return None
+    tell = progress
+    return lambda line: tell(0, 0, line)
 
 
 def _word(value: Any, held: Held, effects: list[Any]) -> str:

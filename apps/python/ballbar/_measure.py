@@ -3,8 +3,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Sequence
-from typing import Any
+from typing import Any, cast
 
 import pandas
 from numpy.typing import ArrayLike
@@ -71,7 +70,7 @@ def write(frame: Any, path: Path, **how: Any) -> None:
 
 
 def fit_circle(
-    length_mm: ArrayLike | Recording | Sequence[Recording],
+    length_mm: ArrayLike | Recording | list[Recording],
     *,
     angle_deg: ArrayLike | None = None,
     polar: bool = False,
@@ -117,6 +116,6 @@ def fit_circle(
     """
     if isinstance(length_mm, Recording):
         length_mm = [length_mm]
-    if isinstance(length_mm, list) and length_mm and all(type(one) is Recording for one in length_mm):
-        return Fitted(_core.fit(length_mm, bool(polar), bool(robust)))
-    return Fitted(_core.fit([Recording(length_mm, angle_deg, **recording)], bool(polar), bool(robust)))
+    if not (isinstance(length_mm, list) and length_mm and isinstance(length_mm[0], Recording)):
+        length_mm = [Recording(cast(ArrayLike, length_mm), angle_deg, **recording)]
+    return Fitted(_core.fit(cast(list[Recording], length_mm), bool(polar), bool(robust)))

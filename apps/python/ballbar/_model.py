@@ -325,7 +325,7 @@ class Fit(_kinds.Checked):
         return pandas.Index(self._arrays["time_s"], name="time_s") if self._index is None else self._index[rows]
 
     def _on_index(self, name: str) -> pandas.Series:
-        return pandas.Series(self._arrays[name], index=self.index, name=name, copy=False)
+        return pandas.Series(self._arrays[name], index=self.index, name=name, copy=True)
 
     @property
     def residuals(self) -> pandas.Series:
@@ -341,7 +341,7 @@ class Fit(_kinds.Checked):
 
     @property
     def contributions(self) -> pandas.DataFrame:
-        return pandas.DataFrame(dict(zip(self._labels, self._arrays["contribution_um"])), index=self.index, copy=False)
+        return pandas.DataFrame(dict(zip(self._labels, self._arrays["contribution_um"])), index=self.index)
 
     @property
     def cov(self) -> Array:

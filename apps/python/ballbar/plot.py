@@ -61,7 +61,7 @@ def fit(found: Fit, *, axes: Any = None) -> Any:
 def diagnosis(found: Diagnosis, *, axes: Any = None) -> Any:
     """How probable it is that each effect is missing, the most probable first."""
     axes = axes or _new()
-    rows = sorted(found.to_dict()["effects"], key=lambda row: row["p"])[-12:]
+    rows = sorted(found.to_dict()["effects"], key=lambda row: float(row["p"]))[-12:]
     names = [f"{row['effect']}({', '.join(row['columns'].values())})" for row in rows] + ["nothing"]
     axes.barh(names, [*(row["p"] for row in rows), found.p_nothing])
     axes.set_xlim(0.0, 1.0)
@@ -107,7 +107,7 @@ def errors(found: RankedErrors, *, axes: Any = None) -> Any:
     """What mending each error would gain of the circularity, um, the largest first."""
     axes = axes or _new()
     rows = [row for row in found.to_dict().get("errors", []) if row.get("gain_um") is not None]
-    rows = sorted(rows, key=lambda row: row["gain_um"])[-12:]
+    rows = sorted(rows, key=lambda row: float(row["gain_um"]))[-12:]
     axes.barh([row["name"] for row in rows], [row["gain_um"] for row in rows])
     return _named(axes, "circularity that mending it gains, µm", "")
 

@@ -110,7 +110,7 @@ struct Attribute {
 void add_keys(std::vector<Attribute>& attributes, const ResultSchema& schema) {
   for (const FieldSchema& field : schema.fields) {
     const std::string type = python_type(field.value);
-    const auto same = [&](const Attribute& one) { return one.field.name == field.name && one.field.key == field.key; };
+    const auto same = [&](const Attribute& one) { return one.field.name == field.name; };
     const auto known = std::find_if(attributes.begin(), attributes.end(), same);
     if (known == attributes.end()) {
       attributes.push_back({field, type});
