@@ -1,9 +1,12 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <string>
@@ -35,6 +38,9 @@ roles : dict
     Of columns whose role is not the usual one of their unit: ``{"T_room_degC": "ambient"}``.
 started : str
     Wall clock at time 0, ``2026-11-22T13:05:10``.
+five_probe : dict
+    Of five probes: ``spacing_mm``, ``plane_1_from_nose_mm``, ``resolution_um``, ``linearity_percent``, and ``columns``, the
+    five in the order X1, X2, Y1, Y2, Z.
 
 Raises
 ------
@@ -55,6 +61,48 @@ Role role_of(const std::string& column, const std::map<std::string, std::string>
   if (const auto role = role_from_name(stated->second)) return *role;
   throw Error(fmt::format("{}: expected a role such as ambient, structure or speed, found {}.", column,
                           in_quotes(stated->second)));
+}
+
+constexpr const char* kOfProbes[] = {"spacing_mm", "plane_1_from_nose_mm", "resolution_um", "linearity_percent"};
+
+std::optional<double>& value_of(FiveProbe& probes, std::size_t k) {
+  std::optional<double>* const values[] = {&probes.spacing_mm, &probes.plane_1_from_nose_mm, &probes.resolution_um,
+                                           &probes.linearity_percent};
+  return *values[k];
+}
+
+FiveProbe probes_from(const py::dict& stated) {
+  FiveProbe probes;
+  for (const auto& [key, value] : stated) {
+    const std::string name = py::str(key);
+    const auto known = std::find(std::begin(kOfProbes), std::end(kOfProbes), name);
+    if (known == std::end(kOfProbes) && name != "columns") {
+      throw Error(
+          fmt::format("five_probe: expected {} or columns, found {}.", fmt::join(kOfProbes, ", "), in_quotes(name)));
+    }
+    try {
+      if (name == "columns") {
+        probes.columns = py::cast<std::array<std::string, 5>>(value);
+      } else {
+        value_of(probes, static_cast<std::size_t>(known - std::begin(kOfProbes))) =
+            py::cast<std::optional<double>>(value);
+      }
+    } catch (const py::cast_error&) {
+      throw Error(fmt::format("five_probe, {}: expected {}, found {}.", name,
+                              name == "columns" ? "five names" : "a number", py::cast<std::string>(py::repr(value))));
+    }
+  }
+  return probes;
+}
+
+py::object of_probes(Series& series) {
+  if (!series.five_probe) return py::none();
+  py::dict stated;
+  for (std::size_t k = 0; k < std::size(kOfProbes); ++k) {
+    if (const auto& value = value_of(*series.five_probe, k)) stated[kOfProbes[k]] = *value;
+  }
+  stated["columns"] = series.five_probe->columns;
+  return std::move(stated);
 }
 
 // Such as the first line of a series .csv can hold.
@@ -92,7 +140,7 @@ Column column_of(const std::string& name, const py::object& data, Role role, std
 
 std::shared_ptr<Series> series_of(const py::object& time_s, const py::dict& columns,
                                   const std::map<std::string, std::string>& roles,
-                                  const std::optional<std::string>& started) {
+                                  const std::optional<std::string>& started, const std::optional<py::dict>& probes) {
   auto series = std::make_shared<Series>();
   series->time_s = vector_of(time_s, "time_s");
   expect_rising(series->time_s);
@@ -101,6 +149,7 @@ std::shared_ptr<Series> series_of(const py::object& time_s, const py::dict& colu
         fmt::format("started: expected a date and time such as 2026-11-22T13:05:10, found {}.", in_quotes(*started)));
   }
   series->started = started;
+  if (probes) series->five_probe = probes_from(*probes);
   for (const auto& [key, data] : columns) {
     const std::string name = py::str(key);
     expect_name(*series, name);
@@ -121,33 +170,23 @@ std::vector<std::string> names_of(const Series& series) {
 }
 
 // All that there is of it: one that was read from a file may know more than the constructor takes.
-py::tuple state_of(const Series& series) {
+py::tuple state_of(Series& series) {
   py::list columns, runs;
   for (const Column& one : series.columns) {
     columns.append(py::make_tuple(one.name, static_cast<int>(one.role), array_of(one.values)));
   }
   for (const RunOrigin& one : series.runs) runs.append(py::make_tuple(one.name, static_cast<int>(one.start)));
-  py::object probes = py::none();
-  if (const auto& of = series.five_probe) {
-    probes =
-        py::make_tuple(of->spacing_mm, of->plane_1_from_nose_mm, of->resolution_um, of->linearity_percent, of->columns);
-  }
-  return py::make_tuple(array_of(series.time_s), columns, series.started, probes, runs);
+  return py::make_tuple(array_of(series.time_s), columns, series.started, of_probes(series), runs);
 }
 
 std::shared_ptr<Series> series_from(const py::tuple& state) {
-  using Distance = std::optional<double>;
   auto series = std::make_shared<Series>();
   series->time_s = vector_of(state[0], "time_s");
   for (const auto& [name, role, values] : py::cast<std::vector<std::tuple<std::string, int, py::object>>>(state[1])) {
     series->columns.push_back({name, static_cast<Role>(role), vector_of(values, name)});
   }
   series->started = py::cast<std::optional<std::string>>(state[2]);
-  if (!state[3].is_none()) {
-    const auto [spacing, plane_1, resolution, linearity, columns] =
-        py::cast<std::tuple<Distance, Distance, Distance, Distance, std::array<std::string, 5>>>(state[3]);
-    series->five_probe = FiveProbe{spacing, plane_1, resolution, linearity, columns};
-  }
+  if (!state[3].is_none()) series->five_probe = probes_from(py::cast<py::dict>(state[3]));
   for (const auto& [name, start] : py::cast<std::vector<std::pair<std::string, int>>>(state[4])) {
     series->runs.push_back({name, static_cast<RunStart>(start)});
   }
@@ -159,7 +198,8 @@ std::shared_ptr<Series> series_from(const py::tuple& state) {
 void bind_series(py::module_& module) {
   py::class_<Series, std::shared_ptr<Series>>(module, "Series", kSeries)
       .def(py::init(&series_of), py::arg("time_s"), py::arg("columns"), py::kw_only(),
-           py::arg("roles") = std::map<std::string, std::string>{}, py::arg("started") = py::none())
+           py::arg("roles") = std::map<std::string, std::string>{}, py::arg("started") = py::none(),
+           py::arg("five_probe") = py::none())
       .def_property_readonly(
           "time_s", [](const py::object& self) { return view_of(py::cast<const Series&>(self).time_s, self); },
           "(n,) s, strictly rising; read-only.")
@@ -180,6 +220,7 @@ void bind_series(py::module_& module) {
             return units;
           },
           "The unit of each column, as its name ends; empty: none.")
+      .def_property_readonly("five_probe", &of_probes, "What is stated of five probes, or None.")
       .def_readonly("started", &Series::started, "Wall clock at time 0, or None.")
       .def(
           "__getitem__",

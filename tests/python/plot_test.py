@@ -1,5 +1,6 @@
 """Pictures by matplotlib show what the results hold."""
 import importlib.util
+import pickle
 import sys
 import unittest
 
@@ -11,8 +12,9 @@ import matplotlib
 
 matplotlib.use("Agg")
 
-import ballbar  # noqa: E402
+import ballbar as bb  # noqa: E402
 import numpy as np  # noqa: E402
+import pandas  # noqa: E402
 from ballbar import plot  # noqa: E402
 
 HE = "sample-runs/two-arcs-he2015"
@@ -20,30 +22,49 @@ HE = "sample-runs/two-arcs-he2015"
 
 class Plots(unittest.TestCase):
     def test_circle(self):
-        recordings = ballbar.read_recordings("sample-runs/qc20-style-b5r/00.b5r")
-        axes = plot.circle(recordings, magnified=1000.0)
+        recordings = bb.read_recordings("sample-runs/qc20-style-b5r/00.b5r")
+        axes = plot.circle(recordings, bb.fit_circle(recordings), magnified=1000.0)
         self.assertEqual([line.get_label() for line in axes.lines], ["XY CCW", "XY CW"])
         radius_mm = axes.lines[0].get_ydata()
         self.assertAlmostEqual(float(np.mean(radius_mm)), 100.004, places=1)
         self.assertGreater(np.ptp(radius_mm), 4.0)  # 5.6 um a thousand times
 
-    def test_drift(self):
-        found = ballbar.drift(HE)
-        axes = plot.drift(found)
+    def test_drift_and_comparison(self):
+        axes = bb.drift(HE).plot()
         self.assertIn("y", [text.get_text() for text in axes.get_legend().get_texts()])
         self.assertEqual(axes.get_ylabel(), "drift, µm")
+        self.assertGreaterEqual(len(plot.comparison(bb.compare(HE), "y").lines), 2)
 
-    def test_comparison(self):
-        self.assertGreaterEqual(len(plot.comparison(ballbar.compare(HE), "y").lines), 2)
+    def test_fit_and_diagnosis(self):
+        fit = bb.Model.load(f"{HE}/model.toml").fit(HE)
+        axes = fit.plot()
+        measured, model, residual = (line.get_ydata() for line in axes.lines)
+        np.testing.assert_array_equal(measured, fit.measured)
+        np.testing.assert_allclose(measured - model, residual, atol=1e-12)
+        dated = bb.read("sample-runs/hidden-effect/01/data.csv")
+        dated.index = pandas.Timestamp("2026-11-22") + pandas.to_timedelta(dated.index, unit="s")
+        self.assertEqual(bb.Model("y_um").fit(dated).plot().get_xlabel(), "")
+        found = fit.diagnose()
+        bars = found.plot().patches
+        self.assertAlmostEqual(max(bar.get_width() for bar in bars), max([found.p_nothing, *found.effects["p"]]))
 
-    def test_residual(self):
-        axes = plot.residual(ballbar.report(HE, f"{HE}/model.toml"))
-        measured, model, left = (line.get_ydata() for line in axes.lines)
-        np.testing.assert_allclose(measured - model, left, atol=2e-3)
+    def test_errors(self):
+        found = bb.machine_errors("sample-runs/qc20-style-b5r/00.b5r")
+        widths = [bar.get_width() for bar in found.plot().patches]
+        self.assertEqual((widths, widths[-1] > 3.0), (sorted(widths), True))
 
-    def test_history(self):
-        axes = plot.history(ballbar.errors("sample-runs/machine-history"), "backlash_a_pos")
-        self.assertEqual(len(axes.containers[0].lines[0].get_xdata()), 10)
+    def test_history_has_a_line_a_plane(self):
+        axes = plot.history(bb.errors("sample-runs/machine-history/**/*.b5r"), "backlash_a_pos_um")
+        self.assertEqual([len(one.lines[0].get_xdata()) for one in axes.containers], [4, 3, 3])
+
+    def test_svg(self):
+        found = bb.drift(HE)
+        svg = plot.svg_of(found)
+        self.assertTrue(svg.count("<svg") == 1 and "script" not in svg)
+        self.assertEqual(plot.svg_of(pickle.loads(pickle.dumps(found))), svg)
+        self.assertEqual(plot.svg_of(bb.effects()), "")
+        with self.assertRaisesRegex(TypeError, "expected a result with a picture"):
+            bb.effects().plot()
 
 
 if __name__ == "__main__":

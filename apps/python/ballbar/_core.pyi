@@ -15,7 +15,10 @@ class Series:
         *,
         roles: Mapping[str, str] = ...,
         started: str | None = ...,
+        five_probe: Mapping[str, Any] | None = ...,
     ) -> None: ...
+    @property
+    def five_probe(self) -> dict[str, Any] | None: ...
     @property
     def time_s(self) -> NDArray[np.float64]: ...
     @property

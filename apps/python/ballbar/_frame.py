@@ -13,7 +13,7 @@ from . import _core
 from ._core import Recording, Series
 from ._errors import BallbarError, BallbarWarning
 
-Path = Union[str, "os.PathLike[str]"]
+Path = Union[str, os.PathLike[str]]
 Progress = Callable[[int, int, str], object]
 """Is told how far the work is: (done, of, text); `of` is 0 where it is not known."""
 Data = Any
@@ -119,7 +119,8 @@ def series_of(
             raise BallbarError(f'units: expected names of columns, found "{name}".')
     renamed = {name: f"{name}_{unit}" for name, unit in (units or {}).items() if not name.endswith("_" + unit)}
     known = {renamed.get(name, name): role for name, role in stated.items() if name in named or roles and name in roles}
-    return Series(time_s, columns, roles=known, started=started or frame.attrs.get("started")), frame.index
+    of_file = {key: frame.attrs.get(key) for key in ("started", "five_probe")}
+    return Series(time_s, columns, roles=known, **{**of_file, **({"started": started} if started else {})}), frame.index
 
 
 def _time_of(named: dict[str, Any], index: pandas.Index, every: float | str | None) -> tuple[Any, str | None, str | None]:
@@ -130,10 +131,10 @@ def _time_of(named: dict[str, Any], index: pandas.Index, every: float | str | No
     for name, seconds in _SECONDS.items():
         if name in named:
             return seconds * _core.numbers(named[name].to_numpy(), name), None, name
-        if index.name == name:
-            return seconds * _core.numbers(index.to_numpy(), name), None, None
     if isinstance(index, (pandas.DatetimeIndex, pandas.TimedeltaIndex)):
         return *_seconds_of(index), None
+    if index.name in _SECONDS:
+        return _SECONDS[str(index.name)] * _core.numbers(index.to_numpy(), str(index.name)), None, None
     dates = [name for name, values in named.items() if pandas.api.types.is_datetime64_any_dtype(values)]
     if len(dates) == 1:
         return *_seconds_of(pandas.DatetimeIndex(named[dates[0]])), dates[0]
@@ -174,10 +175,9 @@ def _python_name(name: str) -> str:
 
 
 def frame_from(series: Series) -> pandas.DataFrame:
-    """A series as a DataFrame over ``time_s``, with units, roles and the start in ``attrs``."""
+    """A series as a DataFrame over ``time_s``, with units, roles and what else the file states in ``attrs``."""
     frame = pandas.DataFrame({_python_name(name): series[name] for name in series}, index=pandas.Index(series.time_s, name="time_s"))
     frame.attrs["units"] = {_python_name(name): unit for name, unit in series.units.items()}
     frame.attrs["roles"] = {_python_name(name): role for name, role in series.roles.items()}
-    if series.started:
-        frame.attrs["started"] = series.started
+    frame.attrs |= {key: value for key in ("started", "five_probe") if (value := getattr(series, key)) is not None}
     return frame

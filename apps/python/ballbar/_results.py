@@ -25,6 +25,7 @@ class Result:
     __slots__ = ("_json", "_made")
     _json: dict[str, Any]
     _made: dict[str, Any]
+    _is_open = False  # a class of results whose keys are known once they are made
 
     def __init__(self, keys: dict[str, Any]) -> None:
         object.__setattr__(self, "_json", keys)
@@ -164,10 +165,10 @@ def _annotation(kind: type, name: str) -> str:
 
 
 def _class_for(keys: dict[str, Any], annotation: str) -> type[Result]:
-    """Of the classes that an annotation names the first that says all of these keys."""
+    """Of the classes that an annotation names the first that has all of these keys."""
     named = [_classes[word] for word in re.findall(r"\w+", annotation) if word in _classes]
     for one in named:
-        if all(_annotation(one, key) for key in keys):
+        if one._is_open or all(_annotation(one, key) for key in keys):
             return one
     return named[0] if named else Result
 

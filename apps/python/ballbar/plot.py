@@ -106,9 +106,9 @@ def circle(recordings: Recording | list[Recording], found: Fitted, *, magnified:
 def errors(found: RankedErrors, *, axes: Any = None) -> Any:
     """What mending each error would gain of the circularity, um, the largest first."""
     axes = axes or _new()
-    rows = [row for row in found.to_dict().get("errors", []) if row.get("gain_um") is not None]
-    rows = sorted(rows, key=lambda row: float(row["gain_um"]))[-12:]
-    axes.barh([row["name"] for row in rows], [row["gain_um"] for row in rows])
+    rows = [row for row in found.to_dict().get("errors", []) if row.get("circularity_gain_um")]
+    rows = sorted(rows, key=lambda row: float(row["circularity_gain_um"]))[-12:]
+    axes.barh([row["name"] for row in rows], [row["circularity_gain_um"] for row in rows])
     return _named(axes, "circularity that mending it gains, µm", "")
 
 

@@ -33,6 +33,8 @@ class EffectRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         Names for an X without column names, ending in their unit; None: ``T0_degC``, ``T1_degC`` ...
     every_s : float
         Step of the rows, s, where X has no times.
+    max_gap_s : float
+        Longest gap of a signal to interpolate over, s; default 600. A fold taken out of the middle leaves a longer one.
     few : bool
         Of ``effects=None``: some ten effects.
 
@@ -62,11 +64,13 @@ class EffectRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
     """
 
     def __init__(
-        self, effects: Sequence[Effect | str] | None = None, *, columns: Sequence[str] | None = None, every_s: float = 60.0, few: bool = False
+        self, effects: Sequence[Effect | str] | None = None, *, columns: Sequence[str] | None = None, every_s: float = 60.0,
+        max_gap_s: float | None = None, few: bool = False,
     ) -> None:
         self.effects = effects
         self.columns = columns
         self.every_s = every_s
+        self.max_gap_s = max_gap_s
         self.few = few
 
     def fit(self, X: Any, y: Any) -> EffectRegressor:
@@ -81,11 +85,11 @@ class EffectRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         data = table.assign(target_um=target)
         self._last = X if _has_times(X) else None
         if self.effects is not None:
-            self.fit_ = Model("target_um", self.effects).fit(data)
+            self.fit_ = Model("target_um", self.effects).fit(data, max_gap_s=self.max_gap_s)
             return self
         with tempfile.TemporaryDirectory(prefix="ballbar-") as folder:
             path = pathlib.Path(folder, "model.json")
-            train(data, target="target_um", out=path, effects=True, few=self.few)
+            train(data, target="target_um", out=path, effects=True, few=self.few, max_gap_s=self.max_gap_s)
             self.model_ = path.read_text(encoding="utf-8") if path.exists() else ""
             self.mean_um_ = float(target.mean())
         return self

@@ -86,9 +86,16 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kUnits{
      {"_Nm", "Nm"},         {"_V", "V"},
      {"_ppm", "um/m"}}};
 
-// The meaning and the unit of a key; where no meaning is stated, the words of its name.
-std::string meaning_of(const FieldSchema& field) {
-  std::string words = field.name, unit;
+// The result that a value, or each of its rows, is; empty: none.
+std::string part_of(const ValueSchema& value) {
+  if (value.kind == ValueKind::result) return value.name;
+  return value.of.empty() || value.kind == ValueKind::one_of ? "" : part_of(value.of.front());
+}
+
+// The meaning and the unit of a key; where no meaning is stated, that of its part, else the words of its name.
+std::string meaning_of(const FieldSchema& field, const std::vector<ResultSchema>& schemas) {
+  const std::string part = part_of(field.value);
+  std::string words = field.meaning.empty() && !part.empty() ? schema_of(schemas, part).meaning : field.name, unit;
   for (const auto& [ending, text] : kUnits) {
     if (!words.ends_with(ending) || field.value.kind == ValueKind::text) continue;
     unit = fmt::format(", {}", text);
@@ -170,13 +177,15 @@ std::string python_of(const std::vector<PythonClass>& of, const std::vector<Resu
     meaning.pop_back();  // the full stop
     if (!one.function.empty()) meaning += fmt::format(", :func:`ballbar.{}`", one.function);
     std::string keys, annotations;
+    bool is_open = false;  // to keys that are known once a result is made
     for (const Attribute& attribute : attributes_of(one, classes, schemas)) {
+      is_open = is_open || attribute.field.key == KeyKind::with_unit || attribute.field.key == KeyKind::made;
       keys += fmt::format("    {} : {}\n{}", key_text(attribute.field), attribute.type,
-                          wrapped(meaning_of(attribute.field), "        "));
+                          wrapped(meaning_of(attribute.field, schemas), "        "));
       if (is_attribute(attribute.field))
         annotations += fmt::format("    {}: {}\n", attribute.field.name, attribute.type);
     }
-    if (annotations.empty()) annotations = "    __slots__ = ()\n";
+    if (is_open || annotations.empty()) annotations += fmt::format("    _is_open = {}\n", is_open ? "True" : "False");
     text += fmt::format("\n\nclass {}({}):\n    \"\"\"{}.\n\n    Attributes\n    ----------\n{}    \"\"\"\n\n{}",
                         one.name, one.base, meaning, keys, annotations);
   }

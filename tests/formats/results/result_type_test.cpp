@@ -128,11 +128,13 @@ TEST(ResultType, PythonHasTheKeysAsAttributesOfAClass) {
   EXPECT_EQ(
       written(Outer{}).python,
       "\n\nclass Outer(Result):\n    \"\"\"All kinds of values, :func:`ballbar.fit`.\n\n    Attributes\n"
-      "    ----------\n    length_mm : float\n        Of it.\n    rows : Rows\n        Length_mm.\n"
-      "    known : bool | None\n    colour : str\n    n : int\n        As many.\n    twice : float\n"
-      "    note : str\n    table : Result\n    again : Rows\n        Length_mm, rows, known, colour, n, twice, note, "
-      "table, again.\n    \"\"\"\n\n    length_mm: float\n    rows: Rows\n    known: bool | None\n    colour: str\n"
-      "    n: int\n    twice: float\n    note: str\n    table: Result\n    again: Rows\n");
+      "    ----------\n    length_mm : float\n        Of it, mm.\n    rows : Rows[Inner]\n        A length.\n"
+      "    known : bool | None\n        Known.\n    colour : str\n        Colour.\n    n : int\n        As many.\n"
+      "    twice : float\n        Twice.\n    note : str\n        Note.\n    table : Result\n        Table.\n"
+      "    again : Rows[Outer]\n        All kinds of values.\n    \"\"\"\n\n    length_mm: float\n"
+      "    rows: Rows[Inner]\n    known: bool | None\n    colour: str\n    n: int\n    twice: float\n    note: str\n"
+      "    table: Result\n    again: Rows[Outer]\n\n\nclass Inner(Result):\n    \"\"\"A length.\n\n    Attributes\n"
+      "    ----------\n    length_mm : float\n        Of it, mm.\n    \"\"\"\n\n    length_mm: float\n");
 }
 
 TEST(ResultType, KeysAreWrittenAsTheyAreMade) {

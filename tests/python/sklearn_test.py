@@ -1,0 +1,77 @@
+"""The estimator of scikit-learn, by scikit-learn's own checks."""
+import importlib.util
+import sys
+import unittest
+import warnings
+
+if importlib.util.find_spec("sklearn") is None:
+    print("Passed over: scikit-learn is not installed.")
+    sys.exit(0)
+
+import ballbar as bb
+import numpy as np
+import pandas
+from ballbar.sklearn import EffectRegressor
+from sklearn.model_selection import GridSearchCV, TimeSeriesSplit, cross_val_predict, cross_val_score
+from sklearn.pipeline import make_pipeline
+from sklearn.preprocessing import FunctionTransformer
+from sklearn.utils.estimator_checks import check_estimator
+
+DATA = "sample-runs/hidden-effect/01/data.csv"
+BOTH = ["lagged_expansion(T_motor_degC)", "lagged_expansion(T_room_degC)"]
+
+
+def data():
+    table = bb.read(DATA)
+    return table.filter(regex="_degC|_rpm"), table["y_um"]
+
+
+class Sklearn(unittest.TestCase):
+    def test_checks(self):
+        """All pass but the two that a memory forbids, which scikit-learn skips as the estimator says why."""
+        skipped = []
+        for estimator, check in check_estimator(EffectRegressor(["expansion(T0_degC)"]), generate_only=True):
+            try:
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")
+                    check(estimator)
+            except unittest.SkipTest as why:
+                skipped.append(str(why))
+        self.assertEqual(len(skipped), 2, skipped)
+        self.assertTrue(all("with a memory" in why for why in skipped))
+
+    def test_is_the_fit(self):
+        inputs, target = data()
+        regressor = EffectRegressor(BOTH).fit(inputs, target)
+        fit = bb.Model("y_um", BOTH).fit(bb.read(DATA))
+        np.testing.assert_array_equal(regressor.predict(inputs), fit.fitted)
+
+    def test_splits_by_time(self):
+        inputs, target = data()
+        split = TimeSeriesSplit(3)
+        known, lacking = (cross_val_score(EffectRegressor(effects), inputs, target, cv=split) for effects in (BOTH, BOTH[:1]))
+        self.assertGreater(known.mean(), lacking.mean())
+        self.assertGreater(cross_val_score(EffectRegressor(few=True), inputs, target, cv=split).mean(), 0.3)
+        found = GridSearchCV(EffectRegressor(), {"effects": [BOTH[:1], BOTH]}, cv=split).fit(inputs, target)
+        self.assertEqual(found.best_params_["effects"], BOTH)
+        piped = make_pipeline(FunctionTransformer(lambda table: table.drop(columns="speed_rpm")), EffectRegressor(BOTH, max_gap_s=1e6))
+        self.assertEqual(len(cross_val_predict(piped, inputs, target, cv=4)), len(target))
+
+    def test_a_later_stretch_goes_on(self):
+        """From where the training ended, as the whole run predicts it; without times it begins anew."""
+        inputs, target = data()
+        regressor = EffectRegressor(BOTH).fit(inputs.iloc[:1000], target.iloc[:1000])
+        whole, later = regressor.predict(inputs), regressor.predict(inputs.iloc[1000:])
+        np.testing.assert_allclose(later, whole[1000:], atol=1e-9)
+        anew = EffectRegressor(BOTH).fit(inputs.iloc[:1000].reset_index(drop=True), target.iloc[:1000]).predict(inputs.iloc[1000:].reset_index(drop=True))
+        self.assertGreater(np.abs(anew - later).max(), 1.0)
+
+    def test_dates(self):
+        inputs, target = data()
+        dated = inputs.set_axis(pandas.Timestamp("2026-11-22") + pandas.to_timedelta(inputs.index, unit="s"))
+        a, b = (EffectRegressor(BOTH).fit(one.iloc[:1000], target.iloc[:1000]).predict(one.iloc[1000:]) for one in (dated, inputs))
+        np.testing.assert_allclose(a, b, atol=1e-6)
+
+
+if __name__ == "__main__":
+    unittest.main()
