@@ -138,7 +138,7 @@ class Command(unittest.TestCase):
                 self.assertEqual(ran(self.plant)[0], status)
         for tolerance in ({"nonsense": 3}, {"circularity": -3}, {"circularity": "wide"}):
             with self.assertRaisesRegex(ballbar.BallbarError, "tolerance: expected"):
-                fleet.ranked(fleet.errors(self.plant), tolerance=tolerance)
+                fleet.rank(fleet.errors(self.plant), tolerance=tolerance)
 
     def test_where_it_prints(self):
         with open("/dev/full", "wb") as full:
@@ -152,7 +152,7 @@ class Command(unittest.TestCase):
     def test_an_end_from_outside(self):
         plant(f"{self.plant}/more", 4, 150)
         done = started(self.plant, "--table", self.table)
-        while not os.path.exists(f"{self.table}/table.json"):
+        while not os.path.exists(f"{self.table}/.lock"):
             pass
         os.killpg(done.pid, signal.SIGINT)
         self.assertEqual((*done.communicate(), done.returncode), (b"", b"", 130))
