@@ -211,7 +211,7 @@ for k in range(8):
 
     def test_a_file_that_another_update_read_while_this_one_waited(self):
         fleet.update(self.plant, self.table)
-        with fleet_table._store_of(self.table):
+        with fleet_table._alone(self.table):
             waiting = threading.Thread(target=fleet.update, args=(self.plant, self.table))
             with self.assertLogs("ballbar", "WARNING"):
                 waiting.start()
@@ -355,6 +355,17 @@ for k in range(8):
         with self.assertRaisesRegex(ballbar.BallbarError, "expected a table that an update by this version ended, found none"):
             fleet.read(self.table)
         self.assertEqual(fleet.update(self.plant, self.table).read, 12)
+
+    def test_a_table_that_may_not_be_read(self):
+        fleet.update(self.plant, self.table)
+        for path in (self.scratch.name, self.plant, self.table):
+            os.chmod(path, 0o777)
+        os.chmod(f"{self.table}/.lock", 0o666)
+        os.chmod(f"{self.table}/table.npz", 0)
+        with without_rights(), self.assertRaisesRegex(ballbar.BallbarError, "the table could not be opened: Permission denied"):
+            fleet.update(self.plant, self.table)
+        os.chmod(f"{self.table}/table.npz", 0o644)
+        self.assertEqual(fleet.update(self.plant, self.table).read, 0)
 
     def test_what_a_killed_update_left(self):
         expected = fleet.update(self.plant, self.table).table

@@ -47,7 +47,7 @@ COLUMNS = {
     **{f"{name}{of}_{unit}": "float64" for name, unit in ERRORS for of in ("", "_sigma")},
 }
 
-_AT_ONCE = 50  # files
+_AT_ONCE = 25  # files
 _READERS = 2  # threads: one works in Python as the other one fits
 _PATIENCE_S = 20.0  # with a cluster that is gone, or has no worker
 _TRIES = 3  # of a task whose worker dies

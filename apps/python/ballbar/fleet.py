@@ -17,6 +17,7 @@ import math
 import os
 import warnings
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import PurePath, PurePosixPath
 from typing import Any
@@ -32,7 +33,7 @@ from .fleet_table import Updated, read, update
 __all__ = ["ERRORS", "Ranking", "Updated", "diagnose", "errors", "files_of", "rank", "read", "train", "update"]
 
 
-def errors(paths: Paths, *, files_of_a_partition: int = 200, **storage: Any) -> Any:
+def errors(paths: Paths, *, files_of_a_partition: int = 50, **storage: Any) -> Any:
     """Returns a lazy table of the errors of each ballbar test: one row a test.
 
     Parameters
@@ -260,7 +261,12 @@ def rank(
     numbers = {name: rows[name].to_numpy(float) for name in (*NUMBERS, *quantities)}
     numbers["started_s"] = ((pandas.to_datetime(rows["date"]) - pandas.Timestamp(0)) / pandas.Timedelta(seconds=1)).to_numpy(float)
     numbers["stored"] = rows["stored"].fillna(False).to_numpy(float)
-    keys, text, html_page = _core.fleet(texts, numbers, ERRORS, limits, false_discovery_rate, None if page is None else title, remarks)
+    aside = ThreadPoolExecutor(1)  # so that Ctrl-C need not wait for it
+    try:
+        asked = (texts, numbers, ERRORS, limits, false_discovery_rate, None if page is None else title, remarks)
+        keys, text, html_page = aside.submit(_core.fleet, *asked).result()
+    finally:
+        aside.shutdown(wait=False)
     if page is not None:
         write_whole(page, html_page.encode())
     findings = [

@@ -110,18 +110,21 @@ def update(
     of those below a folder that can no longer be listed, stay. Two logs of a folder may be one test: with one of them
     all are read again.
     """
+    fresh: list[Row] = []
     read_now: set[str] = set()
     gone: set[str] = set()
     lacking: dict[str, str] = {}
-    with _store_of(os.fspath(table)) as store, progress_or_tqdm(progress) as tell:
+    with _alone(os.fspath(table)) as (path, rows), progress_or_tqdm(progress) as tell:
+        saved = time.monotonic()
         for attempt in range(_TRIES + 1):  # once more: files may change while they are read
             files = files_of(paths, **storage)  # not before: another update may end meanwhile, with files that are newer
-            known = store.stamps()
+            newest = rows.drop_duplicates("file", keep="last")
+            known = dict(zip(newest["file"], zip(newest["size"], newest["modified"])))
             stamps, hidden = _stamps(files, storage, lacking)
             there = {file for file in known if file in stamps or file.startswith(hidden)}
             changed = {file for file, stamp in stamps.items() if known.get(file) != stamp}
             if verify and attempt == 0:
-                changed |= _other_bytes(store.sha256(), [file for file in stamps if file not in changed], storage, lacking, tell)
+                changed |= _other_bytes(newest[newest["file"].isin(stamps.keys() - changed)], storage, lacking, tell)
             units = set(map(unit_of, (changed - lacking.keys()) | (known.keys() - there - gone)))
             to_read = [file for file in stamps if unit_of(file) in units and file not in lacking]
             gone |= known.keys() - there
@@ -130,17 +133,24 @@ def update(
             if not to_read or attempt == _TRIES:
                 break
             try:
-                for rows, why in read_rows(to_read, storage, client, tell):
-                    store.add([{**row, **dict(zip(_STATES, (*stamps[row["file"]], 1)))} for row in rows])
-                    read_now.update(row["file"] for row in rows)
+                for some, why in read_rows(to_read, storage, client, tell):
+                    fresh += [{**row, **dict(zip(_STATES, (*stamps[row["file"]], 1)))} for row in some]
+                    read_now.update(row["file"] for row in some)
                     lacking.update(why)
+                    if time.monotonic() - saved >= _SECONDS_OF_A_SAVE:
+                        rows, fresh, saved = _with(rows, fresh), [], time.monotonic()
+                        _write(path, rows)
             except BaseException:
                 with contextlib.suppress(BallbarError):
-                    store.save()
+                    _write(path, _with(rows, fresh))
                 raise
-        rows_of_all, gone_from_it = store.commit(there)
-    faults = int(rows_of_all["fault"].notna().sum())
-    return Updated(rows_of_all, len(read_now), len(there - read_now), gone_from_it, faults, lacking)
+            rows, fresh = _with(rows, fresh), []
+        before = set(rows["file"][rows["ahead"] == 0])
+        if before - there or rows["ahead"].any():
+            rows = newest[newest["file"].isin(there)].assign(ahead=0)
+            _write(path, rows)
+    shown = _shown(rows)
+    return Updated(shown, len(read_now), len(there - read_now), len(before - there), int(shown["fault"].notna().sum()), lacking)
 
 
 def read(table: str | os.PathLike[str]) -> pandas.DataFrame:
@@ -188,22 +198,20 @@ def _stamps(files: Sequence[str], storage: dict[str, Any], lacking: dict[str, st
     return stamps, tuple(hidden)
 
 
-def _other_bytes(
-    sha256: dict[str, str], files: Sequence[str], storage: dict[str, Any], lacking: dict[str, str], tell: Progress
-) -> set[str]:
-    """Returns the files whose SHA-256 is another one; fills `lacking`."""
+def _other_bytes(rows: pandas.DataFrame, storage: dict[str, Any], lacking: dict[str, str], tell: Progress) -> set[str]:
+    """Returns the files whose SHA-256 is not that of their row; fills `lacking`."""
     others: set[str] = set()
-    for done, file in enumerate(files, 1):
+    for done, (file, sha256) in enumerate(zip(rows["file"], rows["sha256"]), 1):
         with opened([file], storage, os.getcwd()) as (found, why):
-            others.update(name for name, now in found.values() if now != sha256[name])
+            others.update(name for name, now in found.values() if now != sha256)
             lacking.update(why)
-        tell(done, len(files), "reading bytes")
+        tell(done, len(rows), "reading bytes")
     return others
 
 
 @contextlib.contextmanager
-def _store_of(folder: str) -> Iterator[_Store]:
-    """Yields the table of a folder, which nobody else updates as long as this lasts. Raises BallbarError."""
+def _alone(folder: str) -> Iterator[tuple[str, pandas.DataFrame]]:
+    """Yields the path and the rows of the table of a folder, which nobody else updates as long as this lasts."""
     path = os.path.join(folder, "table.npz")
     with contextlib.ExitStack() as stack:
         try:
@@ -218,81 +226,30 @@ def _store_of(folder: str) -> Iterator[_Store]:
                 fcntl.flock(lock, fcntl.LOCK_EX)
             for left in glob.glob(os.path.join(glob.escape(folder), ".table.npz.*")):
                 os.remove(left)  # of an update that was killed as it wrote
-            store = _Store(path)
+            rows = _kept(path)
         except OSError as error:
             raise BallbarError(f"{folder}: the table could not be opened: {reason_of(error)}.") from None
-        yield store
+        yield path, rows
 
 
-class _Store:
-    """The table of a folder, as an update changes it. Each file that was read has a row; if ahead, one more."""
-
-    def __init__(self, path: str) -> None:
-        self._path = path
-        self._new: list[Row] = []
-        self._saved = time.monotonic()
-        try:
-            self._rows = _loaded(path)
-        except FileNotFoundError:
-            self._rows = typed([], _STORED)
-        except BallbarError as error:
-            self._rows = typed([], _STORED)
-            os.replace(path, f"{path}.damaged")
-            warnings.warn(f"{error} It is kept as {path}.damaged, and all files are read anew.", BallbarWarning, stacklevel=5)
-
-    def stamps(self) -> dict[str, Stamp]:
-        """Returns what each file that was read is known again by."""
-        rows = self._newest()
-        return dict(zip(rows["file"], zip(rows["size"].tolist(), rows["modified"].tolist())))
-
-    def sha256(self) -> dict[str, str]:
-        rows = self._newest()
-        return dict(zip(rows["file"], rows["sha256"]))
-
-    def add(self, rows: list[Row]) -> None:
-        """Keeps rows ahead of the table; now and then they are saved."""
-        self._new += rows
-        if time.monotonic() - self._saved >= _SECONDS_OF_A_SAVE:
-            self.save()
-
-    def save(self) -> None:
-        """Writes what was added. Raises BallbarError."""
-        self._newest()
-        self._write()
-        self._saved = time.monotonic()
-
-    def commit(self, files: set[str]) -> tuple[pandas.DataFrame, int]:
-        """Makes these files the table; returns it, and how many are gone from it. Raises BallbarError: it is as it was."""
-        newest = self._newest()
-        before = self._rows[self._rows["ahead"] == 0]
-        gone = len(set(before["file"]) - files)
-        if gone or len(before) < len(self._rows):
-            self._rows = newest[newest["file"].isin(files)].assign(ahead=0)
-            self._write()
-        return _shown(self._rows), gone
-
-    def _newest(self) -> pandas.DataFrame:
-        if self._new:
-            new, self._new = typed(self._new, _STORED), []
-            self._rows = pandas.concat([self._rows, new]).drop_duplicates(["file", "ahead"], keep="last")
-        return self._rows.drop_duplicates("file", keep="last")
-
-    def _write(self) -> None:
-        rows = self._rows
-        texts = {name: [text if isinstance(text, str) else None for text in rows[name]] for name in _TEXTS}
-        about = json.dumps({"format": _FORMAT, "version": _core.version, "texts": texts})
-        numbers = rows[_NUMBERS].to_numpy(np.float64, na_value=np.nan)
-        data = io.BytesIO()
-        np.savez(data, about=np.frombuffer(about.encode(), np.uint8), numbers=numbers, states=rows[[*_STATES]].to_numpy(np.int64))
-        write_whole(self._path, data.getvalue())
+def _kept(path: str) -> pandas.DataFrame:
+    """Returns the rows that need not be read again; a damaged table is put aside."""
+    try:
+        return _loaded(path)
+    except FileNotFoundError:
+        pass
+    except BallbarError as error:
+        os.replace(path, f"{path}.damaged")
+        warnings.warn(f"{error} It is kept as {path}.damaged, and all files are read anew.", BallbarWarning, stacklevel=5)
+    return typed([], _STORED)
 
 
 def _loaded(path: str) -> pandas.DataFrame:
     """Returns what was written there, or no rows of another version. Raises OSError; BallbarError where it is damaged."""
     with open(path, "rb") as file:
-        data = io.BytesIO(file.read())
+        data = file.read()
     try:
-        with np.load(data, allow_pickle=False) as stored:  # a zip archive, with a checksum of each part
+        with np.load(io.BytesIO(data), allow_pickle=False) as stored:  # a zip archive, with checksums
             about, numbers, states = json.loads(stored["about"].tobytes()), stored["numbers"], stored["states"]
             if (about["format"], about["version"]) != (_FORMAT, _core.version):
                 return typed([], _STORED)
@@ -300,6 +257,20 @@ def _loaded(path: str) -> pandas.DataFrame:
             return pandas.DataFrame({name: columns[name] for name in _STORED}).fillna(np.nan).astype(_STORED)
     except Exception as error:  # noqa: BLE001  whatever the damage does
         raise BallbarError(f"{path}: expected a table, found: {reason_of(error)}.") from None
+
+
+def _write(path: str, rows: pandas.DataFrame) -> None:
+    texts = {name: [text if isinstance(text, str) else None for text in rows[name]] for name in _TEXTS}
+    about = json.dumps({"format": _FORMAT, "version": _core.version, "texts": texts})
+    numbers = rows[_NUMBERS].to_numpy(np.float64, na_value=np.nan)
+    data = io.BytesIO()
+    np.savez(data, about=np.frombuffer(about.encode(), np.uint8), numbers=numbers, states=rows[[*_STATES]].to_numpy(np.int64))
+    write_whole(path, data.getvalue())
+
+
+def _with(rows: pandas.DataFrame, fresh: list[Row]) -> pandas.DataFrame:
+    """Returns these rows and the fresh ones, which take the place of those that were read ahead before."""
+    return pandas.concat([rows, typed(fresh, _STORED)]).drop_duplicates(["file", "ahead"], keep="last")
 
 
 def _shown(rows: pandas.DataFrame) -> pandas.DataFrame:
