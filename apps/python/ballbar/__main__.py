@@ -14,7 +14,7 @@ import warnings
 from collections.abc import Callable
 from typing import Any, NoReturn
 
-from ._errors import BallbarError
+from ._errors import BallbarError, BallbarWarning
 
 
 class _Parser(argparse.ArgumentParser):
@@ -98,34 +98,27 @@ def _history(options: argparse.Namespace) -> int:
     from . import fleet
     from ._fleet_files import write_whole
 
-    tolerance = dict(options.tolerance)
-    fleet.limits_of(tolerance)
+    tolerance = fleet.limits_of(dict(options.tolerance))
     files = fleet.files_of(options.paths if len(options.paths) > 1 else options.paths[0])
     _expect_outputs(options, files)
     with contextlib.ExitStack() as stack:
         table = options.table or stack.enter_context(tempfile.TemporaryDirectory(prefix="ballbar-"))
-        client = stack.enter_context(_client(options.workers, options.scheduler))
-        done = fleet.update(files, table, client=client)
+        done = fleet.update(files, table, client=stack.enter_context(_client(options.workers, options.scheduler)))
     pages = [path for path in options.out if path.endswith(".html")]
-    title = os.path.basename(os.path.normpath(options.paths[0]))
+    how = {"tolerance": tolerance, "false_discovery_rate": options.false_discovery_rate, "lacking": len(done.lacking)}
     try:
         for page in pages or [None]:
-            found = fleet.rank(
-                done.table, tolerance=tolerance, false_discovery_rate=options.false_discovery_rate, page=page, title=title, lacking=len(done.lacking)
-            )
-        keys = json.dumps(found.to_dict(), indent=2)
+            found = fleet.rank(done.table, page=page, title=os.path.basename(os.path.normpath(options.paths[0])), **how)
+        keys = json.dumps(found.to_dict(), indent=2) + "\n"
         for path in options.out:
             if path not in pages:
-                write_whole(path, (done.table.to_csv(index=False) if path.endswith(".csv") else keys + "\n").encode())
+                write_whole(path, (done.table.to_csv(index=False) if path.endswith(".csv") else keys).encode())
     except BallbarError as error:
         raise BallbarError(f"--out {error}") from None
-    print(keys if options.json else found.text, end="\n" if options.json else "", flush=True)
-    kept = f", {done.kept} as they were" if done.kept else ""
-    for line in (
-        *done.table["fault"].dropna(), *(f"{name}: not read: {why}." for name, why in done.lacking.items()),
-        f"{fleet.files_text(done.read)} read{kept}" + (f", {done.gone} gone" if done.gone else ""), *(f"wrote {path}" for path in options.out),
-    ):
-        print(line, file=sys.stderr)
+    print(keys if options.json else found.text, end="", flush=True)
+    counts = f"{fleet.files_text(done.read)} read" + (f", {done.kept} as they were" if done.kept else "") + (f", {done.gone} gone" if done.gone else "")
+    lacking = [f"{name}: not read: {why}." for name, why in done.lacking.items()]
+    print(*done.table["fault"].dropna(), *lacking, counts, *(f"wrote {path}" for path in options.out), sep="\n", file=sys.stderr)
     return 0 if done.complete else 1
 
 
@@ -140,7 +133,7 @@ def history(words: list[str]) -> int:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
-    warnings.showwarning = lambda message, *_, **__: print(f"ballbar: {message}", file=sys.stderr)
+    warnings.showwarning = lambda said, *_, **__: print(f"ballbar: {said}", file=sys.stderr) if isinstance(said, BallbarWarning) else None
     try:
         return _history(_options(words))
     except KeyboardInterrupt:

@@ -19,6 +19,7 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from numbers import Real
 from pathlib import PurePath, PurePosixPath
 from typing import Any
 
@@ -49,18 +50,14 @@ def errors(paths: Paths, *, files_of_a_partition: int = 50, **storage: Any) -> A
     -------
     dask.dataframe.DataFrame
         Columns: file, sha256 and version (whence the row is), machine, bar, date, plane, length_mm, feed_mm_per_min,
-        start_deg, arc_deg, stored, each of :data:`ERRORS` with its sigma, and `fault`, the sentence of a file that could
-        not be read: such a row has nothing else. The second log of a test has no row. Copies are found in whole tables
-        alone: by :func:`update` and :func:`rank`.
+        start_deg, arc_deg, stored, each of :data:`ERRORS` with its sigma, their units in the names, and `fault`, the
+        sentence of a file that could not be read: such a row has nothing else. The second log of a test has no row.
+        Copies are found in whole tables alone: by :func:`update` and :func:`rank`.
 
     Raises
     ------
     BallbarError
         There is no file.
-
-    Notes
-    -----
-    Units are in the names: um, um_per_m (ppm), ms for times, deg for angles; each sigma has that of its error.
     """
     at = os.getcwd()
     return _frame(lambda files: tests_and_faults(*error_rows(files, storage, at)), paths, storage, files_of_a_partition, COLUMNS)
@@ -105,23 +102,17 @@ def diagnose(
 
     def work(path: str, file: str, sha256: str) -> Row:
         if file.lower().endswith(".b5r"):
-            errors_of = machine_errors(path, model=model)
-            verdict, sentence, rmse_um = errors_of.verdict, errors_of.conclusion, errors_of.residual_rms_um
-            return {"verdict": verdict, "sentence": sentence, "named": _names(errors_of.named), "rmse_um": rmse_um}
-        if fitted is None:
+            found: Any = machine_errors(path, model=model)
+            row = {"sentence": found.conclusion, "rmse_um": found.residual_rms_um}
+        elif fitted is None:
             raise BallbarError(f"{path}: expected a model or a target for a series, found neither; pass target=.")
-        fit = fitted.fit(path)
-        found = fit.diagnose(seed=seed, extra=extra)
-        return {
-            "verdict": found.verdict, "sentence": found.sentence, "named": _names(found.named),
-            "rmse_um": fit.rmse_um, "floor_um": fit.floor_um, "p_nothing": found.p_nothing,
-        }
+        else:
+            fit = fitted.fit(path)
+            found = fit.diagnose(seed=seed, extra=extra)
+            row = {"sentence": found.sentence, "rmse_um": fit.rmse_um, "floor_um": fit.floor_um, "p_nothing": found.p_nothing}
+        return {**row, "verdict": found.verdict, "named": ", ".join(one.effect for one in found.named)}
 
     return _frame_of_each(work, paths, storage, files_of_a_partition, "verdict sentence named fault", "rmse_um floor_um p_nothing")
-
-
-def _names(rows: Any) -> str:
-    return ", ".join(row.effect for row in rows)
 
 
 def train(paths: Paths, target: str, out: str | os.PathLike[str], *, few: bool = False, files_of_a_partition: int = 1, **storage: Any) -> Any:
@@ -256,7 +247,12 @@ def rank(
     if machine is None:
         _expect_one_place_each(texts["file"], texts["machine"])
     else:
-        texts["machine"] = [_name_of(machine(_path_of(file)), file) for file in texts["file"]]
+        named = (machine(_path_of(file)) for file in texts["file"])
+        parts = [(one,) if isinstance(one, str) else one for one in named]
+        for file, one in zip(texts["file"], parts):
+            if not isinstance(one, tuple) or not one or not all(isinstance(part, str) and part for part in one):
+                raise BallbarError(f"machine: expected a text or a tuple of texts for {file}, found {one!r}.")
+        texts["machine"] = ["/".join(one) for one in parts]
     quantities = [f"{name}{of}_{unit}" for name, unit in ERRORS for of in ("", "_sigma")]
     numbers = {name: rows[name].to_numpy(float) for name in (*NUMBERS, *quantities)}
     numbers["started_s"] = ((pandas.to_datetime(rows["date"]) - pandas.Timestamp(0)) / pandas.Timedelta(seconds=1)).to_numpy(float)
@@ -284,32 +280,20 @@ def rank(
     return Ranking(found, needs, text, faults, lacking, keys)
 
 
-def limits_of(tolerance: Mapping[str, Any]) -> dict[str, float]:
+def limits_of(tolerance: Mapping[str, Any]) -> Mapping[str, float]:
     """Returns limits of quantities that there are. Raises BallbarError."""
     known = [name for name, _ in ERRORS if not name.startswith("centre_")]
-    limits: dict[str, float] = {}
     for name, limit in tolerance.items():
         if name not in known:
             near = difflib.get_close_matches(str(name), known, 1, 0.0)[0]
             raise BallbarError(f'tolerance: expected a quantity of tests, found "{name}"; the nearest is {near}.')
-        try:
-            limits[name] = float(limit)
-        except (TypeError, ValueError):
-            limits[name] = math.nan
-        if not 0.0 < limits[name] < math.inf:
+        if not isinstance(limit, Real) or not 0.0 < float(limit) < math.inf:
             raise BallbarError(f"tolerance: expected a number above 0 for {name}, found {limit!r}.")
-    return limits
+    return tolerance
 
 
 def _path_of(file: str) -> PurePath:
     return PurePosixPath(file.partition("://")[2]) if "://" in file else PurePath(file)
-
-
-def _name_of(named: Any, file: str) -> str:
-    parts = (named,) if isinstance(named, str) else named
-    if isinstance(parts, tuple) and parts and all(isinstance(part, str) and part for part in parts):
-        return "/".join(parts)
-    raise BallbarError(f"machine: expected a text or a tuple of texts for {file}, found {named!r}.")
 
 
 def _expect_one_place_each(files: Sequence[str], machines: Sequence[str]) -> None:

@@ -15,7 +15,7 @@ import os
 import time
 import warnings
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -58,11 +58,11 @@ class Updated:
     """
 
     table: pandas.DataFrame
-    read: int = 0
-    kept: int = 0
-    gone: int = 0
-    faults: int = 0
-    lacking: dict[str, str] = field(default_factory=dict)
+    read: int
+    kept: int
+    gone: int
+    faults: int
+    lacking: dict[str, str]
 
     @property
     def complete(self) -> bool:
@@ -83,16 +83,16 @@ def update(
     client : dask.distributed.Client
         Its workers read; without one, threads of this process.
     verify : bool
-        Reads the bytes of every file, and again each whose SHA-256 is another, though its size and time are the same.
+        A file is read again, too, where its SHA-256 is another and its size and time are the same.
     progress : callable
-        Is told how many files are done, of how many, and what is done. None: tqdm tells on a terminal, if it is installed.
+        Is told how many files are done, of how many, and what is done. None: tqdm, if it is installed, on a terminal.
     **storage
         Options of fsspec's file system.
 
     Returns
     -------
     Updated
-        The table, and what was done. The same files give the same table, in one update or in many.
+        The same files give the same table, in one update or in many.
 
     Raises
     ------
@@ -226,22 +226,15 @@ def _alone(folder: str) -> Iterator[tuple[str, pandas.DataFrame]]:
                 fcntl.flock(lock, fcntl.LOCK_EX)
             for left in glob.glob(os.path.join(glob.escape(folder), ".table.npz.*")):
                 os.remove(left)  # of an update that was killed as it wrote
-            rows = _kept(path)
+            try:
+                rows = _loaded(path) if os.path.exists(path) else typed([], _STORED)
+            except BallbarError as error:
+                rows = typed([], _STORED)
+                os.replace(path, f"{path}.damaged")
+                warnings.warn(f"{error} It is kept as {path}.damaged, and all files are read anew.", BallbarWarning, stacklevel=4)
         except OSError as error:
             raise BallbarError(f"{folder}: the table could not be opened: {reason_of(error)}.") from None
         yield path, rows
-
-
-def _kept(path: str) -> pandas.DataFrame:
-    """Returns the rows that need not be read again; a damaged table is put aside."""
-    try:
-        return _loaded(path)
-    except FileNotFoundError:
-        pass
-    except BallbarError as error:
-        os.replace(path, f"{path}.damaged")
-        warnings.warn(f"{error} It is kept as {path}.damaged, and all files are read anew.", BallbarWarning, stacklevel=5)
-    return typed([], _STORED)
 
 
 def _loaded(path: str) -> pandas.DataFrame:
