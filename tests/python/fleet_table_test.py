@@ -1,5 +1,7 @@
 """Tables that are kept: the same however they came to be, whole whatever befalls."""
 import contextlib
+import importlib.util
+import io
 import logging
 import math
 import os
@@ -18,6 +20,7 @@ from unittest import mock
 import ballbar
 import pandas
 from ballbar import _fleet_rows, fleet, fleet_table
+from ballbar._progress import progress_or_tqdm
 from fleet_test import plant, said_by_the_program
 
 
@@ -44,6 +47,30 @@ def write_log(path, direction, started):
         for i, angle in enumerate(angles):
             noise = 1e-4 * math.sin(12.9898 * (i + (direction == "CW") * 360)) * 0.3
             file.write(f"{0.1 * i:.3f},{angle},{100 + 0.004 * math.cos(2 * math.radians(angle)) + noise:.6f}\n")
+
+
+class Progress(unittest.TestCase):
+    def said(self, is_terminal, progress=None, pause_s=0.0):
+        """What standard error shows."""
+        stream = io.StringIO()
+        stream.isatty = lambda: is_terminal
+        with contextlib.redirect_stderr(stream), progress_or_tqdm(progress) as tell:
+            for done in (0, 20, 40):
+                time.sleep(pause_s)
+                tell(done, 40, "reading tests")
+        return stream.getvalue()
+
+    def test_who_is_told(self):
+        told = []
+        self.assertEqual(self.said(True, lambda *said: told.append(said)), "")
+        self.assertEqual(told, [(0, 40, "reading tests"), (20, 40, "reading tests"), (40, 40, "reading tests")])
+        self.assertEqual(self.said(False), "")
+        with mock.patch.dict(sys.modules, tqdm=None):
+            self.assertEqual(self.said(True), "")
+
+    @unittest.skipUnless(importlib.util.find_spec("tqdm"), "tqdm is not installed")
+    def test_a_bar(self):
+        self.assertRegex(self.said(True, pause_s=0.15), "reading tests: .*20/40")
 
 
 class Kept(unittest.TestCase):

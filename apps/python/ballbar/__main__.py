@@ -22,7 +22,7 @@ class _Parser(argparse.ArgumentParser):
         self.exit(2, f"ballbar: {message.removeprefix('argument ')}; see ballbar history --help\n")
 
 
-def _kind(expected: str, is_right: Callable[[Any], bool], take: Callable[[str], Any] = str) -> Callable[[str], Any]:
+def _kind(expected: str, is_right: Callable[[Any], object], take: Callable[[str], Any] = str) -> Callable[[str], Any]:
     """Returns a kind of value, as apps/history/history.cpp has it; `take` raises ValueError where it is none."""
 
     def kind(text: str) -> Any:
@@ -42,10 +42,10 @@ def _limit(text: str) -> tuple[str, float]:
 def _options(words: list[str]) -> argparse.Namespace:
     parser = _Parser(prog="ballbar history", description="The tests of many machines: table, ranking, page", allow_abbrev=False)
     text = _kind("a value", bool)
-    workers = _kind("a number from 1 to 1024", lambda value: bool(1 <= value <= 1024), int)
-    rate = _kind("a number from 0 to 1", lambda value: bool(0.0 <= value <= 1.0), float)
-    limit = _kind("NAME=VALUE with a number above 0", lambda value: bool(value[0]) and 0.0 < value[1] < float("inf"), _limit)
-    out = _kind("a name that ends in .csv, .json or .html", lambda value: bool(value.endswith((".csv", ".json", ".html"))))
+    workers = _kind("a number from 1 to 1024", lambda value: 1 <= value <= 1024, int)
+    rate = _kind("a number from 0 to 1", lambda value: 0.0 <= value <= 1.0, float)
+    limit = _kind("NAME=VALUE with a number above 0", lambda value: value[0] and 0.0 < value[1] < float("inf"), _limit)
+    out = _kind("a name that ends in .csv, .json or .html", lambda value: value.endswith((".csv", ".json", ".html")))
     parser.add_argument("paths", nargs="+", type=text, metavar="FOLDER", help="folders of .b5r files, patterns, or files")
     parser.add_argument("--table", type=text, metavar="FOLDER", help="where the table is kept: only what is new or changed is read")
     parser.add_argument("--workers", type=workers, metavar="N", help="processes that read; default: this one, on all cores")
@@ -114,7 +114,7 @@ def _history(options: argparse.Namespace) -> int:
             if path not in pages:
                 write_whole(path, (done.table.to_csv(index=False) if path.endswith(".csv") else keys).encode())
     except BallbarError as error:
-        raise BallbarError(f"--out {error}") from None
+        raise BallbarError(("--out " if str(error).startswith(tuple(options.out)) else "") + str(error)) from None
     print(keys if options.json else found.text, end="", flush=True)
     counts = f"{fleet.files_text(done.read)} read" + (f", {done.kept} as they were" if done.kept else "") + (f", {done.gone} gone" if done.gone else "")
     lacking = [f"{name}: not read: {why}." for name, why in done.lacking.items()]
