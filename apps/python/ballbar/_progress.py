@@ -3,9 +3,9 @@ from __future__ import annotations
 
 import contextlib
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
-Progress = Callable[[int, int, str], object]  # done, of, and what is done
+from ._frame import Progress
 
 
 def _nobody(done: int, of: int, text: str) -> None:
