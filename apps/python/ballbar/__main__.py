@@ -60,10 +60,8 @@ def _options(words: list[str]) -> argparse.Namespace:
 def _client(workers: int | None, scheduler: str | None) -> contextlib.AbstractContextManager[Any]:
     if not workers and not scheduler:
         return contextlib.nullcontext()
-    try:
-        from dask.distributed import Client
-    except ImportError:
-        raise BallbarError("--workers, --scheduler: expected Dask's distributed, found none; on Debian it is in the package python3-distributed.") from None
+    from distributed import Client
+
     for name in ("distributed", "tornado", "asyncio"):  # what befalls workers stands in what is lacking
         logging.getLogger(name).setLevel(logging.CRITICAL)
     if scheduler:

@@ -116,23 +116,24 @@ def update(
     lacking: dict[str, str] = {}
     with _alone(os.fspath(table)) as (path, rows), progress_or_tqdm(progress) as tell:
         saved = time.monotonic()
-        for attempt in range(_TRIES + 1):  # once more: files may change while they are read
-            files = files_of(paths, **storage)  # not before: another update may end meanwhile, with files that are newer
-            newest = rows.drop_duplicates("file", keep="last")
-            known = dict(zip(newest["file"], zip(newest["size"], newest["modified"])))
-            stamps, hidden = _stamps(files, storage, lacking)
-            there = {file for file in known if file in stamps or file.startswith(hidden)}
-            changed = {file for file, stamp in stamps.items() if known.get(file) != stamp}
-            if verify and attempt == 0:
-                changed |= _other_bytes(newest[newest["file"].isin(stamps.keys() - changed)], storage, lacking, tell)
-            units = set(map(unit_of, (changed - lacking.keys()) | (known.keys() - there - gone)))
-            to_read = [file for file in stamps if unit_of(file) in units and file not in lacking]
-            gone |= known.keys() - there
-            if to_read and attempt == _TRIES:
-                lacking.update(dict.fromkeys(to_read, "changed again and again while it was read"))
-            if not to_read or attempt == _TRIES:
-                break
-            try:
+        try:
+            for attempt in range(_TRIES + 1):  # once more: files may change while they are read
+                files = files_of(paths, **storage)  # not before: another update may end meanwhile, with files that are newer
+                newest = rows.drop_duplicates("file", keep="last")
+                known = dict(zip(newest["file"], zip(newest["size"], newest["modified"])))
+                stamps, hidden = _stamps(files, storage, lacking)
+                there = {file for file in known if file in stamps or file.startswith(hidden)}
+                changed = {file for file, stamp in stamps.items() if known.get(file) != stamp}
+                if verify and attempt == 0:
+                    changed |= _other_bytes(newest[newest["file"].isin(stamps.keys() - changed)], storage, lacking, tell)
+                units = set(map(unit_of, (changed - lacking.keys()) | (known.keys() - there - gone)))
+                to_read = [file for file in stamps if unit_of(file) in units and file not in lacking]
+                gone |= known.keys() - there
+                if not to_read:
+                    break
+                if attempt == _TRIES:
+                    lacking.update(dict.fromkeys(to_read, "changed again and again while it was read"))
+                    break
                 for some, why in read_rows(to_read, storage, client, tell):
                     fresh += [{**row, **dict(zip(_STATES, (*stamps[row["file"]], 1)))} for row in some]
                     read_now.update(row["file"] for row in some)
@@ -140,11 +141,12 @@ def update(
                     if time.monotonic() - saved >= _SECONDS_OF_A_SAVE:
                         rows, fresh, saved = _with(rows, fresh), [], time.monotonic()
                         _write(path, rows)
-            except BaseException:
+                rows, fresh = _with(rows, fresh), []
+        except BaseException:
+            if fresh or read_now:
                 with contextlib.suppress(BallbarError):
                     _write(path, _with(rows, fresh))
-                raise
-            rows, fresh = _with(rows, fresh), []
+            raise
         before = set(rows["file"][rows["ahead"] == 0])
         if before - there or rows["ahead"].any():
             rows = newest[newest["file"].isin(there)].assign(ahead=0)
