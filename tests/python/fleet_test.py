@@ -239,6 +239,13 @@ class Ranked(unittest.TestCase):
         with self.assertWarnsRegex(ballbar.BallbarWarning, "so it is with 1 names more"):
             fleet.rank(stated)
 
+    def test_nothing_to_rank(self):
+        table = self.table_of("plantA/mill-01", machine="mill-01")
+        table["fault"] = "of all"
+        found = fleet.rank(table)
+        self.assertEqual((len(found.machines), len(found.findings), found.faults), (0, 0, 8))
+        self.assertEqual([str(found.findings[name].dtype) for name in ("from", "size", "q_value")], ["datetime64[ns]", "float64", "float64"])
+
     def test_one_plant(self):
         for folders, machine in ((["plant/2024", "plant/2025"], "mill-01"), (["plant/mill-01/2024", "plant/mill-01/2025/XY"], "mill-01"), (["mill-01"], "mill-01")):
             self.expect_machines(self.table_of(*folders, machine=machine), ["mill-01"], None)
@@ -251,7 +258,7 @@ class Ranked(unittest.TestCase):
                 fleet.rank(table, machine=lambda path, named=named: named)
 
     def table_of(self, *folders, machine):
-        """Ten tests a folder, of other days."""
+        """Eight tests a folder, of other days."""
         one = errors_table(fleet.files_of(SAMPLE)[0])
         rows = pandas.concat([one.assign(file=f"{folder}/{k}.b5r", machine=machine, date=f"20{10 + place}-0{1 + k}-01T00:00:00", circularity_um=k)
                               for place, folder in enumerate(folders) for k in range(8)], ignore_index=True)

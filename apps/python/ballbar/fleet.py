@@ -273,9 +273,9 @@ def rank(
     found = pandas.DataFrame(findings, columns=(
         "machine", "kind", "axis", "from", "to", "quantity", "plane", "size", "sigma", "unit", "quantities", "p_value", "q_value",
         "sentence", "remedy",
-    )).astype({"from": "datetime64[ns]", "to": "datetime64[ns]"})
+    )).astype({**dict.fromkeys(("from", "to"), "datetime64[ns]"), **dict.fromkeys(("size", "sigma", "p_value", "q_value"), "float64")})
     needs = pandas.DataFrame(machines, columns=("machine", "tests", "first", "last", "need", "reason", "findings")).astype(
-        {"first": "datetime64[ns]", "last": "datetime64[ns]"}
+        dict.fromkeys(("first", "last"), "datetime64[ns]")
     )
     return Ranking(found, needs, text, faults, lacking, keys)
 
