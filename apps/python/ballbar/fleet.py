@@ -90,7 +90,7 @@ def diagnose(
     Raises
     ------
     BallbarError
-        There is no file; the model cannot be read; there is more than one target.
+        There is no file; the model cannot be read; `target` is no name.
     """
     from . import Model, machine_errors
 
@@ -325,15 +325,13 @@ def _frame_of_each(
     at = os.getcwd()
 
     def rows(files: Sequence[str]) -> list[Row]:
-        made: list[Row] = []
-        for one in files:
-            with opened([one], storage, at) as (found, lacking):
-                made += tests_and_faults([], lacking)
-                for path, (file, sha256) in found.items():
-                    try:
-                        made.append({**fault(file, sha256, None), **work(path, file, sha256)})
-                    except BallbarError as error:
-                        made.append(fault(file, sha256, str(error).replace(path, file)))
+        with opened(files, storage, at) as (found, lacking):
+            made = tests_and_faults([], lacking)
+            for path, (file, sha256) in found.items():
+                try:
+                    made.append({**fault(file, sha256, None), **work(path, file, sha256)})
+                except BallbarError as error:
+                    made.append(fault(file, sha256, str(error).replace(path, file)))
         return made
 
     columns = {**dict.fromkeys(["file", "sha256", "version", *texts.split()], "object"), **dict.fromkeys(numbers.split(), "float64")}
