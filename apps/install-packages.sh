@@ -26,7 +26,7 @@ blind=libssl-dev
 tool='emscripten dpkg-dev'
 python='pybind11-dev python3-dev python3-numpy python3-venv'
 # Many machines at once, tables and pictures in Python.
-fleet='python3-distributed python3-pandas python3-matplotlib'
+fleet='python3-distributed python3-pandas python3-matplotlib python3-tqdm'
 hal='linuxcnc-uspace linuxcnc-uspace-dev'
 package='dpkg-dev file lintian mmdebstrap uidmap desktop-file-utils shared-mime-info libglib2.0-bin'
 test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium fonts-dejavu-core'

@@ -23,6 +23,7 @@ def ran(*words):
     out, remarks = io.StringIO(), io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(remarks), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of other packages, which unittest would show
+        warnings.simplefilter("default", ballbar.BallbarWarning)
         try:
             status = command([str(word) for word in words])
         except SystemExit as end:
@@ -72,6 +73,14 @@ class Command(unittest.TestCase):
             self.assertIn(sentence, text)
         keys = json.loads(ran(self.plant, missing, "--json")[1])
         self.assertEqual((keys["faults"], keys["lacking"]), (1, 1))
+
+    def test_two_plants(self):
+        os.rename(self.plant, f"{self.scratch.name}/A")
+        os.makedirs(f"{self.scratch.name}/B")
+        os.rename(f"{self.scratch.name}/A/m1", f"{self.scratch.name}/B/m0")
+        status, out, remarks = ran(f"{self.scratch.name}/A", f"{self.scratch.name}/B")
+        self.assertEqual(status, 0)
+        self.assertRegex(remarks, "ballbar: m0: expected tests of one machine, found tests below .*/A/m0 and below .*/B/m0, ")
 
     def test_what_may_be_written_over(self):
         source = f"{self.plant}/m0/log.csv"
@@ -138,7 +147,7 @@ class Command(unittest.TestCase):
                 self.assertEqual(ran(self.plant)[0], status)
         for tolerance in ({"nonsense": 3}, {"circularity": -3}, {"circularity": "wide"}):
             with self.assertRaisesRegex(ballbar.BallbarError, "tolerance: expected"):
-                fleet.ranked(fleet.errors(self.plant), tolerance=tolerance)
+                fleet.rank(fleet.errors(self.plant), tolerance=tolerance)
 
     def test_where_it_prints(self):
         with open("/dev/full", "wb") as full:
@@ -152,7 +161,7 @@ class Command(unittest.TestCase):
     def test_an_end_from_outside(self):
         plant(f"{self.plant}/more", 4, 150)
         done = started(self.plant, "--table", self.table)
-        while not os.path.exists(f"{self.table}/table.json"):
+        while not os.path.exists(f"{self.table}/.lock"):
             pass
         os.killpg(done.pid, signal.SIGINT)
         self.assertEqual((*done.communicate(), done.returncode), (b"", b"", 130))

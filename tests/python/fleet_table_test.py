@@ -1,6 +1,7 @@
 """Tables that are kept: the same however they came to be, whole whatever befalls."""
 import contextlib
-import json
+import importlib.util
+import io
 import logging
 import math
 import os
@@ -19,7 +20,8 @@ from unittest import mock
 import ballbar
 import pandas
 from ballbar import _fleet_rows, fleet, fleet_table
-from fleet_test import plant
+from ballbar._progress import progress_or_tqdm
+from fleet_test import plant, said_by_the_program
 
 
 @contextlib.contextmanager
@@ -45,6 +47,30 @@ def write_log(path, direction, started):
         for i, angle in enumerate(angles):
             noise = 1e-4 * math.sin(12.9898 * (i + (direction == "CW") * 360)) * 0.3
             file.write(f"{0.1 * i:.3f},{angle},{100 + 0.004 * math.cos(2 * math.radians(angle)) + noise:.6f}\n")
+
+
+class Progress(unittest.TestCase):
+    def said(self, is_terminal, progress=None, pause_s=0.0):
+        """What standard error shows."""
+        stream = io.StringIO()
+        stream.isatty = lambda: is_terminal
+        with contextlib.redirect_stderr(stream), progress_or_tqdm(progress) as tell:
+            for done in (0, 20, 40):
+                time.sleep(pause_s)
+                tell(done, 40, "reading tests")
+        return stream.getvalue()
+
+    def test_who_is_told(self):
+        told = []
+        self.assertEqual(self.said(True, lambda *said: told.append(said)), "")
+        self.assertEqual(told, [(0, 40, "reading tests"), (20, 40, "reading tests"), (40, 40, "reading tests")])
+        self.assertEqual(self.said(False), "")
+        with mock.patch.dict(sys.modules, tqdm=None):
+            self.assertEqual(self.said(True), "")
+
+    @unittest.skipUnless(importlib.util.find_spec("tqdm"), "tqdm is not installed")
+    def test_a_bar(self):
+        self.assertRegex(self.said(True, pause_s=0.15), "reading tests: .*20/40")
 
 
 class Kept(unittest.TestCase):
@@ -79,13 +105,6 @@ class Kept(unittest.TestCase):
         whole = fleet.update(self.plant, self.table + "-anew").table
         pandas.testing.assert_frame_equal(whole, third.table)
 
-    def test_many_parts_become_one(self):
-        for k in range(45):
-            self.another(f"more{k:02}.b5r", 2030 + k)
-            fleet.update(self.plant, self.table)
-        self.assertLess(len(os.listdir(self.table)), 45)
-        self.assertEqual(len(fleet.read(self.table)), 57)
-
     def test_a_full_disk(self):
         before = fleet.update(self.plant, self.table).table
         self.another("new.b5r")
@@ -102,26 +121,43 @@ class Kept(unittest.TestCase):
 
     def test_a_file_that_changes_while_it_is_read(self):
         changed = f"{self.plant}/m1/000.b5r"
-        work = fleet_table._error_rows
+        work = _fleet_rows.error_rows
+        reads = []
 
-        def and_then_changes(files, storage):
-            rows = work(files, storage)
-            if len(files) > 1:
+        def and_then_changes(files, storage, at, most=1):
+            rows = work(files, storage, at)
+            reads.append(len(files))
+            if len(reads) <= most:
                 with open(changed, "a", encoding="utf-8") as file:
                     file.write("<!-- written while it was read -->")
             return rows
 
-        with mock.patch.object(fleet_table, "_error_rows", and_then_changes):
+        with mock.patch.object(_fleet_rows, "error_rows", and_then_changes):
             found = fleet.update(self.plant, self.table)
-        self.assertTrue(found.complete)
+        self.assertEqual((found.complete, found.read, found.kept, reads), (True, 12, 0, [12, 1]))
         anew = fleet.errors([changed]).compute(scheduler="synchronous")
         self.assertEqual(found.table.set_index("file").loc[changed, "sha256"], anew["sha256"].iloc[0])
+        with mock.patch.object(_fleet_rows, "error_rows", lambda files, storage, at: and_then_changes(files, storage, at, 1000)):
+            os.utime(changed)
+            found = fleet.update(self.plant, self.table)
+        self.assertEqual(found.lacking, {changed: "changed again and again while it was read"})
+        self.assertEqual(fleet.update(self.plant, self.table).read, 1)
 
     def test_a_file_that_is_gone_before_it_is_read(self):
         there, gone = f"{self.plant}/m0/000.b5r", f"{self.plant}/m0/gone.b5r"
-        tests, skipped = _fleet_rows._read([there, gone])
-        self.assertEqual([*tests], [there])
-        self.assertEqual(skipped[gone]["sentence"], f"{gone}: expected a file, found nothing of that name.")
+        shutil.copy(f"{self.plant}/m0/001.b5r", gone)
+        read = _fleet_rows._core.tests
+
+        def tests(paths):
+            with contextlib.suppress(FileNotFoundError):
+                os.remove(gone)
+            return read(paths)
+
+        with mock.patch.object(_fleet_rows._core, "tests", tests):
+            rows = _fleet_rows.errors_table([there, gone])
+        self.assertEqual(rows["file"].tolist(), [there, gone])
+        self.assertTrue(pandas.isna(rows["fault"][0]))
+        self.assertIn(f"{gone}: ", rows["fault"][1])
 
     def test_another_folder_is_not_touched(self):
         os.makedirs(self.table)
@@ -131,12 +167,48 @@ class Kept(unittest.TestCase):
             fleet.update(self.plant, self.table)
         self.assertEqual(os.listdir(self.table), ["thesis.txt"])
 
-    def test_a_broken_index(self):
-        fleet.update(self.plant, self.table)
-        with open(f"{self.table}/table.json", "w", encoding="utf-8") as file:
-            file.write("{")
-        with self.assertRaisesRegex(ballbar.BallbarError, "table.json: expected format"):
-            fleet.update(self.plant, self.table)
+    def test_the_same_size_and_time(self):
+        changed = f"{self.plant}/m1/001.b5r"
+        before = fleet.update(self.plant, self.table).table
+        stamp = os.stat(changed)
+        with open(changed, encoding="utf-8-sig") as file:
+            text = file.read()
+        digit = text.index("<READINGS>") + len("<READINGS>+0.00")
+        with open(changed, "w", encoding="utf-8-sig") as file:
+            file.write(text[:digit] + ("1" if text[digit] != "1" else "2") + text[digit + 1 :])
+        os.utime(changed, ns=(stamp.st_atime_ns, stamp.st_mtime_ns))
+        self.assertEqual((os.stat(changed).st_size, os.stat(changed).st_mtime_ns), (stamp.st_size, stamp.st_mtime_ns))
+        self.assertEqual(fleet.update(self.plant, self.table).read, 0)
+        told = []
+        done = fleet.update(self.plant, self.table, verify=True, progress=lambda *said: told.append(said))
+        self.assertEqual((done.read, done.kept), (1, 11))
+        self.assertEqual((told[0], told[-1]), ((1, 12, "reading bytes"), (1, 1, "reading tests")))
+        self.assertNotEqual(done.table.set_index("file")["sha256"][changed], before.set_index("file")["sha256"][changed])
+        pandas.testing.assert_frame_equal(done.table, self.anew())
+        os.chmod(changed, 0)
+        for path in (self.scratch.name, self.plant, self.table):
+            os.chmod(path, 0o777)
+        os.chmod(f"{self.table}/.lock", 0o666)
+        with without_rights():
+            again = fleet.update(self.plant, self.table, verify=True)
+        self.assertEqual((again.lacking, again.read), ({changed: "Permission denied"}, 0))
+        pandas.testing.assert_frame_equal(again.table, done.table)
+
+    def test_the_same_size_and_time_of_a_second_log(self):
+        logs = f"{self.scratch.name}/logs"
+        os.makedirs(logs)
+        write_log(f"{logs}/1.csv", "CCW", "2026-01-01T10:00:00")
+        write_log(f"{logs}/2.csv", "CW", "2026-01-01T10:05:00")
+        before = fleet.update(f"{logs}/*", self.table).table
+        stamp = os.stat(f"{logs}/2.csv")
+        with open(f"{logs}/2.csv", encoding="utf-8") as file:
+            text = file.read()
+        with open(f"{logs}/2.csv", "w", encoding="utf-8") as file:
+            file.write(text.replace("100.00", "100.01"))
+        os.utime(f"{logs}/2.csv", ns=(stamp.st_atime_ns, stamp.st_mtime_ns))
+        done = fleet.update(f"{logs}/*", self.table, verify=True)
+        self.assertEqual((len(before), len(done.table), done.read), (1, 1, 2))
+        self.assertNotEqual(before["circularity_um"][0], done.table["circularity_um"][0])
 
     def anew(self, files=None):
         """The table that the same files give in one update."""
@@ -166,7 +238,7 @@ for k in range(8):
 
     def test_a_file_that_another_update_read_while_this_one_waited(self):
         fleet.update(self.plant, self.table)
-        with fleet_table.to_update(self.table):
+        with fleet_table._alone(self.table):
             waiting = threading.Thread(target=fleet.update, args=(self.plant, self.table))
             with self.assertLogs("ballbar", "WARNING"):
                 waiting.start()
@@ -249,20 +321,17 @@ for k in range(8):
             done = fleet.update(pattern, self.table)
             pandas.testing.assert_frame_equal(done.table, self.anew(pattern), name)
             self.assertEqual(done.faults, 0)
-            self.assertEqual(done.table["file"].tolist(), [test.file for test in ballbar.errors(logs).tests])
+            self.assertEqual(done.table["file"].tolist(), sorted(said_by_the_program(logs)))
             if name == "1-cw":
                 self.assertEqual(len(done.table), 1)
                 self.assertNotEqual(done.table["circularity_sigma_um"][0], alone["circularity_sigma_um"][0])
         self.assertEqual((done.read, done.kept), (5, 0))
         write_log(f"{logs}/4-ccw.csv", "CCW", "2026-04-01T10:00:00")
         done = fleet.update(pattern, self.table)
-        self.assertEqual((done.read, done.kept), (1, 5))
+        self.assertEqual((done.read, done.kept), (6, 0))
         for size in (1, 2, 4):
             rows = fleet.errors(pattern, files_of_a_partition=size).compute(scheduler="synchronous")
             pandas.testing.assert_frame_equal(rows.reset_index(drop=True), done.table)
-        for at_once in (2, 3, 4):
-            with mock.patch.object(_fleet_rows, "_AT_ONCE", at_once):
-                pandas.testing.assert_frame_equal(self.anew(pattern), done.table)
 
     def test_names_of_any_kind(self):
         for name in ("x\ry", "x\ny", 'x"y', "x,y", "NA", " "):
@@ -277,11 +346,11 @@ for k in range(8):
         for k in range(12):
             self.another(f"more{k:02}.b5r", 2030 + k)
 
-        def end(done, of):
+        def end(done, of, text):
             raise KeyboardInterrupt
 
-        for save, left in ((2, 8), (1000, 4)):  # it is saved as it goes, and as it ends
-            with mock.patch.multiple(fleet_table, _FILES_OF_A_TASK=4, _FILES_OF_A_SAVE=save), self.assertRaises(KeyboardInterrupt):
+        for seconds, left in ((0.0, 8), (1000.0, 4)):  # it is saved as it goes, and as it ends
+            with mock.patch.object(_fleet_rows, "_AT_ONCE", 4), mock.patch.object(fleet_table, "_SECONDS_OF_A_SAVE", seconds), self.assertRaises(KeyboardInterrupt):
                 fleet.update(self.plant, self.table, progress=end)
             pandas.testing.assert_frame_equal(fleet.read(self.table), before)
             shutil.copytree(self.table, f"{self.scratch.name}/{left}")
@@ -290,31 +359,47 @@ for k in range(8):
 
     def test_damage(self):
         expected = fleet.update(self.plant, self.table).table
-        for damage in (b"", b"file,machine\n", b"\xff\xfe\0junk", b'"file"\r', None, "shorter"):
-            part = next(f"{self.table}/{name}" for name in os.listdir(self.table) if name.startswith("part-"))
-            if damage is None:
-                os.remove(part)
-            else:
-                with open(part, "r+b") as file:
-                    data = file.read()[:-40] if damage == "shorter" else damage
-                    file.seek(0)
-                    file.truncate()
-                    file.write(data)
-            with self.assertRaisesRegex(ballbar.BallbarError, "expected a part of the table, found: .* An update reads its files again"):
+        path = f"{self.table}/table.npz"
+        with open(path, "rb") as file:
+            whole = file.read()
+        flipped = bytearray(whole)
+        flipped[len(whole) // 2] ^= 1
+        for damage in (b"", b"{", b"file,machine\n", b"PK\x03\x04", whole[:-40], whole[:200], bytes(flipped)):
+            with open(path, "wb") as file:
+                file.write(damage)
+            with self.assertRaisesRegex(ballbar.BallbarError, "table.npz: expected a table, found: .* An update reads its files again"):
                 fleet.read(self.table)
-            done = fleet.update(self.plant, self.table)
-            self.assertEqual(done.read, 12)
+            with self.assertWarnsRegex(ballbar.BallbarWarning, "table.npz: expected a table, found: .* It is kept as .*/table.npz.damaged") as warned:
+                done = fleet.update(self.plant, self.table)
+            self.assertEqual(warned.filename, __file__)
+            self.assertEqual((done.read, sorted(os.listdir(self.table))), (12, [".lock", "table.npz", "table.npz.damaged"]))
             pandas.testing.assert_frame_equal(done.table, expected)
-        with open(f"{self.table}/table.json", encoding="utf-8") as file:
-            index = json.load(file)
-        for key, value in (("files", []), ("parts", [["../../part-000001.csv", 0]]), ("files", {"a": [1, 2, 7]}), ("ahead", 3)):
-            with open(f"{self.table}/table.json", "w", encoding="utf-8") as file:
-                json.dump({**index, key: value}, file)
-            with self.assertRaisesRegex(ballbar.BallbarError, "table.json: expected format"):
-                fleet.update(self.plant, self.table)
-        with open(f"{self.table}/table.json", "w", encoding="utf-8") as file:
-            json.dump({**index, "version": "0.0.0"}, file)
+            with open(f"{path}.damaged", "rb") as file:
+                self.assertEqual(file.read(), damage)
+        with mock.patch.object(fleet_table._core, "version", "0.0.0"):
+            done = fleet.update(self.plant, self.table)
+            self.assertEqual((done.read, set(done.table["version"])), (12, {"0.0.0"}))
+        with self.assertRaisesRegex(ballbar.BallbarError, "expected a table that an update by this version ended, found none"):
+            fleet.read(self.table)
         self.assertEqual(fleet.update(self.plant, self.table).read, 12)
+
+    def test_a_table_that_may_not_be_read(self):
+        fleet.update(self.plant, self.table)
+        for path in (self.scratch.name, self.plant, self.table):
+            os.chmod(path, 0o777)
+        os.chmod(f"{self.table}/.lock", 0o666)
+        os.chmod(f"{self.table}/table.npz", 0)
+        with without_rights(), self.assertRaisesRegex(ballbar.BallbarError, "the table could not be opened: Permission denied"):
+            fleet.update(self.plant, self.table)
+        os.chmod(f"{self.table}/table.npz", 0o644)
+        self.assertEqual(fleet.update(self.plant, self.table).read, 0)
+
+    def test_what_a_killed_update_left(self):
+        expected = fleet.update(self.plant, self.table).table
+        with open(f"{self.table}/.table.npz.0123", "wb") as file:
+            file.write(b"half")
+        pandas.testing.assert_frame_equal(fleet.update(self.plant, self.table).table, expected)
+        self.assertEqual(sorted(os.listdir(self.table)), [".lock", "table.npz"])
 
 
 if __name__ == "__main__":

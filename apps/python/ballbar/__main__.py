@@ -10,13 +10,11 @@ import os
 import signal
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+import warnings
+from collections.abc import Callable
 from typing import Any, NoReturn
 
-from ._errors import BallbarError
-
-# The same checks as apps/history/history.cpp has.
-_ENDINGS = (".csv", ".json", ".html")
+from ._errors import BallbarError, BallbarWarning
 
 
 class _Parser(argparse.ArgumentParser):
@@ -24,134 +22,101 @@ class _Parser(argparse.ArgumentParser):
         self.exit(2, f"ballbar: {message.removeprefix('argument ')}; see ballbar history --help\n")
 
 
-def _checked(take: Callable[[str], Any], expected: str) -> Callable[[str], Any]:
-    """A kind of value: `take` raises ValueError where it is none."""
+def _kind(expected: str, is_right: Callable[[Any], object], take: Callable[[str], Any] = str) -> Callable[[str], Any]:
+    """Returns a kind of value, as apps/history/history.cpp has it; `take` raises ValueError where it is none."""
 
     def kind(text: str) -> Any:
-        try:
-            return take(text)
-        except ValueError:
-            raise argparse.ArgumentTypeError(f'expected {expected}, found "{text}"') from None
+        with contextlib.suppress(ValueError):
+            if is_right(value := take(text)):
+                return value
+        raise argparse.ArgumentTypeError(f'expected {expected}, found "{text}"')
 
     return kind
 
 
-def _if(is_right: bool, value: Any) -> Any:
-    if not is_right:
-        raise ValueError
-    return value
-
-
 def _limit(text: str) -> tuple[str, float]:
     name, _, number = text.partition("=")
-    return name, _if(bool(name) and 0.0 < float(number) < float("inf"), float(number))
-
-
-_TEXT = _checked(lambda text: _if(bool(text), text), "a value")
-_WORKERS = _checked(lambda text: _if(1 <= int(text) <= 1024, int(text)), "a number from 1 to 1024")
-_RATE = _checked(lambda text: _if(0.0 <= float(text) <= 1.0, float(text)), "a number from 0 to 1")
-_LIMIT = _checked(_limit, "NAME=VALUE with a number above 0")
-_OUT = _checked(lambda text: _if(text.endswith(_ENDINGS), text), "a name that ends in .csv, .json or .html")
+    return name, float(number)
 
 
 def _options(words: list[str]) -> argparse.Namespace:
     parser = _Parser(prog="ballbar history", description="The tests of many machines: table, ranking, page", allow_abbrev=False)
-    parser.add_argument("paths", nargs="+", type=_TEXT, metavar="FOLDER", help="folders of .b5r files, patterns, or files")
-    parser.add_argument("--table", type=_TEXT, metavar="FOLDER", help="where the table is kept: only what is new or changed is read")
-    parser.add_argument("--workers", type=_WORKERS, metavar="N", help="processes that read; default: this one, on all cores")
-    parser.add_argument("--scheduler", type=_TEXT, metavar="ADDRESS", help="of a Dask cluster, tcp://host:8786, whose workers read")
-    parser.add_argument("--tolerance", action="append", type=_LIMIT, default=[], metavar="NAME=VALUE", help="limit of a quantity, to both sides of 0; may be repeated")
-    parser.add_argument("--false-discovery-rate", type=_RATE, default=0.05, metavar="RATE", help="share of what is found by chance; default 0.05")
-    parser.add_argument("--out", action="append", type=_OUT, default=[], metavar="FILE", help=".csv: the table; .json: what was found; .html: a page; may be repeated")
+    text = _kind("a value", bool)
+    workers = _kind("a number from 1 to 1024", lambda value: 1 <= value <= 1024, int)
+    rate = _kind("a number from 0 to 1", lambda value: 0.0 <= value <= 1.0, float)
+    limit = _kind("NAME=VALUE with a number above 0", lambda value: value[0] and 0.0 < value[1] < float("inf"), _limit)
+    out = _kind("a name that ends in .csv, .json or .html", lambda value: value.endswith((".csv", ".json", ".html")))
+    parser.add_argument("paths", nargs="+", type=text, metavar="FOLDER", help="folders of .b5r files, patterns, or files")
+    parser.add_argument("--table", type=text, metavar="FOLDER", help="where the table is kept: only what is new or changed is read")
+    parser.add_argument("--workers", type=workers, metavar="N", help="processes that read; default: this one, on all cores")
+    parser.add_argument("--scheduler", type=text, metavar="ADDRESS", help="of a Dask cluster, tcp://host:8786, whose workers read")
+    parser.add_argument("--tolerance", action="append", type=limit, default=[], metavar="NAME=VALUE", help="limit of a quantity, to both sides of 0; may be repeated")
+    parser.add_argument("--false-discovery-rate", type=rate, default=0.05, metavar="RATE", help="share of what is found by chance; default 0.05")
+    parser.add_argument("--out", action="append", type=out, default=[], metavar="FILE", help=".csv: the table; .json: what was found; .html: a page; may be repeated")
     parser.add_argument("--json", action="store_true", help="the result for a program")
     return parser.parse_args(words)
 
 
-@contextlib.contextmanager
-def _client(options: argparse.Namespace) -> Iterator[Any]:
-    if not options.workers and not options.scheduler:
-        yield None
-        return
-    try:
-        from dask.distributed import Client, LocalCluster
-    except ImportError:
-        raise BallbarError(
-            "--workers, --scheduler: expected Dask's distributed, found none; on Debian it is in the package python3-distributed."
-        ) from None
+def _client(workers: int | None, scheduler: str | None) -> contextlib.AbstractContextManager[Any]:
+    if not workers and not scheduler:
+        return contextlib.nullcontext()
+    from distributed import Client
+
     for name in ("distributed", "tornado", "asyncio"):  # what befalls workers stands in what is lacking
         logging.getLogger(name).setLevel(logging.CRITICAL)
-    with contextlib.ExitStack() as stack:
-        if options.scheduler:
-            try:
-                client = stack.enter_context(Client(options.scheduler, timeout=20))
-            except (OSError, ValueError) as error:
-                raise BallbarError(
-                    f"--scheduler {options.scheduler}: expected the address of a Dask scheduler that runs, such as "
-                    f"tcp://host:8786, found: {error or type(error).__name__}."
-                ) from None
-        else:
-            before = signal.signal(signal.SIGINT, signal.SIG_IGN)  # the workers', whom this process ends
-            try:
-                cluster = LocalCluster(
-                    n_workers=options.workers, threads_per_worker=1, dashboard_address=None, silence_logs=logging.CRITICAL
-                )
-            finally:
-                signal.signal(signal.SIGINT, before)
-            client = stack.enter_context(Client(stack.enter_context(cluster)))
-        yield client
-
-
-def _progress(done: int, of: int) -> None:
-    if sys.stderr.isatty():
-        sys.stderr.write(f"\r\033[K{done} of {of} files" if done < of else "\r\033[K")
-        sys.stderr.flush()
+    if scheduler:
+        try:
+            return Client(scheduler, timeout=20)
+        except (OSError, ValueError) as error:
+            raise BallbarError(
+                f"--scheduler {scheduler}: expected the address of a Dask scheduler that runs, such as tcp://host:8786, "
+                f"found: {error or type(error).__name__}."
+            ) from None
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)  # the workers', whom this process ends
+    try:
+        return Client(n_workers=workers, threads_per_worker=1, dashboard_address=None, silence_logs=logging.CRITICAL)
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def _expect_outputs(options: argparse.Namespace, files: list[str]) -> None:
     """Before anything is read: folders to write to, and no file that would be written over."""
     inputs = {os.path.realpath(file) for file in files} if options.out else set()
     for path in options.out:
-        if not os.path.isdir(os.path.dirname(path) or os.curdir):
+        folder = os.path.dirname(path) or os.curdir
+        if not os.path.isdir(folder):
             raise BallbarError(f"--out {path}: expected a folder to write to, found none of that name.")
         if os.path.realpath(path) in inputs:
             raise BallbarError(f"--out {path}: expected another file than those that are read, found one of them.")
-        if options.table and os.path.realpath(os.path.dirname(path) or os.curdir) == os.path.realpath(options.table):
+        if options.table and os.path.realpath(folder) == os.path.realpath(options.table):
             raise BallbarError(f"--out {path}: expected another folder than that of the table, found it.")
 
 
 def _history(options: argparse.Namespace) -> int:
-    from .fleet import _ranked, files_of, files_text, limits_of, update
-    from ._fleet_files import written_whole
+    from . import fleet
+    from ._fleet_files import write_whole
 
-    limits = limits_of(dict(options.tolerance))
-    files = files_of(options.paths if len(options.paths) > 1 else options.paths[0])
+    tolerance = fleet.limits_of(dict(options.tolerance))
+    files = fleet.files_of(options.paths if len(options.paths) > 1 else options.paths[0])
     _expect_outputs(options, files)
     with contextlib.ExitStack() as stack:
         table = options.table or stack.enter_context(tempfile.TemporaryDirectory(prefix="ballbar-"))
-        client = stack.enter_context(_client(options))
-        done = update(files, table, client=client, progress=_progress)
-    title = os.path.basename(os.path.normpath(options.paths[0]))
-    has_page = any(path.endswith(".html") for path in options.out)
-    found, page = _ranked(done.table, limits, options.false_discovery_rate, title if has_page else None, len(done.lacking))
-    keys = json.dumps(found.to_dict(), indent=2)
-    for path in options.out:
-        try:
-            with written_whole(path) as temporary, open(temporary, "w", encoding="utf-8", newline="") as file:
-                if path.endswith(".csv"):
-                    done.table.to_csv(file, index=False)
-                else:
-                    file.write(page if path.endswith(".html") else keys + "\n")
-        except OSError as error:
-            raise BallbarError(f"--out {path}: could not be written: {error.strerror or error}; it is as it was.") from None
-    print(keys if options.json else found.text, end="\n" if options.json else "", flush=True)
-    for row in done.table[done.table["fault"].notna()].itertuples():
-        print(row.fault, file=sys.stderr)
-    for name, why in done.lacking.items():
-        print(f"{name}: not read: {why}.", file=sys.stderr)
-    kept = f", {done.kept} as they were" if done.kept else ""
-    print(f"{files_text(done.read)} read{kept}" + (f", {done.gone} gone" if done.gone else ""), file=sys.stderr)
-    for path in options.out:
-        print(f"wrote {path}", file=sys.stderr)
+        done = fleet.update(files, table, client=stack.enter_context(_client(options.workers, options.scheduler)))
+    pages = [path for path in options.out if path.endswith(".html")]
+    how = {"tolerance": tolerance, "false_discovery_rate": options.false_discovery_rate, "lacking": len(done.lacking)}
+    try:
+        for page in pages or [None]:
+            found = fleet.rank(done.table, page=page, title=os.path.basename(os.path.normpath(options.paths[0])), **how)
+        keys = json.dumps(found.to_dict(), indent=2) + "\n"
+        for path in options.out:
+            if path not in pages:
+                write_whole(path, (done.table.to_csv(index=False) if path.endswith(".csv") else keys).encode())
+    except BallbarError as error:
+        raise BallbarError(("--out " if str(error).startswith(tuple(options.out)) else "") + str(error)) from None
+    print(keys if options.json else found.text, end="", flush=True)
+    counts = f"{fleet.files_text(done.read)} read" + (f", {done.kept} as they were" if done.kept else "") + (f", {done.gone} gone" if done.gone else "")
+    lacking = [f"{name}: not read: {why}." for name, why in done.lacking.items()]
+    print(*done.table["fault"].dropna(), *lacking, counts, *(f"wrote {path}" for path in options.out), sep="\n", file=sys.stderr)
     return 0 if done.complete else 1
 
 
@@ -166,6 +131,7 @@ def history(words: list[str]) -> int:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
+    warnings.showwarning = lambda said, *_, **__: print(f"ballbar: {said}", file=sys.stderr) if isinstance(said, BallbarWarning) else None
     try:
         return _history(_options(words))
     except KeyboardInterrupt:
@@ -176,23 +142,19 @@ def history(words: list[str]) -> int:
         sentence = f"history: expected pandas and Dask for Python, found: {error}; on Debian install python3-pandas and python3-distributed."
     except OSError as error:
         sentence = f"{error.filename or 'output'}: {error.strerror or error}."
-    except (BallbarError, ValueError) as error:
+    except ValueError as error:
         sentence = str(error)
     finally:
-        _end_output()
+        try:
+            sys.stdout.flush()
+        except OSError:  # what could not be written is not tried again as Python ends
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     print(f"ballbar: {sentence}", file=sys.stderr)
     return 1
 
 
-def _end_output() -> None:
-    """What could not be written is not tried again as Python ends."""
-    try:
-        sys.stdout.flush()
-    except OSError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-
-
 def main() -> int:
+    """Runs the program; where it is not installed, its command history alone."""
     try:
         os.execvp("ballbar", ["ballbar", *sys.argv[1:]])
     except OSError as error:

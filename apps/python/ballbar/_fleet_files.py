@@ -10,10 +10,7 @@ import tempfile
 import uuid
 import zlib
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any, Union
-
-from fsspec.core import url_to_fs
 
 from ._errors import BallbarError
 
@@ -22,45 +19,44 @@ Stamp = tuple[int, int]  # size in bytes, ns since 1970; of other file systems a
 
 
 def files_of(paths: Paths, **storage: Any) -> list[str]:
-    """The files of a pattern, of a folder, or of a list of files, folders and patterns.
+    """Returns the files of a pattern, of a folder, or of a list of files, folders and patterns.
 
     Parameters
     ----------
     paths : path, pattern, or list of them
         A folder stands for all `.b5r` below it, hidden ones and links to folders left out; so does a folder that a
-        pattern (``plant/mill-0?``, ``plant/**/*.b5r``) matches. ``s3://...`` and the like are found by fsspec.
+        pattern (``plant/mill-0?``, ``plant/**/*.b5r``) matches. fsspec finds ``s3://...`` and the like.
     **storage
         Options of fsspec's file system.
 
     Returns
     -------
     list of str
-        Sorted, as they were named; a file by two names is there once. A name of a list that is not there, and a folder
+        Sorted, as they were named; a file that is named twice is there once. A name of a list that is not there, and a folder
         that cannot be listed, stand for themselves: whoever reads them says why they cannot be read.
 
     Raises
     ------
     BallbarError
-        Where there is none; a file system that is not known, or not there.
+        There is no file; a file system is not known, or not there.
     """
     is_one = isinstance(paths, (str, os.PathLike))
-    several = [os.fsdecode(one) for one in ([paths] if isinstance(paths, (str, os.PathLike)) else paths)]
     found: list[str] = []
-    for text in several:
+    for text in map(os.fsdecode, [paths] if isinstance(paths, (str, os.PathLike)) else paths):
         named = _elsewhere(text, storage) if "://" in text else _here(text)
         if not named and is_one:
-            kind = "files" if os.path.isdir(text) or glob.has_magic(text) else "a folder, files or a pattern"
+            kind = "files" if glob.has_magic(text) else "a folder, files or a pattern"
+            if os.path.isdir(text):
+                raise BallbarError(f"{text}: expected .b5r files below this folder, found none; a pattern, such as *.csv, names other files.")
             raise BallbarError(f"{text}: expected {kind}, found none of that name.")
         found += named or [text]
     if not found:
         raise BallbarError("paths: expected files, found none.")
-    return _once(found)
+    return sorted({os.path.abspath(file): file for file in sorted(set(found), reverse=True)}.values())
 
 
 def _here(text: str) -> list[str]:
-    if os.path.lexists(text):
-        return _below(text) if os.path.isdir(text) else [text]
-    matches = glob.glob(text, recursive=True) if glob.has_magic(text) else []
+    matches = [text] if os.path.lexists(text) else glob.glob(text, recursive=True) if glob.has_magic(text) else []
     return [file for match in matches for file in (_below(match) if os.path.isdir(match) else [match])]
 
 
@@ -70,7 +66,7 @@ def _is_of_a_folder(name: str) -> bool:
 
 def _below(folder: str) -> list[str]:
     files: list[str] = []
-    for at, folders, names in os.walk(folder, onerror=lambda error: files.append(getattr(error, "filename", None) or folder)):
+    for at, folders, names in os.walk(folder, onerror=lambda error: files.append(str(getattr(error, "filename", folder)))):
         folders[:] = [name for name in folders if not name.startswith(".")]
         files += [os.path.join(at, name) for name in names if _is_of_a_folder(name)]
     return files
@@ -78,106 +74,85 @@ def _below(folder: str) -> list[str]:
 
 def _elsewhere(text: str, storage: dict[str, Any]) -> list[str]:
     try:
-        system, inside = url_to_fs(text, **storage)
-        if glob.has_magic(inside):
-            matches = {path: about["type"] == "directory" for path, about in system.glob(inside, detail=True).items()}
-        elif not os.path.splitext(inside)[1] and system.isdir(inside):
-            matches = {inside: True}
-        else:
+        system, inside = _system_of(text, storage)
+        is_pattern = glob.has_magic(inside)
+        if not is_pattern and (os.path.splitext(inside)[1] or not system.isdir(inside)):
             return [text]
-        files: list[str] = []
-        for path, is_folder in matches.items():
-            files += [one for one in system.find(path) if _is_of_a_folder(os.path.basename(one))] if is_folder else [path]
+        found = system.glob(inside, detail=True) if is_pattern else {inside: {"type": "directory"}}
+        files = [path for path, about in found.items() if about["type"] != "directory"]
+        folders = [path for path, about in found.items() if about["type"] == "directory"]
+        files += [file for folder in folders for file in system.find(folder) if _is_of_a_folder(os.path.basename(file))]
     except Exception as error:  # noqa: BLE001  each file system has its own
         raise BallbarError(f"{text}: expected files, found: {reason_of(error)}.") from None
     return [f"{text.partition('://')[0]}://{path}" for path in files]
 
 
-def _once(files: list[str]) -> list[str]:
-    real_folders: dict[str, str] = {}
-    by_place: dict[str, str] = {}
-    for file in sorted(set(files)):
-        place = file
-        if "://" not in file:
-            folder, name = os.path.split(file)
-            if folder not in real_folders:
-                real_folders[folder] = os.path.realpath(folder)
-            place = os.path.realpath(file) if os.path.islink(file) else os.path.join(real_folders[folder], name)
-        by_place.setdefault(place, file)
-    return list(by_place.values())
+def _system_of(file: str, storage: dict[str, Any]) -> tuple[Any, str]:
+    from fsspec.core import url_to_fs
+
+    system, inside = url_to_fs(file, **storage)
+    return system, str(inside)
 
 
 def stamp_of(file: str, storage: dict[str, Any]) -> Stamp:
-    """What a file is known again by. Raises OSError, or what the file system raises."""
+    """Returns what a file is known again by. Raises OSError, or what the file system raises."""
     if "://" not in file:
         found = os.stat(file)
         if stat.S_ISDIR(found.st_mode):
             os.listdir(file)  # raises: it stands for itself, as it could not be listed
         return found.st_size, found.st_mtime_ns
-    system, inside = url_to_fs(file, **storage)
+    system, inside = _system_of(file, storage)
     about = system.info(inside)
     changed = about.get("mtime") or about.get("LastModified") or about.get("ETag") or 0
     return int(about.get("size") or 0), zlib.crc32(str(changed).encode())
 
 
 def reason_of(error: BaseException) -> str:
-    """Why, in a few words."""
+    """Says why, in a few words."""
     if isinstance(error, UnicodeEncodeError):
         return "expected a name in UTF-8"
     return (getattr(error, "strerror", None) or str(error) or type(error).__name__).rstrip(".")
 
 
-@dataclass
-class Local:
-    """A file that the program can open."""
-
-    file: str  # as it was named
-    path: str
-    sha256: str
-
-
 @contextlib.contextmanager
-def opened(files: Sequence[str], storage: dict[str, Any], at: str) -> Iterator[tuple[list[Local], dict[str, str]]]:
-    """The files that can be opened, as long as this lasts, and why the others cannot. `at`: whence names are relative."""
+def opened(files: Sequence[str], storage: dict[str, Any], at: str) -> Iterator[tuple[dict[str, tuple[str, str]], dict[str, str]]]:
+    """Yields, by its path on this machine, each file's name and SHA-256; and why the other files could not be opened.
+
+    `at` is the folder that names are relative to. A file from elsewhere is there as long as this lasts.
+    """
     with contextlib.ExitStack() as stack:
-        found: list[Local] = []
+        found: dict[str, tuple[str, str]] = {}
         lacking: dict[str, str] = {}
         scratch = ""
         for file in files:
             try:
                 file.encode()
-                path = os.path.join(at or os.curdir, file)
+                path = os.path.join(at, file)
                 if "://" in file:
                     scratch = scratch or stack.enter_context(tempfile.TemporaryDirectory(prefix="ballbar-"))
-                    path = _fetched(file, scratch, storage)
-                with open(path, "rb") as bytes_of:
-                    found.append(Local(file, path, hashlib.file_digest(bytes_of, "sha256").hexdigest()))
+                    system, inside = _system_of(file, storage)
+                    folder, name = os.path.split(inside)  # files of one stay in one: two logs may be one test
+                    path = os.path.join(scratch, hashlib.sha256(folder.encode()).hexdigest()[:16], name or "file")
+                    os.makedirs(os.path.dirname(path), exist_ok=True)
+                    system.get(inside, path)
+                with open(path, "rb") as stream:
+                    found[path] = file, hashlib.file_digest(stream, "sha256").hexdigest()
             except Exception as error:  # noqa: BLE001  each file system has its own
                 lacking[file] = reason_of(error)
         yield found, lacking
 
 
-def _fetched(file: str, scratch: str, storage: dict[str, Any]) -> str:
-    """Files of one folder stay in one: two logs after each other may be one test."""
-    system, inside = url_to_fs(file, **storage)
-    folder, name = os.path.split(inside)
-    here = os.path.join(scratch, hashlib.sha256(folder.encode()).hexdigest()[:16])
-    os.makedirs(here, exist_ok=True)
-    path = os.path.join(here, name or "file")
-    system.get(inside, path)
-    return path
-
-
-@contextlib.contextmanager
-def written_whole(path: str | os.PathLike[str]) -> Iterator[str]:
-    """A name to write to; what is written there takes the place of `path` at the end, and never a part of it."""
+def write_whole(path: str | os.PathLike[str], data: bytes) -> None:
+    """Writes a file whole, or leaves it as it was. Raises BallbarError."""
     target = os.path.realpath(path)
     temporary = os.path.join(os.path.dirname(target), f".{os.path.basename(target)}.{uuid.uuid4().hex}")
     try:
-        yield temporary
-        with open(temporary, "rb") as file:
+        with open(temporary, "xb") as file:
+            file.write(data)
             os.fsync(file.fileno())
         os.replace(temporary, target)
+    except OSError as error:
+        raise BallbarError(f"{os.fspath(path)}: could not be written: {reason_of(error)}; it is as it was.") from None
     finally:
-        with contextlib.suppress(FileNotFoundError):
+        with contextlib.suppress(OSError):
             os.remove(temporary)

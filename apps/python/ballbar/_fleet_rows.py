@@ -1,8 +1,13 @@
 """Rows of a table of many files: the columns, what is read of each file, and which test is a copy of another."""
 from __future__ import annotations
 
+import contextlib
+import itertools
+import math
 import os
-from collections.abc import Callable, Iterator, Sequence
+import queue
+from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import CancelledError, ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -10,7 +15,8 @@ import pandas
 
 from . import _core
 from ._errors import BallbarError
-from ._fleet_files import Local, opened
+from ._fleet_files import Paths, files_of, opened
+from ._progress import Progress, progress_or_tqdm
 
 Row = dict[str, Any]
 
@@ -41,29 +47,69 @@ COLUMNS = {
     **{f"{name}{of}_{unit}": "float64" for name, unit in ERRORS for of in ("", "_sigma")},
 }
 
-_AT_ONCE = 100  # files
-_GONE = "expected a file, found nothing of that name."
-_NEITHER = "expected a .b5r file or a ballbar log of a circle, found neither."
-_COPY = "expected a test of its own, found a copy of "
+_AT_ONCE = 25  # files
+_READERS = 2  # threads: one works in Python as the other one fits
+_PATIENCE_S = 20.0  # with a cluster that is gone, or has no worker
+_TRIES = 3  # of a task whose worker dies
+
+
+def errors_table(paths: Paths, *, strict: bool = False, progress: Progress | None = None) -> pandas.DataFrame:
+    """Returns the errors of each ballbar test, one row a test.
+
+    Parameters
+    ----------
+    paths : path, pattern, or list of them
+        ``"plant/**/*.b5r"``, a file, or a folder, which stands for all `.b5r` below it.
+    strict : bool
+        A file at fault ends it; otherwise it is a row with its sentence in `fault`.
+    progress : callable
+        Is told how many files are done, of how many, and what is done; what it raises ends the work.
+
+    Returns
+    -------
+    pandas.DataFrame
+        By file, with the columns of :func:`ballbar.fleet.errors`. The numbers are those of ``ballbar errors --json``.
+
+    Raises
+    ------
+    BallbarError
+        There is no file; with `strict`, the sentence of the first file at fault.
+
+    Notes
+    -----
+    Both directions of a test in two logs are one row. A copy of a test is at fault.
+    """
+    files = files_of(paths)
+    rows: list[Row] = []
+    with progress_or_tqdm(progress) as tell:
+        for of_part, lacking in read_rows(files, {}, None, tell):
+            rows += tests_and_faults(of_part, lacking)
+    table = copies_marked(typed(rows, COLUMNS))
+    faults = table["fault"].dropna()
+    if strict and len(faults):
+        raise BallbarError(str(faults.iloc[0]))
+    return table
 
 
 def typed(rows: list[Row], columns: dict[str, str]) -> pandas.DataFrame:
-    frame = pandas.DataFrame({name: [row.get(name) for row in rows] for name in columns})
-    return frame.astype(columns).where(frame.notna(), np.nan).astype(columns)
+    """Returns a table of these columns; what a row lacks is NaN."""
+
+    def values(name: str) -> list[Any]:
+        return [math.nan if value is None else value for value in (row.get(name) for row in rows)]
+
+    return pandas.DataFrame({name: pandas.Series(values(name), dtype=kind) for name, kind in columns.items()})
 
 
-def is_log(file: str) -> bool:
-    """Of which two may be one test, both directions."""
-    return not file.lower().endswith(".b5r")
+def unit_of(file: str) -> str:
+    """Returns what is read together with a file: itself, or all logs of its folder, as two of them may be one test."""
+    return file if file.lower().endswith(".b5r") else os.path.dirname(file) + "/"
 
 
-def parts_of(files: Sequence[str], size: int) -> Iterator[list[str]]:
-    """In parts of `size` or fewer; but logs of one folder are never parted, as two of them may be one test."""
-    together: dict[str, list[str]] = {}
-    for file in files:
-        together.setdefault(os.path.dirname(file) + "/" if is_log(file) else file, []).append(file)
+def parts_of(files: Iterable[str], size: int) -> Iterator[list[str]]:
+    """Yields parts of `size` files, or more where there are more logs in a folder."""
     part: list[str] = []
-    for some in together.values():
+    for _, unit in itertools.groupby(sorted(files, key=lambda file: (unit_of(file), file)), unit_of):
+        some = list(unit)
         if part and len(part) + len(some) > size:
             yield part
             part = []
@@ -72,74 +118,110 @@ def parts_of(files: Sequence[str], size: int) -> Iterator[list[str]]:
         yield part
 
 
-def fault(file: str, sha256: str, sentence: str) -> Row:
+def fault(file: str, sha256: str, sentence: str | None) -> Row:
+    """Returns the row of a file without a test; no sentence: it is the second log of one."""
     return {"file": file, "sha256": sha256, "version": _core.version, "fault": sentence}
 
 
-def error_rows(files: Sequence[str], storage: dict[str, Any], at: str = "") -> tuple[list[Row], dict[str, str]]:
-    """A row a test and a row a file that is at fault, and why files could not be opened.
-
-    The second log of a test has no row. Copies are rows like any other: :func:`copies_marked` finds them.
-    """
-    rows: list[Row] = []
-    lacking: dict[str, str] = {}
-    start = 0
-    while start < len(files):
-        some = files[start : start + _AT_ONCE]
-        start += len(some)
-        found, why = _rows_at_once(some, storage, at)
-        if start < len(files) and len(some) > 1 and some[-1] in found and is_log(some[-1]):
-            del found[some[-1]]  # it is read once more, with the log after it
-            start -= 1
-        rows += found.values()
-        lacking.update(why)
-    return sorted(rows, key=lambda row: str(row["file"])), lacking
+def tests_and_faults(rows: list[Row], lacking: dict[str, str]) -> list[Row]:
+    """Returns the rows without second logs of tests, and a fault for each file that could not be opened."""
+    faults = [fault(file, "", f"{file}: {why}.") for file, why in lacking.items()]
+    return [row for row in rows if row.get("plane") or row.get("fault")] + faults
 
 
-def _rows_at_once(files: Sequence[str], storage: dict[str, Any], at: str) -> tuple[dict[str, Row], dict[str, str]]:
-    with opened(files, storage, at) as (locals_of, lacking):
-        of_path = {local.path: local for local in locals_of}
-        paths = list(of_path)
-        tests, skipped = _read(paths)
-        rows = {path: _row(of_path[path], test, at) for path, test in tests.items()}
-        copies = [path for path, one in skipped.items() if one["copy_of"]]
-        for path in copies:  # they are held against the whole table, not against these files
-            place = paths.index(path)
-            second = [one for one in paths[place + 1 : place + 2] if one not in tests and one not in skipped]
-            rows[path] = _row(of_path[path], _read([path, *second])[0][path], at)
-        for path, local in of_path.items():
-            if path not in rows and (path in skipped or not _can_be_read(path)):
-                sentence = skipped[path]["sentence"] if path in skipped else f"{path}: {_NEITHER}"
-                rows[path] = fault(local.file, local.sha256, sentence.replace(path, local.file))
-    return {str(row["file"]): row for row in rows.values()}, lacking
-
-
-def _read(paths: list[str]) -> tuple[dict[str, Row], dict[str, Row]]:
-    """Tests, and what was skipped, by path."""
+def read_rows(
+    files: Sequence[str], storage: dict[str, Any], client: Any, tell: Progress
+) -> Iterator[tuple[list[Row], dict[str, str]]]:
+    """Yields what :func:`error_rows` says of some files after others, as threads, or a client's workers, read them."""
+    executor: Any = client.get_executor(pure=False, retries=_TRIES) if client else ThreadPoolExecutor(_READERS)
+    ended: queue.SimpleQueue[Any] = queue.SimpleQueue()
+    left: dict[Any, list[str]] = {}
+    done = 0
     try:
-        found = _core.tests(paths)
-    except BallbarError:
-        gone = [path for path in paths if not os.path.exists(path)]  # since it was opened
-        if not gone:
-            raise
-        tests, skipped = _read([path for path in paths if path not in gone])
-        return tests, skipped | {path: {"sentence": f"{path}: {_GONE}", "copy_of": None} for path in gone}
-    return {test["file"]: test for test in found["tests"]}, {one["file"]: one for one in found["skipped"]}
+        for part in parts_of(files, _AT_ONCE):  # names are as of this folder: workers may be in another one
+            future = executor.submit(error_rows, part, storage, os.getcwd())
+            left[future] = part
+            future.add_done_callback(ended.put)
+        while left:
+            try:
+                future = ended.get(timeout=_PATIENCE_S if client else None)
+            except queue.Empty:
+                if not _has_workers(client):
+                    why = "the cluster has no worker" if client.status == "running" else "the cluster is gone"
+                    yield [], {file: why for part in left.values() for file in part}
+                    return
+                continue
+            part = left.pop(future)
+            try:
+                yield future.result()
+            except (CancelledError, Exception) as error:  # noqa: BLE001  whatever befell a worker
+                if client is None:
+                    raise
+                yield [], dict.fromkeys(part, f"{type(error).__name__}: {error}")
+            done += len(part)
+            tell(done, len(files), "reading tests")
+    finally:
+        with contextlib.suppress(OSError):  # of a cluster that is gone
+            executor.shutdown(wait=False) if client else executor.shutdown(wait=False, cancel_futures=True)
 
 
-def _can_be_read(path: str) -> bool:
+def _has_workers(client: Any) -> bool:
     try:
-        return bool(_core.read_recordings(path))
-    except BallbarError:
+        return client.status == "running" and bool(client.scheduler_info()["workers"])
+    except Exception:  # noqa: BLE001  no scheduler there
         return False
 
 
-def _row(local: Local, test: Row, at: str) -> Row:
-    row = {"file": local.file, "sha256": local.sha256, "version": _core.version, "fault": None}
-    row.update({name: test[name] for name in ("machine", "bar", "date", "plane", "stored", "feed_mm_per_min", "start_deg", "arc_deg")})
+def error_rows(files: Sequence[str], storage: dict[str, Any], at: str) -> tuple[list[Row], dict[str, str]]:
+    """Returns a row a file, and why files could not be opened; `at` is the folder that names are relative to.
+
+    The row of the second log of a test has neither a test nor a fault. Copies are rows like any other:
+    :func:`copies_marked` finds them.
+    """
+    rows: list[Row] = []
+    with opened(files, storage, at) as (found, lacking):
+        paths = list(found)
+        tests, skipped = _read(paths)
+        for path, after in zip(paths, [*paths[1:], ""]):
+            file, sha256 = found[path]
+            if path in skipped and skipped[path]["copy_of"]:  # it is held against the whole table, not against these files
+                second = [after] if after and after not in tests and after not in skipped else []
+                tests.update(_read([path, *second])[0])
+            if path in tests:
+                rows.append(_row(file, sha256, tests[path], at))
+            else:
+                why = skipped[path]["sentence"] if path in skipped else _why_no_recording(path)
+                rows.append(fault(file, sha256, why and why.replace(path, file)))
+    return rows, lacking
+
+
+def _read(paths: list[str]) -> tuple[dict[str, Row], dict[str, Row]]:
+    """Returns tests, and what was skipped, by path; files that are gone since they were opened are in neither."""
+    try:
+        found = _core.tests(paths)
+    except BallbarError:
+        there = [path for path in paths if os.path.exists(path)]
+        if len(there) == len(paths):
+            raise
+        return _read(there)
+    return {test["file"]: test for test in found["tests"]}, {one["file"]: one for one in found["skipped"]}
+
+
+def _why_no_recording(path: str) -> str | None:
+    """Says what is at fault with a file that is neither a test nor skipped; None: it is the second log of a test."""
+    try:
+        _core.read_recordings(path)
+    except BallbarError as error:
+        return str(error)
+    return None
+
+
+def _row(file: str, sha256: str, test: Row, at: str) -> Row:
+    row: Row = {"file": file, "sha256": sha256, "version": _core.version}
+    row.update({name: test[name] for name in ("date", "plane", "stored", "feed_mm_per_min", "start_deg", "arc_deg")})
     row["length_mm"] = test["nominal_length_mm"]
-    row["bar"] = row["bar"] or None
-    row["machine"] = row["machine"] or os.path.basename(os.path.dirname(os.path.join(at, local.file))) or None
+    row["bar"] = test["bar"] or None
+    row["machine"] = test["machine"] or os.path.basename(os.path.dirname(os.path.join(at, file))) or None
     for one in test["errors"]:
         unit = one["unit"].replace("/", "_per_")
         row[f"{one['name']}_{unit}"] = one["value"]
@@ -148,7 +230,7 @@ def _row(local: Local, test: Row, at: str) -> Row:
 
 
 def copies_marked(table: pandas.DataFrame) -> pandas.DataFrame:
-    """The same table, in which a test with the numbers and the moment of one before it is a fault: it would count twice."""
+    """Returns the table by file, in which a test with the numbers and the moment of one before it is a fault: a copy."""
     table = table.sort_values("file", kind="stable").reset_index(drop=True)
     numbers = ["date", "plane", *(f"{name}_{unit}" for name, unit in ERRORS)]
     tests = table[table["fault"].isna()]
@@ -158,22 +240,7 @@ def copies_marked(table: pandas.DataFrame) -> pandas.DataFrame:
     first = twice.groupby(pandas.util.hash_pandas_object(twice[numbers], index=False))["file"].transform("first")
     copies = twice.index[twice["file"] != first]
     table.loc[copies, [name for name in table.columns if name not in ("file", "sha256", "version", "fault")]] = np.nan
-    table.loc[copies, "fault"] = [f"{file}: {_COPY}{of}." for file, of in zip(twice["file"][copies], first[copies])]
+    table.loc[copies, "fault"] = [
+        f"{file}: expected a test of its own, found a copy of {of}." for file, of in zip(twice["file"][copies], first[copies])
+    ]
     return table
-
-
-def rows_of_each(
-    files: Sequence[str], storage: dict[str, Any], at: str, work: Callable[[str, str, str], Row]
-) -> list[Row]:
-    """A row a file: what `work` makes of its path, its name and its SHA-256, or its fault."""
-    rows: list[Row] = []
-    for one in files:
-        with opened([one], storage, at) as (locals_of, lacking):
-            rows += [fault(file, "", f"{file}: {why}.") for file, why in lacking.items()]
-            for local in locals_of:
-                try:
-                    row = work(local.path, local.file, local.sha256)
-                    rows.append({"file": local.file, "sha256": local.sha256, "version": _core.version, **row})
-                except BallbarError as error:
-                    rows.append(fault(local.file, local.sha256, str(error).replace(local.path, local.file)))
-    return rows

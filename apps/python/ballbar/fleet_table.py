@@ -1,41 +1,51 @@
 """A table of tests that is kept in a folder: only what is new or changed is read, nothing is ever half-written.
 
-The folder holds parts (`part-000001.parquet`, or `.csv` where no Parquet library is installed) and `table.json`, which
-says which rows are of which part, and of each file its size and time. Updates of one table wait for each other; whoever
-reads sees the table before or the table after. What an update that did not end has read is not read again.
+The folder's one file, `table.npz`, is replaced as a whole: whoever reads it sees the table before an update or the table
+after it. What an update that did not end has read is in the file too, `ahead` of the table.
 """
 from __future__ import annotations
 
-import bisect
 import contextlib
+import fcntl
+import glob
+import io
+import json
+import logging
 import os
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+import warnings
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 import pandas
 
-from ._errors import BallbarError
-from ._fleet_files import Stamp, files_of, reason_of, stamp_of
-from ._fleet_rows import Row, error_rows as _error_rows, is_log, parts_of
-from ._fleet_store import Entry, to_update, whole_table
+from . import _core
+from ._errors import BallbarError, BallbarWarning
+from ._fleet_files import Paths, Stamp, files_of, opened, reason_of, stamp_of, write_whole
+from ._fleet_rows import COLUMNS, Row, copies_marked, read_rows, typed, unit_of
+from ._progress import Progress, progress_or_tqdm
 
-_FILES_OF_A_TASK = 100
-_FILES_OF_A_SAVE = 2000
-_PATIENCE_S = 20  # with a scheduler that is gone, or has no worker
-_TRIES = 3  # of a file that changes while it is read, of a scheduler that is gone
+__all__ = ["Updated", "read", "update"]
 
-Answer = tuple[list[Row], dict[str, str]]  # rows, and files that could not be opened
+_TRIES = 3  # of a file that changes while it is read
+_FORMAT = "ballbar-fleet-table 3"
+_SECONDS_OF_A_SAVE = 10.0
+
+_STATES = ("size", "modified", "ahead")
+_STORED = {**COLUMNS, **dict.fromkeys(_STATES, "int64")}
+_TEXTS = [name for name, kind in COLUMNS.items() if kind == "object"]
+_NUMBERS = [name for name, kind in COLUMNS.items() if kind != "object"]
 
 
-@dataclass
+@dataclass(frozen=True, eq=False)
 class Updated:
     """What :func:`update` did.
 
     Attributes
     ----------
-    table : DataFrame
+    table : pandas.DataFrame
         By file, with the columns of :func:`ballbar.fleet.errors`.
     read, kept, gone : int
         Files that were read, that are as they were, and that are no more.
@@ -48,11 +58,11 @@ class Updated:
     """
 
     table: pandas.DataFrame
-    read: int = 0
-    kept: int = 0
-    gone: int = 0
-    faults: int = 0
-    lacking: dict[str, str] = field(default_factory=dict)
+    read: int
+    kept: int
+    gone: int
+    faults: int
+    lacking: dict[str, str]
 
     @property
     def complete(self) -> bool:
@@ -60,12 +70,7 @@ class Updated:
 
 
 def update(
-    paths: Any,
-    table: str | os.PathLike[str],
-    *,
-    client: Any = None,
-    progress: Callable[[int, int], object] | None = None,
-    **storage: Any,
+    paths: Paths, table: str | os.PathLike[str], *, client: Any = None, verify: bool = False, progress: Progress | None = None, **storage: Any
 ) -> Updated:
     """Reads what is new or changed since the table was written, and writes it anew.
 
@@ -76,60 +81,82 @@ def update(
     table : path
         A folder; made where there is none.
     client : dask.distributed.Client
-        Whose workers read; without one, threads of this process.
+        Its workers read; without one, threads of this process.
+    verify : bool
+        A file is read again, too, where its SHA-256 is another and its size and time are the same.
     progress : callable
-        Called with how many files are done, and of how many.
+        Is told how many files are done, of how many, and what is done. None: tqdm, if it is installed, on a terminal.
     **storage
         Options of fsspec's file system.
 
     Returns
     -------
     Updated
-        The table, and what was done. The same files give the same table, in one update or in many.
+        The same files give the same table, in one update or in many.
 
     Raises
     ------
     BallbarError
         No file of that name; a folder that holds something else; no room to write. The table is then as it was.
 
+    Warns
+    -----
+    BallbarWarning
+        The table is damaged. It is kept under another name, and all files are read anew.
+
     Notes
     -----
     A file is read again where its size or its time is another. The rows of a file that can no longer be looked at, and
-    of those below a folder that can no longer be listed, stay. Two logs after each other may be one test: with a log
-    those after it in its folder are read again, and the one before it.
+    of those below a folder that can no longer be listed, stay. Two logs of a folder may be one test: with one of them
+    all are read again.
     """
-    with to_update(os.fspath(table)) as store:
-        files = files_of(paths, **storage)  # not before: another update may end meanwhile, with files that are newer
-        known = store.entries()
-        stamps, out_of_reach = _stamps(files, storage)
-        stay = _below_or_among(known, stamps, out_of_reach)
-        gone = set(known) - set(stamps) - stay
-        changed = {file for file, stamp in stamps.items() if known.get(file, ())[:2] != stamp}
-        to_read = sorted(changed | _logs_after(changed | gone, stamps, known))
-        result = Updated(pandas.DataFrame(), kept=len(stamps) - len(to_read) + len(stay), gone=len(gone & set(store.shown)))
-        result.lacking = out_of_reach
-        done = 0
+    fresh: list[Row] = []
+    read_now: set[str] = set()
+    gone: set[str] = set()
+    lacking: dict[str, str] = {}
+    with _alone(os.fspath(table)) as (path, rows), progress_or_tqdm(progress) as tell:
+        saved = time.monotonic()
         try:
-            for part, answer in _answers(list(parts_of(to_read, _FILES_OF_A_TASK)), storage, client, result.lacking):
-                rows, lacking = _settled(part, answer, stamps, storage)
-                result.lacking.update(lacking)
-                if store.add({file: stamps[file] for file in part if file not in lacking}, rows) >= _FILES_OF_A_SAVE:
-                    store.save()
-                result.read += len(part) - len(lacking)
-                done += len(part)
-                if progress:
-                    progress(done, len(to_read))
+            for attempt in range(_TRIES + 1):  # once more: files may change while they are read
+                files = files_of(paths, **storage)  # not before: another update may end meanwhile, with files that are newer
+                newest = rows.drop_duplicates("file", keep="last")
+                known = dict(zip(newest["file"], zip(newest["size"], newest["modified"])))
+                stamps, hidden = _stamps(files, storage, lacking)
+                there = {file for file in known if file in stamps or file.startswith(hidden)}
+                changed = {file for file, stamp in stamps.items() if known.get(file) != stamp}
+                if verify and attempt == 0:
+                    changed |= _other_bytes(newest[newest["file"].isin(stamps.keys() - changed)], storage, lacking, tell)
+                units = set(map(unit_of, (changed - lacking.keys()) | (known.keys() - there - gone)))
+                to_read = [file for file in stamps if unit_of(file) in units and file not in lacking]
+                gone |= known.keys() - there
+                if not to_read:
+                    break
+                if attempt == _TRIES:
+                    lacking.update(dict.fromkeys(to_read, "changed again and again while it was read"))
+                    break
+                for some, why in read_rows(to_read, storage, client, tell):
+                    fresh += [{**row, **dict(zip(_STATES, (*stamps[row["file"]], 1)))} for row in some]
+                    read_now.update(row["file"] for row in some)
+                    lacking.update(why)
+                    if time.monotonic() - saved >= _SECONDS_OF_A_SAVE:
+                        rows, fresh, saved = _with(rows, fresh), [], time.monotonic()
+                        _write(path, rows)
+                rows, fresh = _with(rows, fresh), []
         except BaseException:
-            with contextlib.suppress(BallbarError):
-                store.save()
+            if fresh or read_now:
+                with contextlib.suppress(BallbarError):
+                    _write(path, _with(rows, fresh))
             raise
-        result.table = store.commit([file for file in [*stamps, *stay] if file not in result.lacking or file in stay])
-    result.faults = int(result.table["fault"].notna().sum())
-    return result
+        before = set(rows["file"][rows["ahead"] == 0])
+        if before - there or rows["ahead"].any():
+            rows = newest[newest["file"].isin(there)].assign(ahead=0)
+            _write(path, rows)
+    shown = _shown(rows)
+    return Updated(shown, len(read_now), len(there - read_now), len(before - there), int(shown["fault"].notna().sum()), lacking)
 
 
 def read(table: str | os.PathLike[str]) -> pandas.DataFrame:
-    """The table in that folder, by file; others may update it meanwhile.
+    """Returns the table in a folder; others may update it meanwhile.
 
     Parameters
     ----------
@@ -138,159 +165,109 @@ def read(table: str | os.PathLike[str]) -> pandas.DataFrame:
 
     Returns
     -------
-    DataFrame
-        With the columns of :func:`ballbar.fleet.errors`.
+    pandas.DataFrame
+        By file, with the columns of :func:`ballbar.fleet.errors`.
 
     Raises
     ------
     BallbarError
-        No table there; one of another version; a part that is damaged.
+        There is no table that an update by this version ended; the table is damaged.
     """
-    return whole_table(os.fspath(table))
+    path = os.path.join(table, "table.npz")
+    try:
+        rows = _loaded(path)
+    except OSError as error:
+        raise BallbarError(f"{path}: expected a table that update() wrote, found: {reason_of(error)}.") from None
+    except BallbarError as error:
+        raise BallbarError(f"{error} An update reads its files again.") from None
+    rows = rows[rows["ahead"] == 0]
+    if rows.empty:
+        raise BallbarError(f"{path}: expected a table that an update by this version ended, found none; another update reads its files.")
+    return _shown(rows)
 
 
-def _stamps(files: Sequence[str], storage: dict[str, Any]) -> tuple[dict[str, Stamp], dict[str, str]]:
+def _stamps(files: Sequence[str], storage: dict[str, Any], lacking: dict[str, str]) -> tuple[dict[str, Stamp], tuple[str, ...]]:
+    """Returns the stamps of files, and how names begin of which nobody knows whether they are there; fills `lacking`."""
     stamps: dict[str, Stamp] = {}
-    out_of_reach: dict[str, str] = {}
+    hidden: list[str] = []
     for file in files:
         try:
             stamps[file] = stamp_of(file, storage)
         except Exception as error:  # noqa: BLE001  each file system has its own
-            out_of_reach[file] = reason_of(error)
-    return stamps, out_of_reach
+            lacking[file] = reason_of(error)
+            if "://" in file or not isinstance(error, FileNotFoundError):
+                hidden.append(os.path.join(file, "") if os.path.isdir(file) else file)
+    return stamps, tuple(hidden)
 
 
-def _below_or_among(known: Iterable[str], stamps: Mapping[str, Stamp], out_of_reach: Mapping[str, str]) -> set[str]:
-    """Files of the table that cannot be looked at: whether they are the same is not known."""
-    hidden = [os.path.join(name, "") for name in out_of_reach if os.path.isdir(name)]
-    return {
-        file for file in known
-        if file not in stamps and (any(file.startswith(folder) for folder in hidden) or (file in out_of_reach and _may_be_there(file)))
-    }
+def _other_bytes(rows: pandas.DataFrame, storage: dict[str, Any], lacking: dict[str, str], tell: Progress) -> set[str]:
+    """Returns the files whose SHA-256 is not that of their row; fills `lacking`."""
+    others: set[str] = set()
+    for done, (file, sha256) in enumerate(zip(rows["file"], rows["sha256"]), 1):
+        with opened([file], storage, os.getcwd()) as (found, why):
+            others.update(name for name, now in found.values() if now != sha256)
+            lacking.update(why)
+        tell(done, len(rows), "reading bytes")
+    return others
 
 
-def _may_be_there(file: str) -> bool:
-    if "://" in file:
-        return True
+@contextlib.contextmanager
+def _alone(folder: str) -> Iterator[tuple[str, pandas.DataFrame]]:
+    """Yields the path and the rows of the table of a folder, which nobody else updates as long as this lasts."""
+    path = os.path.join(folder, "table.npz")
+    with contextlib.ExitStack() as stack:
+        try:
+            os.makedirs(folder, exist_ok=True)
+            if not os.path.exists(path) and any(not name.startswith((".", "table.npz.")) for name in os.listdir(folder)):
+                raise BallbarError(f"{folder}: expected a table, or a folder that is new or empty, found other files.")
+            lock = stack.enter_context(open(os.path.join(folder, ".lock"), "a", encoding="utf-8"))
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                logging.getLogger("ballbar").warning("%s: waiting for another update of this table", folder)
+                fcntl.flock(lock, fcntl.LOCK_EX)
+            for left in glob.glob(os.path.join(glob.escape(folder), ".table.npz.*")):
+                os.remove(left)  # of an update that was killed as it wrote
+            try:
+                rows = _loaded(path) if os.path.exists(path) else typed([], _STORED)
+            except BallbarError as error:
+                rows = typed([], _STORED)
+                os.replace(path, f"{path}.damaged")
+                warnings.warn(f"{error} It is kept as {path}.damaged, and all files are read anew.", BallbarWarning, stacklevel=4)
+        except OSError as error:
+            raise BallbarError(f"{folder}: the table could not be opened: {reason_of(error)}.") from None
+        yield path, rows
+
+
+def _loaded(path: str) -> pandas.DataFrame:
+    """Returns what was written there, or no rows of another version. Raises OSError; BallbarError where it is damaged."""
+    with open(path, "rb") as file:
+        data = file.read()
     try:
-        os.lstat(file)
-    except FileNotFoundError:
-        return False
-    except OSError:
-        pass
-    return True
+        with np.load(io.BytesIO(data), allow_pickle=False) as stored:  # a zip archive, with checksums
+            about, numbers, states = json.loads(stored["about"].tobytes()), stored["numbers"], stored["states"]
+            if (about["format"], about["version"]) != (_FORMAT, _core.version):
+                return typed([], _STORED)
+            columns = {**about["texts"], **dict(zip(_NUMBERS, numbers.T)), **dict(zip(_STATES, states.T))}
+            return pandas.DataFrame({name: columns[name] for name in _STORED}).fillna(np.nan).astype(_STORED)
+    except Exception as error:  # noqa: BLE001  whatever the damage does
+        raise BallbarError(f"{path}: expected a table, found: {reason_of(error)}.") from None
 
 
-def _logs_after(changed: Iterable[str], stamps: Mapping[str, Stamp], known: Mapping[str, Entry]) -> set[str]:
-    """The logs whose test may be another one, as there are others before them."""
-    first: dict[str, str] = {}
-    for file in filter(is_log, changed):
-        folder = os.path.dirname(file)
-        first[folder] = min(first.get(folder, file), file)
-    logs: dict[str, list[str]] = {folder: [] for folder in first}
-    for file in sorted(filter(is_log, stamps)) if first else ():
-        logs.get(os.path.dirname(file), []).append(file)
-    to_read: set[str] = set()
-    for folder, of_folder in logs.items():
-        place = bisect.bisect_left(of_folder, first[folder])
-        if place > 0 and known[of_folder[place - 1]][2] is not None:  # it is not the second of a test
-            place -= 1
-        to_read.update(of_folder[place:])
-    return to_read
+def _write(path: str, rows: pandas.DataFrame) -> None:
+    texts = {name: [text if isinstance(text, str) else None for text in rows[name]] for name in _TEXTS}
+    about = json.dumps({"format": _FORMAT, "version": _core.version, "texts": texts})
+    numbers = rows[_NUMBERS].to_numpy(np.float64, na_value=np.nan)
+    data = io.BytesIO()
+    np.savez(data, about=np.frombuffer(about.encode(), np.uint8), numbers=numbers, states=rows[[*_STATES]].to_numpy(np.int64))
+    write_whole(path, data.getvalue())
 
 
-def _settled(part: Sequence[str], answer: Answer, stamps: dict[str, Stamp], storage: dict[str, Any]) -> Answer:
-    """The rows; of what changed while it was read, with the logs of its folder, those after it is read again."""
-    rows, lacking = answer
-    for attempt in range(_TRIES + 1):
-        now, out_of_reach = _stamps([file for file in part if file not in lacking], storage)
-        changed = {file for file, stamp in now.items() if stamp != stamps[file]}
-        folders = {os.path.dirname(file) for file in [*changed, *out_of_reach] if is_log(file)}
-        again = {file for file in now if file in changed or (is_log(file) and os.path.dirname(file) in folders)}
-        rows = [row for row in rows if row["file"] not in again and row["file"] not in out_of_reach]
-        lacking = {**lacking, **out_of_reach}
-        if attempt == _TRIES:
-            return rows, {**lacking, **dict.fromkeys(again, "changed again and again while it was read")}
-        if not again:
-            break
-        stamps.update(now)
-        more, why = _error_rows(sorted(again), storage)
-        rows, lacking = rows + more, {**lacking, **why}
-    return rows, lacking
+def _with(rows: pandas.DataFrame, fresh: list[Row]) -> pandas.DataFrame:
+    """Returns these rows and the fresh ones, which take the place of those that were read ahead before."""
+    return pandas.concat([rows, typed(fresh, _STORED)]).drop_duplicates(["file", "ahead"], keep="last")
 
 
-def _answers(
-    parts: Sequence[list[str]], storage: dict[str, Any], client: Any, lacking: dict[str, str]
-) -> Iterator[tuple[list[str], Answer]]:
-    if client is None:
-        for part in parts:  # the program reads on all cores
-            yield part, _error_rows(part, storage)
-        return
-    left = dict(enumerate(parts))
-    for attempt in range(_TRIES):
-        reasons: dict[int, str] = {}
-        if client is None or client.status != "running":
-            reasons = dict.fromkeys(left, "the cluster is gone")
-        else:  # names as of here: workers may be in another folder
-            futures = {client.submit(_error_rows, part, storage, os.getcwd(), pure=False): place for place, part in left.items()}
-            for future in _finished(list(futures), client):
-                place = futures[future]
-                try:
-                    answer = future.result(timeout=60)
-                except Exception as error:  # noqa: BLE001  whatever befell a worker: noted, and tried again
-                    reasons[place] = f"{type(error).__name__}: {error}"
-                    continue
-                yield left.pop(place), answer
-        if not left:
-            return
-        has_no_worker = client is not None and client.status == "running" and not left.keys() <= reasons.keys()
-        if attempt + 1 == _TRIES or has_no_worker:
-            otherwise = "the cluster has no worker" if has_no_worker else "the cluster is gone"
-            for place, part in left.items():
-                lacking.update(dict.fromkeys(part, reasons.get(place, otherwise)))
-            return
-        client = _again(client)
-
-
-def _finished(futures: list[Any], client: Any) -> Iterator[Any]:
-    """Each as it ends, in whatever way; until the client is gone, or there has been no worker for long."""
-    alive = looked = time.monotonic()
-    while futures:
-        ended: list[Any] = []
-        pending: list[Any] = []
-        for future in futures:
-            (pending if future.status == "pending" else ended).append(future)
-        yield from ended
-        futures = pending
-        now = time.monotonic()
-        if ended:
-            alive = now
-        elif client.status == "running" and now - looked > _PATIENCE_S / 4:
-            looked = now
-            alive = now if _has_workers(client) else alive
-        if client.status == "closed" or now - alive > _PATIENCE_S:
-            with contextlib.suppress(Exception):
-                client.cancel(futures)
-            return
-        if not ended:
-            time.sleep(0.02)
-
-
-def _has_workers(client: Any) -> bool:
-    try:
-        return bool(client.scheduler_info()["workers"])
-    except Exception:  # noqa: BLE001  no scheduler there
-        return False
-
-
-def _again(client: Any) -> Any:
-    """A client of the same scheduler, which may have been restarted; None: it is not there."""
-    if client is None or client.status == "running":
-        return client
-    from dask.distributed import Client
-
-    try:
-        address = client.scheduler.address if client.scheduler else client._start_arg
-        return Client(address, timeout=_PATIENCE_S, set_as_default=False)
-    except Exception:  # noqa: BLE001  no scheduler there
-        return None
+def _shown(rows: pandas.DataFrame) -> pandas.DataFrame:
+    """Returns the rows of the table, which has none of the second log of a test."""
+    return copies_marked(rows.loc[rows["plane"].notna() | rows["fault"].notna(), list(COLUMNS)])
