@@ -4,6 +4,7 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -14,7 +15,9 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
+#include "ballbar/fit/held_model.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
+#include "ballbar/series/runs.hpp"
 #include "diagnose/diagnosis_result.hpp"
 #include "diagnose/revision_results.hpp"
 #include "model/model_options.hpp"
@@ -55,7 +58,6 @@ class Bench {
   }
 
   [[nodiscard]] const std::string& target() const { return model_.targets.front(); }
-  [[nodiscard]] const std::vector<double>& time_s() const { return data_->series->time_s; }
   [[nodiscard]] std::vector<std::string> labels() const {
     std::vector<std::string> labels;
     for (const Term& term : model_.terms) labels.push_back(label_of(term));
@@ -91,14 +93,25 @@ class Bench {
     return json_of(tested);
   }
 
-  // Of other data by the parameters of the fit.
-  Prediction predict(const std::vector<std::string>& places, const std::map<std::string, Data>& held) {
+  // Of other data, with their times, by the parameters of the fit, or as all of them are held.
+  std::pair<std::vector<double>, Prediction> predict(const std::vector<std::string>& places,
+                                                     const std::map<std::string, Data>& held) {
     ModelOptions elsewhere = options_;
     elsewhere.data = sources_of(places, held);
     const ModelData other = open_data(elsewhere);
-    const Fit& fit = check().fit;
-    return with_source(elsewhere.data.front().name(),
-                       [&] { return ballbar::predict(model_, fit.parameters, *other.series, &fit.covariance); });
+    std::vector<FittedParameter> parameters;
+    const Eigen::MatrixXd* covariance = nullptr;
+    if (has_free(model_)) {
+      const Fit& fit = check().fit;
+      parameters = fit.parameters;
+      covariance = &fit.covariance;
+    } else {
+      parameters = held_parameters(model_);
+    }
+    Prediction prediction = with_source(
+        elsewhere.data.front().name(), [&] { return ballbar::predict(model_, parameters, *other.series, covariance); });
+    prediction.sigma_um.resize(prediction.predicted_um.size(), std::nan(""));
+    return {one_after_another(other.series->time_s), std::move(prediction)};
   }
 
  private:
@@ -145,7 +158,6 @@ void bind_bench(py::module_& module) {
   py::class_<Bench, std::shared_ptr<Bench>>(module, "Bench")
       .def_property_readonly("target", &Bench::target)
       .def_property_readonly("labels", &Bench::labels)
-      .def_property_readonly("time_s", [](const Bench& bench) { return array_of(bench.time_s()); })
       .def("check",
            [](Bench& bench, const py::object& progress) {
              Listener listener(progress);
@@ -175,9 +187,10 @@ void bind_bench(py::module_& module) {
            })
       .def("predict", [](Bench& bench, const Places& places, const Held& held, const py::object& progress) {
         Listener listener(progress);
-        Prediction found = listener.hear([&] { return bench.predict(places, held); });
-        return py::make_tuple(array_of(std::move(found.predicted_um)), array_of(std::move(found.sigma_um)),
-                              arrays_of(std::move(found.contribution_um)), listener.remarks);
+        auto [time_s, found] = listener.hear([&] { return bench.predict(places, held); });
+        return py::make_tuple(array_of(std::move(time_s)), array_of(std::move(found.predicted_um)),
+                              array_of(std::move(found.sigma_um)), arrays_of(std::move(found.contribution_um)),
+                              listener.remarks);
       });
   module.def(
       "bench",

@@ -67,7 +67,7 @@ std::vector<MachineTest> tests_of(const Texts& texts, const Columns& columns,
   quantities.reserve(names.size());
   for (const auto& [name, unit] : names) {
     quantities.push_back({name, unit == "um_per_m" ? "um/m" : unit, number(fmt::format("{}_{}", name, unit)),
-                          number(fmt::format("{}_sigma_{}", name, unit))});
+                          number(fmt::format("{}_{}_sigma", name, unit))});
   }
   const double *started_s = number("started_s"), *length_mm = number("length_mm"), *feed = number("feed_mm_per_min"),
                *start_deg = number("start_deg"), *arc_deg = number("arc_deg"), *stored = number("stored");

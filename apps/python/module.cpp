@@ -33,7 +33,7 @@ std::vector<Recording> recordings_of(const Recordings& held) {
   return recordings;
 }
 
-// The result of a command, remarks, and the files that it wrote.
+// The result of a command, the files that it wrote, and remarks.
 py::tuple call(const std::string& command, const std::vector<std::string>& places,
                const std::vector<std::pair<std::string, CommandCall::Value>>& options,
                const std::map<std::string, Data>& data, const Effects& effects, const py::object& progress) {
@@ -47,7 +47,7 @@ py::tuple call(const std::string& command, const std::vector<std::string>& place
   listener.hear([&] { run_command(call); });
   // A prediction is as long as its data.
   const Columns columns = command == "predict" ? Columns::arrays : Columns::lists;
-  return py::make_tuple(result ? to_python(*result, columns) : py::none(), listener.remarks, wrote);
+  return py::make_tuple(result ? to_python(*result, columns) : py::none(), wrote, listener.remarks);
 }
 
 // `fit` of recordings that Python holds, for those who fit thousands: setting up a command takes longer.

@@ -70,7 +70,7 @@ class Progress(unittest.TestCase):
 
     @unittest.skipUnless(importlib.util.find_spec("tqdm"), "tqdm is not installed")
     def test_a_bar(self):
-        self.assertRegex(self.said(True, pause_s=0.15), "reading tests: .*20/40")
+        self.assertRegex(self.said(True, pause_s=0.4), "reading tests: .*20/40")
 
 
 class Kept(unittest.TestCase):
@@ -324,7 +324,7 @@ for k in range(8):
             self.assertEqual(done.table["file"].tolist(), sorted(said_by_the_program(logs)))
             if name == "1-cw":
                 self.assertEqual(len(done.table), 1)
-                self.assertNotEqual(done.table["circularity_sigma_um"][0], alone["circularity_sigma_um"][0])
+                self.assertNotEqual(done.table["circularity_um_sigma"][0], alone["circularity_um_sigma"][0])
         self.assertEqual((done.read, done.kept), (5, 0))
         write_log(f"{logs}/4-ccw.csv", "CCW", "2026-04-01T10:00:00")
         done = fleet.update(pattern, self.table)

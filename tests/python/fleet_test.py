@@ -64,7 +64,7 @@ class Lazy(unittest.TestCase):
             of_file = expected[row["file"]]
             for one in of_file["errors"]:
                 unit = one["unit"].replace("/", "_per_")
-                for key, column in (("value", f"{one['name']}_{unit}"), ("sigma", f"{one['name']}_sigma_{unit}")):
+                for key, column in (("value", f"{one['name']}_{unit}"), ("sigma", f"{one['name']}_{unit}_sigma")):
                     self.assertEqual(row[column], one[key], column) if one[key] is not None else self.assertTrue(pandas.isna(row[column]))
             for key, column in (("date", "date"), ("plane", "plane"), ("nominal_length_mm", "length_mm"), ("start_deg", "start_deg"), ("stored", "stored")):
                 self.assertEqual(row[column], of_file[key], column)

@@ -54,7 +54,7 @@ class Plots(unittest.TestCase):
         self.assertEqual((widths, widths[-1] > 3.0), (sorted(widths), True))
 
     def test_history_has_a_line_a_plane(self):
-        axes = plot.history(bb.errors("sample-runs/machine-history/**/*.b5r"), "backlash_a_pos_um")
+        axes = plot.history(bb.errors("sample-runs/machine-history/**/*.b5r").assign(machine="mill"), "backlash_a_pos_um")
         self.assertEqual([len(one.lines[0].get_xdata()) for one in axes.containers], [4, 3, 3])
 
     def test_svg(self):

@@ -12,6 +12,7 @@ from . import _core, _effects
 from ._core import Recording, Series, read_recordings
 from ._effects import *  # noqa: F403
 from ._errors import BallbarError, BallbarWarning, UsageError
+from ._fleet_rows import errors_table as errors
 from ._functions import (
     circles, compare, compensate, could, drift, effects, history, import_log, machine_errors, plan, predict, report,
     simulate, train,
@@ -24,7 +25,7 @@ from ._terms import Effect, Expression, Free, PythonEffect, effect, free
 __version__: str = _core.version
 __all__ = [
     "BallbarError", "BallbarWarning", "Diagnosis", "Effect", "Expression", "Fit", "Free", "Model", "PythonEffect", "Recording",
-    "Result", "Rows", "Series", "UsageError", "circles", "compare", "compensate", "could", "drift", "effect", "effects",
+    "Result", "Rows", "Series", "UsageError", "circles", "compare", "compensate", "could", "drift", "effect", "effects", "errors",
     "fit_circle", "free", "history", "import_log", "machine_errors", "plan", "predict", "read", "read_recordings", "report",
     "simulate", "train", "write", *_effects.__all__,
 ]

@@ -12,6 +12,7 @@ from . import _core
 from ._errors import BallbarError, UsageError
 from ._frame import Data, Held, Path, Progress
 from ._model import Model
+from ._progress import progress_or_tqdm
 
 __all__ = ["Data", "DataOf", "ModelLike", "Path", "Progress", "TextOf", "run"]
 
@@ -53,34 +54,28 @@ def run(command: str, places: Sequence[Any], options: Mapping[str, Any], progres
             several = list(value) if isinstance(value, (list, tuple, set, frozenset, np.ndarray, Iterator)) else [value]
             stated.append((name, [_word(one, held, effects) for one in several]))
     texts = [*words, *(word for _, value in stated if isinstance(value, list) for word in value)]
-    found = told(lambda: _core.call(command, words, stated, held.values, effects, lines(progress)), texts)[0]
+    found, wrote = told(lambda tell: _core.call(command, words, stated, held.values, effects, tell), texts, progress)
+    for file in wrote:
+        _log.info("wrote %s", file)
     if isinstance(found, list):  # pages of the catalogue
         return found[0] if len(found) == 1 else {command: found}
     return found
 
 
-def told(work: Callable[[], tuple[Any, ...]], words: Iterable[str] = ()) -> tuple[Any, ...]:
-    """What `work` returns but for its remarks, which go to the logger, and the files that it wrote."""
+def told(work: Callable[[Callable[[str], object]], Any], words: Iterable[str], progress: Progress | None) -> tuple[Any, ...]:
+    """What `work` returns but for its remarks, the last of it, which go to the logger."""
     for word in words:
         if "\0" in word:
             raise UsageError(f"{word!r}: expected a text without a null character.")
     try:
-        *result, remarks, wrote = work()
+        with progress_or_tqdm(progress) as tell:
+            *result, remarks = work(lambda line: tell(0, 0, line))
     except BallbarError as error:
         error.find_place(list(words))
         raise
     for remark in remarks:
         _log.warning(remark)
-    for file in wrote:
-        _log.info("wrote %s", file)
     return tuple(result)
-
-
-def lines(progress: Progress | None) -> Callable[[str], object] | None:
-    if progress is None:
-        return None
-    tell = progress
-    return lambda line: tell(0, 0, line)
 
 
 def _word(value: Any, held: Held, effects: list[Any]) -> str:

@@ -16,11 +16,12 @@ import pandas
 from . import _core
 from ._errors import BallbarError
 from ._fleet_files import Paths, files_of, opened
-from ._progress import Progress, progress_or_tqdm
+from ._frame import Progress
+from ._progress import progress_or_tqdm
 
 Row = dict[str, Any]
 
-#: Errors of a table, with their units: columns NAME_UNIT and NAME_sigma_UNIT.
+#: Errors of a table, with their units: columns NAME_UNIT and NAME_UNIT_sigma.
 ERRORS: tuple[tuple[str, str], ...] = tuple(
     (name, unit)
     for unit, names in (
@@ -44,7 +45,7 @@ COLUMNS = {
     **{name: "object" for name in _TEXTS},
     **{name: "float64" for name in NUMBERS},
     "stored": "boolean",
-    **{f"{name}{of}_{unit}": "float64" for name, unit in ERRORS for of in ("", "_sigma")},
+    **{f"{name}_{unit}{of}": "float64" for name, unit in ERRORS for of in ("", "_sigma")},
 }
 
 _AT_ONCE = 25  # files
@@ -225,7 +226,7 @@ def _row(file: str, sha256: str, test: Row, at: str) -> Row:
     for one in test["errors"]:
         unit = one["unit"].replace("/", "_per_")
         row[f"{one['name']}_{unit}"] = one["value"]
-        row[f"{one['name']}_sigma_{unit}"] = one["sigma"]
+        row[f"{one['name']}_{unit}_sigma"] = one["sigma"]
     return row
 
 

@@ -219,13 +219,34 @@ class Model:
         >>> round(fit.rmse_um, 3), fit.residuals.name
         (0.201, 'residual_um')
         """
-        how = {
+        how: dict[str, Any] = {
             "target": [] if target is None else [target], "also_input": [also_input] if isinstance(also_input, str) else list(also_input),
             "set": [f"{key}={value!r}" for key, value in (hold or {}).items()], "max_gap_s": max_gap_s, "robust": robust, "white": white,
         }
         held = Held(units=units, roles=roles, every=every)
         places = held.places(data)
         return Fit._of(self, places, held.values, held.index, how, progress)
+
+    def predict(
+        self, data: Data, *, units: Mapping[str, str] | None = None, roles: Mapping[str, str] | None = None,
+        every: float | str | None = None, progress: Progress | None = None,
+    ) -> pandas.DataFrame:
+        """The series of a model whose parameters are all held; :meth:`Fit.predict` is of one that is fitted.
+
+        Returns
+        -------
+        DataFrame
+            As of :meth:`Fit.predict`; the sigma of held parameters is not known: NaN.
+
+        Raises
+        ------
+        BallbarError
+            A parameter that is free, and what can be put right in the data.
+        """
+        held = Held(units=units, roles=roles, every=every)
+        places = held.places(data)
+        how: dict[str, Any] = {"target": [], "also_input": [], "set": [], "max_gap_s": None, "robust": False, "white": False}
+        return _predicted(_bench_of(self, places, held.values, how, progress), places, held.values, held.index, progress)
 
     def fit_all(self, data: Data, **how: Any) -> dict[str, Fit]:
         """A fit of each target, by its name; parameters as of :meth:`fit`."""
@@ -290,10 +311,10 @@ class Fit(_kinds.Checked):
 
     @classmethod
     def _of(cls, model: Model, places: list[str], held: dict[str, Any], index: Any, how: dict[str, Any], progress: Any) -> Fit:
-        from ._call import lines, told
+        from ._call import told
 
         bench = _bench_of(model, places, held, how, progress)
-        keys, arrays = told(lambda: (*bench.check(lines(progress)), ()), places)
+        keys, arrays = told(bench.check, places, progress)
         return cls._from(keys, model, places, held, index, how, arrays, bench.labels, bench)
 
     @classmethod
@@ -392,10 +413,10 @@ class Fit(_kinds.Checked):
         >>> found.verdict, found.best
         ('named', (lagged_expansion(T_room_degC),))
         """
-        from ._call import lines, told
+        from ._call import told
 
         bench = _bench_of(self.model, self._places, self._held, self._how, progress, extra) if extra else self._workbench()
-        keys, text = told(lambda: (*bench.diagnose(tolerance_um, seed, most_rows, lines(progress)), ()), self._places)
+        keys, text = told(lambda tell: bench.diagnose(tolerance_um, seed, most_rows, tell), self._places, progress)
         tables = tomllib.loads(text).get("effect", [])
         functions = functions_of(self.model.effects, extra)
         return Diagnosis._from(keys, self, tuple(effect_from_table(table, functions) for table in tables))
@@ -412,11 +433,11 @@ class Fit(_kinds.Checked):
         return self._tested(more, progress)
 
     def _tested(self, more: Sequence[Effect], progress: Progress | None) -> Tried:
-        from ._call import lines, told
+        from ._call import told
 
         of_them = Model._of({key: value for key, value in self.model._root.items() if key in ("level", "target")}, more)
         functions = [one.core for one in of_them.functions]
-        keys, = told(lambda: (*self._workbench().test(of_them.text, functions, lines(progress)), ()), self._places)
+        keys, = told(lambda tell: self._workbench().test(of_them.text, functions, tell), self._places, progress)
         return Tried(keys)
 
     def compare(self, other: Fit, *, progress: Progress | None = None) -> Tried:
@@ -448,8 +469,10 @@ class Fit(_kinds.Checked):
             raise BallbarError(f"expected a fit of the same readings of {self.target}, found others of {other.target}.")
         return other._tested(more, progress)
 
-    def predict(self, data: Data = None, *, units: Mapping[str, str] | None = None, roles: Mapping[str, str] | None = None,
-                every: float | str | None = None, progress: Progress | None = None) -> pandas.DataFrame:
+    def predict(
+        self, data: Data = None, *, units: Mapping[str, str] | None = None, roles: Mapping[str, str] | None = None,
+        every: float | str | None = None, progress: Progress | None = None,
+    ) -> pandas.DataFrame:
         """The model's series for these data or others, with sigma, and what each effect adds, um.
 
         Returns
@@ -457,20 +480,11 @@ class Fit(_kinds.Checked):
         DataFrame
             The target, its sigma by what the parameters scatter (``z_um_sigma``), and a column an effect.
         """
-        from ._call import lines, told
-
+        if data is None:
+            return _predicted(self._workbench(), self._places, self._held, self._index, progress)
         held = Held(units=units, roles=roles, every=every)
-        held.index = self._index
-        places, values = (self._places, self._held) if data is None else (held.places(data), held.values)
-        bench = self._workbench()
-        mean, sigma, parts = told(lambda: (*bench.predict(places, values, lines(progress)), ()), places)
-        index = held.index
-        if index is None:
-            series = values.get(places[0])
-            time_s = series.time_s if isinstance(series, _core.Series) else bench.time_s if data is None else None
-            index = pandas.RangeIndex(len(mean)) if time_s is None or len(time_s) != len(mean) else pandas.Index(time_s, name="time_s")
-        columns = {self.target: mean, f"{self.target}_sigma": sigma, **dict(zip(self._labels, parts))}
-        return pandas.DataFrame(columns, index=index, copy=False)
+        places = held.places(data)
+        return _predicted(self._workbench(), places, held.values, held.index, progress)
 
     def could(self) -> Preflight:
         """Which effects the data could show, and from which size, before any residual is looked at."""
@@ -493,13 +507,21 @@ class Fit(_kinds.Checked):
         return self._bench
 
 
+def _predicted(bench: Any, places: list[str], held: dict[str, Any], index: pandas.Index | None, progress: Progress | None) -> pandas.DataFrame:
+    from ._call import told
+
+    time_s, mean, sigma, parts = told(lambda tell: bench.predict(places, held, tell), places, progress)
+    columns = {bench.target: mean, f"{bench.target}_sigma": sigma, **dict(zip(bench.labels, parts))}
+    return pandas.DataFrame(columns, index=pandas.Index(time_s, name="time_s") if index is None else index, copy=False)
+
+
 def _bench_of(
     model: Model, places: list[str], held: dict[str, Any], how: dict[str, Any], progress: Any, extra: Sequence[PythonEffect] = ()
 ) -> Any:
-    from ._call import lines, told
+    from ._call import told
 
     functions = [one.core for one in functions_of(model.effects, extra)]
-    return told(lambda: (*_core.bench(places, held, model.text, functions, **how, progress=lines(progress)), ()), places)[0]
+    return told(lambda tell: _core.bench(places, held, model.text, functions, **how, progress=tell), places, progress)[0]
 
 
 class Diagnosis(_kinds.Diagnosis):

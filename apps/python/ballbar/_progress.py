@@ -26,10 +26,10 @@ def progress_or_tqdm(progress: Progress | None) -> Iterator[Progress]:
     except ImportError:
         yield _nobody
         return
-    with tqdm(leave=False, dynamic_ncols=True) as bar:
+    with tqdm(leave=False, dynamic_ncols=True, delay=0.3) as bar:
 
         def show(done: int, of: int, text: str) -> None:
-            bar.total = of
+            bar.total = of or None
             bar.set_description(text, refresh=False)
             bar.update(done - bar.n)
 

@@ -253,7 +253,7 @@ def rank(
             if not isinstance(one, tuple) or not one or not all(isinstance(part, str) and part for part in one):
                 raise BallbarError(f"machine: expected a text or a tuple of texts for {file}, found {one!r}.")
         texts["machine"] = ["/".join(one) for one in parts]
-    quantities = [f"{name}{of}_{unit}" for name, unit in ERRORS for of in ("", "_sigma")]
+    quantities = [f"{name}_{unit}{of}" for name, unit in ERRORS for of in ("", "_sigma")]
     numbers = {name: rows[name].to_numpy(float) for name in (*NUMBERS, *quantities)}
     numbers["started_s"] = ((pandas.to_datetime(rows["date"]) - pandas.Timestamp(0)) / pandas.Timedelta(seconds=1)).to_numpy(float)
     numbers["stored"] = rows["stored"].fillna(False).to_numpy(float)
@@ -344,4 +344,5 @@ def _frame(work: Callable[[Sequence[str]], list[Row]], paths: Paths, storage: di
     if size < 1:
         raise BallbarError(f"files_of_a_partition: expected a number from 1 on, found {size}.")
     parts = list(parts_of(files_of(paths, **storage), size))
-    return frames.from_map(lambda part: typed(work(part), columns), parts, meta=typed([], columns))
+    made = frames.from_map  # type: ignore[attr-defined]
+    return made(lambda part: typed(work(part), columns), parts, meta=typed([], columns))

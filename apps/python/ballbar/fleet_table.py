@@ -25,7 +25,8 @@ from . import _core
 from ._errors import BallbarError, BallbarWarning
 from ._fleet_files import Paths, Stamp, files_of, opened, reason_of, stamp_of, write_whole
 from ._fleet_rows import COLUMNS, Row, copies_marked, read_rows, typed, unit_of
-from ._progress import Progress, progress_or_tqdm
+from ._frame import Progress
+from ._progress import progress_or_tqdm
 
 __all__ = ["Updated", "read", "update"]
 
