@@ -22,8 +22,8 @@ constexpr const char* kStart = R"(import sys
 try:
     from ballbar.__main__ import history
 except ImportError as error:
-    sys.exit("ballbar: history: expected the package ballbar of Python with numpy, found: %s; on Debian install "
-             "python3-ballbar, python3-pandas and python3-distributed" % error)
+    sys.exit("ballbar: history: expected the package ballbar of Python with numpy and pandas, found: %s; on Debian install "
+             "python3-ballbar and python3-distributed" % error)
 except KeyboardInterrupt:
     sys.exit(130)
 sys.exit(history(sys.argv[1:])))";

@@ -118,14 +118,14 @@ if(BALLBAR_PYTHON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-ballbar)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy, python3-pandas")
   set(CPACK_DEBIAN_PYTHON_DESCRIPTION "ballbar logs of machine tools to thermal drift, Python module
 What the program ballbar does, from Python: circles and their uncertainty,
 errors of a machine tool, thermal drift of the spindle, models of it and
-what they lack, on files and on arrays of numpy. With pandas and Dask it
+what they lack, on files and on tables of pandas. With Dask it
 keeps tables of the tests of many machines, on one computer or a cluster.")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS
-    "ballbar, python3-pandas, python3-distributed, python3-matplotlib, nodejs")
+    "ballbar, python3-distributed, python3-matplotlib, python3-sklearn, python3-tqdm")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${packages}/postinst" "${packages}/prerm")
 endif()
 include(CPack)

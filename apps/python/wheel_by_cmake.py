@@ -31,8 +31,11 @@ def _metadata():
     return (
         f"Metadata-Version: 2.1\nName: ballbar\nVersion: {_version()}\n"
         "Summary: Ballbar logs of machine tools: circles, errors, thermal drift, models and what they lack\n"
-        "License: BSD-3-Clause\nRequires-Python: >=3.11\nRequires-Dist: numpy\nProvides-Extra: fleet\n"
-        'Requires-Dist: distributed; extra == "fleet"\nRequires-Dist: pandas; extra == "fleet"\n'
+        "License: BSD-3-Clause\nRequires-Python: >=3.11\nRequires-Dist: numpy\nRequires-Dist: pandas\n"
+        + "".join(
+            f'Provides-Extra: {extra}\n' + "".join(f'Requires-Dist: {name}; extra == "{extra}"\n' for name in names)
+            for extra, names in (("fleet", ("dask", "distributed")), ("plot", ("matplotlib",)), ("sklearn", ("scikit-learn",)))
+        )
     )
 
 

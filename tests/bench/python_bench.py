@@ -51,9 +51,9 @@ def row(what, value, unit):
 
 
 angle_deg = np.arange(0.0, 360.0)
-recording = ballbar.Recording(100.0 + 0.005 * np.cos(np.radians(angle_deg)), angle_deg)
+length_mm = 100.0 + 0.005 * np.cos(np.radians(angle_deg))
 count = 2000
-row("ballbar.fit of 360 readings", 1e6 * seconds(lambda: [ballbar.fit(recording) for _ in range(count)]) / count, "us")
+row("ballbar.fit_circle of 360 readings", 1e6 * seconds(lambda: [ballbar.fit_circle(length_mm, angle_deg=angle_deg) for _ in range(count)]) / count, "us")
 if len(sys.argv) > 5:
     runs = json.loads(pathlib.Path(sys.argv[5]).read_text())["benchmarks"]
     row("the same of C++", statistics.median(one["real_time"] for one in runs if one["run_type"] == "iteration"), "us")

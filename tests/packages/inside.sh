@@ -67,7 +67,7 @@ fi
 
 installed /tmp/ballbar/debian/python3-ballbar_*.deb
 python3 -c "import ballbar; print('  import ballbar', ballbar.__version__)
-assert ballbar.errors('/tmp/ballbar/00.b5r').tests[0].errors[0].sigma > 0.0"
+assert ballbar.machine_errors('/tmp/ballbar/00.b5r').errors[0].sigma > 0.0"
 apt-get -qq purge --autoremove python3-ballbar >/tmp/apt.log 2>&1
 
 apt-get -qq purge --autoremove ballbar >/tmp/apt.log 2>&1

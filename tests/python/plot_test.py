@@ -55,7 +55,7 @@ class Plots(unittest.TestCase):
 
     def test_history_has_a_line_a_plane(self):
         axes = plot.history(bb.errors("sample-runs/machine-history/**/*.b5r").assign(machine="mill"), "backlash_a_pos_um")
-        self.assertEqual([len(one.lines[0].get_xdata()) for one in axes.containers], [4, 3, 3])
+        self.assertEqual([len(one.lines[0].get_xdata()) for one in axes.containers], [5, 3, 2])
 
     def test_svg(self):
         found = bb.drift(HE)

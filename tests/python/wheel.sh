@@ -11,4 +11,4 @@ BALLBAR_BUILD=$build "$scratch/env/bin/pip" --quiet install --no-index "$source/
 cd "$scratch"
 ./env/bin/python -c "import ballbar, sys
 assert ballbar.__file__.startswith(sys.prefix), ballbar.__file__
-print(ballbar.__version__, ballbar.errors('$source/sample-runs/qc20-style-b5r/00.b5r').tests[0].errors[0].value, 'um')"
+print(ballbar.__version__, ballbar.machine_errors('$source/sample-runs/qc20-style-b5r/00.b5r').errors[0].value, 'um')"
