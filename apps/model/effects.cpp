@@ -24,9 +24,6 @@ constexpr std::size_t kMeaningWidth = 50;
 constexpr std::size_t kSummaryWidth = 62;
 
 // A word of statistics that is printed.
-struct ExplainedTerm {
-  std::string_view name, meaning;
-};
 
 // In the order of their names.
 constexpr ExplainedTerm kTerms[] = {
@@ -95,7 +92,8 @@ void print_list() {
   fmt::print("ballbar effects NAME prints the page of one, ballbar effects --terms the words of statistics.\n");
 }
 
-void print_terms() {
+void print_terms(bool json) {
+  if (json) return print_json(json_of(ExplainedTerms{{std::begin(kTerms), std::end(kTerms)}}));
   Table table({"term", "means"});
   for (const ExplainedTerm& term : kTerms) table.add({std::string(term.name), std::string(term.meaning)});
   fmt::print("{}", table.left_aligned(table_width()));
@@ -152,7 +150,7 @@ void print_page(const Effect& effect) {
 }
 
 void run(const EffectsArguments& options) {
-  if (options.terms) return print_terms();
+  if (options.terms) return print_terms(options.json);
   std::vector<const Effect*> chosen;
   std::vector<std::string_view> names;
   const std::string name = options.name.substr(0, options.name.find_first_of(":( "));  // of a label, as one is printed
@@ -185,10 +183,9 @@ void add_effects(CLI::App& app) {
   CLI::App* command = app.add_subcommand("effects", "The catalogue of physical effects, or one effect's page");
   CLI::Option* name = command->add_option("NAME", options->name, "effect to explain; without it the list of all");
   name->type_name("");
-  CLI::Option* json = command->add_flag("--json", options->json, "the result for a program");
+  command->add_flag("--json", options->json, "the result for a program");
   command->add_flag("--terms", options->terms, "the words of statistics in tables and texts, a sentence each")
-      ->excludes(name)
-      ->excludes(json);
+      ->excludes(name);
   command->footer("Example:\n  ballbar effects backlash_a");
   command->callback([options] { run(*options); });
 }

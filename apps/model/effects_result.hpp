@@ -58,6 +58,30 @@ struct ResultType<Effect> {
                  Field{"inputs", &Effect::inputs, "that it reads"}, Field{"parameters", &Effect::parameters, ""}});
 };
 
+// A word of statistics, as results use it.
+struct ExplainedTerm {
+  std::string_view name, meaning;
+};
+
+template <>
+struct ResultType<ExplainedTerm> {
+  static constexpr std::string_view name = "ExplainedTerm";
+  static constexpr std::string_view meaning = "A word of statistics.";
+  static constexpr std::tuple fields{Field{"name", &ExplainedTerm::name, "the word"},
+                                     Field{"meaning", &ExplainedTerm::meaning, "of the word, in a sentence"}};
+};
+
+struct ExplainedTerms {
+  std::vector<ExplainedTerm> terms;
+};
+
+template <>
+struct ResultType<ExplainedTerms> {
+  static constexpr std::string_view name = "ExplainedTerms";
+  static constexpr std::string_view meaning = "The words of statistics.";
+  static constexpr std::tuple fields{Field{"terms", &ExplainedTerms::terms, "of tables and texts"}};
+};
+
 // A list, which Python has as this.
 struct EffectPages {
   std::vector<Effect> effects;

@@ -65,7 +65,6 @@ const std::map<std::string, std::string, std::less<>> kNumbers{
 std::string python_name(std::string name) {
   name.erase(0, name.find_first_not_of('-'));
   std::replace(name.begin(), name.end(), '-', '_');
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
   static const std::set<std::string, std::less<>> kWords{"for", "from", "with", "in", "is"};
   return kWords.contains(name) ? name + "_" : name;
 }
@@ -87,7 +86,9 @@ std::string sentence(std::string text) {
 
 Argument place_of(const OptionWords& words) {
   Argument argument;
-  argument.name = words.names.front() == "EFFECT_AND_DATA" ? "data" : python_name(words.names.front());
+  std::string name = words.names.front() == "EFFECT_AND_DATA" ? "data" : words.names.front();
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  argument.name = python_name(name);
   argument.type = "Data";
   argument.meaning = sentence(words.help);
   argument.value = argument.name;

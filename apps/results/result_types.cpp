@@ -64,7 +64,7 @@ std::vector<PythonClass> python_classes() {
           {"History", "history", {"History"}},
           {"Imported", "import_log", {"Imported", "Merged"}},
           {"Simulated", "simulate", {"Simulated", "SimulatedFleet", "BlindMade", "BlindRun", "BlindScore"}},
-          {"Effects", "effects", {"Effects", "Effect"}},
+          {"Effects", "effects", {"Effects", "Effect", "ExplainedTerms"}},
           {"Preflight", "could", {"Preflight", "PreflightTargets", "Injected"}},
           {"Checked", "Model.fit", {"Checked"}},
           {"Diagnosis", "Fit.diagnose", {"Diagnosed"}, "Checked"},
@@ -110,12 +110,12 @@ std::string with_tables(std::string page, const std::vector<ResultSchema>& schem
 
 std::vector<ResultSchema> all_schemas() {
   return schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsReports, PosteriorSoFar, Looked, Followed,
-                    CheckedTargets, PreflightTargets, EffectPages, TestPlan, EffectTest, Added, Ledger, Undone,
-                    Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult, History,
-                    ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet, TrainedOnTemperatures, TrainedOnEffects,
-                    TrainedForJob, PredictedSeries, PredictedTarget, ReplayResult, MadeSets, NextRun, ScoredSets,
-                    MeanPointsResult, ShaftPart, PageReport, ModelPart, HeldPart, RevisedPart, HistoryReport,
-                    FleetReport, PageFiles>();
+                    CheckedTargets, PreflightTargets, EffectPages, ExplainedTerms, TestPlan, EffectTest, Added, Ledger,
+                    Undone, Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult,
+                    History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet, TrainedOnTemperatures,
+                    TrainedOnEffects, TrainedForJob, PredictedSeries, PredictedTarget, ReplayResult, MadeSets, NextRun,
+                    ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart, HeldPart, RevisedPart,
+                    HistoryReport, FleetReport, PageFiles>();
 }
 
 int run_readmes(const std::filesystem::path& folder, bool update) {

@@ -77,7 +77,7 @@ bool is_of_machine_errors(const Model& model, const Series& data);
 struct Prediction {
   std::vector<double> predicted_um;                  // one a row of the data
   std::vector<std::vector<double>> contribution_um;  // one a term
-  std::vector<double> sigma_um;                      // of predicted_um, by what the parameters scatter; empty: not asked
+  std::vector<double> sigma_um;  // of predicted_um, by what the parameters scatter; empty: not asked
 };
 // covariance: of all parameters (Fit::covariance), for sigma_um; nullptr: without.
 Prediction predict(const Model& model, const std::vector<FittedParameter>& parameters, const Series& data,
