@@ -103,8 +103,7 @@ py::tuple fleet(const Texts& texts, const Columns& columns,
   for (const auto& [name, limit] : tolerances) options.tolerances.push_back({name, -limit, limit});
   nlohmann::ordered_json json;
   std::string text, page;
-  {
-    const py::gil_scoped_release free;
+  Listener(py::none()).hear([&] {
     const std::vector<MachineTest> tests = tests_of(texts, columns, quantities);
     const History found = history_of(tests, options);
     json = json_of(found);
@@ -115,7 +114,7 @@ py::tuple fleet(const Texts& texts, const Columns& columns,
       for (const MachineTest& test : tests) files.emplace_back(test.file);
       page = ranking_page(*title, files, found, remarks);
     }
-  }
+  });
   return py::make_tuple(to_python(json), text, page);
 }
 

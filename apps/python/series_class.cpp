@@ -254,8 +254,7 @@ void bind_series(py::module_& module) {
   module.def(
       "read_series",
       [](const std::filesystem::path& path) {
-        const py::gil_scoped_release free;
-        return std::make_shared<Series>(open_series(path));
+        return Listener(py::none()).hear([&] { return std::make_shared<Series>(open_series(path)); });
       },
       py::arg("path"),
       "The columns of a series .csv, or of a logger's file as `import_log` takes it.\n\n"

@@ -17,7 +17,6 @@ import math
 import os
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from numbers import Real
 from pathlib import PurePath, PurePosixPath
@@ -257,12 +256,8 @@ def rank(
     numbers = {name: rows[name].to_numpy(float) for name in (*NUMBERS, *quantities)}
     numbers["started_s"] = ((pandas.to_datetime(rows["date"]) - pandas.Timestamp(0)) / pandas.Timedelta(seconds=1)).to_numpy(float)
     numbers["stored"] = rows["stored"].fillna(False).to_numpy(float)
-    aside = ThreadPoolExecutor(1)  # so that Ctrl-C need not wait for it
-    try:
-        asked = (texts, numbers, ERRORS, limits, false_discovery_rate, None if page is None else title, remarks)
-        keys, text, html_page = aside.submit(_core.fleet, *asked).result()
-    finally:
-        aside.shutdown(wait=False)
+    of_page = None if page is None else title
+    keys, text, html_page = _core.fleet(texts, numbers, ERRORS, limits, false_discovery_rate, of_page, remarks)
     if page is not None:
         write_whole(page, html_page.encode())
     findings = [

@@ -11,13 +11,15 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "ballbar/numerics/interruption.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{256} << 10;
 constexpr std::size_t kLongestLine = std::size_t{4} << 20;
-constexpr std::size_t kMostLinesOfCell = 20;  // beyond, the quote was an inch, or a cell that lacks its end
+constexpr std::size_t kLinesBetweenQuestions = 4096;  // whether the work is to end
+constexpr std::size_t kMostLinesOfCell = 20;          // beyond, the quote was an inch, or a cell that lacks its end
 
 unsigned byte(char c) { return static_cast<unsigned char>(c); }
 
@@ -200,6 +202,7 @@ bool LogLines::next(bool quotes) {
       until = at_ + first_end;
       ends = 0;
     }
+    if (lines_ % kLinesBetweenQuestions == 0) expect_no_interruption();
     const bool last = until == buffer_.size();
     line_ = std::string_view(buffer_).substr(at_, until - at_);
     while (line_.ends_with('\r')) line_.remove_suffix(1);

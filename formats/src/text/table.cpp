@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ballbar/numerics/interruption.hpp"
 #include "text/cells.hpp"
 
 namespace ballbar {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::size_t kLongestComments = std::size_t{1} << 20;
 constexpr std::size_t kMostColumns = 10000;
+constexpr std::size_t kRowsBetweenQuestions = 4096;  // whether the work is to end
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
@@ -136,6 +138,7 @@ std::vector<std::vector<double>> table_columns(const SourceText& text, const Tab
   const char* const end = body.data() + body.size();
   const char* next = body.data();
   while (next < end) {
+    if (values.front().size() % kRowsBetweenQuestions == 0) expect_no_interruption();
     const char* const row = next;
     const auto refuse = [&] { fail_row(text, head, static_cast<std::size_t>(row - text.bytes.data()), gaps); };
     for (std::size_t column = 0; column < columns; ++column) {

@@ -33,6 +33,7 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t)>& part
     in_a_part = true;
     for (std::size_t i = 0; !ended && (i = next++) < count;) {
       try {
+        expect_no_interruption();
         part(i);
       } catch (const Ended&) {
         over[i] = std::current_exception();
