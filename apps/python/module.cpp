@@ -65,10 +65,10 @@ py::object fit(const Recordings& recordings, bool polar, bool robust) {
 // Both are classes of the package, so that they carry the place that a sentence begins with.
 void translate(std::exception_ptr thrown) {
   const auto raise = [](const char* name, const char* what) {
-    const py::object type = py::module_::import("ballbar._errors").attr(name);
-    const py::object error = type(py::str(what));
+    const py::module_ errors = py::module_::import("ballbar._errors");
+    const py::object error = errors.attr(name)(errors.attr("in_python")(py::str(what)));
     if (const py::object cause = raised_by_effect(what); !cause.is_none()) error.attr("__cause__") = cause;
-    PyErr_SetObject(type.ptr(), error.ptr());
+    PyErr_SetObject(error.get_type().ptr(), error.ptr());
   };
   try {
     if (thrown) std::rethrow_exception(std::move(thrown));

@@ -9,7 +9,7 @@ from typing import Any, Union
 import numpy as np
 
 from . import _core
-from ._errors import BallbarError, UsageError
+from ._errors import BallbarError, UsageError, in_python
 from ._frame import Data, Held, Path, Progress
 from ._model import Model
 from ._progress import progress_or_tqdm
@@ -74,7 +74,7 @@ def told(work: Callable[[Callable[[str], object]], Any], words: Iterable[str], p
         error.find_place(list(words))
         raise
     for remark in remarks:
-        _log.warning(remark)
+        _log.warning(in_python(remark))
     return tuple(result)
 
 

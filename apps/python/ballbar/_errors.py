@@ -10,6 +10,19 @@ _LINE = re.compile(r"^(.+?):(\d+)(?::(\d+))?: ")
 _FILE = re.compile(r"^[^<>\s]+\.[A-Za-z]\w*$")  # by its ending, where there is none of that name
 
 
+# What the program's sentences say of its command line, as Python has it.
+_HELP = re.compile(r"; see ballbar \S+ --help$")
+_OPTION = re.compile(r"(?<![^\s(])--([a-z][A-Za-z0-9-]*)")
+
+
+def in_python(sentence: str) -> str:
+    """A sentence of the program with arguments in the place of options."""
+    return _OPTION.sub(lambda option: _ARGUMENTS.get(option[1], option[1].replace("-", "_")), _HELP.sub("", sentence))
+
+
+_ARGUMENTS = {"set": "hold"}
+
+
 class BallbarError(ValueError):
     """A file, a column or a value is at fault; the text is a whole sentence.
 

@@ -1,6 +1,7 @@
 """Tables of pandas and their like as the data of a fit, and back."""
 from __future__ import annotations
 
+import math
 import os
 import warnings
 from collections.abc import Callable, Iterable, Mapping
@@ -28,8 +29,13 @@ class Held:
 
     def __init__(self, **how: Any) -> None:
         self.values: dict[str, Any] = {}
-        self.index: pandas.Index | None = None  # of the last table
+        self._indexes: list[pandas.Index] = []
         self._how = how
+
+    @property
+    def index(self) -> pandas.Index | None:
+        """Of the table, where there is one; of several their rows are known by time alone."""
+        return self._indexes[0] if len(self._indexes) == 1 and len(self.values) == 1 else None
 
     def places(self, data: Data) -> list[str]:
         """The words that stand for data: paths, and names of what is held."""
@@ -42,7 +48,8 @@ class Held:
             return [self.hold([data])]
         frame = frame_of(data)
         if frame is not None:
-            series, self.index = series_of(frame, **self._how)
+            series, index = series_of(frame, **self._how)
+            self._indexes.append(index)
             return [self.hold(series)]
         if isinstance(data, Iterable):
             several = list(data)
@@ -126,7 +133,12 @@ def series_of(
 def _time_of(named: dict[str, Any], index: pandas.Index, every: float | str | None) -> tuple[Any, str | None, str | None]:
     """Seconds, the wall clock at their start, and the column that they are from."""
     if every is not None:
-        step_s = pandas.Timedelta(every).total_seconds() if isinstance(every, str) else float(every)
+        try:
+            step_s = pandas.Timedelta(every).total_seconds() if isinstance(every, str) else float(every)
+        except (TypeError, ValueError):
+            step_s = math.nan
+        if not 0.0 < step_s < math.inf:
+            raise BallbarError(f'every: expected the step of the rows, in s or such as "10s", found {every!r}.')
         return step_s * np.arange(len(index)), None, None
     for name, seconds in _SECONDS.items():
         if name in named:
@@ -149,9 +161,11 @@ def _seconds_of(index: Any) -> tuple[Any, str | None]:
         return index.total_seconds().to_numpy(), None
     if index.hasnans:
         raise BallbarError(f"time, row {int(np.argmax(index.isna()))}: expected a date, found none.")
-    index = index.tz_localize(None)
-    started = index[0].strftime("%Y-%m-%dT%H:%M:%S") if len(index) else None
-    return (index - index[0].floor("s")).total_seconds().to_numpy() if len(index) else np.empty(0), started
+    if not len(index):
+        return np.empty(0), None
+    started = index[0].strftime("%Y-%m-%dT%H:%M:%S")  # of the wall clock; what passes since is of no zone
+    passed = index if index.tz is None else index.tz_convert("UTC").tz_localize(None)
+    return (passed - passed[0].floor("s")).total_seconds().to_numpy(), started
 
 
 def _is_numbers(values: Any) -> bool:
@@ -169,15 +183,18 @@ def _engine_name(name: str) -> str:
     return f"{stem[:at]}_sigma{stem[at:]}" if ends and name.endswith("_sigma") and at > 0 else name
 
 
-def _python_name(name: str) -> str:
+def python_name(name: str) -> str:
+    """x_um_sigma of x_sigma_um, and of sigma_x_um."""
+    if name.startswith("sigma_"):
+        return name.removeprefix("sigma_") + "_sigma"
     stem, middle, unit = name.rpartition("_sigma_")
     return f"{stem}_{unit}_sigma" if middle else name
 
 
 def frame_from(series: Series) -> pandas.DataFrame:
     """A series as a DataFrame over ``time_s``, with units, roles and what else the file states in ``attrs``."""
-    frame = pandas.DataFrame({_python_name(name): series[name] for name in series}, index=pandas.Index(series.time_s, name="time_s"))
-    frame.attrs["units"] = {_python_name(name): unit for name, unit in series.units.items()}
-    frame.attrs["roles"] = {_python_name(name): role for name, role in series.roles.items()}
+    frame = pandas.DataFrame({python_name(name): series[name] for name in series}, index=pandas.Index(series.time_s, name="time_s"))
+    frame.attrs["units"] = {python_name(name): unit for name, unit in series.units.items()}
+    frame.attrs["roles"] = {python_name(name): role for name, role in series.roles.items()}
     frame.attrs |= {key: value for key in ("started", "five_probe") if (value := getattr(series, key)) is not None}
     return frame

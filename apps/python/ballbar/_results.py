@@ -7,6 +7,9 @@ from collections.abc import Iterator
 from typing import Any, NoReturn, TypeVar, overload
 
 import numpy as np
+import pandas
+
+from ._frame import python_name
 
 _classes: dict[str, type[Result]] = {}  # by name, for the parts of results
 
@@ -74,18 +77,19 @@ class Result:
         return self._json
 
     def to_pandas(self) -> Any:
-        """A DataFrame of the longest list of rows, else of the numbers of equal length, else of the single values."""
-        import pandas
+        """A DataFrame of the longest list of rows, else of the numbers of equal length, else of the single values.
 
+        The sigma of a column stands behind its name: ``x_um_sigma``.
+        """
         lists = {key: value for key, value in self._json.items() if type(value) in (list, np.ndarray) and len(value)}
         columns = {key: self[key] for key, value in lists.items() if is_numbers(value)}
         rows = [value for value in lists.values() if type(value[0]) is dict]
         if rows and not any(type(value) is np.ndarray for value in lists.values()):
-            return pandas.DataFrame(max(rows, key=len))
+            return pandas.DataFrame(max(rows, key=len)).rename(columns=python_name)
         if columns:
             longest = max(len(values) for values in columns.values())
-            return pandas.DataFrame({key: values for key, values in columns.items() if len(values) == longest})
-        return pandas.DataFrame([{key: value for key, value in self._json.items() if type(value) not in (dict, list)}])
+            return pandas.DataFrame({python_name(key): values for key, values in columns.items() if len(values) == longest})
+        return pandas.DataFrame([{python_name(key): value for key, value in self._json.items() if type(value) not in (dict, list)}])
 
     def plot(self, axes: Any = None) -> Any:
         """Draws this result with matplotlib on these axes, or on new ones, and returns them.
@@ -146,10 +150,8 @@ class Rows(tuple[Row, ...]):
         return [row.to_dict() for row in self]
 
     def to_pandas(self) -> Any:
-        """A DataFrame with a line a row."""
-        import pandas
-
-        return pandas.DataFrame(self.to_dict())
+        """A DataFrame with a line a row; the sigma of a column stands behind its name, ``x_um_sigma``."""
+        return pandas.DataFrame(self.to_dict()).rename(columns=python_name)
 
 
 def _equal(a: Any, b: Any) -> bool:

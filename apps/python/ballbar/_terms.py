@@ -7,6 +7,7 @@ import re
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from numbers import Real
 from typing import Any, NoReturn, Union
 
 from . import _core
@@ -32,6 +33,12 @@ class Free:
     lower: float | None = None
     upper: float | None = None
     unit: str | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("start", "lower", "upper"):
+            value = getattr(self, name)
+            if value is not None and (isinstance(value, bool) or not isinstance(value, Real)):
+                raise UsageError(f"{name}: expected a number, found {value!r}.")
 
 
 def free(start: float | None = None, *, lower: float | None = None, upper: float | None = None, unit: str | None = None) -> Free:
