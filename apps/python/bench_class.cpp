@@ -65,7 +65,7 @@ class Bench {
   }
 
   const ResidualReport& check() {
-    const std::lock_guard<std::mutex> lock(asking_);
+    const std::lock_guard<std::recursive_mutex> lock(asking_);
     return kept_check();
   }
 
@@ -85,7 +85,7 @@ class Bench {
 
   // The terms of another model's text, added to this one.
   nlohmann::ordered_json test(const std::string& text, const Effects& effects) {
-    const std::lock_guard<std::mutex> lock(asking_);
+    const std::lock_guard<std::recursive_mutex> lock(asking_);
     kept_check();
     const std::vector<Term> terms = read_model(text, "effects", catalogue_with(effects)).terms;
     EffectTest tested = of_data([&] { return kept_->effect_test(terms); });
@@ -124,7 +124,7 @@ class Bench {
   std::shared_ptr<const ModelData> data_;
   Model model_;
   std::optional<Workbench> kept_;
-  std::mutex asking_;
+  std::recursive_mutex asking_;  // a callback may ask again
 };
 
 py::array whole_numbers(const std::vector<std::size_t>& values) {

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <exception>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -79,8 +80,24 @@ std::string upper(std::string text) {
   return text;
 }
 
+// `max_gap` for --max-gap.
+std::string with_arguments(const std::string& text) {
+  static const std::regex kOption("--[a-zA-Z][a-zA-Z0-9-]*");
+  std::string result;
+  auto from = text.cbegin();
+  for (auto at = std::sregex_iterator(text.begin(), text.end(), kOption); at != std::sregex_iterator(); ++at) {
+    result.append(from, text.cbegin() + at->position());
+    result += "`" + python_name(at->str()) + "`";
+    from = text.cbegin() + at->position() + at->length();
+  }
+  return result.append(from, text.cend());
+}
+
 std::string sentence(std::string text) {
-  text = upper(std::move(text));
+  constexpr std::string_view kRepeated = "; may be repeated";  // a list says so
+  if (text.ends_with(kRepeated)) text.erase(text.size() - kRepeated.size());
+  text = with_arguments(text);
+  if (text.substr(0, text.find(' ')).find('.') == std::string::npos) text = upper(text);  // no name of a file
   return text.empty() || text.back() == '.' ? text : text + ".";
 }
 
@@ -105,12 +122,13 @@ Argument option_of(const OptionWords& words) {
   argument.option = python_name(name);
   argument.name = argument.option;
   argument.meaning = sentence(words.help);
+  if (!words.words.empty()) argument.meaning += fmt::format(" One of {}.", fmt::join(words.words, ", "));
   argument.otherwise = words.is_required ? "" : "None";
   if (words.takes == Takes::nothing) {
     argument.type = "bool";
     argument.otherwise = "False";
   } else if (const auto number = kNumbers.find(words.value); number != kNumbers.end()) {
-    argument.type = "float";
+    argument.type = words.value == "N" ? "int" : "float";
     if (!argument.name.ends_with(number->second)) argument.name += number->second;
   } else if (words.value == "DATA") {
     argument.type = "Data";
