@@ -88,7 +88,7 @@ std::string next_text(const DiagnosisReport& diagnosis_report) {
   const Diagnosis& found = diagnosis_report.diagnosis;
   if (found.verdict == Verdict::named && found.equivalent.empty()) return "";  // nothing is left to tell
   if (!diagnosis_report.next_tests.empty()) return diagnosis_report.next_tests.front().text;
-  if (diagnosis_report.plan_command.empty()) return "";
+  if (!diagnosis_report.is_for_plan) return "";
   return "another run of the machine. `ballbar plan` finds which one, and says how surely it would decide.";
 }
 
@@ -124,7 +124,8 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& benc
     report.residual_report = bench.check();
     report.diagnosis = bench.diagnosis();
     const Diagnosis& found = report.diagnosis;
-    if (bench.model().level == Level::series) report.plan_command = plan_command(options, found);
+    report.is_for_plan = bench.model().level == Level::series && is_for_plan(found);
+    if (report.is_for_plan) report.plan_command = plan_command(options, found);
     report.next_tests = next_tests(bench.model(), bench.data(), found);
     report.command = next_command(options, found);
     report.hint = next_hint(options, found);
@@ -133,7 +134,10 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& benc
 }
 
 std::optional<DecidingTest> deciding_test(const DiagnosisReport& report) {
-  if (!report.plan_command.empty()) return DecidingTest{next_text(report), {}, {report.plan_command}};
+  if (report.is_for_plan) {
+    const std::string& command = report.plan_command;
+    return DecidingTest{next_text(report), {}, {command.empty() ? std::nullopt : std::optional(command)}};
+  }
   if (report.next_tests.empty()) return std::nullopt;
   return DecidingTest{report.next_tests.front().text, {report.next_tests.front().separation}, {}};
 }

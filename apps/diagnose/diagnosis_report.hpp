@@ -30,7 +30,8 @@ struct DiagnosisReport {
   Diagnosis diagnosis;
   std::vector<NextTest> next_tests;
   std::string command;       // to paste next; empty: none
-  std::string plan_command;  // that plans the test which would decide; empty: none, or recordings
+  bool is_for_plan = false;  // whether a test of a series would decide more
+  std::string plan_command;  // that plans it; empty: none, or data that nobody can type
   std::string hint;          // what to do where no command does it, a sentence; or empty
   std::vector<StandIn> stand_ins;
 };

@@ -48,7 +48,6 @@ void read_into(ErrorsReports& reports, const Source& source, const StatedCircle&
     reports.results_alone.push_back(std::move(alone));
     return;
   }
-  bool first = true;
   for (Recording& recording : read.recordings) {
     if (recording.kind != Kind::circle || recording.motion != Motion::linear_axes) {
       throw Error(fmt::format("{}: expected circles that two linear axes drive, found {}.", file,
@@ -56,11 +55,9 @@ void read_into(ErrorsReports& reports, const Source& source, const StatedCircle&
     }
     ErrorsReport& group = group_of(reports, recording);
     group.recordings.push_back(std::move(recording));
-    if (first) {
-      group.files.push_back(file);
-      group.b5r = group.files.size() == 1 ? read.b5r : std::nullopt;
-    }
-    first = false;
+    if (!group.files.empty() && group.files.back() == file) continue;
+    group.files.push_back(file);
+    group.b5r = group.files.size() == 1 ? read.b5r : std::nullopt;
   }
 }
 

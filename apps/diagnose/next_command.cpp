@@ -125,10 +125,13 @@ std::string replace_command(const ModelOptions& options, const Replacement& repl
   return command.empty() ? "" : fmt::format("{} --replace {}", command, shell_word(replacement.label));
 }
 
+bool is_for_plan(const Diagnosis& found) {
+  return found.verdict != Verdict::nothing && found.verdict != Verdict::untestable &&
+         (found.verdict != Verdict::named || !found.equivalent.empty() || !found.probable.empty());
+}
+
 std::string plan_command(const ModelOptions& options, const Diagnosis& found) {
-  const bool is_open = found.verdict != Verdict::nothing && found.verdict != Verdict::untestable &&
-                       (found.verdict != Verdict::named || !found.equivalent.empty() || !found.probable.empty());
-  return is_open ? command_of("plan", {}, options, found.target) : "";
+  return command_of("plan", {}, options, found.target);
 }
 
 std::string add_command(const ModelOptions& options, const EffectTest& tried) {

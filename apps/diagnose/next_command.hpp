@@ -20,6 +20,7 @@ std::string replace_command(const ModelOptions& options, const Replacement& repl
 
 // "ballbar plan run.csv --model model.toml --target y_um": the test that would decide. Empty where all is named, or
 // there is nothing to decide.
+bool is_for_plan(const Diagnosis& found);
 std::string plan_command(const ModelOptions& options, const Diagnosis& found);
 
 // "ballbar add 'expansion(T_room_degC)' run.csv --model model.toml --target y_um": what saves what was tried.

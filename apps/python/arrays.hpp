@@ -5,6 +5,7 @@
 #include <pybind11/pybind11.h>
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace ballbar::python {
@@ -26,5 +27,13 @@ pybind11::array array_of(std::vector<double>&& values);
 
 // Read-only, of memory that `owner` keeps.
 pybind11::array view_of(const std::vector<double>& values, pybind11::handle owner);
+
+// Whether `other` is one of the same class with the same state, that of its pickle.
+template <class Value, class State>
+bool equal(Value& one, const pybind11::object& other, State state) {
+  if (!pybind11::isinstance<std::decay_t<Value>>(other)) return false;
+  const auto dumped = [&](Value& value) { return pybind11::module_::import("pickle").attr("dumps")(state(value)); };
+  return dumped(one).equal(dumped(pybind11::cast<Value&>(other)));
+}
 
 }  // namespace ballbar::python

@@ -39,6 +39,11 @@ std::vector<Source> sources_of(const std::vector<std::string>& places, const std
   return sources;
 }
 
+ModelOptions expect_data(ModelOptions options) {
+  if (options.data.empty()) throw Error("data: expected a table, a path or recordings, found none.");
+  return options;
+}
+
 // Of one target.
 class Bench {
   template <class Work>
@@ -48,7 +53,7 @@ class Bench {
 
  public:
   explicit Bench(ModelOptions options)
-      : options_(std::move(options)), data_(std::make_shared<const ModelData>(open_data(options_))) {
+      : options_(expect_data(std::move(options))), data_(std::make_shared<const ModelData>(open_data(options_))) {
     const Model model = open_model(options_, *data_);
     if (model.targets.size() != 1) {
       throw Error(fmt::format("target: expected one, found {}; fit(..., target=...) chooses one, fit_all() fits each.",
@@ -62,6 +67,11 @@ class Bench {
     std::vector<std::string> labels;
     for (const Term& term : model_.terms) labels.push_back(label_of(term));
     return labels;
+  }
+
+  // A copy, as the sources are shared with who holds them; nullptr: recordings.
+  [[nodiscard]] std::shared_ptr<Series> series() const {
+    return data_->level == Level::series ? std::make_shared<Series>(*data_->series) : nullptr;
   }
 
   const ResidualReport& check() {
@@ -95,9 +105,13 @@ class Bench {
 
   // Of other data, with their times, by the parameters of the fit, or as all of them are held.
   std::pair<std::vector<double>, Prediction> predict(const std::vector<std::string>& places,
-                                                     const std::map<std::string, Data>& held) {
+                                                     const std::map<std::string, Data>& held, bool fitted) {
+    if (!fitted && has_free(model_)) {
+      throw Error("model: expected all parameters to be held, found one that is free; fit(...).predict() fits it.");
+    }
     ModelOptions elsewhere = options_;
     elsewhere.data = sources_of(places, held);
+    elsewhere = expect_data(std::move(elsewhere));
     const ModelData other = open_data(elsewhere);
     std::vector<FittedParameter> parameters;
     const Eigen::MatrixXd* covariance = nullptr;
@@ -142,6 +156,7 @@ py::dict arrays_of(const Fit& fit) {
   arrays["row"] = whole_numbers(fit.row);
   arrays["discounted"] = whole_numbers(fit.discounted);
   arrays["time_s"] = array_of(fit.time_s);
+  arrays["elapsed_s"] = array_of(one_after_another(fit.time_s));
   arrays["measured_um"] = array_of(fit.measured_um);
   arrays["predicted_um"] = array_of(fit.predicted_um);
   arrays["residual_um"] = array_of(fit.residual_um);
@@ -158,6 +173,8 @@ void bind_bench(py::module_& module) {
   py::class_<Bench, std::shared_ptr<Bench>>(module, "Bench")
       .def_property_readonly("target", &Bench::target)
       .def_property_readonly("labels", &Bench::labels)
+      .def_property_readonly(
+          "series", [](const Bench& bench) { return bench.series(); }, "That was fitted; None of recordings.")
       .def("check",
            [](Bench& bench, const py::object& progress) {
              Listener listener(progress);
@@ -185,13 +202,14 @@ void bind_bench(py::module_& module) {
              const nlohmann::ordered_json json = listener.hear([&] { return bench.test(text, effects); });
              return py::make_tuple(to_python(json), listener.remarks);
            })
-      .def("predict", [](Bench& bench, const Places& places, const Held& held, const py::object& progress) {
-        Listener listener(progress);
-        auto [time_s, found] = listener.hear([&] { return bench.predict(places, held); });
-        return py::make_tuple(array_of(std::move(time_s)), array_of(std::move(found.predicted_um)),
-                              array_of(std::move(found.sigma_um)), arrays_of(std::move(found.contribution_um)),
-                              listener.remarks);
-      });
+      .def("predict",
+           [](Bench& bench, const Places& places, const Held& held, bool fitted, const py::object& progress) {
+             Listener listener(progress);
+             auto [time_s, found] = listener.hear([&] { return bench.predict(places, held, fitted); });
+             return py::make_tuple(array_of(std::move(time_s)), array_of(std::move(found.predicted_um)),
+                                   array_of(std::move(found.sigma_um)), arrays_of(std::move(found.contribution_um)),
+                                   listener.remarks);
+           });
   module.def(
       "bench",
       [](const Places& places, const Held& held, const std::string& text, const Effects& effects,

@@ -55,11 +55,9 @@ py::object fit(const Recordings& recordings, bool polar, bool robust) {
   CircleOptions how;
   how.model = polar ? CircleModel::polar : CircleModel::length_equation;
   how.robust = robust;
-  const Json json = [&] {
-    const py::gil_scoped_release free;
+  return to_python(Listener(py::none()).hear([&] {
     return json_of(fit_files({Source("<data>", recordings_of(recordings))}, how));
-  }();
-  return to_python(json);
+  }));
 }
 
 // Both are classes of the package, so that they carry the place that a sentence begins with.

@@ -33,13 +33,15 @@ constexpr std::size_t kWidth = 112;
 
 struct Function {
   std::string_view name, command, result;
-  std::string_view fixed = {};  // options that it always gives, as Python
+  std::string_view fixed = {};        // options that it always gives, as Python
+  std::string_view without = {};      // an option that would need others than these
+  std::string_view answers = "True";  // when the command answers, as Python: not where it writes a file instead
 };
 
 // `errors`, `check`, `diagnose`, `add` and their like are tables and values of Python: Model, Fit.
 constexpr Function kFunctions[] = {
     {"circles", "fit", "Fitted"},
-    {"machine_errors", "errors", "RankedErrors", R"("show": "ranked")"},
+    {"machine_errors", "errors", "RankedErrors", R"("show": "ranked")", "out"},
     {"drift", "drift", "Drift"},
     {"compare", "compare", "Comparison"},
     {"history", "history", "History"},
@@ -49,19 +51,21 @@ constexpr Function kFunctions[] = {
     {"plan", "plan", "Plan"},
     {"train", "train", "Trained"},
     {"predict", "predict", "Predicted"},
-    {"compensate", "compensate", "Replay"},
-    {"report", "report", "Report"},
+    {"compensate", "compensate", "Replay", "", "", "on is not None or from_picture is not None"},
+    {"report", "report", "Report", "", "", "out is None"},
     {"simulate", "simulate", "Simulated"},
 };
 
 // Of the terminal, of a process of its own, or said by `fixed`.
-const std::set<std::string, std::less<>> kNotOfPython{
-    "help", "json", "show", "table", "workers", "scheduler", "open", "live", "follow", "serve", "all", "width", "page"};
+const std::set<std::string, std::less<>> kNotOfPython{"help", "json",   "show",   "table",  "workers", "scheduler",
+                                                      "open", "live",   "follow", "serve",  "all",     "width",
+                                                      "page", "format", "tool",   "signals"};
 
 // The unit of a number, at the end of its name.
 const std::map<std::string, std::string, std::less<>> kNumbers{
     {"TIME", "_s"}, {"UM", "_um"}, {"MM", "_mm"}, {"LENGTH", "_mm"}, {"MIN", "_min"}, {"RPM", ""}, {"H", ""},
-    {"N", ""},      {"K2", ""},    {"SHARE", ""}, {"RATE", ""},      {"PX", ""},      {"K", "_K"}};
+    {"N", ""},      {"K2", ""},    {"SHARE", ""}, {"RATE", ""},      {"PX", ""},      {"K", ""},   {"UM/S", ""},
+    {"K/S", ""},    {"S", ""},     {"DEGC", ""},  {"PPM/K", ""},     {"FLOAT", ""}};
 
 std::string python_name(std::string name) {
   name.erase(0, name.find_first_not_of('-'));
@@ -103,11 +107,12 @@ std::string sentence(std::string text) {
 
 Argument place_of(const OptionWords& words) {
   Argument argument;
-  std::string name = words.names.front() == "EFFECT_AND_DATA" ? "data" : words.names.front();
+  const bool is_with_effect = words.names.front() == "EFFECT_AND_DATA";  // which is an argument of its own
+  std::string name = is_with_effect ? "data" : words.names.front();
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
   argument.name = python_name(name);
   argument.type = "Data";
-  argument.meaning = sentence(words.help);
+  argument.meaning = is_with_effect ? "Series, session, or recordings." : sentence(words.help);
   argument.value = argument.name;
   if (!words.is_required) {
     argument.type += " | None";
@@ -166,7 +171,8 @@ std::string function_text(const Function& of, const CommandWords& command) {
         {"effect", "str | None", "None", "One effect to add, such as ``expansion(T_room_degC)``.", "effect", ""});
   std::vector<Argument> by_keyword;
   for (const OptionWords& words : command.options) {
-    if (kNotOfPython.contains(python_name(words.names.back()))) continue;
+    const std::string name = python_name(words.names.back());
+    if (kNotOfPython.contains(name) || name == of.without) continue;
     by_keyword.push_back(option_of(words));
   }
   const auto needed = [](const Argument& one) { return one.otherwise.empty(); };
@@ -192,9 +198,9 @@ std::string function_text(const Function& of, const CommandWords& command) {
       "    Returns\n    -------\n    {}\n        As ``ballbar {} --json``, to the last bit.\n\n"
       "    Raises\n    ------\n    BallbarError\n        Data or a value that can be put right: the sentence says "
       "how.\n    \"\"\"\n"
-      "    options: dict[str, Any] = {{{}}}\n    return {}(run(\"{}\", [{}], options, progress))\n",
+      "    options: dict[str, Any] = {{{}}}\n    return {}(run(\"{}\", [{}], options, progress, answers={}))\n",
       of.name, names, of.result, command.summary, of.command, parameters, of.result, of.command, options, of.result,
-      of.command, fmt::join(places, ", "));
+      of.command, fmt::join(places, ", "), of.answers);
 }
 
 std::string functions_file() {
@@ -258,9 +264,11 @@ std::string class_text(const Effect& effect) {
   }
   return fmt::format(
       "\n\nclass {}(Effect):\n    r\"\"\"{}\n\n{}\n    ``{}``\n\n    Parameters\n    ----------\n{}    \"\"\"\n\n"
-      "    of_recordings = {}\n\n    def __init__(self{}) -> None:\n        super().__init__(\"{}\", {{{}}}, {{{}}})\n",
+      "    of_recordings = {}\n    effect_name = \"{}\"\n\n    def __init__(self{}) -> None:\n        "
+      "super().__init__(\"{}\", {{{}}}, {{{}}})\n",
       class_name(effect), sentence(effect.explanation.summary), indented(effect.explanation.cause, 4),
-      effect.explanation.formula, parameters, of_recordings ? "True" : "False", names, effect.name, columns, values);
+      effect.explanation.formula, parameters, of_recordings ? "True" : "False", effect.name, names, effect.name,
+      columns, values);
 }
 
 std::string effects_file() {

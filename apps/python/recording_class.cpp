@@ -96,6 +96,7 @@ std::shared_ptr<Recording> recording_of(const py::object& length_mm, const py::o
   auto recording = std::make_shared<Recording>();
   recording->length_mm = vector_of(length_mm, "length_mm");
   const std::size_t n = recording->length_mm.size();
+  if (n == 0) throw Error("length_mm: expected readings, found none.");
   recording->kind = angle_deg.is_none() ? Kind::axial : Kind::circle;
   if (!angle_deg.is_none()) {
     recording->angle_rad = vector_of(angle_deg, "angle_deg");
@@ -186,6 +187,12 @@ void bind_recording(py::module_& module) {
       .def_readonly("feed_mm_per_min", &Recording::feed_mm_per_min, "mm/min, or None.")
       .def(
           "__len__", [](const Recording& one) { return one.length_mm.size(); }, "Readings.")
+      .def("__eq__", [](const Recording& one, const py::object& other) { return equal(one, other, &state_of); })
+      .def("__repr__",
+           [](const Recording& one) {
+             return fmt::format("<ballbar.Recording {} {}, {} readings>", name_of(one.plane), name_of(one.direction),
+                                one.length_mm.size());
+           })
       .def(py::pickle(&state_of, &recording_from));
   module.def(
       "read_recordings",

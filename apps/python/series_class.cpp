@@ -250,6 +250,12 @@ void bind_series(py::module_& module) {
           py::arg("path"),
           "Writes a series .csv, which reads back to the same numbers; a gap is an empty cell.\n\n"
           "Raises\n------\nBallbarError\n    Where the file cannot be written.")
+      .def("__eq__", [](Series& one, const py::object& other) { return equal(one, other, &state_of); })
+      .def("__repr__",
+           [](const Series& series) {
+             return fmt::format("<ballbar.Series {} rows of {}>", series.time_s.size(),
+                                fmt::join(names_of(series), ", "));
+           })
       .def(py::pickle(&state_of, &series_from));
   module.def(
       "read_series",

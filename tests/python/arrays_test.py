@@ -120,6 +120,32 @@ class Arrays(unittest.TestCase):
             forecast = bb.predict(DATA, model=trained[0])
             self.assertEqual((type(forecast["z_model_um"]), forecast["z_model_um"].dtype), (np.ndarray, np.float64))
 
+    def test_files_that_are_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, picture in (("page.html", None), ("picture.svg", "measured")):
+                bb.report(DATA, model=MODEL, out=f"{folder}/{name}", no_diagnosis=True, picture=picture)
+                with open(f"{folder}/{name}", encoding="utf-8") as file:
+                    self.assertIn("<svg" if name.endswith("svg") else "<html", file.read())
+            bb.compensate(model=MODEL, fit=DATA, out=f"{folder}/model.toml")
+            held = bb.Model.load(f"{folder}/model.toml")
+            self.assertEqual(held.predict(bb.read(DATA))["y_um"].shape, (1441,))
+
+    def test_recordings_that_hardly_are(self):
+        def of(n, plane):
+            return bb.Recording(100.0 + np.zeros(n), 360.0 / n * np.arange(n), plane=plane)
+
+        with self.assertRaisesRegex(bb.BallbarError, "length_mm: expected readings, found none"):
+            bb.Recording([], [])
+        found = bb.machine_errors([of(200, "XY"), of(3, "YZ")])
+        self.assertEqual(len(found.skipped), 1)
+
+    def test_equal(self):
+        series = read_series(DATA)
+        self.assertEqual(series, read_series(DATA))
+        self.assertNotEqual(series, read_series(f"{HE}/five-probe.csv"))
+        self.assertEqual(bb.read_recordings(B5R), bb.read_recordings(B5R))
+        self.assertIn("1441 rows of speed_rpm", repr(series))
+
     def test_pickled(self):
         series = read_series(f"{HE}/five-probe.csv")
         again = pickle.loads(pickle.dumps(series))

@@ -76,6 +76,10 @@ class PythonEffect(unittest.TestCase):
         self.assertEqual(again.diagnose(), fit.diagnose())
         self.assertEqual(pickle.loads(pickle.dumps(cube)), cube)
         cloud = __import__("cloudpickle") if __import__("importlib.util").util.find_spec("cloudpickle") else pickle
+        if cloud is not pickle:
+            again = cloud.loads(cloud.dumps(fit.model.effects[0]))
+            self.assertEqual((fit.model - again).effects, ())
+            self.assertEqual(len(bb.Model("z_um", [again, swing.on()]).fit(room()).diagnose(extra=[cube]).fit.model.functions), 2)
         if cloud is not pickle:  # as Dask sends it: by value where it is of a script, a lambda too
             square = bb.effect("square", inputs={"temperature": "degC"}, gain="gain_um")(lambda time_s, temperature: temperature**2)
             self.assertEqual(cloud.loads(cloud.dumps(square))(0, np.array([3.0])), 9.0)

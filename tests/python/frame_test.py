@@ -92,6 +92,21 @@ class Tables(unittest.TestCase):
         with self.assertRaisesRegex(bb.BallbarError, 'roles: expected names of columns, found "no_degC"'):
             MODEL.fit(self.table, roles={"no_degC": "ambient"})
 
+    def test_what_would_be_taken_for_something_else(self):
+        for work, message in (
+            (lambda: MODEL.fit(self.table.assign(y=1.0), units={"y": "um"}), 'found two columns "y_um"'),
+            (lambda: MODEL.fit(self.table, every="60s"), "every: expected a table without times, found time_s"),
+            (lambda: MODEL.fit(self.table.set_axis(pandas.date_range("2026", periods=len(self.table), freq="60s")), every=60), "an index of them"),
+        ):
+            with self.assertRaisesRegex(bb.BallbarError, message):
+                work()
+        with self.assertRaisesRegex(TypeError, "found TextIOWrapper"), open(DATA, encoding="utf-8") as file:
+            MODEL.fit(file)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            MODEL.fit(self.table.assign(note="cold"))
+        self.assertEqual(pathlib.Path(caught[0].filename).name, "frame_test.py")
+
     def test_sigma_of_a_column(self):
         """Stands at the end of the name in Python, before the unit in files."""
         table = self.table.assign(y_um_sigma=0.3)

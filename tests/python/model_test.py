@@ -133,6 +133,70 @@ class Fits(unittest.TestCase):
             path.write_text("time_s,y_um\n0,1\n", encoding="utf-8")
             self.assertEqual(fit._repr_html_(), before)
 
+    def test_whole_of_files(self):
+        """A fit of a file knows no other file of that name: nor does its copy."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "data.csv")
+            path.write_bytes(pathlib.Path(f"{HIDDEN}/data.csv").read_bytes())
+            fit = hidden()[0].fit(path)
+            dumped, found, tested = pickle.dumps(fit), fit.diagnose(seed=1), fit.test("expansion(T_room_degC)")
+            path.unlink()
+            for one in (fit, pickle.loads(dumped)):
+                self.assertEqual((one.diagnose(seed=1), one.test("expansion(T_room_degC)")), (found, tested))
+                self.assertEqual(one.could().n, fit.n)
+        recordings = [f"sample-runs/qc20-style-b5r/0{k}.b5r" for k in (0, 3)]
+        model = bb.Model(of_recordings=True, effects=["scale_mismatch"])
+        self.assertEqual(pickle.loads(pickle.dumps(model.fit(recordings))).could(), bb.could(recordings, model=model))
+        self.assertEqual(model.fit(bb.read_recordings(recordings[0])).could().n, 4000)
+
+    def test_nothing_inside_can_be_changed(self):
+        model, table = hidden()
+        fit = model.fit(table)
+        before = pickle.dumps(fit)
+        fit.to_dict()["sentences"].append("")
+        fit.sentences.append("")
+        for array in (fit.correlation, fit.whiteness.autocorrelation):
+            with self.assertRaises(ValueError):
+                array[0] = 9.0
+        with self.assertRaises(TypeError):
+            model.effects[0].columns["temperature"] = "x"
+        for name in ("text", "model"):
+            with self.assertRaises(AttributeError):
+                delattr(fit if name == "model" else model, name)
+        self.assertEqual(pickle.dumps(fit), before)
+        self.assertIsInstance(pickle.loads(pickle.dumps(model)).effects[0], bb.LaggedExpansion)
+
+    def test_several_runs(self):
+        model, table = hidden()
+        fit = model.fit([table.iloc[:500], table.iloc[600:900]])
+        self.assertEqual((list(fit.index.names), fit.index[500]), (["run", "time_s"], (1, 0.0)))
+        self.assertEqual(fit.measured.to_numpy()[500], table["y_um"].iloc[600])
+        self.assertEqual(len(fit.plot().lines), 3)
+
+    def test_rows_without_an_input(self):
+        model, table = hidden()
+        table.iloc[:20, list(table).index("T_motor_degC")] = np.nan
+        fit = model.fit(table)
+        self.assertEqual(fit.predict().index[0], table.index[20])
+        np.testing.assert_array_equal(fit.measured, table["y_um"].loc[fit.index])
+
+    def test_arguments(self):
+        model, table = hidden()
+        fit = model.fit(table)
+        for work, message in (
+            (lambda: model.fit([]), "data: expected a table, a path or recordings, found none"), (lambda: fit.predict([]), "data: expected"),
+            (lambda: model.fit(table, robust="no"), "robust: expected True or False"), (lambda: model.fit(table, target=["y_um"]), "one column"),
+            (lambda: model.fit(table, max_gap_s="10min"), "max_gap_s: expected a number"), (lambda: model.fit(table, max_gap_s=np.nan), "max_gap_s"),
+            (lambda: fit.diagnose(most_rows=0), "most_rows: expected a whole number from 30 to 5000"), (lambda: fit.diagnose(seed=1.5), "seed"),
+            (lambda: fit.diagnose(seed=-1), "seed"), (lambda: fit.diagnose(tolerance_um=-1), "tolerance_um"), (lambda: fit.test([]), "effects: expected one"),
+            (lambda: model.predict(table), "expected all parameters to be held"), (lambda: model.fit(table, hold={"gain": "x"}), "gain: expected a number"),
+        ):
+            with self.assertRaisesRegex(bb.BallbarError, message):
+                work()
+        self.assertEqual(model.fit(table, hold={"constant_um": 1.0}).params["value"][0], 1.0)
+        gap = table.drop(table.index[100:130])
+        self.assertEqual(model.fit(gap, max_gap_s=5000.0).could().n, len(gap))
+
     def test_compare(self):
         model, table = hidden()
         fit = model.fit(table)
@@ -143,7 +207,10 @@ class Fits(unittest.TestCase):
         self.assertGreaterEqual(found.best_surrogate_fall, 0.0)
         for work, message in (
             (lambda: fit.compare(better), "whose model is part of this one's"), (lambda: fit.compare(fit), "expected a fit of a smaller model"),
-            (lambda: better.compare(model.fit(table.iloc[:500])), "expected a fit of the same readings"),
+            (lambda: better.compare(model.fit(table, robust=True)), "without robust, white and hold"),
+            (lambda: better.compare(bb.Model("y_um", [bb.LaggedExpansion("T_motor_degC", time_constant_s=5000.0)]).fit(table)), "or holds otherwise"),
+            (lambda: better.compare(model.fit(table.assign(T_room_degC=20.0))), "expected a fit of the same data and target"),
+            (lambda: better.compare(model.fit(table.iloc[:500])), "expected a fit of the same data and target"),
         ):
             with self.assertRaisesRegex(bb.BallbarError, message):
                 work()

@@ -8,6 +8,9 @@ Units stand at the end of every name: ``_um``, ``_mm``, ``_deg``, ``_s``, ``_deg
 """
 from __future__ import annotations
 
+import importlib
+from typing import Any
+
 from . import _core, _effects
 from ._core import Recording, Series, read_recordings
 from ._effects import *  # noqa: F403
@@ -23,9 +26,17 @@ from ._results import Result, Rows
 from ._terms import Effect, Expression, Free, PythonEffect, effect, free
 
 __version__: str = _core.version
+errors.__module__, errors.__name__, errors.__qualname__ = __name__, "errors", "errors"
 __all__ = [
     "BallbarError", "BallbarWarning", "Diagnosis", "Effect", "Expression", "Fit", "Free", "Model", "PythonEffect", "Recording",
     "Result", "Rows", "Series", "UsageError", "circles", "compare", "compensate", "could", "drift", "effect", "effects", "errors",
     "fit_circle", "free", "history", "import_log", "machine_errors", "plan", "predict", "read", "read_recordings", "report",
     "simulate", "train", "write", *_effects.__all__,
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """Modules that need more than numpy and pandas are imported when they are first used."""
+    if name in ("fleet", "plot", "sklearn"):
+        return importlib.import_module(f"{__name__}.{name}")
+    raise AttributeError(f"module {__name__} has no attribute {name}")

@@ -13,6 +13,7 @@ from ._errors import BallbarError, UsageError, in_python
 from ._frame import Data, Held, Path, Progress
 from ._model import Model
 from ._progress import progress_or_tqdm
+from ._terms import Effect
 
 __all__ = ["Data", "DataOf", "ModelLike", "Path", "Progress", "TextOf", "run"]
 
@@ -36,12 +37,12 @@ class TextOf:
 ModelLike = Union[Model, Path, TextOf]
 
 
-def run(command: str, places: Sequence[Any], options: Mapping[str, Any], progress: Progress | None = None) -> Any:
+def run(command: str, places: Sequence[Any], options: Mapping[str, Any], progress: Progress | None = None, answers: bool = True) -> Any:
     """The JSON of a command. None is left out; a list gives an option more than once; a dict is NAME=VALUE."""
     held = Held()
     effects: list[Any] = []
-    words = [word for place in places if place is not None for word in held.places(place)]
-    stated: list[tuple[str, bool | list[str]]] = [("json", True)]
+    words = [word for place in places if place is not None for word in _places(place, held)]
+    stated: list[tuple[str, bool | list[str]]] = [("json", True)] if answers else []
     for name, value in options.items():
         if isinstance(value, DataOf):
             if value.data is not None:
@@ -59,7 +60,12 @@ def run(command: str, places: Sequence[Any], options: Mapping[str, Any], progres
         _log.info("wrote %s", file)
     if isinstance(found, list):  # pages of the catalogue
         return found[0] if len(found) == 1 else {command: found}
-    return found
+    return found or {}
+
+
+def _places(data: Any, held: Held) -> list[str]:
+    """An effect is one by its name and its columns."""
+    return [f"{data.name}({', '.join(data.columns.values())})"] if isinstance(data, Effect) else held.places(data)
 
 
 def told(work: Callable[[Callable[[str], object]], Any], words: Iterable[str], progress: Progress | None) -> tuple[Any, ...]:

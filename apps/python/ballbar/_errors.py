@@ -1,9 +1,14 @@
 """What ballbar says when something can be put right."""
 from __future__ import annotations
 
+import math
 import os
 import re
+import sys
+import warnings
 from collections.abc import Collection
+from numbers import Real
+from typing import Any
 
 # name:line:column or name:line, as the program's sentences begin.
 _LINE = re.compile(r"^(.+?):(\d+)(?::(\d+))?: ")
@@ -59,5 +64,24 @@ class UsageError(BallbarError):
     """An argument that does not exist, or a value of another kind."""
 
 
+def number_of(name: str, value: Any, low: float = -math.inf, high: float = math.inf, *, whole: bool = False) -> float:
+    """A number within bounds. Raises UsageError."""
+    if isinstance(value, Real) and not isinstance(value, bool) and math.isfinite(value) and low <= float(value) <= high:
+        if not whole:
+            return float(value)
+        if value == int(value):
+            return int(value)
+    bounds = f" from {low:g} to {high:g}" if high < math.inf else f" from {low:g} on" if low > -math.inf else ""
+    raise UsageError(f"{name}: expected a {'whole ' if whole else ''}number{bounds}, found {value!r}.")
+
+
 class BallbarWarning(UserWarning):
     """Something was left out, or taken for something else; the text says what."""
+
+
+def warn(text: str) -> None:
+    """Warns whoever called the package, from however deep in it."""
+    folder, depth, frame = os.path.dirname(__file__), 2, sys._getframe(1)
+    while frame.f_back and os.path.dirname(frame.f_code.co_filename) == folder:
+        frame, depth = frame.f_back, depth + 1
+    warnings.warn(text, BallbarWarning, stacklevel=depth)

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import math
 import os
-import warnings
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Union
 
@@ -12,7 +11,7 @@ import pandas
 
 from . import _core
 from ._core import Recording, Series
-from ._errors import BallbarError, BallbarWarning
+from ._errors import BallbarError, warn
 
 Path = Union[str, os.PathLike[str]]
 Progress = Callable[[int, int, str], object]
@@ -21,7 +20,7 @@ Data = Any
 """A path or a list of paths, a DataFrame (pandas, or what has ``__dataframe__`` or ``to_dataframe``), a dict of arrays,
 a :class:`Series`, a :class:`Recording` or a list of them."""
 
-_SECONDS = {"time_s": 1.0, "time_min": 60.0, "time_h": 3600.0}
+TIMES = {"time_s": 1.0, "time_min": 60.0, "time_h": 3600.0}
 
 
 class Held:
@@ -51,7 +50,7 @@ class Held:
             series, index = series_of(frame, **self._how)
             self._indexes.append(index)
             return [self.hold(series)]
-        if isinstance(data, Iterable):
+        if isinstance(data, Iterable) and not hasattr(data, "read"):
             several = list(data)
             if several and all(isinstance(one, Recording) for one in several):
                 return [self.hold(several)]
@@ -71,6 +70,8 @@ def frame_of(data: Any) -> pandas.DataFrame | None:
         return data
     if isinstance(data, pandas.Series):
         return data.to_frame()
+    if hasattr(data, "compute") and hasattr(data, "columns"):  # Dask
+        return frame_of(data.compute())
     if isinstance(data, Mapping):
         arrays = {str(name): _column(values, str(name)) for name, values in data.items()}
         lengths = {name: len(values) for name, values in arrays.items()}
@@ -114,25 +115,30 @@ def series_of(
             continue
         if not _is_numbers(values):
             left_out.append(name)
-        elif units and name in units and not name.endswith("_" + units[name]):
-            columns[f"{name}_{units[name]}"] = values.to_numpy()
         else:
-            columns[_engine_name(name)] = values.to_numpy()
+            is_bare = units and name in units and not name.endswith("_" + units[name])
+            engine = f"{name}_{units[name]}" if units and is_bare else _engine_name(name)
+            if engine in columns:
+                raise BallbarError(f'{name}: expected a name of its own with its unit, found two columns "{engine}".')
+            columns[engine] = values.to_numpy()
     if left_out:
-        warnings.warn(f"left out, as these columns are no numbers: {', '.join(left_out)}", BallbarWarning, stacklevel=2)
+        warn(f"left out, as these columns are no numbers: {', '.join(left_out)}")
     stated = {**frame.attrs.get("roles", {}), **(roles or {})}
     for name in units or ():
         if name not in named:
             raise BallbarError(f'units: expected names of columns, found "{name}".')
     renamed = {name: f"{name}_{unit}" for name, unit in (units or {}).items() if not name.endswith("_" + unit)}
     known = {renamed.get(name, name): role for name, role in stated.items() if name in named or roles and name in roles}
-    of_file = {key: frame.attrs.get(key) for key in ("started", "five_probe")}
+    of_file = {key: frame.attrs.get(key) for key in ("started", "five_probe") if key != "started" or every is None}
     return Series(time_s, columns, roles=known, **{**of_file, **({"started": started} if started else {})}), frame.index
 
 
 def _time_of(named: dict[str, Any], index: pandas.Index, every: float | str | None) -> tuple[Any, str | None, str | None]:
     """Seconds, the wall clock at their start, and the column that they are from."""
     if every is not None:
+        timed = [name for name in TIMES if name in named or index.name == name]
+        if timed or isinstance(index, (pandas.DatetimeIndex, pandas.TimedeltaIndex)):
+            raise BallbarError(f"every: expected a table without times, found {timed[0] if timed else 'an index of them'}; leave it out.")
         try:
             step_s = pandas.Timedelta(every).total_seconds() if isinstance(every, str) else float(every)
         except (TypeError, ValueError):
@@ -140,13 +146,13 @@ def _time_of(named: dict[str, Any], index: pandas.Index, every: float | str | No
         if not 0.0 < step_s < math.inf:
             raise BallbarError(f'every: expected the step of the rows, in s or such as "10s", found {every!r}.')
         return step_s * np.arange(len(index)), None, None
-    for name, seconds in _SECONDS.items():
+    for name, seconds in TIMES.items():
         if name in named:
             return seconds * _core.numbers(named[name].to_numpy(), name), None, name
     if isinstance(index, (pandas.DatetimeIndex, pandas.TimedeltaIndex)):
         return *_seconds_of(index), None
-    if index.name in _SECONDS:
-        return _SECONDS[str(index.name)] * _core.numbers(index.to_numpy(), str(index.name)), None, None
+    if index.name in TIMES:
+        return TIMES[str(index.name)] * _core.numbers(index.to_numpy(), str(index.name)), None, None
     dates = [name for name, values in named.items() if pandas.api.types.is_datetime64_any_dtype(values)]
     if len(dates) == 1:
         return *_seconds_of(pandas.DatetimeIndex(named[dates[0]])), dates[0]

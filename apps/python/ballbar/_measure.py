@@ -23,7 +23,7 @@ def read(data: Any, **how: Any) -> pandas.DataFrame:
     data : path or list of paths
         Delimited text, .xlsx, .mat, .json or a ballbar series; several logs are joined on the clock of the first.
     **how
-        As of :func:`import_log`: recipe, sheet, delimiter, decimal, dates, time, time_unit, every_s, missing, unit, role,
+        As of :func:`import_log`: recipe, sheet, delimiter, decimal, dates, time, time_unit, every, missing, unit, role,
         name, leave_out, keep_clocks, lag_range_s, max_gap_s ...
 
     Returns

@@ -5,14 +5,14 @@ import os
 import pathlib
 import tomllib
 from collections.abc import Mapping, Sequence
-from typing import Any, NoReturn
+from typing import Any, NoReturn, Union
 
 import numpy as np
 import pandas
 from numpy.typing import NDArray
 
 from . import _core, _kinds
-from ._errors import BallbarError
+from ._errors import BallbarError, UsageError, number_of
 from ._frame import Data, Held, Path, Progress
 from ._kinds import Plan, Preflight, Tried
 from ._terms import Effect, PythonEffect, effect_from_table, functions_of, toml_of, toml_table
@@ -67,19 +67,17 @@ class Model:
     def __init__(
         self,
         target: str | Sequence[str] | None = None,
-        effects: Sequence[Effect | str] = (),
+        effects: Effects = (),
         *,
         constant_um: float | None = None,
         of_recordings: bool = False,
     ) -> None:
-        if isinstance(effects, (str, Effect)):
-            effects = [effects]
         root: dict[str, Any] = {"level": "recording"} if of_recordings else {}
         if target is not None:
             root["target"] = target if isinstance(target, str) else list(target)
         if constant_um is not None:
             root["constant_um"] = constant_um
-        self._make(root, [_effect(one, of_recordings) for one in effects], "model")
+        self._make(root, _effects(effects, of_recordings), "model")
 
     def _make(self, root: dict[str, Any], effects: Sequence[Effect], name: str) -> None:
         functions = functions_of(effects)
@@ -92,7 +90,7 @@ class Model:
         target = found.get("target", [])
         made = {
             "targets": (target,) if isinstance(target, str) else tuple(target),
-            "effects": tuple(effect_from_table(table, functions) for table in found.get("effect", [])),
+            "effects": _effects_of(found, functions),
             "text": text, "of_recordings": found.get("level") == "recording", "functions": tuple(functions), "_root": found,
         }
         for key, value in made.items():
@@ -115,7 +113,7 @@ class Model:
     @classmethod
     def _of_text(cls, text: str, name: str = "model", functions: Sequence[PythonEffect] = ()) -> Model:
         root = tomllib.loads(text)
-        return cls._of(root, [effect_from_table(table, functions) for table in root.get("effect", [])], name)
+        return cls._of(root, _effects_of(root, functions), name)
 
     @classmethod
     def _of(cls, root: dict[str, Any], effects: Sequence[Effect], name: str = "model") -> Model:
@@ -135,14 +133,12 @@ class Model:
             raise BallbarError(f"{os.fspath(path)}: expected effects of the catalogue, found {self.functions[0].name}, a function of Python; pickle keeps such a model.")
         pathlib.Path(path).write_text(self.text, encoding="utf-8")
 
-    def __add__(self, effects: Effect | str | Sequence[Effect | str]) -> Model:
-        more = [effects] if isinstance(effects, (str, Effect)) else effects
-        return self._of(self._root, [*self.effects, *(_effect(one, self.of_recordings) for one in more)])
+    def __add__(self, effects: Effects) -> Model:
+        return self._of(self._root, [*self.effects, *_effects(effects, self.of_recordings)])
 
-    def __sub__(self, effects: Effect | str | Sequence[Effect | str]) -> Model:
+    def __sub__(self, effects: Effects) -> Model:
         left = list(self.effects)
-        for one in [effects] if isinstance(effects, (str, Effect)) else effects:
-            less = _effect(one, self.of_recordings)
+        for less in _effects(effects, self.of_recordings):
             same = [k for k, mine in enumerate(left) if mine.name == less.name and mine.columns == less.columns]
             exact = [k for k in same if left[k].parameters == less.parameters]
             if not same:
@@ -219,9 +215,16 @@ class Model:
         >>> round(fit.rmse_um, 3), fit.residuals.name
         (0.201, 'residual_um')
         """
+        for name, flag in (("robust", robust), ("white", white)):
+            if not isinstance(flag, (bool, np.bool_)):
+                raise UsageError(f"{name}: expected True or False, found {flag!r}.")
+        if target is not None and not isinstance(target, str):
+            raise UsageError(f"target: expected the name of one column, found {target!r}; fit_all() fits each.")
+        held_at = {"constant.constant_um" if key == "constant_um" else key: value for key, value in (hold or {}).items()}
         how: dict[str, Any] = {
             "target": [] if target is None else [target], "also_input": [also_input] if isinstance(also_input, str) else list(also_input),
-            "set": [f"{key}={value!r}" for key, value in (hold or {}).items()], "max_gap_s": max_gap_s, "robust": robust, "white": white,
+            "set": [f"{key}={number_of(key, value)!r}" for key, value in held_at.items()],
+            "max_gap_s": None if max_gap_s is None else number_of("max_gap_s", max_gap_s, 0.0), "robust": bool(robust), "white": bool(white),
         }
         held = Held(units=units, roles=roles, every=every)
         places = held.places(data)
@@ -246,14 +249,16 @@ class Model:
         held = Held(units=units, roles=roles, every=every)
         places = held.places(data)
         how: dict[str, Any] = {"target": [], "also_input": [], "set": [], "max_gap_s": None, "robust": False, "white": False}
-        return _predicted(_bench_of(self, places, held.values, how, progress), places, held.values, held.index, progress)
+        return _predicted(_bench_of(self, places, held.values, how, progress), places, held.values, held.index, False, progress)
 
     def fit_all(self, data: Data, **how: Any) -> dict[str, Fit]:
         """A fit of each target, by its name; parameters as of :meth:`fit`."""
         return {target: self.fit(data, target=target, **how) for target in self.targets}
 
-    def __setattr__(self, name: str, value: object) -> NoReturn:
+    def __setattr__(self, name: str, value: object = None) -> NoReturn:
         raise AttributeError("a model cannot be changed; + and - make another one")
+
+    __delattr__ = __setattr__
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Model) and (self.text, self.functions) == (other.text, other.functions)
@@ -269,6 +274,14 @@ class Model:
         return f"Model({'of_recordings=True' if self.of_recordings else repr(target)}, {list(self.effects)!r})"
 
 
+Effects = Union[Effect, str, PythonEffect, Sequence[Union[Effect, str, PythonEffect]]]
+
+
+def _effects(said: Effects, of_recordings: bool) -> list[Effect]:
+    """One effect, or several, each as a value, a text or a function without inputs."""
+    return [_effect(one, of_recordings) for one in ([said] if isinstance(said, (str, Effect, PythonEffect)) else said)]
+
+
 def _effect(said: Effect | str | PythonEffect, of_recordings: bool) -> Effect:
     if isinstance(said, Effect):
         return said
@@ -276,8 +289,13 @@ def _effect(said: Effect | str | PythonEffect, of_recordings: bool) -> Effect:
         return said.on()
     if not isinstance(said, str):
         raise TypeError(f"expected an effect, or its name with columns, found {type(said).__name__}")
-    table: dict[str, Any] = tomllib.loads(_core.model_of_effect(said, of_recordings, []))["effect"][0]
-    return effect_from_table(table)
+    return _effects_of(tomllib.loads(_core.model_of_effect(said, of_recordings, [])))[0]
+
+
+def _effects_of(root: Mapping[str, Any], functions: Sequence[PythonEffect] = ()) -> tuple[Effect, ...]:
+    """The effects of a model file."""
+    of_recordings = root.get("level") == "recording"
+    return tuple(effect_from_table(table, of_recordings, functions) for table in root.get("effect", []))
 
 
 class Fit(_kinds.Checked):
@@ -315,6 +333,7 @@ class Fit(_kinds.Checked):
 
         bench = _bench_of(model, places, held, how, progress)
         keys, arrays = told(bench.check, places, progress)
+        held = {**held, **_of_files(bench, [place for place in places if place not in held])}
         return cls._from(keys, model, places, held, index, how, arrays, bench.labels, bench)
 
     @classmethod
@@ -325,14 +344,15 @@ class Fit(_kinds.Checked):
         return fit
 
     def __reduce__(self) -> Any:
-        return Fit._from, (self.to_dict(), *(getattr(self, name) for name in self.__slots__[:-1]))
+        return Fit._from, (self._json, *(getattr(self, name) for name in self.__slots__[:-1]))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Fit) and self.model == other.model and super().__eq__(other)
 
     @property
     def params(self) -> pandas.DataFrame:
-        rows = pandas.DataFrame(self.to_dict()["parameters"]).rename(columns={"name": "parameter"})
+        """A row a parameter: effect, parameter, value, sigma, low, high (95 %), unit, state."""
+        rows = pandas.DataFrame(self._json["parameters"]).rename(columns={"name": "parameter"})
         rows[["value", "sigma"]] = rows[["value", "sigma"]].astype(float)
         half = 1.959963984540054 * rows["sigma"]  # of a normal distribution, 95 %
         rows.insert(4, "low", rows["value"] - half)
@@ -341,36 +361,46 @@ class Fit(_kinds.Checked):
 
     @property
     def index(self) -> pandas.Index:
-        """Of the readings that were fitted: the rows of the data's index, else their time in s."""
-        rows = self._arrays["row"]
-        return pandas.Index(self._arrays["time_s"], name="time_s") if self._index is None else self._index[rows]
+        """Of the readings that were fitted: the rows of the data's index, else their time in s; of several runs with the run."""
+        time_s = self._arrays["time_s"]
+        if self._index is not None:
+            return self._index[np.searchsorted(self._held[self._places[0]].time_s, time_s)]
+        runs = np.concatenate([[0], np.cumsum(np.diff(time_s) <= 0.0)]) if len(time_s) else np.empty(0)
+        times = pandas.Index(time_s, name="time_s")
+        return times if self.model.of_recordings or not runs.any() else pandas.MultiIndex.from_arrays([runs, times], names=["run", "time_s"])
 
     def _on_index(self, name: str) -> pandas.Series:
         return pandas.Series(self._arrays[name], index=self.index, name=name, copy=True)
 
     @property
     def residuals(self) -> pandas.Series:
+        """Measured less fitted, um, on the index of the data."""
         return self._on_index("residual_um")
 
     @property
     def fitted(self) -> pandas.Series:
+        """What the model says, um, on the index of the data."""
         return self._on_index("predicted_um")
 
     @property
     def measured(self) -> pandas.Series:
+        """The target, um, on the index of the data."""
         return self._on_index("measured_um")
 
     @property
     def contributions(self) -> pandas.DataFrame:
+        """What each effect adds, um, on the index of the data."""
         return pandas.DataFrame(dict(zip(self._labels, self._arrays["contribution_um"])), index=self.index)
 
     @property
     def cov(self) -> Array:
+        """(p, p) covariance of the parameters, in the order of `params`; 0 where one is held."""
         return np.array(self._arrays["covariance"])
 
     @property
     def where(self) -> pandas.DataFrame:  # type: ignore[override]
-        return pandas.DataFrame(self.to_dict()["where"])
+        """Where the model fails: a row a group of readings."""
+        return pandas.DataFrame(self._json["where"])
 
     def diagnose(
         self,
@@ -415,13 +445,14 @@ class Fit(_kinds.Checked):
         """
         from ._call import told
 
+        tolerance_um = number_of("tolerance_um", tolerance_um, 0.0)
+        seed = None if seed is None else int(number_of("seed", seed, 0, 9.2e18, whole=True))
+        most_rows = None if most_rows is None else int(number_of("most_rows", most_rows, 30, 5000, whole=True))
         bench = _bench_of(self.model, self._places, self._held, self._how, progress, extra) if extra else self._workbench()
         keys, text = told(lambda tell: bench.diagnose(tolerance_um, seed, most_rows, tell), self._places, progress)
-        tables = tomllib.loads(text).get("effect", [])
-        functions = functions_of(self.model.effects, extra)
-        return Diagnosis._from(keys, self, tuple(effect_from_table(table, functions) for table in tables))
+        return Diagnosis._from(keys, self, _effects_of(tomllib.loads(text), functions_of(self.model.effects, extra)))
 
-    def test(self, effects: Effect | str | Sequence[Effect | str], *, progress: Progress | None = None) -> Tried:
+    def test(self, effects: Effects, *, progress: Progress | None = None) -> Tried:
         """What effects would change, and whether the data support them; the model stays as it is.
 
         Returns
@@ -429,7 +460,9 @@ class Fit(_kinds.Checked):
         Tried
             Before and after, with the evidence, the surrogates, and each earlier effect tested anew.
         """
-        more = [_effect(one, self.model.of_recordings) for one in ([effects] if isinstance(effects, (str, Effect)) else effects)]
+        more = _effects(effects, self.model.of_recordings)
+        if not more:
+            raise BallbarError("effects: expected one at least, found none.")
         return self._tested(more, progress)
 
     def _tested(self, more: Sequence[Effect], progress: Progress | None) -> Tried:
@@ -459,14 +492,17 @@ class Fit(_kinds.Checked):
         """
         more = list(self.model.effects)
         for one in other.model.effects:
-            same = [k for k, mine in enumerate(more) if (mine.name, mine.columns) == (one.name, one.columns)]
-            if not same:
-                raise BallbarError(f"expected a fit whose model is part of this one's, found {one!r}, which this one lacks.")
-            del more[same[0]]
+            if one not in more:
+                raise BallbarError(f"expected a fit whose model is part of this one's, found {one!r}, which this one lacks or holds otherwise.")
+            more.remove(one)
         if not more:
             raise BallbarError("expected a fit of a smaller model, found one with the same effects.")
-        if self.target != other.target or not np.array_equal(self._arrays["measured_um"], other._arrays["measured_um"]):
-            raise BallbarError(f"expected a fit of the same readings of {self.target}, found others of {other.target}.")
+        if self.target != other.target or (self._places, self._held) != (other._places, other._held):
+            raise BallbarError(f"expected a fit of the same data and target, found another one of {other.target}.")
+        rest = [{key: value for key, value in one.model._root.items() if key not in ("effect", "target")} for one in (self, other)]
+        ways: list[dict[str, Any]] = [{**one._how, "target": []} for one in (self, other)]
+        if rest[0] != rest[1] or ways[0] != ways[1] or any(ways[0][key] for key in ("robust", "white", "set")):
+            raise BallbarError("expected fits that differ in their effects alone, without robust, white and hold, found others.")
         return other._tested(more, progress)
 
     def predict(
@@ -481,25 +517,30 @@ class Fit(_kinds.Checked):
             The target, its sigma by what the parameters scatter (``z_um_sigma``), and a column an effect.
         """
         if data is None:
-            return _predicted(self._workbench(), self._places, self._held, self._index, progress)
+            return _predicted(self._workbench(), self._places, self._held, self._index, True, progress)
         held = Held(units=units, roles=roles, every=every)
         places = held.places(data)
-        return _predicted(self._workbench(), places, held.values, held.index, progress)
+        return _predicted(self._workbench(), places, held.values, held.index, True, progress)
 
     def could(self) -> Preflight:
         """Which effects the data could show, and from which size, before any residual is looked at."""
         from ._functions import could
 
-        return could(self._sources(), model=self.model, target=self.target)
+        return could(self._sources(), model=self.model, **self._of_call())
 
     def plan(self, **how: Any) -> Plan:
         """The run of the machine that would decide what is missing; parameters as of :func:`ballbar.plan`."""
         from ._functions import plan
 
-        return plan(self._sources(), model=self.model, target=self.target, **how)
+        return plan(self._sources(), model=self.model, **self._of_call(), **how)
 
     def _sources(self) -> Any:
-        return [one if not isinstance(one, list) else one[0] for one in (self._held.get(place, place) for place in self._places)]
+        return [self._held.get(place, place) for place in self._places]
+
+    def _of_call(self) -> dict[str, Any]:
+        if self._how["set"]:
+            raise BallbarError("expected a fit without hold, found one; a number in the model holds a parameter for every question.")
+        return {"target": self.target, "max_gap_s": self._how["max_gap_s"], "also_input": self._how["also_input"] or None}
 
     def _workbench(self) -> Any:
         if self._bench is None:
@@ -507,10 +548,19 @@ class Fit(_kinds.Checked):
         return self._bench
 
 
-def _predicted(bench: Any, places: list[str], held: dict[str, Any], index: pandas.Index | None, progress: Progress | None) -> pandas.DataFrame:
+def _of_files(bench: Any, files: list[str]) -> dict[str, Any]:
+    """What was read, under the names of its files, so that what they become changes no result."""
+    if len(files) == 1 and bench.series is not None:
+        return {files[0]: bench.series}
+    return {file: _core.read_series(file) if bench.series is not None else _core.read_recordings(file) for file in files}
+
+
+def _predicted(bench: Any, places: list[str], held: dict[str, Any], index: pandas.Index | None, fitted: bool, progress: Progress | None) -> pandas.DataFrame:
     from ._call import told
 
-    time_s, mean, sigma, parts = told(lambda tell: bench.predict(places, held, tell), places, progress)
+    time_s, mean, sigma, parts = told(lambda tell: bench.predict(places, held, fitted, tell), places, progress)
+    if index is not None and len(index) != len(mean):  # the first or the last rows lack an input
+        index = index[np.searchsorted(held[places[0]].time_s, time_s)]
     columns = {bench.target: mean, f"{bench.target}_sigma": sigma, **dict(zip(bench.labels, parts))}
     return pandas.DataFrame(columns, index=pandas.Index(time_s, name="time_s") if index is None else index, copy=False)
 
@@ -547,4 +597,4 @@ class Diagnosis(_kinds.Diagnosis):
         return found
 
     def __reduce__(self) -> Any:
-        return Diagnosis._from, (self.to_dict(), self.fit, self.best)
+        return Diagnosis._from, (self._json, self.fit, self.best)

@@ -1,6 +1,7 @@
 """Results: the keys of the program's JSON as attributes that cannot be changed."""
 from __future__ import annotations
 
+import copy
 import html
 import re
 from collections.abc import Iterator
@@ -48,12 +49,13 @@ class Result:
     def __getitem__(self, name: str) -> Any:
         if name not in self._made:
             self._made[name] = _wrapped(self._json[name], type(self), name)
-        return self._made[name]
+        made = self._made[name]
+        return list(made) if type(made) is list else made
 
-    def __setattr__(self, name: str, value: object) -> NoReturn:
+    def __setattr__(self, name: str, value: object = None) -> NoReturn:
         raise AttributeError(f"{type(self).__name__} is a result and cannot be changed; to_dict() gives a dict of it")
 
-    __delattr__ = __setattr__  # type: ignore[assignment]
+    __delattr__ = __setattr__
 
     def __contains__(self, name: object) -> bool:
         return name in self._json
@@ -73,8 +75,8 @@ class Result:
         return type(self), (self._json,)
 
     def to_dict(self) -> dict[str, Any]:
-        """The keys and values of the program's JSON; the columns of a prediction are arrays."""
-        return self._json
+        """A dict with the keys and values of the program's JSON; the columns of a prediction are arrays."""
+        return copy.deepcopy(self._json)
 
     def to_pandas(self) -> Any:
         """A DataFrame of the longest list of rows, else of the numbers of equal length, else of the single values.
@@ -142,16 +144,16 @@ class Rows(tuple[Row, ...]):
         known = dict.fromkeys(key for row in self for key in row)
         if self and place not in known:
             raise KeyError(f"{place}: the rows have {', '.join(known)}")
-        values = [row.to_dict().get(place) for row in self]
+        values = [row._json.get(place) for row in self]
         return _wrapped(values, type(self[0]), place) if values else np.empty(0)
 
     def to_dict(self) -> list[dict[str, Any]]:
         """The rows of the program's JSON."""
-        return [row.to_dict() for row in self]
+        return copy.deepcopy([row._json for row in self])
 
     def to_pandas(self) -> Any:
         """A DataFrame with a line a row; the sigma of a column stands behind its name, ``x_um_sigma``."""
-        return pandas.DataFrame(self.to_dict()).rename(columns=python_name)
+        return pandas.DataFrame([row._json for row in self]).rename(columns=python_name)
 
 
 def _equal(a: Any, b: Any) -> bool:
@@ -184,7 +186,9 @@ def _wrapped(value: Any, of: type, name: str) -> Any:
             return np.empty(0) if annotation == "Array" else [] if annotation.startswith("list") else Rows()
         if all(type(one) is dict for one in value):
             return Rows(_class_for(one, annotation)(one) for one in value)
-        if is_numbers(value):
+        if is_numbers(value) or annotation == "Array":
             whole = all(type(one) is int for one in value)
-            return np.array(value, dtype=np.int64 if whole else np.float64)
+            value = np.array(value, dtype=np.int64 if whole else np.float64)
+    if isinstance(value, np.ndarray):
+        value.setflags(write=False)
     return value

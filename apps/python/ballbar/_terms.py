@@ -8,6 +8,7 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from numbers import Real
+from types import MappingProxyType
 from typing import Any, NoReturn, Union
 
 from . import _core
@@ -73,6 +74,7 @@ class Effect:
 
     __slots__ = ("name", "columns", "parameters", "function")
     of_recordings = False
+    effect_name = ""
     name: str
     columns: Mapping[str, str]
     parameters: Mapping[str, Value]
@@ -82,14 +84,20 @@ class Effect:
         self, name: str, columns: Mapping[str, str], parameters: Mapping[str, Value | None], function: PythonEffect | None = None
     ) -> None:
         stated = {key: _value(f"{name}, {key}", value) for key, value in parameters.items() if value is not None}
-        for key, value in (("name", name), ("columns", dict(columns)), ("parameters", stated), ("function", function)):
+        made = (("name", name), ("columns", MappingProxyType(dict(columns))), ("parameters", MappingProxyType(stated)), ("function", function))
+        for key, value in made:
             object.__setattr__(self, key, value)
 
-    def __setattr__(self, name: str, value: object) -> NoReturn:
+    def __init_subclass__(cls) -> None:
+        _classes[cls.effect_name, cls.of_recordings] = cls
+
+    def __setattr__(self, name: str, value: object = None) -> NoReturn:
         raise AttributeError("an effect cannot be changed; make another one")
 
+    __delattr__ = __setattr__
+
     def _key(self) -> tuple[Any, ...]:
-        return self.name, self.columns, self.parameters, self.function
+        return self.name, dict(self.columns), dict(self.parameters), self.function
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Effect) and self._key() == other._key()
@@ -98,12 +106,24 @@ class Effect:
         return hash((self.name, *self.columns.values()))
 
     def __reduce__(self) -> Any:
-        return Effect, self._key()
+        return _remade, (self.of_recordings, *self._key())
 
     def __repr__(self) -> str:
         stated = [f"{key}={_shown(value)}" for key, value in self.parameters.items()]
         inner = ", ".join([*self.columns.values(), *stated])
         return f"{self.name}({inner})" if inner else self.name
+
+
+_classes: dict[tuple[str, bool], type[Effect]] = {}  # of effects of the catalogue
+
+
+def _remade(
+    of_recordings: bool, name: str, columns: Mapping[str, str], parameters: Mapping[str, Value], function: PythonEffect | None = None
+) -> Effect:
+    kind: Any = Effect if function else _classes.get((name, of_recordings), Effect)
+    effect: Effect = object.__new__(kind)
+    Effect.__init__(effect, name, columns, parameters, function)
+    return effect
 
 
 class Expression(Effect):
@@ -116,6 +136,8 @@ class Expression(Effect):
     **parameters : Free or float
         Each name of the formula that is no column: ``k=bb.free(0.0, unit="um/K")``; a number is held.
     """
+
+    effect_name = "expression"
 
     def __init__(self, formula: str, **parameters: Value) -> None:
         super().__init__("expression", {"formula": formula}, parameters)
@@ -164,7 +186,7 @@ def toml_of(effect: Effect) -> str:
     return f"\n[[effect]]\nname = {toml_value(effect.name)}\n" + toml_table({**effect.columns, **effect.parameters})
 
 
-def effect_from_table(table: Mapping[str, Any], functions: Sequence[PythonEffect] = ()) -> Effect:
+def effect_from_table(table: Mapping[str, Any], of_recordings: bool, functions: Sequence[PythonEffect] = ()) -> Effect:
     """Of a model file's ``[[effect]]``."""
     name = table["name"]
     columns = {key: value for key, value in table.items() if isinstance(value, str) and key != "name"}
@@ -174,7 +196,7 @@ def effect_from_table(table: Mapping[str, Any], functions: Sequence[PythonEffect
             continue
         held = value.get("held", False) and "unit" not in value
         values[key] = value["start"] if held else Free(*(value.get(one) for one in ("start", "lower", "upper", "unit")))
-    return Effect(name, columns, values, next((one for one in functions if one.name == name), None))
+    return _remade(of_recordings, name, columns, values, next((one for one in functions if one.name == name), None))
 
 
 class PythonEffect:
@@ -214,20 +236,29 @@ class PythonEffect:
         return Effect(self.name, dict(zip(inputs, columns)), parameters, self)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, PythonEffect) and (self.name, self.function, self._stated) == (other.name, other.function, other._stated)
+        if not isinstance(other, PythonEffect) or (self.name, self._stated) != (other.name, other._stated):
+            return False
+        return self.function == other.function or _code_of(self.function) == _code_of(other.function) is not None
 
     def __hash__(self) -> int:
         return hash(self.name)
 
     def __reduce__(self) -> Any:
         # A decorated function is found by its module as NAME.function, so that pickle takes it by name.
-        found = getattr(sys.modules.get(self.function.__module__), self.function.__qualname__, None)
-        if found is self:
+        name = getattr(self.function, "__qualname__", "")
+        if name and getattr(sys.modules.get(self.function.__module__), name, None) is self:
             self.function.__qualname__ += ".function"
         return PythonEffect, (self.function, self.name, self._stated)
 
     def __repr__(self) -> str:
         return f"<ballbar effect {self.name}>"
+
+
+def _code_of(function: Any) -> Any:
+    """What a function does, where it came from a pickle as another object; None: not known."""
+    code = getattr(function, "__code__", None)
+    cells = [one.cell_contents for one in function.__closure__ or ()] if code else []
+    return code and (code.co_code, code.co_consts, code.co_names, function.__defaults__, cells)
 
 
 def effect(

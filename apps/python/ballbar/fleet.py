@@ -15,7 +15,6 @@ import difflib
 import html
 import math
 import os
-import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from numbers import Real
@@ -25,7 +24,7 @@ from typing import Any
 import pandas
 
 from . import _core
-from ._errors import BallbarError, BallbarWarning
+from ._errors import BallbarError, warn
 from ._fleet_files import Paths, files_of, opened, write_whole
 from ._fleet_rows import COLUMNS, ERRORS, NUMBERS, Row, copies_marked, error_rows, fault, parts_of, tests_and_faults, typed
 from .fleet_table import Updated, read, update
@@ -300,11 +299,10 @@ def _expect_one_place_each(files: Sequence[str], machines: Sequence[str]) -> Non
         places.setdefault(machine, {}).setdefault(own.parent, str(own))
     several = {machine: list(owns.values()) for machine, owns in places.items() if len(owns) > 1}
     for machine, (first, second, *_) in list(several.items())[:1]:
-        warnings.warn(
+        warn(
             f"{machine}: expected tests of one machine, found tests below {first} and below {second}, and took them for one's"
             + (f"; so it is with {len(several) - 1} names more. " if len(several) > 1 else ". ")
-            + "Pass machine=lambda path: path.parts[-3:-1] if they are of several, machine=lambda path: path.parts[-2] if of one.",
-            BallbarWarning, stacklevel=3,
+            + "Pass machine=lambda path: path.parts[-3:-1] if they are of several, machine=lambda path: path.parts[-2] if of one."
         )
 
 

@@ -13,7 +13,6 @@ import json
 import logging
 import os
 import time
-import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -22,7 +21,7 @@ import numpy as np
 import pandas
 
 from . import _core
-from ._errors import BallbarError, BallbarWarning
+from ._errors import BallbarError, warn
 from ._fleet_files import Paths, Stamp, files_of, opened, reason_of, stamp_of, write_whole
 from ._fleet_rows import COLUMNS, Row, copies_marked, read_rows, typed, unit_of
 from ._frame import Progress
@@ -234,7 +233,7 @@ def _alone(folder: str) -> Iterator[tuple[str, pandas.DataFrame]]:
             except BallbarError as error:
                 rows = typed([], _STORED)
                 os.replace(path, f"{path}.damaged")
-                warnings.warn(f"{error} It is kept as {path}.damaged, and all files are read anew.", BallbarWarning, stacklevel=4)
+                warn(f"{error} It is kept as {path}.damaged, and all files are read anew.")
         except OSError as error:
             raise BallbarError(f"{folder}: the table could not be opened: {reason_of(error)}.") from None
         yield path, rows

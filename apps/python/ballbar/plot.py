@@ -51,17 +51,18 @@ def svg_of(result: Result) -> str:
 def fit(found: Fit, *, axes: Any = None) -> Any:
     """What was measured, the model and the residual, um."""
     axes = axes or _new()
-    at = _times(found.index)
+    dates = found.index if isinstance(found.index, pandas.DatetimeIndex) else None
+    at = found._arrays["elapsed_s"] / 60.0 if dates is None else dates.to_numpy()
     axes.plot(at, found.measured.to_numpy(), ".", markersize=3, label="measured")
     axes.plot(at, found.fitted.to_numpy(), "-", label="model")
     axes.plot(at, found.residuals.to_numpy(), "-", linewidth=0.8, label="residual")
-    return _named(axes, "" if isinstance(found.index, pandas.DatetimeIndex) else "time, min", f"{found.target}, µm")
+    return _named(axes, "time, min" if dates is None else "", f"{found.target}, µm")
 
 
 def diagnosis(found: Diagnosis, *, axes: Any = None) -> Any:
     """How probable it is that each effect is missing, the most probable first."""
     axes = axes or _new()
-    rows = sorted(found.to_dict()["effects"], key=lambda row: float(row["p"]))[-12:]
+    rows = sorted(found._json["effects"], key=lambda row: float(row["p"]))[-12:]
     names = [f"{row['effect']}({', '.join(row['columns'].values())})" for row in rows] + ["nothing"]
     axes.barh(names, [*(row["p"] for row in rows), found.p_nothing])
     axes.set_xlim(0.0, 1.0)
@@ -106,7 +107,7 @@ def circle(recordings: Recording | list[Recording], found: Fitted, *, magnified:
 def errors(found: RankedErrors, *, axes: Any = None) -> Any:
     """What mending each error would gain of the circularity, um, the largest first."""
     axes = axes or _new()
-    rows = [row for row in found.to_dict().get("errors", []) if row.get("circularity_gain_um")]
+    rows = [row for row in found._json.get("errors", []) if row.get("circularity_gain_um")]
     rows = sorted(rows, key=lambda row: float(row["circularity_gain_um"]))[-12:]
     axes.barh([row["name"] for row in rows], [row["circularity_gain_um"] for row in rows])
     return _named(axes, "circularity that mending it gains, µm", "")
@@ -155,14 +156,6 @@ def history(tests: pandas.DataFrame, error: str, *, axes: Any = None) -> Any:
         dates = pandas.to_datetime(each["date"]).to_numpy()
         axes.errorbar(dates, each[error].to_numpy(), each[f"{error}_sigma"].to_numpy(), marker=".", label=f"{machine} {plane}".strip())
     return _named(axes, "date", error)
-
-
-def _times(index: pandas.Index) -> Any:
-    if isinstance(index, pandas.DatetimeIndex):
-        return index.to_numpy()
-    if isinstance(index, pandas.TimedeltaIndex):
-        return index.total_seconds().to_numpy() / 60.0
-    return index.to_numpy() / 60.0 if index.name == "time_s" else index.to_numpy()
 
 
 def _new(**how: Any) -> Any:

@@ -12,7 +12,7 @@ from sklearn.base import BaseEstimator, RegressorMixin
 from sklearn.utils.validation import check_array, check_is_fitted, column_or_1d
 
 from ._call import TextOf
-from ._frame import series_of
+from ._frame import TIMES, series_of
 from ._functions import predict, train
 from ._model import Model
 from ._terms import Effect
@@ -113,7 +113,7 @@ class EffectRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         if isinstance(X, pandas.DataFrame) and all(isinstance(name, str) for name in X.columns):
             self._check_feature_names(X, reset=reset)
             self._check_n_features(X, reset=reset)
-            series, _ = series_of(X, every=None if _has_times(X) else self.every_s)
+            series, _ = series_of(X, every=None if _has_times(X) or any(name in X for name in TIMES) else self.every_s)
             return pandas.DataFrame({"time_s": series.time_s, **{name: series[name] for name in series}})
         rows = self._validate_data(X, reset=reset, dtype=np.float64, ensure_min_samples=3 if reset else 1)
         names = self.columns or [f"T{k}_degC" for k in range(rows.shape[1])]
@@ -128,4 +128,4 @@ class EffectRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
 def _has_times(X: Any) -> bool:
     if not isinstance(X, pandas.DataFrame):
         return False
-    return isinstance(X.index, (pandas.DatetimeIndex, pandas.TimedeltaIndex)) or X.index.name in ("time_s", "time_min", "time_h")
+    return isinstance(X.index, (pandas.DatetimeIndex, pandas.TimedeltaIndex)) or X.index.name in TIMES

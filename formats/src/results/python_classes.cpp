@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <regex>
 #include <utility>
 
 #include "ballbar/error.hpp"
@@ -86,6 +87,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kUnits{
      {"_Nm", "Nm"},         {"_V", "V"},
      {"_ppm", "um/m"}}};
 
+const std::regex kNull("\\bnull\\b");  // as Python has it
+
 // The result that a value, or each of its rows, is; empty: none.
 std::string part_of(const ValueSchema& value) {
   if (value.kind == ValueKind::result) return value.name;
@@ -103,7 +106,7 @@ std::string meaning_of(const FieldSchema& field, const std::vector<ResultSchema>
     break;
   }
   std::replace(words.begin(), words.end(), '_', ' ');
-  std::string text = field.meaning.empty() ? words : field.meaning;
+  std::string text = std::regex_replace(field.meaning.empty() ? words : field.meaning, kNull, "None");
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   if (text.back() == '.') text.pop_back();
   return text + unit + ".";

@@ -168,7 +168,7 @@ struct PythonClass {
 };
 
 // "class Checked(Result): ...", one after the other. Throws Error where a result has no schema.
-std::string python_of(const std::vector<PythonClass>& classes, const std::vector<ResultSchema>& schemas);
+std::string python_of(const std::vector<PythonClass>& of, const std::vector<ResultSchema>& schemas);
 
 // A table of the keys of one.
 std::string markdown_of(const ResultSchema& schema);
