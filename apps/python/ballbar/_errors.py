@@ -1,6 +1,7 @@
 """What ballbar says when something can be put right."""
 from __future__ import annotations
 
+import contextlib
 import math
 import os
 import re
@@ -82,6 +83,6 @@ class BallbarWarning(UserWarning):
 def warn(text: str) -> None:
     """Warns whoever called the package, from however deep in it."""
     folder, depth, frame = os.path.dirname(__file__), 2, sys._getframe(1)
-    while frame.f_back and os.path.dirname(frame.f_code.co_filename) == folder:
+    while frame.f_back and (os.path.dirname(frame.f_code.co_filename) == folder or frame.f_code.co_filename == contextlib.__file__):
         frame, depth = frame.f_back, depth + 1
     warnings.warn(text, BallbarWarning, stacklevel=depth)

@@ -72,6 +72,8 @@ class Model:
         constant_um: float | None = None,
         of_recordings: bool = False,
     ) -> None:
+        if target is None and not of_recordings:
+            raise UsageError("target: expected the column to explain, found none.")
         root: dict[str, Any] = {"level": "recording"} if of_recordings else {}
         if target is not None:
             root["target"] = target if isinstance(target, str) else list(target)
