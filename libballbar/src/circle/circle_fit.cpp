@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "ballbar/error.hpp"
+#include "ballbar/numerics/interruption.hpp"
 #include "ballbar/units.hpp"
 #include "circle/circle_residuals.hpp"
 #include "circle/inlier_readings.hpp"
@@ -107,6 +108,7 @@ Solution<3> minimise_robustly(const Rows& rows, Solution<3> solution, double& sc
   for (const ceres::LossFunction* loss :
        {static_cast<const ceres::LossFunction*>(&huber), static_cast<const ceres::LossFunction*>(&tukey)}) {
     for (int round = 0; round < 20 && scale_um > 0.0; ++round) {  // 0: more than half of the readings fit exactly
+      expect_no_interruption();
       solution = least_squares::minimise<3>(rows, solution.p, least_squares::Start::near, loss, scale_um);
       const double narrower_um = median_sigma(residual_of(rows, solution.p));
       if (narrower_um > 0.95 * scale_um) break;
