@@ -18,9 +18,10 @@ std::string next_command(const ModelOptions& options, const Diagnosis& found);
 // "ballbar add 'step(onset_s = 33840)' run.csv --model model.toml --target y_um --replace 'gradient_bending(T9, T2)'"
 std::string replace_command(const ModelOptions& options, const Replacement& replacement);
 
-// "ballbar plan run.csv --model model.toml --target y_um": the test that would decide. Empty where all is named, or
-// there is nothing to decide.
+// Whether another run of the machine would tell more.
 bool is_for_plan(const Diagnosis& found);
+
+// `ballbar plan` of these data; empty where it cannot be typed.
 std::string plan_command(const ModelOptions& options, const Diagnosis& found);
 
 // "ballbar add 'expansion(T_room_degC)' run.csv --model model.toml --target y_um": what saves what was tried.

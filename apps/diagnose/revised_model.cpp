@@ -46,7 +46,7 @@ RevisedModel::RevisedModel(const ModelOptions& options, const std::shared_ptr<co
       is_new_(is_new_model(options)),
       bench_(workbench_of(readable(options), data, model, std::move(diagnosis))),
       text_(is_new_ ? new_model_text(model) : options.model.bytes(kLargestText)),
-      not_in_file_(model.terms.size() - read_model(text_, options.model.name()).terms.size()) {
+      not_in_file_(model.terms.size() - read_model(text_, options.model.name(), options.catalogue).terms.size()) {
   static_cast<void>(read_ledger(text_, options_.model.name()));
 }
 

@@ -23,7 +23,6 @@ namespace {
 constexpr std::size_t kMeaningWidth = 50;
 constexpr std::size_t kSummaryWidth = 62;
 
-// A word of statistics that is printed.
 
 // In the order of their names.
 constexpr ExplainedTerm kTerms[] = {

@@ -4,10 +4,10 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -44,7 +44,7 @@ ModelOptions expect_data(ModelOptions options) {
   return options;
 }
 
-// Of one target.
+// A model of one target beside its data. Its fit is kept; what else is asked is computed anew.
 class Bench {
   template <class Work>
   decltype(auto) of_data(Work work) const {
@@ -74,16 +74,19 @@ class Bench {
     return data_->level == Level::series ? std::make_shared<Series>(*data_->series) : nullptr;
   }
 
-  const ResidualReport& check() {
-    const std::lock_guard<std::recursive_mutex> lock(asking_);
-    return kept_check();
+  // Computed once; two threads that ask first compute the same, and one of them is kept. No lock is held meanwhile: an
+  // effect of Python may ask its own fit.
+  std::shared_ptr<const ResidualReport> check() {
+    if (const auto known = report_.load()) return known;
+    Workbench bench = workbench();
+    const auto report = std::make_shared<const ResidualReport>(of_data([&] { return bench.check(); }));
+    report_ = report;
+    return report;
   }
 
   // The JSON, and what is best added as the text of a model.
   [[nodiscard]] std::pair<nlohmann::ordered_json, std::string> diagnose(const DiagnoseOptions& how) const {
-    DiagnosisOptions options = diagnosis_options(how, target());
-    options.search.so_far = nullptr;  // who is told of progress reads texts
-    Workbench bench = workbench_of(options_, data_, model_, std::move(options));
+    Workbench bench = workbench(how);
     const DiagnosisReport report = diagnosis_report_of(options_, bench);
     Model best;
     best.level = model_.level;
@@ -95,10 +98,9 @@ class Bench {
 
   // The terms of another model's text, added to this one.
   nlohmann::ordered_json test(const std::string& text, const Effects& effects) {
-    const std::lock_guard<std::recursive_mutex> lock(asking_);
-    kept_check();
+    Workbench bench = workbench();
     const std::vector<Term> terms = read_model(text, "effects", catalogue_with(effects)).terms;
-    EffectTest tested = of_data([&] { return kept_->effect_test(terms); });
+    EffectTest tested = of_data([&] { return bench.effect_test(terms); });
     tested.after.data = names_of(options_.data);
     return json_of(tested);
   }
@@ -113,32 +115,26 @@ class Bench {
     elsewhere.data = sources_of(places, held);
     elsewhere = expect_data(std::move(elsewhere));
     const ModelData other = open_data(elsewhere);
-    std::vector<FittedParameter> parameters;
-    const Eigen::MatrixXd* covariance = nullptr;
-    if (has_free(model_)) {
-      const Fit& fit = check().fit;
-      parameters = fit.parameters;
-      covariance = &fit.covariance;
-    } else {
-      parameters = held_parameters(model_);
-    }
+    const std::shared_ptr<const ResidualReport> report = has_free(model_) ? check() : nullptr;
+    const std::vector<FittedParameter> parameters = report ? report->fit.parameters : held_parameters(model_);
+    const Eigen::MatrixXd* const covariance = report ? &report->fit.covariance : nullptr;
     Prediction prediction = with_source(
         elsewhere.data.front().name(), [&] { return ballbar::predict(model_, parameters, *other.series, covariance); });
     prediction.sigma_um.resize(prediction.predicted_um.size(), std::nan(""));
-    return {one_after_another(other.series->time_s), std::move(prediction)};
+    return {other.series->time_s, std::move(prediction)};
   }
 
  private:
-  const ResidualReport& kept_check() {
-    if (!kept_) kept_.emplace(workbench_of(options_, data_, model_));
-    return of_data([&]() -> const ResidualReport& { return kept_->check(); });
+  [[nodiscard]] Workbench workbench(const DiagnoseOptions& how = {}) const {
+    DiagnosisOptions options = diagnosis_options(how, target());
+    options.search.so_far = nullptr;  // who is told of progress reads texts
+    return workbench_of(options_, data_, model_, std::move(options));
   }
 
   ModelOptions options_;
   std::shared_ptr<const ModelData> data_;
   Model model_;
-  std::optional<Workbench> kept_;
-  std::recursive_mutex asking_;  // a callback may ask again
+  std::atomic<std::shared_ptr<const ResidualReport>> report_;
 };
 
 py::array whole_numbers(const std::vector<std::size_t>& values) {
@@ -178,9 +174,9 @@ void bind_bench(py::module_& module) {
       .def("check",
            [](Bench& bench, const py::object& progress) {
              Listener listener(progress);
-             const ResidualReport* report = nullptr;
+             std::shared_ptr<const ResidualReport> report;
              const nlohmann::ordered_json json = listener.hear([&] {
-               report = &bench.check();
+               report = bench.check();
                return json_of(*report);
              });
              return py::make_tuple(to_python(json), arrays_of(report->fit), listener.remarks);

@@ -121,11 +121,12 @@ Argument place_of(const OptionWords& words) {
   return argument;
 }
 
-Argument option_of(const OptionWords& words) {
+Argument option_of(const OptionWords& words, const Function& of) {
   Argument argument;
   const std::string& name = words.names.back();
   argument.option = python_name(name);
   argument.name = argument.option;
+  if (of.command == "train" && argument.option == "model") argument.type = "Path | None";  // a file alone
   argument.meaning = sentence(words.help);
   if (!words.words.empty()) argument.meaning += fmt::format(" One of {}.", fmt::join(words.words, ", "));
   argument.otherwise = words.is_required ? "" : "None";
@@ -173,7 +174,7 @@ std::string function_text(const Function& of, const CommandWords& command) {
   for (const OptionWords& words : command.options) {
     const std::string name = python_name(words.names.back());
     if (kNotOfPython.contains(name) || name == of.without) continue;
-    by_keyword.push_back(option_of(words));
+    by_keyword.push_back(option_of(words, of));
   }
   const auto needed = [](const Argument& one) { return one.otherwise.empty(); };
   std::stable_partition(by_keyword.begin(), by_keyword.end(), needed);

@@ -258,6 +258,8 @@ void bind_series(py::module_& module) {
            })
       .def(py::pickle(&state_of, &series_from));
   module.def(
+      "unit_of", [](const std::string& name) { return std::string(unit_of(name)); }, py::arg("name"));
+  module.def(
       "read_series",
       [](const std::filesystem::path& path) {
         return Listener(py::none()).hear([&] { return std::make_shared<Series>(open_series(path)); });

@@ -65,6 +65,8 @@ def run(command: str, places: Sequence[Any], options: Mapping[str, Any], progres
 
 def _places(data: Any, held: Held) -> list[str]:
     """An effect is one by its name and its columns."""
+    if isinstance(data, Effect) and (data.parameters or data.function):
+        raise UsageError(f"effect: expected one of the catalogue as it is, found {data!r}; set= states its shapes.")
     return [f"{data.name}({', '.join(data.columns.values())})"] if isinstance(data, Effect) else held.places(data)
 
 

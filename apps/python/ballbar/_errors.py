@@ -23,10 +23,7 @@ _OPTION = re.compile(r"(?<![^\s(])--([a-z][A-Za-z0-9-]*)")
 
 def in_python(sentence: str) -> str:
     """A sentence of the program with arguments in the place of options."""
-    return _OPTION.sub(lambda option: _ARGUMENTS.get(option[1], option[1].replace("-", "_")), _HELP.sub("", sentence))
-
-
-_ARGUMENTS = {"set": "hold"}
+    return _OPTION.sub(lambda option: option[1].replace("-", "_"), _HELP.sub("", sentence))
 
 
 class BallbarError(ValueError):

@@ -29,17 +29,19 @@ class Held:
     def __init__(self, **how: Any) -> None:
         self.values: dict[str, Any] = {}
         self._indexes: list[pandas.Index] = []
+        self._places = 0
         self._how = how
 
     @property
     def index(self) -> pandas.Index | None:
         """Of the table, where there is one; of several their rows are known by time alone."""
-        return self._indexes[0] if len(self._indexes) == 1 and len(self.values) == 1 else None
+        return self._indexes[0] if len(self._indexes) == 1 and self._places == 1 else None
 
     def places(self, data: Data) -> list[str]:
         """The words that stand for data: paths, and names of what is held."""
         if isinstance(data, (str, os.PathLike)):
             path = os.fspath(data)
+            self._places += 1
             return ["./-" if path == "-" else path]  # not the standard input
         if isinstance(data, Series):
             return [self.hold(data)]
@@ -59,6 +61,7 @@ class Held:
 
     def hold(self, value: Any, kind: str = "data") -> str:
         number = 1 + sum(name.startswith(f"<{kind}") for name in self.values)
+        self._places += kind == "data"
         name = f"<{kind}>" if number == 1 else f"<{kind} {number}>"
         self.values[name] = value
         return name
@@ -109,26 +112,26 @@ def series_of(
         raise BallbarError("expected columns of different names, found " + ", ".join(map(str, frame.columns)) + ".")
     time_s, started, used = _time_of(named, frame.index, every)
     columns: dict[str, Any] = {}
+    names: dict[str, str] = {}  # of the columns that are kept, as files have them
+    for name in units or ():
+        if name not in named:
+            raise BallbarError(f'units: expected names of columns, found "{name}".')
     left_out = []
     for name, values in named.items():
         if name == used:
             continue
         if not _is_numbers(values):
             left_out.append(name)
-        else:
-            is_bare = units and name in units and not name.endswith("_" + units[name])
-            engine = f"{name}_{units[name]}" if units and is_bare else _engine_name(name)
-            if engine in columns:
-                raise BallbarError(f'{name}: expected a name of its own with its unit, found two columns "{engine}".')
-            columns[engine] = values.to_numpy()
+            continue
+        is_bare = units and name in units and not name.endswith("_" + units[name])
+        names[name] = f"{name}_{units[name]}" if units and is_bare else file_name(name)
+        if names[name] in columns:
+            raise BallbarError(f'{name}: expected a name of its own with its unit, found two columns "{names[name]}".')
+        columns[names[name]] = values.to_numpy()
     if left_out:
         warn(f"left out, as these columns are no numbers: {', '.join(left_out)}")
     stated = {**frame.attrs.get("roles", {}), **(roles or {})}
-    for name in units or ():
-        if name not in named:
-            raise BallbarError(f'units: expected names of columns, found "{name}".')
-    renamed = {name: f"{name}_{unit}" for name, unit in (units or {}).items() if not name.endswith("_" + unit)}
-    known = {renamed.get(name, name): role for name, role in stated.items() if name in named or roles and name in roles}
+    known = {names.get(name, name): role for name, role in stated.items() if name in names or roles and name in roles}
     of_file = {key: frame.attrs.get(key) for key in ("started", "five_probe") if key != "started" or every is None}
     return Series(time_s, columns, roles=known, **{**of_file, **({"started": started} if started else {})}), frame.index
 
@@ -182,25 +185,24 @@ def _is_numbers(values: Any) -> bool:
     return kinds.is_numeric_dtype(values) and not kinds.is_bool_dtype(values) and not kinds.is_complex_dtype(values)
 
 
-def _engine_name(name: str) -> str:
-    """x_sigma_um of x_um_sigma: Python has the sigma of a column at its end."""
-    stem, ends, _ = name.rpartition("_sigma")
-    at = stem.rfind("_")
-    return f"{stem[:at]}_sigma{stem[at:]}" if ends and name.endswith("_sigma") and at > 0 else name
+def file_name(name: str) -> str:
+    """x_sigma_um of x_um_sigma: tables have the sigma of a column at the end of its name, files before the unit."""
+    stem = name.removesuffix("_sigma")
+    unit = _core.unit_of(stem) if stem != name else ""
+    return f"{stem.removesuffix(unit)}sigma_{unit}" if unit else name
 
 
-def python_name(name: str) -> str:
-    """x_um_sigma of x_sigma_um, and of sigma_x_um."""
-    if name.startswith("sigma_"):
-        return name.removeprefix("sigma_") + "_sigma"
-    stem, middle, unit = name.rpartition("_sigma_")
-    return f"{stem}_{unit}_sigma" if middle else name
+def table_name(name: str) -> str:
+    """x_um_sigma of x_sigma_um."""
+    unit = _core.unit_of(name)
+    stem = name.removesuffix(f"_sigma_{unit}") if unit else name
+    return f"{stem}_{unit}_sigma" if stem != name else name
 
 
 def frame_from(series: Series) -> pandas.DataFrame:
     """A series as a DataFrame over ``time_s``, with units, roles and what else the file states in ``attrs``."""
-    frame = pandas.DataFrame({python_name(name): series[name] for name in series}, index=pandas.Index(series.time_s, name="time_s"))
-    frame.attrs["units"] = {python_name(name): unit for name, unit in series.units.items()}
-    frame.attrs["roles"] = {python_name(name): role for name, role in series.roles.items()}
+    frame = pandas.DataFrame({table_name(name): series[name] for name in series}, index=pandas.Index(series.time_s, name="time_s"))
+    frame.attrs["units"] = {table_name(name): unit for name, unit in series.units.items()}
+    frame.attrs["roles"] = {table_name(name): role for name, role in series.roles.items()}
     frame.attrs |= {key: value for key in ("started", "five_probe") if (value := getattr(series, key)) is not None}
     return frame

@@ -4,7 +4,7 @@ from __future__ import annotations
 import os
 import pathlib
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NoReturn, Union
 
 import numpy as np
@@ -110,7 +110,7 @@ class Model:
             A file that cannot be read.
         """
         name = os.fspath(path)
-        return cls._of_text(_core.model_text(pathlib.Path(path).read_text(encoding="utf-8"), name, []), name)
+        return cls._of_text(_core.model_text(pathlib.Path(path).read_bytes(), name, []), name)
 
     @classmethod
     def _of_text(cls, text: str, name: str = "model", functions: Sequence[PythonEffect] = ()) -> Model:
@@ -255,7 +255,8 @@ class Model:
 
     def fit_all(self, data: Data, **how: Any) -> dict[str, Fit]:
         """A fit of each target, by its name; parameters as of :meth:`fit`."""
-        return {target: self.fit(data, target=target, **how) for target in self.targets}
+        several = list(data) if isinstance(data, Iterator) else data
+        return {target: self.fit(several, target=target, **how) for target in self.targets}
 
     def __setattr__(self, name: str, value: object = None) -> NoReturn:
         raise AttributeError("a model cannot be changed; + and - make another one")
@@ -335,7 +336,7 @@ class Fit(_kinds.Checked):
 
         bench = _bench_of(model, places, held, how, progress)
         keys, arrays = told(bench.check, places, progress)
-        held = {**held, **_of_files(bench, [place for place in places if place not in held])}
+        held = {**held, **_of_files(bench, places, held)}
         return cls._from(keys, model, places, held, index, how, arrays, bench.labels, bench)
 
     @classmethod
@@ -367,9 +368,7 @@ class Fit(_kinds.Checked):
         time_s = self._arrays["time_s"]
         if self._index is not None:
             return self._index[np.searchsorted(self._held[self._places[0]].time_s, time_s)]
-        runs = np.concatenate([[0], np.cumsum(np.diff(time_s) <= 0.0)]) if len(time_s) else np.empty(0)
-        times = pandas.Index(time_s, name="time_s")
-        return times if self.model.of_recordings or not runs.any() else pandas.MultiIndex.from_arrays([runs, times], names=["run", "time_s"])
+        return _index_of(time_s, self.model.of_recordings)
 
     def _on_index(self, name: str) -> pandas.Series:
         return pandas.Series(self._arrays[name], index=self.index, name=name, copy=True)
@@ -550,11 +549,19 @@ class Fit(_kinds.Checked):
         return self._bench
 
 
-def _of_files(bench: Any, files: list[str]) -> dict[str, Any]:
+def _of_files(bench: Any, places: list[str], held: dict[str, Any]) -> dict[str, Any]:
     """What was read, under the names of its files, so that what they become changes no result."""
-    if len(files) == 1 and bench.series is not None:
+    files = [place for place in places if place not in held]
+    if len(places) == 1 and files and bench.series is not None:
         return {files[0]: bench.series}
     return {file: _core.read_series(file) if bench.series is not None else _core.read_recordings(file) for file in files}
+
+
+def _index_of(time_s: Array, of_recordings: bool) -> pandas.Index:
+    """Times, of several runs with the number of the run."""
+    times = pandas.Index(time_s, name="time_s")
+    runs = np.cumsum(np.diff(time_s, prepend=-np.inf) <= 0.0)
+    return times if of_recordings or not runs.any() else pandas.MultiIndex.from_arrays([runs, times], names=["run", "time_s"])
 
 
 def _predicted(bench: Any, places: list[str], held: dict[str, Any], index: pandas.Index | None, fitted: bool, progress: Progress | None) -> pandas.DataFrame:
@@ -564,7 +571,7 @@ def _predicted(bench: Any, places: list[str], held: dict[str, Any], index: panda
     if index is not None and len(index) != len(mean):  # the first or the last rows lack an input
         index = index[np.searchsorted(held[places[0]].time_s, time_s)]
     columns = {bench.target: mean, f"{bench.target}_sigma": sigma, **dict(zip(bench.labels, parts))}
-    return pandas.DataFrame(columns, index=pandas.Index(time_s, name="time_s") if index is None else index, copy=False)
+    return pandas.DataFrame(columns, index=_index_of(time_s, bench.series is None) if index is None else index, copy=False)
 
 
 def _bench_of(
@@ -573,7 +580,12 @@ def _bench_of(
     from ._call import told
 
     functions = [one.core for one in functions_of(model.effects, extra)]
-    return told(lambda tell: _core.bench(places, held, model.text, functions, **how, progress=tell), places, progress)[0]
+    try:
+        return told(lambda tell: _core.bench(places, held, model.text, functions, **how, progress=tell), places, progress)[0]
+    except BallbarError as error:
+        if not str(error).startswith("set: "):
+            raise
+        raise type(error)("hold" + str(error).removeprefix("set")) from None
 
 
 class Diagnosis(_kinds.Diagnosis):

@@ -10,8 +10,6 @@ from typing import Any, NoReturn, TypeVar, overload
 import numpy as np
 import pandas
 
-from ._frame import python_name
-
 _classes: dict[str, type[Result]] = {}  # by name, for the parts of results
 
 
@@ -154,6 +152,14 @@ class Rows(tuple[Row, ...]):
     def to_pandas(self) -> Any:
         """A DataFrame with a line a row; the sigma of a column stands behind its name, ``x_um_sigma``."""
         return pandas.DataFrame([row._json for row in self]).rename(columns=python_name)
+
+
+def python_name(name: str) -> str:
+    """x_um_sigma of the keys x_sigma_um and sigma_x_um."""
+    if name.startswith("sigma_") and name.count("_") > 1:
+        return name.removeprefix("sigma_") + "_sigma"
+    stem, middle, unit = name.rpartition("_sigma_")
+    return f"{stem}_{unit}_sigma" if middle else name
 
 
 def _equal(a: Any, b: Any) -> bool:

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import json
 import math
+import pickle
 import re
 import sys
 from collections.abc import Callable, Mapping, Sequence
@@ -28,12 +29,15 @@ class Free:
         Where the fit starts, and the bounds, in the unit of the parameter; None: as the catalogue has it.
     unit : str or None
         Of a parameter of an :class:`Expression`.
+    held : bool
+        Of such a parameter: it stays at its start.
     """
 
     start: float | None = None
     lower: float | None = None
     upper: float | None = None
     unit: str | None = None
+    held: bool = False
 
     def __post_init__(self) -> None:
         for name in ("start", "lower", "upper"):
@@ -42,7 +46,7 @@ class Free:
                 raise UsageError(f"{name}: expected a number, found {value!r}.")
 
 
-def free(start: float | None = None, *, lower: float | None = None, upper: float | None = None, unit: str | None = None) -> Free:
+def free(start: float | None = None, *, lower: float | None = None, upper: float | None = None, unit: str | None = None, held: bool = False) -> Free:
     """A parameter that a fit finds, with its start and bounds; a plain number holds a parameter.
 
     Examples
@@ -51,7 +55,7 @@ def free(start: float | None = None, *, lower: float | None = None, upper: float
     >>> bb.LaggedExpansion("T_motor_degC", time_constant_s=bb.free(1800.0, upper=7200.0))
     lagged_expansion(T_motor_degC, time_constant_s=free(1800.0, upper=7200.0))
     """
-    return Free(start, lower, upper, unit)
+    return Free(start, lower, upper, unit, held)
 
 
 Value = Union[float, Free]
@@ -89,7 +93,8 @@ class Effect:
             object.__setattr__(self, key, value)
 
     def __init_subclass__(cls) -> None:
-        _classes[cls.effect_name, cls.of_recordings] = cls
+        if "effect_name" in cls.__dict__:
+            _classes.setdefault((cls.effect_name, cls.of_recordings), cls)
 
     def __setattr__(self, name: str, value: object = None) -> NoReturn:
         raise AttributeError("an effect cannot be changed; make another one")
@@ -158,7 +163,7 @@ def _shown(value: Value) -> str:
     if not isinstance(value, Free):
         return repr(value)
     parts = [] if value.start is None else [repr(value.start)]
-    parts += [f"{key}={getattr(value, key)!r}" for key in ("lower", "upper", "unit") if getattr(value, key) is not None]
+    parts += [f"{key}={getattr(value, key)!r}" for key in ("lower", "upper", "unit", "held") if getattr(value, key)]
     return f"free({', '.join(parts)})"
 
 
@@ -169,8 +174,8 @@ def toml_value(value: Any) -> str:
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(map(toml_value, value)) + "]"
     if isinstance(value, Free):
-        keys = ("start", "lower", "upper", "unit")
-        return "{ " + ", ".join(f"{key} = {toml_value(getattr(value, key))}" for key in keys if getattr(value, key) is not None) + " }"
+        stated = [f"{key} = {toml_value(getattr(value, key))}" for key in ("start", "lower", "upper", "unit") if getattr(value, key) is not None]
+        return "{ " + ", ".join([*stated, *(["held = true"] if value.held else [])]) + " }"
     number = float(value)
     return repr(number) if math.isfinite(number) else str(number)
 
@@ -194,8 +199,7 @@ def effect_from_table(table: Mapping[str, Any], of_recordings: bool, functions: 
     for key, value in values.items():
         if not isinstance(value, Mapping):
             continue
-        held = value.get("held", False) and "unit" not in value
-        values[key] = value["start"] if held else Free(*(value.get(one) for one in ("start", "lower", "upper", "unit")))
+        values[key] = Free(**{one: value[one] for one in ("start", "lower", "upper", "unit", "held") if one in value})
     return _remade(of_recordings, name, columns, values, next((one for one in functions if one.name == name), None))
 
 
@@ -238,7 +242,7 @@ class PythonEffect:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, PythonEffect) or (self.name, self._stated) != (other.name, other._stated):
             return False
-        return self.function == other.function or _code_of(self.function) == _code_of(other.function) is not None
+        return bool(self.function == other.function) or (_code_of(self.function) == _code_of(other.function) is not None)
 
     def __hash__(self) -> int:
         return hash(self.name)
@@ -257,8 +261,13 @@ class PythonEffect:
 def _code_of(function: Any) -> Any:
     """What a function does, where it came from a pickle as another object; None: not known."""
     code = getattr(function, "__code__", None)
-    cells = [one.cell_contents for one in function.__closure__ or ()] if code else []
-    return code and (code.co_code, code.co_consts, code.co_names, function.__defaults__, cells)
+    if code is None or hasattr(function, "__self__"):
+        return None
+    try:
+        state = pickle.dumps((function.__defaults__, function.__kwdefaults__, [one.cell_contents for one in function.__closure__ or ()]))
+    except Exception:  # noqa: BLE001  what cannot be pickled is known by itself alone
+        return None
+    return code.co_code, code.co_consts, code.co_names, state
 
 
 def effect(

@@ -83,7 +83,7 @@ class EffectRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         if len(target) != len(table):
             raise ValueError(f"expected as many values of y as rows of X, {len(table)}, found {len(target)}")
         data = table.assign(target_um=target)
-        self._last = X if _has_times(X) else None
+        self._last = X.copy() if _has_times(X) else None
         if self.effects is not None:
             self.fit_ = Model("target_um", self.effects).fit(data, max_gap_s=self.max_gap_s)
             return self
@@ -95,15 +95,16 @@ class EffectRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         return self
 
     def predict(self, X: Any) -> Any:
-        """(n,) um."""
+        """(n,) um; NaN where an input is not known at the first or the last rows."""
         check_is_fitted(self)
         rows = len(self._table(X, reset=False))
         goes_on = _has_times(X) and self._last is not None and rows and X.index[0] > self._last.index[-1]
         table = self._table(pandas.concat([self._last, X]) if goes_on else X, reset=False)
         if self.effects is not None:
-            found = self.fit_.predict(table)[self.fit_.target].to_numpy()
+            found = self.fit_.predict(table)[self.fit_.target].reindex(table.index).to_numpy()
         elif self.model_:
-            found = predict(table, model=TextOf(self.model_))["target_model_um"]
+            of_model = predict(table, model=TextOf(self.model_))
+            found = pandas.Series(of_model["target_model_um"], index=of_model["time_s"]).reindex(table["time_s"]).to_numpy()
         else:
             found = np.full(len(table), self.mean_um_)
         return found[-rows:] if rows else found[:0]

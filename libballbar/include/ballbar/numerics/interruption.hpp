@@ -15,6 +15,9 @@ class Interruption {
   Interruption& operator=(const Interruption&) = delete;
   ~Interruption();
 
+  // What the newest of this thread asks; empty: there is none.
+  static std::function<void()> newest();
+
  private:
   friend void expect_no_interruption();
   std::function<void()> ask_;
