@@ -23,7 +23,6 @@ namespace {
 constexpr std::size_t kMeaningWidth = 50;
 constexpr std::size_t kSummaryWidth = 62;
 
-
 // In the order of their names.
 constexpr ExplainedTerm kTerms[] = {
     {"2 ln B", "2 ln of how much more likely the readings are with an effect than without: 0 is even, 10 is 150 to 1."},
