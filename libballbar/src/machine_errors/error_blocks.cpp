@@ -11,6 +11,16 @@ constexpr double kAbsent = 1e-5;  // mean square of a unit's curve: not in these
 constexpr double kOfSpike = 0.3;  // of its height
 constexpr double kLeast = 1e-12;  // a column of zeros has an inverse too
 
+// Of columns of an effect those that say something: these are their squares in the rows that are fitted.
+Indices present_of(const Eigen::VectorXd& squares, const Eigen::MatrixXd& fine) {
+  Indices kept;
+  kept.reserve(static_cast<std::size_t>(squares.size()));
+  for (Eigen::Index k = 0; k < squares.size(); ++k) {
+    if (squares[k] > kAbsent || squares[k] > kAbsent * fine.col(k).cwiseAbs().maxCoeff()) kept.push_back(k);
+  }
+  return kept;
+}
+
 }  // namespace
 
 Indices range_of(Eigen::Index first, Eigen::Index count) {
@@ -38,15 +48,12 @@ Block block_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& weight, co
 ErrorColumns present(const ErrorColumns& all, const Eigen::VectorXd& weight) {
   const Eigen::VectorXd squares = (all.values.array().square().colwise() * weight.array()).colwise().sum().transpose() /
                                   std::max(weight.sum(), 1.0);
-  Indices kept;
-  kept.reserve(all.columns.size());
-  for (Eigen::Index k = 0; k < all.size(); ++k) {
-    const double largest = all.fine.col(k).cwiseAbs().maxCoeff();
+  Indices kept = present_of(squares, all.fine);
+  std::erase_if(kept, [&](Eigen::Index k) {
     const Effect* effect = all.columns[static_cast<std::size_t>(k)].effect;
     const bool is_spike = effect != nullptr && effect->rules.error_fit == ErrorFit::at_reversals;
-    if (is_spike && largest < kOfSpike) continue;
-    if (squares[k] > kAbsent * std::min(1.0, largest)) kept.push_back(k);
-  }
+    return is_spike && all.fine.col(k).cwiseAbs().maxCoeff() < kOfSpike;
+  });
   ErrorColumns columns;
   columns.values = all.values(Eigen::all, kept);
   columns.fine = all.fine(Eigen::all, kept);
@@ -57,20 +64,23 @@ ErrorColumns present(const ErrorColumns& all, const Eigen::VectorXd& weight) {
 
 double best_shape(const Effect& effect, const std::vector<double>& shapes, const ErrorRows& rows, const Base& base,
                   const Eigen::VectorXd& left, const Eigen::VectorXd& weight) {
+  if (shapes.size() == 1) return best;
+  UnitCurves curves(effect, rows.fine);
+  const double readings = std::max(weight.sum(), 1.0);
   double best = shapes.front(), most = -1.0;
   for (const double shape : shapes) {
-    if (shapes.size() == 1) break;
-    const ErrorColumns columns = present(effect_columns(effect, shape, rows, false), weight);
-    if (columns.size() == 0) continue;
-    const Eigen::MatrixXd weighted = weight.asDiagonal() * columns.values;
-    Eigen::MatrixXd normal = columns.values.transpose() * weighted;
+    const Eigen::MatrixXd& fine = curves.at(shape);
+    const Eigen::MatrixXd columns = rows.means(fine), weighted = weight.asDiagonal() * columns;
+    Eigen::MatrixXd normal = columns.transpose().lazyProduct(weighted);  // few columns
+    const Indices kept = present_of(normal.diagonal() / readings, fine);
+    if (kept.empty()) continue;
     if (base.columns != nullptr) {
-      const Eigen::MatrixXd shared = base.fit->weighted.transpose() * columns.values;
+      const Eigen::MatrixXd shared = base.fit->weighted.transpose() * columns;
       normal -= shared.transpose() * base.fit->inverse * shared;
     }
     normal.diagonal() *= 1.0 + kRidge;
-    const Eigen::VectorXd right = weighted.transpose() * left;
-    const double lowers = right.dot(normal.ldlt().solve(right));
+    const Eigen::VectorXd right = (weighted.transpose() * left)(kept);
+    const double lowers = right.dot(normal(kept, kept).ldlt().solve(right));
     if (lowers > most) most = lowers, best = shape;
   }
   return best;
