@@ -21,6 +21,13 @@ Indices present_of(const Eigen::VectorXd& squares, const Eigen::MatrixXd& fine) 
   return kept;
 }
 
+// The lower half of X' Y, which is symmetric.
+Eigen::MatrixXd lower_product(const Eigen::MatrixXd& x, const Eigen::Ref<const Eigen::MatrixXd>& y) {
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(x.cols(), x.cols());
+  product.triangularView<Eigen::Lower>() = x.transpose() * y;
+  return product;
+}
+
 }  // namespace
 
 Indices range_of(Eigen::Index first, Eigen::Index count) {
@@ -39,9 +46,8 @@ Eigen::MatrixXd inverse_of(Eigen::MatrixXd normal, const Eigen::MatrixXd& precis
 Block block_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& weight, const Eigen::MatrixXd& precision) {
   Block block;
   block.weighted = weight.asDiagonal() * columns;
-  Eigen::MatrixXd normal(columns.cols(), columns.cols());
-  normal.triangularView<Eigen::Lower>() = columns.transpose() * block.weighted;
-  block.inverse = inverse_of(normal.selfadjointView<Eigen::Lower>(), precision);
+  block.normal = lower_product(columns, block.weighted);
+  block.inverse = inverse_of(block.normal, precision);
   return block;
 }
 
@@ -64,10 +70,10 @@ ErrorColumns present(const ErrorColumns& all, const Eigen::VectorXd& weight) {
 
 double best_shape(const Effect& effect, const std::vector<double>& shapes, const ErrorRows& rows, const Base& base,
                   const Eigen::VectorXd& left, const Eigen::VectorXd& weight) {
+  double best = shapes.front(), most = -1.0;
   if (shapes.size() == 1) return best;
   UnitCurves curves(effect, rows.fine);
   const double readings = std::max(weight.sum(), 1.0);
-  double best = shapes.front(), most = -1.0;
   for (const double shape : shapes) {
     const Eigen::MatrixXd& fine = curves.at(shape);
     const Eigen::MatrixXd columns = rows.means(fine), weighted = weight.asDiagonal() * columns;
@@ -100,18 +106,19 @@ GainMaps::GainMaps(const GainStages& stages)
   z_.leftCols(p_ + e_) = stages.far->asDiagonal() * columns;
   z_.middleCols(p_ + e_, c_) = stages.cyclic_block->weighted;
   z_.rightCols(s_) = *stages.filters;
-  normal_ = columns.transpose() * z_.leftCols(p_ + e_);
-  with_cyclic_ = z_.leftCols(p_ + e_).transpose() * stages.cyclic->values;
+  normal_ = lower_product(columns, z_.leftCols(p_ + e_)).selfadjointView<Eigen::Lower>();
+  with_cyclic_.resize(p_ + e_, c_);
+  with_cyclic_.topRows(p_) = *stages.together_of_cyclic;
+  with_cyclic_.bottomRows(e_) = z_.middleCols(p_, e_).transpose() * stages.cyclic->values;
   spike_squares_ = (stages.filters->array() * stages.spikes->values.array()).colwise().sum().max(1e-12).transpose();
   const Eigen::MatrixXd per_square = *stages.filters * spike_squares_.cwiseInverse().asDiagonal();
   spikes_of_ = per_square.transpose() * columns;
   spikes_of_cyclic_ = per_square.transpose() * stages.cyclic->values;
   // G (C' y - C' M b), b = N^-1 M' y of the first fit.
-  Eigen::MatrixXd t_first = Eigen::MatrixXd::Zero(p_, z_.cols());
-  t_first.leftCols(p_) = stages.first->inverse;
-  const Block& cyclic = *stages.cyclic_block;
-  t_cyclic_ = -cyclic.inverse * (cyclic.weighted.transpose() * stages.together->values) * t_first;
-  t_cyclic_.middleCols(p_ + e_, c_) += cyclic.inverse;
+  const Eigen::MatrixXd& inverse = stages.cyclic_block->inverse;
+  t_cyclic_ = Eigen::MatrixXd::Zero(c_, z_.cols());
+  t_cyclic_.leftCols(p_) = -inverse * *stages.cyclic_of_together * stages.first->inverse;
+  t_cyclic_.middleCols(p_ + e_, c_) = inverse;
 }
 
 GainMap GainMaps::of(const Indices& chosen, const Eigen::MatrixXd& precision) const {

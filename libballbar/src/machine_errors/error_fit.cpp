@@ -145,7 +145,7 @@ struct Stages {
 // The first fit over other rows and with another prior, and the cyclic errors, of the same pitches, on what it leaves.
 void refit(Stages& stages, const Eigen::VectorXd& far, const Eigen::MatrixXd& precision) {
   stages.first = block_of(stages.together.columns.values, far, precision);
-  stages.cyclic.block.inverse = cyclic_inverse(stages.cyclic, stages.together.columns.values, stages.first);
+  with_first(stages.cyclic, stages.first);
 }
 
 // Of the rows, once both are taken off.
@@ -175,8 +175,8 @@ void fit_all(ErrorFitted& fitted, Stages& stages, const Eigen::VectorXd& far, co
                                              &stages.extra.columns, &stages.spikes.columns};
   fitted.columns = joined(all, of);
   const GainMaps maps({&of, &far, &stages.first, &stages.together.columns, &stages.cyclic.part.columns,
-                       &stages.cyclic.block, &stages.extra.columns, &stages.spikes.columns, &stages.spikes.filters,
-                       fitted.slow_variance_um2});
+                       &stages.cyclic.block, &stages.cyclic.of_together, &stages.cyclic.shared, &stages.extra.columns,
+                       &stages.spikes.columns, &stages.spikes.filters, fitted.slow_variance_um2});
   const Eigen::VectorXd z_data = maps.z().transpose() * of.deviation_um;
   const Eigen::MatrixXd nothing = Eigen::MatrixXd::Zero(p, p);
   const GainMap whole = maps.of(maps.all(), nothing);
@@ -185,7 +185,8 @@ void fit_all(ErrorFitted& fitted, Stages& stages, const Eigen::VectorXd& far, co
   const Eigen::MatrixXd scatter = scatter_of(excess_of(of, left).asDiagonal() * maps.z(), of, fitted.noise);
   const auto covariance = [&](const GainMap& map) -> Eigen::MatrixXd { return map.t * scatter * map.t.transpose(); };
 
-  choose(stages.extra.effects, whole.t * z_data, covariance(whole) + whole.open, p);
+  const GainMap extra{whole.t.bottomRows(e), whole.open.bottomRightCorner(e, e)};
+  choose(stages.extra.effects, extra.t * z_data, covariance(extra) + extra.open, 0);
   Indices chosen = range_of(0, p);
   for (const FittedEffect& effect : stages.extra.effects) {
     if (!effect.in_the_fit) continue;
@@ -285,8 +286,8 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
   stages.cyclic = cyclic_part(kinds.along_the_travel, of, set_up, columns, stages.first, first_left);
 
   // As the instrument: with its prior, and the cyclic errors taken off first.
-  const Block damped = block_of(columns, far, usual);
-  const Block damped_waves{stages.cyclic.block.weighted, cyclic_inverse(stages.cyclic, columns, damped)};
+  const Block damped{stages.first.weighted, inverse_of(stages.first.normal, usual)};
+  const Block damped_waves{stages.cyclic.block.weighted, cyclic_inverse(stages.cyclic, damped.inverse)};
   const Eigen::VectorXd waves = damped_waves.solve(measured - columns * damped.solve(measured));
   const Eigen::VectorXd gains = damped.solve(measured - stages.cyclic.part.columns.values * waves);
 
