@@ -132,6 +132,11 @@ void append(std::vector<FittedEffect>& all, std::vector<FittedEffect> effects, E
     all.push_back(std::move(effect));
   }
 }
+// Whether the circles of CCW and CW are told apart.
+bool differ(const ErrorColumns& together) {
+  return together.size() > 3 && together.columns[3].effect == nullptr && !together.columns[3].recording;
+}
+
 
 // What is fitted one after another.
 struct Stages {
@@ -296,6 +301,13 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
   Eigen::MatrixXd smooth(of.size(), columns.cols() + waves.size() + stages.extra.columns.size());
   smooth.leftCols(columns.cols()) = columns;
   smooth.middleCols(columns.cols(), waves.size()) = stages.cyclic.part.columns.values;
+  // For what CCW and CW have together and what they differ by, which stand first, the circles of each: the noise is
+  // then fitted with what each recording has of its own.
+  for (Eigen::Index k = 0; differ(stages.together.columns) && k < 3; ++k) {
+    const Eigen::VectorXd half = 0.5 * smooth.col(k), shift = smooth.col(k + 3);
+    smooth.col(k) = half + shift;
+    smooth.col(k + 3) = half - shift;
+  }
   smooth.rightCols(stages.extra.columns.size()) = stages.extra.columns.values;
   const QuietRows quiet = quiet_rows(of, smooth);
   fitted.noise = error_noise(quiet.rows, quiet.columns);
