@@ -25,10 +25,13 @@ Part part_of(const std::vector<std::pair<FittedEffect, ErrorColumns>>& own, cons
   return part;
 }
 
-Eigen::MatrixXd cyclic_inverse(const CyclicPart& cyclic, const Eigen::MatrixXd& together, const Block& first) {
-  const Eigen::MatrixXd& columns = cyclic.part.columns.values;
-  const Eigen::MatrixXd taken = first.inverse * (first.weighted.transpose() * columns);
-  Eigen::MatrixXd equations = cyclic.block.weighted.transpose() * (columns - together * taken);
+void with_first(CyclicPart& cyclic, const Block& first) {
+  cyclic.shared = first.weighted.transpose() * cyclic.part.columns.values;
+  cyclic.block.inverse = cyclic_inverse(cyclic, first.inverse);
+}
+
+Eigen::MatrixXd cyclic_inverse(const CyclicPart& cyclic, const Eigen::MatrixXd& of_first) {
+  Eigen::MatrixXd equations = cyclic.own - cyclic.of_together * (of_first * cyclic.shared);
   equations.diagonal() *= 1.0 + kRidge;
   return equations.partialPivLu().inverse();
 }
@@ -67,7 +70,9 @@ CyclicPart cyclic_part(const std::vector<const Effect*>& effects, const ErrorRow
     cyclic.block.weighted.middleCols(at, of_one.cols()) = of_one;
     at += of_one.cols();
   }
-  cyclic.block.inverse = cyclic_inverse(cyclic, together, first);
+  cyclic.own = cyclic.block.weighted.transpose() * columns;
+  cyclic.of_together = cyclic.block.weighted.transpose() * together;
+  with_first(cyclic, first);
   return cyclic;
 }
 

@@ -20,14 +20,20 @@ Part part_of(const std::vector<std::pair<FittedEffect, ErrorColumns>>& own, cons
 
 struct CyclicPart {
   Part part;
-  Block block;  // all of them at once, each read on its own rows: the inverse is not symmetric
+  Block block;                       // all of them at once, each read on its own rows: the inverse is not symmetric
+  Eigen::MatrixXd own, of_together;  // the weighted columns' products with themselves and with the columns together
+  Eigen::MatrixXd shared;            // products of the columns together, as the first fit weights them, with these
 };
 
 // left: of the data after the first fit, a block of columns `together`.
 CyclicPart cyclic_part(const std::vector<const Effect*>& effects, const ErrorRows& rows, const ErrorSetUp& set_up,
                        const Eigen::MatrixXd& together, const Block& first, const Eigen::VectorXd& left);
 
-// The inverse of its block after another first fit: what that takes of the cyclic errors is in the equations.
-Eigen::MatrixXd cyclic_inverse(const CyclicPart& cyclic, const Eigen::MatrixXd& together, const Block& first);
+// After another first fit.
+void with_first(CyclicPart& cyclic, const Block& first);
+
+// The inverse of its block where the first fit, of the same weights, has this inverse: what that takes of the cyclic
+// errors is in the equations.
+Eigen::MatrixXd cyclic_inverse(const CyclicPart& cyclic, const Eigen::MatrixXd& of_first);
 
 }  // namespace ballbar

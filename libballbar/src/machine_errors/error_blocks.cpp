@@ -11,6 +11,23 @@ constexpr double kAbsent = 1e-5;  // mean square of a unit's curve: not in these
 constexpr double kOfSpike = 0.3;  // of its height
 constexpr double kLeast = 1e-12;  // a column of zeros has an inverse too
 
+// Of columns of an effect those that say something: these are their squares in the rows that are fitted.
+Indices present_of(const Eigen::VectorXd& squares, const Eigen::MatrixXd& fine) {
+  Indices kept;
+  kept.reserve(static_cast<std::size_t>(squares.size()));
+  for (Eigen::Index k = 0; k < squares.size(); ++k) {
+    if (squares[k] > kAbsent || squares[k] > kAbsent * fine.col(k).cwiseAbs().maxCoeff()) kept.push_back(k);
+  }
+  return kept;
+}
+
+// The lower half of X' Y, which is symmetric.
+Eigen::MatrixXd lower_product(const Eigen::MatrixXd& x, const Eigen::Ref<const Eigen::MatrixXd>& y) {
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(x.cols(), x.cols());
+  product.triangularView<Eigen::Lower>() = x.transpose() * y;
+  return product;
+}
+
 }  // namespace
 
 Indices range_of(Eigen::Index first, Eigen::Index count) {
@@ -29,24 +46,20 @@ Eigen::MatrixXd inverse_of(Eigen::MatrixXd normal, const Eigen::MatrixXd& precis
 Block block_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& weight, const Eigen::MatrixXd& precision) {
   Block block;
   block.weighted = weight.asDiagonal() * columns;
-  Eigen::MatrixXd normal(columns.cols(), columns.cols());
-  normal.triangularView<Eigen::Lower>() = columns.transpose() * block.weighted;
-  block.inverse = inverse_of(normal.selfadjointView<Eigen::Lower>(), precision);
+  block.normal = lower_product(columns, block.weighted);
+  block.inverse = inverse_of(block.normal, precision);
   return block;
 }
 
 ErrorColumns present(const ErrorColumns& all, const Eigen::VectorXd& weight) {
   const Eigen::VectorXd squares = (all.values.array().square().colwise() * weight.array()).colwise().sum().transpose() /
                                   std::max(weight.sum(), 1.0);
-  Indices kept;
-  kept.reserve(all.columns.size());
-  for (Eigen::Index k = 0; k < all.size(); ++k) {
-    const double largest = all.fine.col(k).cwiseAbs().maxCoeff();
+  Indices kept = present_of(squares, all.fine);
+  std::erase_if(kept, [&](Eigen::Index k) {
     const Effect* effect = all.columns[static_cast<std::size_t>(k)].effect;
     const bool is_spike = effect != nullptr && effect->rules.error_fit == ErrorFit::at_reversals;
-    if (is_spike && largest < kOfSpike) continue;
-    if (squares[k] > kAbsent * std::min(1.0, largest)) kept.push_back(k);
-  }
+    return is_spike && all.fine.col(k).cwiseAbs().maxCoeff() < kOfSpike;
+  });
   ErrorColumns columns;
   columns.values = all.values(Eigen::all, kept);
   columns.fine = all.fine(Eigen::all, kept);
@@ -58,19 +71,22 @@ ErrorColumns present(const ErrorColumns& all, const Eigen::VectorXd& weight) {
 double best_shape(const Effect& effect, const std::vector<double>& shapes, const ErrorRows& rows, const Base& base,
                   const Eigen::VectorXd& left, const Eigen::VectorXd& weight) {
   double best = shapes.front(), most = -1.0;
+  if (shapes.size() == 1) return best;
+  UnitCurves curves(effect, rows.fine);
+  const double readings = std::max(weight.sum(), 1.0);
   for (const double shape : shapes) {
-    if (shapes.size() == 1) break;
-    const ErrorColumns columns = present(effect_columns(effect, shape, rows, false), weight);
-    if (columns.size() == 0) continue;
-    const Eigen::MatrixXd weighted = weight.asDiagonal() * columns.values;
-    Eigen::MatrixXd normal = columns.values.transpose() * weighted;
+    const Eigen::MatrixXd& fine = curves.at(shape);
+    const Eigen::MatrixXd columns = rows.means(fine), weighted = weight.asDiagonal() * columns;
+    Eigen::MatrixXd normal = columns.transpose().lazyProduct(weighted);  // few columns
+    const Indices kept = present_of(normal.diagonal() / readings, fine);
+    if (kept.empty()) continue;
     if (base.columns != nullptr) {
-      const Eigen::MatrixXd shared = base.fit->weighted.transpose() * columns.values;
+      const Eigen::MatrixXd shared = base.fit->weighted.transpose() * columns;
       normal -= shared.transpose() * base.fit->inverse * shared;
     }
     normal.diagonal() *= 1.0 + kRidge;
-    const Eigen::VectorXd right = weighted.transpose() * left;
-    const double lowers = right.dot(normal.ldlt().solve(right));
+    const Eigen::VectorXd right = (weighted.transpose() * left)(kept);
+    const double lowers = right.dot(normal(kept, kept).ldlt().solve(right));
     if (lowers > most) most = lowers, best = shape;
   }
   return best;
@@ -90,18 +106,19 @@ GainMaps::GainMaps(const GainStages& stages)
   z_.leftCols(p_ + e_) = stages.far->asDiagonal() * columns;
   z_.middleCols(p_ + e_, c_) = stages.cyclic_block->weighted;
   z_.rightCols(s_) = *stages.filters;
-  normal_ = columns.transpose() * z_.leftCols(p_ + e_);
-  with_cyclic_ = z_.leftCols(p_ + e_).transpose() * stages.cyclic->values;
+  normal_ = lower_product(columns, z_.leftCols(p_ + e_)).selfadjointView<Eigen::Lower>();
+  with_cyclic_.resize(p_ + e_, c_);
+  with_cyclic_.topRows(p_) = *stages.together_of_cyclic;
+  with_cyclic_.bottomRows(e_) = z_.middleCols(p_, e_).transpose() * stages.cyclic->values;
   spike_squares_ = (stages.filters->array() * stages.spikes->values.array()).colwise().sum().max(1e-12).transpose();
   const Eigen::MatrixXd per_square = *stages.filters * spike_squares_.cwiseInverse().asDiagonal();
   spikes_of_ = per_square.transpose() * columns;
   spikes_of_cyclic_ = per_square.transpose() * stages.cyclic->values;
   // G (C' y - C' M b), b = N^-1 M' y of the first fit.
-  Eigen::MatrixXd t_first = Eigen::MatrixXd::Zero(p_, z_.cols());
-  t_first.leftCols(p_) = stages.first->inverse;
-  const Block& cyclic = *stages.cyclic_block;
-  t_cyclic_ = -cyclic.inverse * (cyclic.weighted.transpose() * stages.together->values) * t_first;
-  t_cyclic_.middleCols(p_ + e_, c_) += cyclic.inverse;
+  const Eigen::MatrixXd& inverse = stages.cyclic_block->inverse;
+  t_cyclic_ = Eigen::MatrixXd::Zero(c_, z_.cols());
+  t_cyclic_.leftCols(p_) = -inverse * *stages.cyclic_of_together * stages.first->inverse;
+  t_cyclic_.middleCols(p_ + e_, c_) = inverse;
 }
 
 GainMap GainMaps::of(const Indices& chosen, const Eigen::MatrixXd& precision) const {

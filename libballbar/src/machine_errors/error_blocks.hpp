@@ -18,13 +18,15 @@ inline constexpr double kRidge = 1e-9;
 struct Block {
   Eigen::MatrixXd weighted;  // rows by columns
   Eigen::MatrixXd inverse;
+  Eigen::MatrixXd normal = {};  // X' W X, the lower half
 
   Eigen::VectorXd solve(const Eigen::VectorXd& data) const { return inverse * (weighted.transpose() * data); }
 };
 Block block_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& weight, const Eigen::MatrixXd& precision);
-Eigen::MatrixXd inverse_of(Eigen::MatrixXd normal, const Eigen::MatrixXd& precision);
+Eigen::MatrixXd inverse_of(Eigen::MatrixXd normal, const Eigen::MatrixXd& precision);  // reads the lower half
 
-// Columns that say something in the rows of these weights: not the far tail of a spike whose reversal is elsewhere.
+// Columns of one effect that say something in the rows of these weights: not the far tail of a spike whose reversal is
+// elsewhere.
 ErrorColumns present(const ErrorColumns& all, const Eigen::VectorXd& weight);
 
 // The shape of `shapes` whose columns lower most what is left of the data, freed of the columns of `base` (none: null).
@@ -52,6 +54,8 @@ struct GainStages {
   const ErrorColumns* together = nullptr;
   const ErrorColumns* cyclic = nullptr;
   const Block* cyclic_block = nullptr;
+  const Eigen::MatrixXd* cyclic_of_together = nullptr;  // C' M by the weights of the cyclic errors
+  const Eigen::MatrixXd* together_of_cyclic = nullptr;  // M' C by those of the first fit
   const ErrorColumns* extra = nullptr;
   const ErrorColumns* spikes = nullptr;
   const Eigen::MatrixXd* filters = nullptr;  // of the spikes

@@ -19,24 +19,23 @@ namespace {
 
 constexpr double kWidthsOfSpike = 4.0;  // to where 2 % of its height are left
 
-// What the centre adds beyond its first order, at these angles: exact length less radius, a cos and b sin.
-Eigen::VectorXd second_order(const Eigen::VectorXd& circle, std::span<const double> angle_rad, double length_mm,
+// What the centre adds beyond its first order: exact length less radius, a cos and b sin. fine: these three columns.
+Eigen::VectorXd second_order(const Eigen::VectorXd& circle, const Eigen::MatrixXd& fine, double length_mm,
                              double height_mm) {
-  Eigen::VectorXd more(static_cast<Eigen::Index>(angle_rad.size()));
+  Eigen::VectorXd more(fine.rows());
   const double radius_mm = length_mm + mm_from_um(circle[0]);
-  for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-    const double cos = std::cos(angle_rad[i]), sin = std::sin(angle_rad[i]);
+  for (Eigen::Index i = 0; i < fine.rows(); ++i) {
+    const double cos = fine(i, 1), sin = fine(i, 2);
     const double a_mm = mm_from_um(circle[1]) + radius_mm * cos, b_mm = mm_from_um(circle[2]) + radius_mm * sin;
     const double square = a_mm * a_mm + b_mm * b_mm + height_mm * height_mm;
     const double exact_um = um_from_mm((square - length_mm * length_mm) / (std::sqrt(square) + length_mm));
-    more[static_cast<Eigen::Index>(i)] = exact_um - circle[0] - circle[1] * cos - circle[2] * sin;
+    more[i] = exact_um - circle[0] - circle[1] * cos - circle[2] * sin;
   }
   return more;
 }
 
 // Takes it off the deviation, with the circle that fits it.
 void free_of_second_order(ErrorFitted& fitted, const ErrorColumns& circle, double length_mm, double height_mm) {
-  const std::vector<double>& angle_rad = find_column(fitted.rows.fine, trace_column("angle"))->values;
   const Eigen::VectorXd measured = fitted.rows.deviation_um;
   const Eigen::MatrixXd columns = circle.values.leftCols(3);
   const Eigen::MatrixXd weighted = fitted.rows.count.asDiagonal() * columns;
@@ -45,7 +44,7 @@ void free_of_second_order(ErrorFitted& fitted, const ErrorColumns& circle, doubl
   const Eigen::LLT<Eigen::MatrixXd> root(normal);
   for (int step = 0; step < 3; ++step) {
     const Eigen::VectorXd fit = root.solve(weighted.transpose() * fitted.rows.deviation_um);
-    fitted.second_order_um = second_order(fit, angle_rad, length_mm, height_mm);
+    fitted.second_order_um = second_order(fit, circle.fine, length_mm, height_mm);
     fitted.rows.deviation_um = measured - fitted.rows.mean({fitted.second_order_um.data(),
                                                             static_cast<std::size_t>(fitted.second_order_um.size())});
   }
@@ -133,6 +132,11 @@ void append(std::vector<FittedEffect>& all, std::vector<FittedEffect> effects, E
   }
 }
 
+// Whether the circles of CCW and CW are told apart.
+bool differ(const ErrorColumns& together) {
+  return together.size() > 3 && together.columns[3].effect == nullptr && !together.columns[3].recording;
+}
+
 // What is fitted one after another.
 struct Stages {
   Part together;
@@ -145,7 +149,7 @@ struct Stages {
 // The first fit over other rows and with another prior, and the cyclic errors, of the same pitches, on what it leaves.
 void refit(Stages& stages, const Eigen::VectorXd& far, const Eigen::MatrixXd& precision) {
   stages.first = block_of(stages.together.columns.values, far, precision);
-  stages.cyclic.block.inverse = cyclic_inverse(stages.cyclic, stages.together.columns.values, stages.first);
+  with_first(stages.cyclic, stages.first);
 }
 
 // Of the rows, once both are taken off.
@@ -175,8 +179,8 @@ void fit_all(ErrorFitted& fitted, Stages& stages, const Eigen::VectorXd& far, co
                                              &stages.extra.columns, &stages.spikes.columns};
   fitted.columns = joined(all, of);
   const GainMaps maps({&of, &far, &stages.first, &stages.together.columns, &stages.cyclic.part.columns,
-                       &stages.cyclic.block, &stages.extra.columns, &stages.spikes.columns, &stages.spikes.filters,
-                       fitted.slow_variance_um2});
+                       &stages.cyclic.block, &stages.cyclic.of_together, &stages.cyclic.shared, &stages.extra.columns,
+                       &stages.spikes.columns, &stages.spikes.filters, fitted.slow_variance_um2});
   const Eigen::VectorXd z_data = maps.z().transpose() * of.deviation_um;
   const Eigen::MatrixXd nothing = Eigen::MatrixXd::Zero(p, p);
   const GainMap whole = maps.of(maps.all(), nothing);
@@ -185,7 +189,8 @@ void fit_all(ErrorFitted& fitted, Stages& stages, const Eigen::VectorXd& far, co
   const Eigen::MatrixXd scatter = scatter_of(excess_of(of, left).asDiagonal() * maps.z(), of, fitted.noise);
   const auto covariance = [&](const GainMap& map) -> Eigen::MatrixXd { return map.t * scatter * map.t.transpose(); };
 
-  choose(stages.extra.effects, whole.t * z_data, covariance(whole) + whole.open, p);
+  const GainMap extra{whole.t.bottomRows(e), whole.open.bottomRightCorner(e, e)};
+  choose(stages.extra.effects, extra.t * z_data, covariance(extra) + extra.open, 0);
   Indices chosen = range_of(0, p);
   for (const FittedEffect& effect : stages.extra.effects) {
     if (!effect.in_the_fit) continue;
@@ -285,8 +290,8 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
   stages.cyclic = cyclic_part(kinds.along_the_travel, of, set_up, columns, stages.first, first_left);
 
   // As the instrument: with its prior, and the cyclic errors taken off first.
-  const Block damped = block_of(columns, far, usual);
-  const Block damped_waves{stages.cyclic.block.weighted, cyclic_inverse(stages.cyclic, columns, damped)};
+  const Block damped{stages.first.weighted, inverse_of(stages.first.normal, usual)};
+  const Block damped_waves{stages.cyclic.block.weighted, cyclic_inverse(stages.cyclic, damped.inverse)};
   const Eigen::VectorXd waves = damped_waves.solve(measured - columns * damped.solve(measured));
   const Eigen::VectorXd gains = damped.solve(measured - stages.cyclic.part.columns.values * waves);
 
@@ -296,6 +301,13 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
   smooth.leftCols(columns.cols()) = columns;
   smooth.middleCols(columns.cols(), waves.size()) = stages.cyclic.part.columns.values;
   smooth.rightCols(stages.extra.columns.size()) = stages.extra.columns.values;
+  // For what CCW and CW have together and what they differ by, which stand first, the circles of each: the noise is
+  // then fitted with what each recording has of its own.
+  for (Eigen::Index k = 0; differ(stages.together.columns) && k < 3; ++k) {
+    const Eigen::VectorXd half = 0.5 * smooth.col(k), shift = smooth.col(k + 3);
+    smooth.col(k) = half + shift;
+    smooth.col(k + 3) = half - shift;
+  }
   const QuietRows quiet = quiet_rows(of, smooth);
   fitted.noise = error_noise(quiet.rows, quiet.columns);
   fitted.slow_variance_um2 = slow_variance_um2(of, fitted.noise);

@@ -39,7 +39,8 @@ struct ErrorFitted {
   Eigen::VectorXd second_order_um;  // of the fine rows, taken off
   double slow_variance_um2 = 0.0;
   double arc_rad = 0.0;
-  double within_um2 = 0.0;  // mean square of readings about the mean of their row
+  std::vector<double> freed_um;  // readings freed of the centre as fitted
+  double within_um2 = 0.0;       // mean square of readings about the mean of their row
 
   // Fine rows of the curve of one effect; nullptr: the circles.
   Eigen::VectorXd fine_curve(const Effect* effect) const;
@@ -74,8 +75,5 @@ inline constexpr double kShortestArc_rad = 60.0 * kPi / 180.0;  // below it the 
 
 // Whether it is of the centre: of all, or of one recording beside it; not what CCW and CW differ by.
 bool is_centre(const ErrorColumn& column);
-
-// Deviation freed of the fitted centre: readings of the trace.
-std::vector<double> freed_of_centre(const ErrorFitted& fitted, const Series& trace);
 
 }  // namespace ballbar

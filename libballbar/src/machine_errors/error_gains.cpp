@@ -140,8 +140,8 @@ void rank(std::vector<RankedError>& ranked) {
 
 }  // namespace
 
-void add_gains(MachineErrors& found, const ErrorFitted& fitted, const Series& trace, bool with_sigmas) {
-  const Extremes extremes = extremes_of(freed_of_centre(fitted, trace), fitted.rows);
+void add_gains(MachineErrors& found, const ErrorFitted& fitted, bool with_sigmas) {
+  const Extremes extremes = extremes_of(fitted.freed_um, fitted.rows);
   const Curves curves = curves_of(fitted, found.ranked);
   found.circularity_um = extremes.largest.maxCoeff() - extremes.smallest.minCoeff();
   found.circularity_without_all_um = extremes.range_without(curves.significant);

@@ -11,6 +11,6 @@ namespace ballbar {
 
 // Fills circularities and gains of `found`, whose ranked errors are there, and ranks and orders these. A rank has what
 // is significant and lowers the circularity by at least 0.05 um, half of the digit that is printed.
-void add_gains(MachineErrors& found, const ErrorFitted& fitted, const Series& trace, bool with_sigmas);
+void add_gains(MachineErrors& found, const ErrorFitted& fitted, bool with_sigmas);
 
 }  // namespace ballbar

@@ -118,10 +118,7 @@ ErrorColumns circle_columns(const ErrorRows& rows) {
       }
     }
   }
-  circle.values.resize(rows.size(), circle.fine.cols());
-  for (Eigen::Index k = 0; k < circle.fine.cols(); ++k) {
-    circle.values.col(k) = rows.mean({circle.fine.col(k).data(), n});
-  }
+  circle.values = rows.means(circle.fine);
   return circle;
 }
 
@@ -146,10 +143,7 @@ ErrorColumns effect_columns(const Effect& effect, double shape, const ErrorRows&
     }
   }
   if (!of_each_recording) columns.fine = std::move(curves);
-  columns.values.resize(rows.size(), columns.fine.cols());
-  for (Eigen::Index k = 0; k < columns.fine.cols(); ++k) {
-    columns.values.col(k) = rows.mean({columns.fine.col(k).data(), rows.row_of.size()});
-  }
+  columns.values = rows.means(columns.fine);
   return columns;
 }
 

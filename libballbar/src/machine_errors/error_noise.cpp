@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -142,9 +143,10 @@ Restricted restricted(const RestrictedLikelihood& likelihood, const LinearFilter
 }
 
 // Of these memories and kWhiteOfCorrelated, from the middle on: all that lie beside one with a weight. Weights are
-// logarithms of the likelihood.
+// logarithms of the likelihood. `known`: of kUsualWhite, for one memory.
 std::vector<WeightedNoise> likely_noises(const ErrorRows& rows, const RestrictedLikelihood& likelihood,
-                                         const std::vector<double>& memories_s) {
+                                         const std::vector<double>& memories_s, double known_memory_s,
+                                         const Restricted& known) {
   constexpr std::size_t kWhites = kWhiteOfCorrelated.size();
   std::vector<std::optional<LinearFilter>> filters(memories_s.size());
   std::vector<bool> looked_at(filters.size() * kWhites, false);
@@ -159,9 +161,11 @@ std::vector<WeightedNoise> likely_noises(const ErrorRows& rows, const Restricted
   const auto look_at = [&](std::size_t memory, std::size_t white) {
     if (looked_at[memory * kWhites + white]) return;
     looked_at[memory * kWhites + white] = true;
-    if (!filters[memory]) filters[memory] = filter_of(rows, memories_s[memory]);
+    const bool is_known = white == kUsualWhite && memories_s[memory] == known_memory_s;
+    if (!is_known && !filters[memory]) filters[memory] = filter_of(rows, memories_s[memory]);
     const Restricted found =
-        restricted(likelihood, *filters[memory], memories_s[memory], kWhiteOfCorrelated[white], rows.size());
+        is_known ? known
+                 : restricted(likelihood, *filters[memory], memories_s[memory], kWhiteOfCorrelated[white], rows.size());
     const double correlated_um = std::sqrt(found.variance);
     const double white_um = kWhiteOfCorrelated[white] * correlated_um;
     noises.push_back({found.log_likelihood, {white_um, correlated_um, memories_s[memory], found.log_likelihood}});
@@ -185,43 +189,75 @@ std::vector<WeightedNoise> likely_noises(const ErrorRows& rows, const Restricted
   }
 }
 
-// Orthonormal columns that span these.
+// Orthonormal columns that span these, whose own size, of which some may be taken off, is 1.
 Eigen::MatrixXd span_of(const Eigen::MatrixXd& columns) {
-  Eigen::MatrixXd scaled = columns;  // in size, so that none is lost to rounding
-  for (Eigen::Index k = 0; k < scaled.cols(); ++k) {
-    const double size = scaled.col(k).norm();
-    if (size > 0.0) scaled.col(k) /= size;
+  if (columns.size() == 0) return columns.leftCols(0);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> parts(columns.rows(), columns.cols());
+  parts.compute(columns);
+  parts.setThreshold(kLeastOfSpan / std::max(parts.maxPivot(), kLeastOfSpan));
+  const Eigen::Index rank = parts.rank();
+  // X P = Q R
+  Eigen::MatrixXd span = columns(Eigen::all, parts.colsPermutation().indices().head(rank));
+  parts.matrixR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(span);
+  return span;
+}
+
+// The same of all columns, first of those that one recording alone has: they stay 0 in the others.
+Eigen::MatrixXd span_of(const Eigen::MatrixXd& columns, const std::vector<std::size_t>& starts) {
+  Eigen::MatrixXd shared = columns;
+  for (Eigen::Index k = 0; k < shared.cols(); ++k) {
+    const double size = shared.col(k).norm();
+    if (size > 0.0) shared.col(k) /= size;
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> parts(scaled.rows(), scaled.cols());
-  parts.setThreshold(kLeastOfSpan);
-  parts.compute(scaled);
-  return parts.householderQ() * Eigen::MatrixXd::Identity(scaled.rows(), parts.rank());
+  std::vector<Eigen::Index> left(static_cast<std::size_t>(columns.cols()));
+  std::iota(left.begin(), left.end(), Eigen::Index{0});
+  Eigen::MatrixXd span(columns.rows(), columns.cols());
+  Eigen::Index rank = 0;
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    const auto first = static_cast<Eigen::Index>(starts[k]);
+    const Eigen::Index end = k + 1 < starts.size() ? static_cast<Eigen::Index>(starts[k + 1]) : columns.rows();
+    const auto is_own = [&](Eigen::Index column) {
+      return shared.col(column).head(first).isZero(0.0) && shared.col(column).tail(columns.rows() - end).isZero(0.0);
+    };
+    const auto own = std::stable_partition(left.begin(), left.end(), [&](Eigen::Index c) { return !is_own(c); });
+    const Eigen::MatrixXd basis =
+        span_of(shared(Eigen::seq(first, end - 1), std::vector<Eigen::Index>(own, left.end())));
+    left.erase(own, left.end());
+    auto rows = shared.middleRows(first, end - first);
+    rows -= basis * (basis.transpose() * rows);
+    span.middleCols(rank, basis.cols()).setZero();
+    span.block(first, rank, end - first, basis.cols()) = basis;
+    rank += basis.cols();
+  }
+  const Eigen::MatrixXd basis = span_of(shared(Eigen::all, left));
+  span.middleCols(rank, basis.cols()) = basis;
+  return span.leftCols(rank + basis.cols());
 }
 
 }  // namespace
 
 std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::MatrixXd& columns) {
   // Of what the columns span: on a short arc some are the sum of others, and their X' V^-1 X has no root.
-  const Eigen::MatrixXd span = span_of(columns);
-  const RestrictedLikelihood likelihood({rows.deviation_um.data(), rows.recording.size()}, span);
+  const std::vector<std::size_t> starts = starts_of(rows);
+  const RestrictedLikelihood likelihood({rows.deviation_um.data(), rows.recording.size()}, span_of(columns, starts),
+                                        starts);
   const std::array<double, kMemories> memories = memories_s(rows);
   std::size_t best = 0;
-  double most = -std::numeric_limits<double>::infinity();
+  Restricted likeliest{-std::numeric_limits<double>::infinity()};
   for (std::size_t k = 0; k < memories.size(); ++k) {
-    const double log_likelihood =
-        restricted(likelihood, filter_of(rows, memories[k]), memories[k], kWhiteOfCorrelated[kUsualWhite], rows.size())
-            .log_likelihood;
-    if (log_likelihood > most) most = log_likelihood, best = k;
+    const Restricted one =
+        restricted(likelihood, filter_of(rows, memories[k]), memories[k], kWhiteOfCorrelated[kUsualWhite], rows.size());
+    if (one.log_likelihood > likeliest.log_likelihood) likeliest = one, best = k;
   }
   std::vector<double> fine_s;
   fine_s.reserve(kFineMemories.size());
   for (const double times : kFineMemories) {
     if (times * memories[best] <= 1.0001 * memories.back()) fine_s.push_back(times * memories[best]);
   }
-  std::vector<WeightedNoise> noises = likely_noises(rows, likelihood, fine_s);
+  std::vector<WeightedNoise> noises = likely_noises(rows, likelihood, fine_s, memories[best], likeliest);
   const auto likelier = [](const WeightedNoise& a, const WeightedNoise& b) { return a.weight > b.weight; };
   std::stable_sort(noises.begin(), noises.end(), likelier);
-  most = noises.front().weight;
+  const double most = noises.front().weight;
   double sum = 0.0;
   for (WeightedNoise& noise : noises) {
     noise.weight = std::exp(noise.weight - most);
@@ -241,29 +277,49 @@ Eigen::MatrixXd spread_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
     q2 += one.weight * one.noise.correlated_um * one.noise.correlated_um;
     w2 += one.weight * one.noise.white_um * one.noise.white_um;
   }
-  const RowMajorMatrix z = columns;
-  RowMajorMatrix correlated = RowMajorMatrix::Zero(z.rows(), z.cols());  // V Z
-  Eigen::RowVectorXd sum(z.cols());
+  struct Spread {
+    double q2 = 0.0;
+    std::vector<double> with_others, decay;  // row by row
+  };
+  Eigen::ArrayXd own = Eigen::ArrayXd::Zero(columns.rows());  // what a row has of itself alone
+  std::vector<Spread> spreads;
+  spreads.reserve(by_memory.size());
   for (const auto& [memory_s, variances] : by_memory) {
     const auto [q2, w2] = variances;
-    const RowMemory memory = row_memory(rows, memory_s);
-    const std::vector<double> decay = decays_of(rows, memory_s);
-    // sum over j of k_j exp(-|t_i - t_j| / theta) z_j: those before and the row itself, then those after.
-    sum.setZero();
-    for (Eigen::Index i = 0; i < z.rows(); ++i) {
+    RowMemory memory = row_memory(rows, memory_s);
+    for (Eigen::Index i = 0; i < own.size(); ++i) {
       const auto at = static_cast<std::size_t>(i);
-      const double with_others = memory.with_others[at], own = memory.variance[at] - with_others * with_others;
-      sum = decay[at] * sum + with_others * z.row(i);
-      correlated.row(i) += (q2 * with_others) * sum + (q2 * own + w2 / rows.count[i]) * z.row(i);
+      own[i] += q2 * (memory.variance[at] - memory.with_others[at] * memory.with_others[at]) + w2 / rows.count[i];
     }
-    sum.setZero();
-    for (Eigen::Index i = z.rows() - 1; i > 0; --i) {
-      const auto at = static_cast<std::size_t>(i);
-      sum = decay[at] * (sum + memory.with_others[at] * z.row(i));
-      correlated.row(i - 1) += (q2 * memory.with_others[at - 1]) * sum;
-    }
+    spreads.push_back({q2, std::move(memory.with_others), decays_of(rows, memory_s)});
   }
-  return correlated;
+  constexpr Eigen::Index kGroup = 8;  // columns that are taken together, so that their sums stay in registers
+  using Group = Eigen::Array<double, 1, kGroup>;
+  Eigen::Array<double, Eigen::Dynamic, kGroup, Eigen::RowMajor> z(columns.rows(), kGroup), correlated = z;
+  Eigen::MatrixXd all(columns.rows(), columns.cols());  // V Z
+  for (Eigen::Index first = 0; first < columns.cols(); first += kGroup) {
+    const Eigen::Index together = std::min(kGroup, columns.cols() - first);
+    z.setZero();
+    z.leftCols(together) = columns.middleCols(first, together);
+    correlated = z.colwise() * own;
+    for (const Spread& of : spreads) {
+      // sum over j of k_j exp(-|t_i - t_j| / theta) z_j: those before and the row itself, then those after.
+      Group sum = Group::Zero();
+      for (Eigen::Index i = 0; i < z.rows(); ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        sum = of.decay[at] * sum + of.with_others[at] * z.row(i);
+        correlated.row(i) += (of.q2 * of.with_others[at]) * sum;
+      }
+      sum.setZero();
+      for (Eigen::Index i = z.rows() - 1; i > 0; --i) {
+        const auto at = static_cast<std::size_t>(i);
+        sum = of.decay[at] * (sum + of.with_others[at] * z.row(i));
+        correlated.row(i - 1) += (of.q2 * of.with_others[at - 1]) * sum;
+      }
+    }
+    all.middleCols(first, together) = correlated.leftCols(together);
+  }
+  return all;
 }
 
 Eigen::MatrixXd scatter_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,

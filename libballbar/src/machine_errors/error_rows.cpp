@@ -47,6 +47,13 @@ std::vector<std::size_t> joined(std::span<const double> recording, std::span<con
   return rows;
 }
 
+EffectRows rows_of(const Effect& effect, const Series& fine) {
+  EffectRows rows{fine.time_s, {}};
+  for (const Input& input : effect.inputs)
+    rows.inputs.emplace_back(find_column(fine, trace_column(input.role))->values);
+  return rows;
+}
+
 }  // namespace
 
 double from_reversal_deg(double angle_rad, double reversal_deg) {
@@ -65,6 +72,18 @@ Eigen::VectorXd ErrorRows::mean(std::span<const double> of_fine) const {
     sum[static_cast<Eigen::Index>(row_of[i])] += fine_count[static_cast<Eigen::Index>(i)] * of_fine[i];
   }
   return sum.cwiseQuotient(count);
+}
+
+Eigen::MatrixXd ErrorRows::means(const Eigen::MatrixXd& of_fine) const {
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(size(), of_fine.cols());
+  // Row by row: sums of one column wait for one another, those of several do not.
+  for (Eigen::Index i = 0; i < of_fine.rows(); ++i) {
+    const auto row = static_cast<Eigen::Index>(row_of[static_cast<std::size_t>(i)]);
+    const double readings = fine_count[i];
+    for (Eigen::Index k = 0; k < of_fine.cols(); ++k) sums(row, k) += readings * of_fine(i, k);
+  }
+  sums.array().colwise() /= count.array();
+  return sums;
 }
 
 ErrorRows error_rows(const Series& trace) {
@@ -176,9 +195,7 @@ std::size_t shape_of(const Effect& effect) {
 }
 
 Eigen::MatrixXd unit_curves(const Effect& effect, const Series& fine, double shape) {
-  EffectRows rows{fine.time_s, {}};
-  for (const Input& input : effect.inputs)
-    rows.inputs.emplace_back(find_column(fine, trace_column(input.role))->values);
+  const EffectRows rows = rows_of(effect, fine);
   std::vector<double> parameters;
   parameters.reserve(effect.parameters.size());
   for (const Parameter& parameter : effect.parameters) {
@@ -195,6 +212,21 @@ Eigen::MatrixXd unit_curves(const Effect& effect, const Series& fine, double sha
     curves.col(static_cast<Eigen::Index>(k)) = derivatives.col(static_cast<Eigen::Index>(gains[k]));
   }
   return curves;
+}
+
+UnitCurves::UnitCurves(const Effect& effect, const Series& fine) : effect_(effect), fine_(fine) {
+  if (!effect.evaluate.unit_curves) return;
+  fast_ = effect.evaluate.unit_curves(rows_of(effect, fine));
+  curves_.resize(static_cast<Eigen::Index>(fine.time_s.size()), static_cast<Eigen::Index>(gains_of(effect).size()));
+}
+
+const Eigen::MatrixXd& UnitCurves::at(double shape) {
+  if (fast_) {
+    fast_(shape, curves_.data());
+  } else {
+    curves_ = unit_curves(effect_, fine_, shape);
+  }
+  return curves_;
 }
 
 }  // namespace ballbar

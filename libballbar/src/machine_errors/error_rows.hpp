@@ -34,6 +34,7 @@ struct ErrorRows {
   Eigen::Index size() const { return count.size(); }
   // Means over the rows of values of fine rows.
   Eigen::VectorXd mean(std::span<const double> of_fine) const;
+  Eigen::MatrixXd means(const Eigen::MatrixXd& of_fine) const;  // column by column
 };
 
 // Of trace_of(recordings).
@@ -50,6 +51,19 @@ double since_reversal_deg(const ErrorRows& rows, Eigen::Index row, double revers
 
 // What a unit of each gain of the effect adds at each fine row, its shapes as they are given: fine rows by gains.
 Eigen::MatrixXd unit_curves(const Effect& effect, const Series& fine, double shape);
+
+// The same for one shape after the other, to rounding.
+class UnitCurves {
+ public:
+  UnitCurves(const Effect& effect, const Series& fine);  // both are referred to
+  const Eigen::MatrixXd& at(double shape);
+
+ private:
+  const Effect& effect_;
+  const Series& fine_;
+  UnitCurvesAt fast_;  // of an effect that has them
+  Eigen::MatrixXd curves_;
+};
 
 // Places of the gains and of the one shape among an effect's parameters; no_shape: none.
 std::vector<std::size_t> gains_of(const Effect& effect);

@@ -43,9 +43,32 @@ ErrorSetUp set_up_of(const Series& trace) {
   return set_up;
 }
 
+// Deviation of the readings freed of the fitted centre.
+std::vector<double> freed_of_centre(const ErrorFitted& fitted, const Series& trace) {
+  // Centre of all, and what each recording has beside it; the radius stays, and how CCW and CW differ.
+  const std::vector<double>& recording = values_of(trace, "recording");
+  const std::vector<double>& angle_rad = values_of(trace, "angle");
+  std::vector<double> a_um(fitted.rows.recordings, 0.0), b_um = a_um;
+  for (std::size_t k = 0; k < fitted.columns.columns.size(); ++k) {
+    const ErrorColumn& column = fitted.columns.columns[k];
+    if (column.effect != nullptr) break;
+    if (!is_centre(column)) continue;
+    std::vector<double>& centre_um = column.name.starts_with("centre_a") ? a_um : b_um;
+    for (std::size_t one = 0; one < centre_um.size(); ++one) {
+      if (column.recording.value_or(one) == one) centre_um[one] += fitted.curve_gains[static_cast<Eigen::Index>(k)];
+    }
+  }
+  std::vector<double> freed = find_column(trace, "deviation_um")->values;
+  for (std::size_t i = 0; i < freed.size(); ++i) {
+    const auto of = static_cast<std::size_t>(recording[i]);
+    freed[i] -= a_um[of] * std::cos(angle_rad[i]) + b_um[of] * std::sin(angle_rad[i]) +
+                fitted.second_order_um[static_cast<Eigen::Index>(fitted.rows.fine_of[i])];
+  }
+  return freed;
+}
+
 // What the fit leaves of readings beyond what it leaves of their rows.
-double within_rows_um2(const ErrorFitted& fitted, const Series& trace) {
-  const std::vector<double> freed = freed_of_centre(fitted, trace);
+double within_rows_um2(const ErrorFitted& fitted) {
   Eigen::VectorXd rest = Eigen::VectorXd::Zero(fitted.columns.fine.rows());
   std::vector<bool> out(fitted.columns.columns.size(), false);
   for (const FittedEffect& effect : fitted.effects) {
@@ -57,8 +80,8 @@ double within_rows_um2(const ErrorFitted& fitted, const Series& trace) {
     }
   }
   double squares = 0.0;
-  for (std::size_t i = 0; i < freed.size(); ++i) {
-    const double left = freed[i] - rest[static_cast<Eigen::Index>(fitted.rows.fine_of[i])];
+  for (std::size_t i = 0; i < fitted.freed_um.size(); ++i) {
+    const double left = fitted.freed_um[i] - rest[static_cast<Eigen::Index>(fitted.rows.fine_of[i])];
     squares += left * left;
   }
   return std::max(0.0, (squares - fitted.residual().cwiseAbs2().dot(fitted.rows.count)) / fitted.rows.count.sum());
@@ -103,31 +126,9 @@ ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options
   }
   const ErrorRows rows = error_rows(lacks ? stated_feed : trace);
   ErrorFitted fitted = error_fitted(rows, options, set_up);
-  fitted.within_um2 = within_rows_um2(fitted, trace);
+  fitted.freed_um = freed_of_centre(fitted, trace);
+  fitted.within_um2 = within_rows_um2(fitted);
   return fitted;
-}
-
-std::vector<double> freed_of_centre(const ErrorFitted& fitted, const Series& trace) {
-  // Centre of all, and what each recording has beside it; the radius stays, and how CCW and CW differ.
-  const std::vector<double>& recording = values_of(trace, "recording");
-  const std::vector<double>& angle_rad = values_of(trace, "angle");
-  std::vector<double> a_um(fitted.rows.recordings, 0.0), b_um = a_um;
-  for (std::size_t k = 0; k < fitted.columns.columns.size(); ++k) {
-    const ErrorColumn& column = fitted.columns.columns[k];
-    if (column.effect != nullptr) break;
-    if (!is_centre(column)) continue;
-    std::vector<double>& centre_um = column.name.starts_with("centre_a") ? a_um : b_um;
-    for (std::size_t one = 0; one < centre_um.size(); ++one) {
-      if (column.recording.value_or(one) == one) centre_um[one] += fitted.curve_gains[static_cast<Eigen::Index>(k)];
-    }
-  }
-  std::vector<double> freed = find_column(trace, "deviation_um")->values;
-  for (std::size_t i = 0; i < freed.size(); ++i) {
-    const auto of = static_cast<std::size_t>(recording[i]);
-    freed[i] -= a_um[of] * std::cos(angle_rad[i]) + b_um[of] * std::sin(angle_rad[i]) +
-                fitted.second_order_um[static_cast<Eigen::Index>(fitted.rows.fine_of[i])];
-  }
-  return freed;
 }
 
 }  // namespace ballbar

@@ -104,7 +104,7 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
                            fitted.curve_gains[static_cast<Eigen::Index>(k)], shape, column.name, in_the_fit});
   }
   add_ranks_as_instrument(fitted, found.errors, found.ranked);
-  add_gains(found, fitted, trace, options.details);
+  add_gains(found, fitted, options.details);
   found.circle_rms_um = rms_with_um(fitted, {});
   if (options.details) found.one_by_one = one_by_one(fitted, found.ranked);
   const Eigen::VectorXd residual = fitted.residual();

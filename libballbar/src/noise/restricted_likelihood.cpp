@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "numerics/orthonormal.hpp"
 
@@ -10,7 +11,7 @@ namespace ballbar {
 namespace {
 
 constexpr Eigen::Index kGroup = 4;        // columns filtered together
-constexpr Eigen::Index kBlockRows = 256;  // that stay in the cache
+constexpr Eigen::Index kBlockRows = 128;  // that stay in the cache
 
 // The products of columns, a whole number of groups, behind the filter, as its gains come.
 class FilteredGram {
@@ -42,7 +43,9 @@ class FilteredGram {
     }
   }
 
-  // The upper half.
+  bool has_all() const { return first_ == columns_.rows(); }
+
+  // The lower half.
   const Eigen::MatrixXd& gram() {
     take_up();
     return gram_;
@@ -50,7 +53,19 @@ class FilteredGram {
 
  private:
   void take_up() {
-    if (filled_ > 0) gram_.selfadjointView<Eigen::Upper>().rankUpdate(white_.topRows(filled_).transpose());
+    // Group by group: of so few columns this is faster than a product of matrices, which packs them first.
+    using Group = Eigen::Array<double, 1, kGroup>;
+    for (Eigen::Index a = 0; a < white_.cols(); a += kGroup) {
+      for (Eigen::Index b = a; b < white_.cols(); b += kGroup) {
+        Group sum[kGroup] = {Group::Zero(), Group::Zero(), Group::Zero(), Group::Zero()};
+        for (Eigen::Index i = 0; i < filled_; ++i) {
+          const double* left = &white_(i, a);
+          const Group right = white_.row(i).segment<kGroup>(b);
+          for (Eigen::Index k = 0; k < kGroup; ++k) sum[k] += left[k] * right;
+        }
+        for (Eigen::Index k = 0; k < kGroup; ++k) gram_.col(a + k).segment<kGroup>(b) += sum[k].matrix().transpose();
+      }
+    }
     filled_ = 0;
   }
 
@@ -61,15 +76,13 @@ class FilteredGram {
   Eigen::Index first_ = 0, filled_ = 0;
 };
 
-// What fitted columns leave, of the products of these, white, with a residual behind them (the upper half) and of the
+// What fitted columns leave, of the products of these, white, with a residual behind them (the lower half) and of the
 // filter's sum of ln S_i.
 LinearFilter::Sums restricted_sums(const Eigen::MatrixXd& gram, double log_variances) {
   const Eigen::Index p = gram.cols() - 1;
-  const Eigen::MatrixXd g = gram.topLeftCorner(p, p).selfadjointView<Eigen::Upper>();
-  const Eigen::LLT<Eigen::MatrixXd> factor(g);
-  const Eigen::VectorXd right = gram.col(p).head(p);
-  const Eigen::VectorXd diagonal = factor.matrixLLT().diagonal();
-  return {log_variances + 2.0 * diagonal.array().log().sum(), gram(p, p) - right.dot(factor.solve(right))};
+  const Eigen::LLT<Eigen::MatrixXd> factor(gram.topLeftCorner(p, p));
+  const Eigen::VectorXd white = factor.matrixL().solve(gram.row(p).head(p).transpose());
+  return {log_variances + 2.0 * factor.matrixLLT().diagonal().array().log().sum(), gram(p, p) - white.squaredNorm()};
 }
 
 }  // namespace
@@ -80,20 +93,49 @@ RowMajorMatrix unit_basis(const Eigen::MatrixXd& columns) {
   return orthonormal(columns * norm.cwiseInverse().asDiagonal());
 }
 
-RestrictedLikelihood::RestrictedLikelihood(std::span<const double> residual_um, const RowMajorMatrix& columns)
+RestrictedLikelihood::RestrictedLikelihood(std::span<const double> residual_um, const RowMajorMatrix& columns,
+                                           std::span<const std::size_t> starts)
     : residual_um_(residual_um), p_(columns.cols()) {
   if (p_ == 0) return;
-  all_ = RowMajorMatrix::Zero(columns.rows(), (p_ / kGroup + 1) * kGroup);
-  all_.leftCols(p_) = columns;
-  all_.col(p_) = Eigen::VectorXd::Map(residual_um.data(), columns.rows());
+  std::vector<Eigen::Index> ends;
+  for (const std::size_t start : starts) {
+    if (start > 0) ends.push_back(static_cast<Eigen::Index>(start));
+  }
+  ends.push_back(columns.rows());
+  Eigen::Index first = 0;
+  for (const Eigen::Index end : ends) {
+    const auto rows = columns.middleRows(first, end - first);
+    Part part;
+    for (Eigen::Index k = 0; k < p_; ++k) {
+      if (!rows.col(k).isZero(0.0)) part.columns.push_back(k);
+    }
+    const auto p = static_cast<Eigen::Index>(part.columns.size());
+    part.values = RowMajorMatrix::Zero(rows.rows(), (p / kGroup + 1) * kGroup);
+    part.values.leftCols(p) = rows(Eigen::all, part.columns);
+    part.values.col(p) = Eigen::VectorXd::Map(residual_um.data() + first, rows.rows());
+    part.columns.push_back(p_);
+    parts_.push_back(std::move(part));
+    first = end;
+  }
 }
 
 LinearFilter::Sums RestrictedLikelihood::sums(const LinearFilter& filter, const Covariance& noise) const {
   if (p_ == 0) return filter.sums(noise, residual_um_);
-  FilteredGram filtered(all_);
-  const double log_variances =
-      filter.for_each_gain(noise, [&](const FilterGain& of, Eigen::Index rows) { filtered.add(of, rows); });
-  return restricted_sums(filtered.gram().topLeftCorner(p_ + 1, p_ + 1), log_variances);
+  std::vector<FilteredGram> filtered;
+  filtered.reserve(parts_.size());
+  for (const Part& part : parts_) filtered.emplace_back(part.values);
+  auto now = filtered.begin();
+  const double log_variances = filter.for_each_gain(noise, [&](const FilterGain& of, Eigen::Index rows) {
+    if (now->has_all()) ++now;
+    now->add(of, rows);
+  });
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(p_ + 1, p_ + 1);
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    const std::vector<Eigen::Index>& of = parts_[k].columns;
+    const auto size = static_cast<Eigen::Index>(of.size());
+    gram(of, of) += filtered[k].gram().topLeftCorner(size, size);
+  }
+  return restricted_sums(gram, log_variances);
 }
 
 }  // namespace ballbar

@@ -188,6 +188,31 @@ TEST(all_effects, are_the_same_row_by_row) {
   });
 }
 
+TEST(all_effects, have_unit_curves_like_their_derivatives) {
+  expect_of_all([](const Effect& effect) {
+    if (!effect.evaluate.unit_curves) return;
+    const ExampleRows example(effect);
+    const std::size_t n = example.size(), k = effect.parameters.size();
+    std::vector<std::size_t> gains, shapes;
+    for (std::size_t j = 0; j < k; ++j) {
+      (effect.parameters[j].kind == ParameterKind::gain ? gains : shapes).push_back(j);
+    }
+    ASSERT_EQ(shapes.size(), 1U);
+    const UnitCurvesAt unit_curves = effect.evaluate.unit_curves(example.rows);
+    std::vector<double> p(k, 0.0), values(n), derivatives(n * k), curves(n * gains.size());
+    for (const double shape : effect.parameters[shapes.front()].grid) {
+      p[shapes.front()] = shape;
+      effect.evaluate(example.rows, p.data(), values.data(), derivatives.data());
+      unit_curves(shape, curves.data());
+      for (std::size_t j = 0; j < gains.size(); ++j) {
+        for (std::size_t i = 0; i < n; ++i) {
+          ASSERT_NEAR(curves[j * n + i], derivatives[i * k + gains[j]], 1e-13) << shape << ", row " << i;
+        }
+      }
+    }
+  });
+}
+
 TEST(all_effects, have_derivatives_like_central_differences) {
   expect_of_all([](const Effect& effect) {
     const ExampleRows example(effect);

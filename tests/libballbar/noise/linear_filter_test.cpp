@@ -8,6 +8,7 @@
 
 #include "diagnosis/evidence/dense.hpp"
 #include "noise/noise_grid.hpp"
+#include "noise/restricted_likelihood.hpp"
 #include "noise/whitening.hpp"
 
 namespace ballbar {
@@ -209,6 +210,38 @@ TEST(Covariance, rows_that_are_means_and_starts) {
   const RowMajorMatrix white = whitened_rows(filter, columns);
   EXPECT_LT((white.transpose() * white - columns.transpose() * c.llt().solve(columns)).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_NEAR(filter.log_determinant(), dense::log_determinant(c), 1e-9);
+}
+
+// Columns that are 0 from one start to the next are left out there, and the sums are the same.
+TEST(Covariance, columns_that_some_rows_lack) {
+  const Covariance covariance = memory();
+  const std::vector<double> time_s = even(300).time_s;
+  const std::vector<std::size_t> starts{0, 140};
+  const LinearFilter filter(time_s, {.starts = starts});
+  Eigen::MatrixXd columns = normal_columns(300, 8);
+  columns.block(140, 0, 160, 3).setZero();
+  columns.block(0, 3, 140, 2).setZero();
+  const RowMajorMatrix basis = columns;
+  const Eigen::VectorXd residual = normal_columns(300, 9).col(8);
+  const std::span<const double> values{residual.data(), 300};
+  const LinearFilter::Sums all = RestrictedLikelihood(values, basis).sums(filter, covariance);
+  const LinearFilter::Sums own = RestrictedLikelihood(values, basis, starts).sums(filter, covariance);
+  EXPECT_NEAR(own.squares, all.squares, 1e-9 * all.squares);
+  EXPECT_NEAR(own.log_variances, all.log_variances, 1e-9);
+  // Against the covariance written out.
+  Eigen::MatrixXd c = Eigen::MatrixXd::Zero(300, 300);
+  for (Eigen::Index i = 0; i < 300; ++i) {
+    for (Eigen::Index j = 0; j < 300; ++j) {
+      if ((i < 140) != (j < 140)) continue;
+      const double apart_s = std::abs(time_s[static_cast<std::size_t>(i)] - time_s[static_cast<std::size_t>(j)]);
+      c(i, j) = covariance.correlated * std::exp(-apart_s / covariance.time_s) + (i == j ? covariance.white : 0.0);
+    }
+  }
+  const Eigen::LLT<Eigen::MatrixXd> root(c);
+  const Eigen::MatrixXd g = basis.transpose() * root.solve(Eigen::MatrixXd(basis));
+  const Eigen::VectorXd right = basis.transpose() * root.solve(residual);
+  EXPECT_NEAR(own.squares, residual.dot(root.solve(residual)) - right.dot(g.llt().solve(right)), 1e-8 * all.squares);
+  EXPECT_NEAR(own.log_variances, dense::log_determinant(c) + dense::log_determinant(g), 1e-8);
 }
 
 // What is left out tells the rows behind it nothing, with a discrepancy as without.

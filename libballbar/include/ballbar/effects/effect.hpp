@@ -119,11 +119,19 @@ using EvaluateAll =
 using EvaluateRow =
     std::function<double(const EffectRows& rows, std::size_t i, const double* parameters, double* kept)>;
 
+// Writes what a unit of each gain adds at this shape, gain after gain, n values each.
+using UnitCurvesAt = std::function<void(double shape, double* curves)>;
+
+// For a search over many shapes of one run's rows: what does not depend on the shape is worked out once. To rounding it
+// gives the derivatives of EvaluateAll by the gains.
+using UnitCurvesOn = std::function<UnitCurvesAt(const EffectRows& rows)>;
+
 struct Evaluate {
   EvaluateAll all;
-  EvaluateRow row = {};        // empty: needs more than these rows
-  std::size_t kept = 0;        // how many numbers
-  std::size_t parameters = 0;  // how many; several runs need it
+  EvaluateRow row = {};           // empty: needs more than these rows
+  std::size_t kept = 0;           // how many numbers
+  std::size_t parameters = 0;     // how many; several runs need it
+  UnitCurvesOn unit_curves = {};  // of an effect with one shape; empty: by the derivatives
 
   // On the rows of several runs each begins anew.
   void operator()(const EffectRows& rows, const double* at, double* values, double* derivatives) const;
