@@ -64,6 +64,7 @@ std::string command_of(const std::string& verb, const std::vector<std::string>& 
   words.insert(words.end(), effects.begin(), effects.end());
   for (const std::string& file : names_of(options.data))
     words.push_back(shell_word(file.starts_with('-') ? "./" + file : file));
+  for (const std::string& word : options.data.front().recipe().words) words.push_back(shell_word(word));
   if ((verb == "add" && !dry_run) || !options.model.empty())
     words.insert(words.end(), {"--model", shell_word(model_file(options))});
   words.insert(words.end(), {"--target", shell_word(target)});

@@ -78,8 +78,9 @@ std::vector<std::string> names_of(const Series& series) {
 void say_unit(const std::string& target) {
   const std::string_view unit = unit_of(target);
   if (unit == "um") return;
-  stderr_line(fmt::format("{} is in {}: read um in the results as {}", one_line(target),
-                          unit.empty() ? "units of its own" : unit, unit.empty() ? "units of the column" : unit));
+  stderr_line(fmt::format("{} {}: um in the results stands for {}", one_line(target),
+                          unit.empty() ? "states no unit" : fmt::format("is in {}", unit),
+                          unit.empty() ? "the units of the column" : unit));
 }
 
 // Effects of a file that have a time constant need data with a clock.

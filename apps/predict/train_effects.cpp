@@ -7,9 +7,9 @@
 #include <filesystem>
 
 #include "ballbar/formats/models/effect_regression_json.hpp"
-#include "ballbar/formats/sessions/data_file.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/number_text.hpp"
+#include "ballbar/series/runs.hpp"
 #include "model/model_options.hpp"
 #include "predict/predict_result.hpp"
 #include "predict/train.hpp"
@@ -105,7 +105,7 @@ std::vector<std::string> remarks_of(const DriverReport& report) {
 }
 
 // The record of the file; of a list the batches that were opened, with the temperatures that were kept.
-std::vector<Series> runs_of(const TrainOptions& options, const std::optional<OpenedBatches>& opened) {
+std::vector<Series> opened_runs(const TrainOptions& options, const std::optional<OpenedBatches>& opened) {
   std::vector<std::string> without = options.without_sensor;
   std::vector<Series> runs;
   if (opened) {
@@ -117,11 +117,15 @@ std::vector<Series> runs_of(const TrainOptions& options, const std::optional<Ope
       }
     }
   } else {
-    for (const Source& source : runs_in(options.data)) {
-      const ModelData data = open_drift(source, options.max_gap_s);
-      expect_no_input({options.out}, data.files);
-      runs.push_back(*data.series);
+    ModelOptions how;
+    how.data = options.data;
+    how.max_gap_s = options.max_gap_s;
+    const ModelData data = open_data(how);
+    if (data.level != Level::series) {
+      throw Error(fmt::format("{}: expected series or sessions of drift, found recordings.", options.title()));
     }
+    expect_no_input({options.out}, data.files);
+    for (const RowRange& range : runs_of(data.series->time_s)) runs.push_back(rows_of(*data.series, range));
     for (const std::string& name : without) {
       if (find_column(runs.front(), name) != nullptr) continue;
       throw Error(
@@ -205,7 +209,7 @@ void train_effects(const TrainOptions& options) {
     contenders.push_back(
         with_source(options.title(), [&] { return contender_of(*opened, best_settings(opened->batches, method)); }));
   }
-  const std::vector<Series> runs = runs_of(options, opened);
+  const std::vector<Series> runs = opened_runs(options, opened);
   const std::string target = target_of(options, runs.front());
   EffectRegressionOptions how;
   how.few = options.few;

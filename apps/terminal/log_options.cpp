@@ -37,17 +37,46 @@ std::vector<std::string> names_of(const std::pair<std::string_view, char> (&sign
   return names;
 }
 
-// A value is put into the recipe as it is read.
-CLI::Option* add(CLI::App& command, const std::string& name, const std::string& help, const std::string& holds,
-                 const std::function<void(const std::string&)>& take) {
-  return command.add_option_function<std::string>(name, take, help)->type_name(holds)->group(kGroup);
+// A value is put into the recipe as it is read, and the words that state it.
+using Take = std::function<void(LogRecipe& recipe, const std::string& text)>;
+
+Take with_words(const std::string& name, const Take& take) {
+  return [name, take](LogRecipe& recipe, const std::string& text) {
+    take(recipe, text);
+    recipe.words.insert(recipe.words.end(), {name, text});
+  };
 }
 
-CLI::Option* add_repeated(CLI::App& command, const std::string& name, const std::string& help, const std::string& holds,
-                          const std::function<void(const std::string&)>& take) {
+CLI::Option* add(CLI::App& command, const Recipe& recipe, const std::string& name, const std::string& help,
+                 const std::string& holds, const Take& take) {
+  return command
+      .add_option_function<std::string>(
+          name, [recipe, take = with_words(name, take)](const std::string& text) { take(*recipe, text); }, help)
+      ->type_name(holds)
+      ->group(kGroup);
+}
+
+void add_flag(CLI::App& command, const Recipe& recipe, const std::string& name, const std::string& help,
+              bool LogRecipe::*member) {
+  command
+      .add_flag_callback(
+          name,
+          [recipe, name, member] {
+            (*recipe).*member = true;
+            recipe->words.push_back(name);
+          },
+          help)
+      ->group(kGroup);
+}
+
+CLI::Option* add_repeated(CLI::App& command, const Recipe& recipe, const std::string& name, const std::string& help,
+                          const std::string& holds, const Take& take) {
   return command
       .add_option_function<std::vector<std::string>>(
-          name, [take](const std::vector<std::string>& texts) { std::for_each(texts.begin(), texts.end(), take); },
+          name,
+          [recipe, take = with_words(name, take)](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) take(*recipe, text);
+          },
           help + "; may be repeated")
       ->type_name(holds)
       ->allow_extra_args(false)
@@ -61,11 +90,11 @@ ColumnRecipe& column_of(LogRecipe& recipe, const std::string& source) {
   return recipe.columns.emplace_back(ColumnRecipe{source, "", "", std::nullopt, false});
 }
 
-void add_of_column(CLI::App& command, const std::string& name, const std::string& help, const std::string& holds,
-                   const Recipe& recipe, const std::function<void(ColumnRecipe&, const std::string&)>& take) {
-  add_repeated(command, name, help, holds, [recipe, take](const std::string& pair) {
+void add_of_column(CLI::App& command, const Recipe& recipe, const std::string& name, const std::string& help,
+                   const std::string& holds, const std::function<void(ColumnRecipe&, const std::string&)>& take) {
+  add_repeated(command, recipe, name, help, holds, [take](LogRecipe& to, const std::string& pair) {
     const std::size_t at = pair.rfind('=');
-    take(column_of(*recipe, pair.substr(0, at)), pair.substr(at + 1));
+    take(column_of(to, pair.substr(0, at)), pair.substr(at + 1));
   })->check(pairs());
 }
 
@@ -79,74 +108,74 @@ Role role_of(const std::string& name) {
 }
 
 template <std::size_t kSize>
-void add_sign(CLI::App& command, const std::string& name, const std::string& help,
-              const std::pair<std::string_view, char> (&signs)[kSize], const Recipe& recipe,
-              std::optional<char> LogRecipe::*member) {
-  add(command, name, help, "", [&signs, recipe, member](const std::string& word) {
+void add_sign(CLI::App& command, const Recipe& recipe, const std::string& name, const std::string& help,
+              const std::pair<std::string_view, char> (&signs)[kSize], std::optional<char> LogRecipe::*member) {
+  add(command, recipe, name, help, "", [&signs, member](LogRecipe& to, const std::string& word) {
     for (const auto& [known, sign] : signs) {
-      if (known == word) (*recipe).*member = sign;
+      if (known == word) to.*member = sign;
     }
   })->check(CLI::IsMember(names_of(signs)));
 }
 
 // Where the table is and how its cells are written.
 void add_table_options(CLI::App& command, const Recipe& recipe) {
-  add(command, "--recipe", "recipe.toml of an earlier import --save", "FILE", [recipe](const std::string& file) {
-    *recipe = read_recipe(read_bytes(file, kLargestText), file);
-    recipe->file = file;
-  });
-  add(command, "--sheet", "of a workbook, by name or number; default: all that are alike, a run each", "SHEET",
-      [recipe](const std::string& sheet) { recipe->sheet = sheet; });
-  add_sign(command, "--delimiter", "what stands between the values", kDelimiterNames, recipe, &LogRecipe::delimiter);
-  add_sign(command, "--decimal", "sign of decimals", kDecimalNames, recipe, &LogRecipe::decimal);
-  add_repeated(command, "--missing", "a text that stands for no value", "TEXT",
-               [recipe](const std::string& text) { recipe->missing.push_back(text); });
-  command
-      .add_flag_callback(
-          "--skip-bad-rows", [recipe] { recipe->skip_bad_rows = true; },
-          "skip rows that are none of numbers, however many; without it two and one in a hundred")
-      ->group(kGroup);
-  add_repeated(command, "--join", "a file whose columns stand beside these, row by row, sheet by sheet", "FILE",
-               [recipe](const std::string& file) { recipe->join.push_back(file); });
+  add(command, recipe, "--recipe", "recipe.toml of an earlier import --save", "FILE",
+      [](LogRecipe& to, const std::string& file) {
+        to = read_recipe(read_bytes(file, kLargestText), file);
+        to.file = file;
+      });
+  add(command, recipe, "--sheet", "of a workbook, by name or number; default: all that are alike, a run each", "SHEET",
+      [](LogRecipe& to, const std::string& sheet) { to.sheet = sheet; });
+  add_sign(command, recipe, "--delimiter", "what stands between the values", kDelimiterNames, &LogRecipe::delimiter);
+  add_sign(command, recipe, "--decimal", "sign of decimals", kDecimalNames, &LogRecipe::decimal);
+  add_repeated(command, recipe, "--missing", "a text that stands for no value", "TEXT",
+               [](LogRecipe& to, const std::string& text) { to.missing.push_back(text); });
+  add_flag(command, recipe, "--skip-bad-rows",
+           "skip rows that are none of numbers, however many; without it two and one in a hundred",
+           &LogRecipe::skip_bad_rows);
+  add_repeated(command, recipe, "--join", "a file whose columns stand beside these, row by row, sheet by sheet", "FILE",
+               [](LogRecipe& to, const std::string& file) { to.join.push_back(file); });
 }
 
 void add_time_options(CLI::App& command, const Recipe& recipe) {
-  add(command, "--time", "column of the time; none: the rows are numbered", "COLUMN",
-      [recipe](const std::string& column) { recipe->time = column; });
-  add(command, "--time-unit", "of a time that is a number: us, ms, s, min, h or d", "",
-      [recipe](const std::string& unit) { recipe->time_unit = unit; })
+  add(command, recipe, "--time", "column of the time; none: the rows are numbered", "COLUMN",
+      [](LogRecipe& to, const std::string& column) { to.time = column; });
+  add(command, recipe, "--time-unit", "of a time that is a number: us, ms, s, min, h or d", "",
+      [](LogRecipe& to, const std::string& unit) { to.time_unit = unit; })
       ->check(CLI::IsMember({"us", "ms", "s", "min", "h", "d"}));
-  add(command, "--dates", "how 03/04/2026 is read", "", [recipe](const std::string& order) {
-    recipe->month_first = order == "month-first";
+  add(command, recipe, "--dates", "how 03/04/2026 is read", "", [](LogRecipe& to, const std::string& order) {
+    to.month_first = order == "month-first";
   })->check(CLI::IsMember({"day-first", "month-first"}));
   command
       .add_option_function<double>(
-          "--every", [recipe](double every_s) { recipe->every_s = every_s; },
-          "distance of the rows where there is no time: 10ms, 1s, 1min")
+          "--every",
+          [recipe](double every_s) {
+            recipe->every_s = every_s;
+            recipe->words.insert(recipe->words.end(), {"--every", fmt::format("{}s", every_s)});
+          },
+          "distance of the rows where there is no time, or of the tests of a folder: 10ms, 1s, 1min")
       ->type_name("TIME")
       ->transform(CLI::AsNumberWithUnit(
           std::map<std::string, double>{{"us", 1e-6}, {"ms", 1e-3}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
           CLI::AsNumberWithUnit::CASE_SENSITIVE))
       ->check(number_above_0())
       ->group(kGroup);
-  command
-      .add_flag_callback(
-          "--burst-means", [recipe] { recipe->burst_means = true; },
-          "rows that come in bursts: one row a burst, the mean of its rows")
-      ->group(kGroup);
+  add_flag(command, recipe, "--burst-means", "rows that come in bursts: one row a burst, the mean of its rows",
+           &LogRecipe::burst_means);
 }
 
 void add_column_options(CLI::App& command, const Recipe& recipe) {
-  add_of_column(command, "--unit", "unit of a column as a log writes it, 'Probe X=mm', or of all like it, 'T*=degC'",
-                "COLUMN=UNIT", recipe, [](ColumnRecipe& column, const std::string& unit) { column.unit = unit; });
-  add_of_column(command, "--scale", "what a unit of a column is, 'mcu_pos_z=2.5um'", "COLUMN=SCALE", recipe,
+  add_of_column(command, recipe, "--unit",
+                "unit of a column as a log writes it, 'Probe X=mm', or of all like it, 'T*=degC'", "COLUMN=UNIT",
+                [](ColumnRecipe& column, const std::string& unit) { column.unit = unit; });
+  add_of_column(command, recipe, "--scale", "what a unit of a column is, 'mcu_pos_z=2.5um'", "COLUMN=SCALE",
                 [](ColumnRecipe& column, const std::string& scale) { column.unit = scale; });
-  add_of_column(command, "--role", "role of a column, 'T3=ambient'", "COLUMN=ROLE", recipe,
+  add_of_column(command, recipe, "--role", "role of a column, 'T3=ambient'", "COLUMN=ROLE",
                 [](ColumnRecipe& column, const std::string& role) { column.role = role_of(role); });
-  add_of_column(command, "--name", "name of a column in the series", "COLUMN=NAME", recipe,
+  add_of_column(command, recipe, "--name", "name of a column in the series", "COLUMN=NAME",
                 [](ColumnRecipe& column, const std::string& name) { column.name = name; });
-  add_repeated(command, "--leave-out", "a column that is not wanted", "COLUMN",
-               [recipe](const std::string& source) { column_of(*recipe, source).left_out = true; });
+  add_repeated(command, recipe, "--leave-out", "a column that is not wanted", "COLUMN",
+               [](LogRecipe& to, const std::string& source) { column_of(to, source).left_out = true; });
 }
 
 // The recipe of the command, with its options where it has none yet; nullptr of a program without them.

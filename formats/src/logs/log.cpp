@@ -392,7 +392,7 @@ void join(Log& log, const Source& source, const std::string& file, const LogReci
   series.time_s.resize(both);
   for (Column& column : series.columns) column.values.resize(both);
   log.remarks.push_back(
-      fmt::format("{} of {} are beside these, row by row.", k == 1 ? "1 column" : fmt::format("{} columns", k), file));
+      fmt::format("Joined row by row: {} of {}.", k == 1 ? "1 column" : fmt::format("{} columns", k), file));
   std::move(beside.remarks.begin(), beside.remarks.end(), std::back_inserter(log.remarks));
 }
 

@@ -1,14 +1,17 @@
 #include "logs/log_temperatures.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <span>
+#include <utility>
 
 #include "ballbar/numerics/order_statistic.hpp"
 #include "logs/log_roles.hpp"
+#include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"
 
 namespace ballbar {
@@ -18,6 +21,7 @@ constexpr double kColdest_degC = 5.0, kWarmest_degC = 90.0;
 constexpr double kUsualStep_K = 0.5;  // from row to row: of the noise and the rounding of a sensor
 constexpr double kSlowShare = 0.25;   // of the variance: von Neumann's ratio of a signal that is no noise
 constexpr double kApart_K = 12.0;     // of a family without a name of temperature, in its first rows
+constexpr double kBeside_K = 6.0;     // from the temperatures beside it
 constexpr std::size_t kFamily = 3;
 
 // Within the range, but for one value in a hundred.
@@ -50,6 +54,17 @@ bool moves_slowly(std::span<const double> values) {
   return step <= kUsualStep_K * kUsualStep_K || step <= kSlowShare * variance;
 }
 
+// A count, a state or a number of a tool.
+bool is_whole(std::span<const double> values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](double value) { return std::isnan(value) || value == std::floor(value); });
+}
+
+bool is_degrees(std::string_view unit) {
+  const auto known = log_unit(unit);
+  return known && known->canonical == "degC" && known->factor == 1.0;
+}
+
 // The name with # in place of each number.
 std::string family_of(std::string_view name) {
   std::string stem;
@@ -80,8 +95,39 @@ void keep_alike(std::vector<std::size_t>& columns, const std::vector<std::vector
 std::string text_of(const LogPlan& plan, const std::vector<std::size_t>& columns, std::string_view by) {
   const std::string& first = plan.columns[columns.front()].source;
   const std::string& last = plan.columns[columns.back()].source;
-  if (columns.size() == 1) return fmt::format("{}: a temperature by {}, degC.", first, by);
   return fmt::format("{} {} {}: temperatures by {}, degC.", first, columns.size() == 2 ? "and" : "to", last, by);
+}
+
+// Of columns that are in no family.
+TemperatureFamily together(const LogPlan& plan, std::vector<std::size_t> columns, std::string_view by) {
+  std::sort(columns.begin(), columns.end());
+  std::vector<std::string_view> names;
+  names.reserve(columns.size());
+  for (const std::size_t column : columns) names.emplace_back(plan.columns[column].source);
+  std::string text = fmt::format("{}: {} by {}, degC.", fmt::join(names, ", "),
+                                 names.size() == 1 ? "a temperature" : "temperatures", by);
+  return {std::move(columns), std::move(text)};
+}
+
+// Columns that no name tells, beside at least three temperatures whose first values are near theirs.
+std::vector<std::size_t> beside(const LogPlan& plan, const std::vector<std::vector<double>>& values,
+                                const std::vector<std::size_t>& candidates, const std::vector<std::size_t>& known) {
+  if (known.size() < kFamily) return {};
+  double low = kWarmest_degC, high = kColdest_degC;
+  for (const std::size_t column : known) {
+    low = std::min(low, first_of(values[column]));
+    high = std::max(high, first_of(values[column]));
+  }
+  std::vector<std::size_t> found;
+  for (const std::size_t column : candidates) {
+    const double first = first_of(values[column]);
+    if (first < low - kBeside_K || first > high + kBeside_K || !lies_within(values[column]) ||
+        !moves_slowly(values[column]) || is_whole(values[column]) ||
+        names_another_quantity(plan.columns[column].name) || could_be_measured(plan.columns[column].name))
+      continue;
+    found.push_back(column);
+  }
+  return found;
 }
 
 }  // namespace
@@ -96,17 +142,32 @@ std::vector<TemperatureFamily> temperatures_among(const LogPlan& plan, const std
     stems[family_of(column.headed ? column.name : "c1")].push_back(i);
   }
   std::vector<TemperatureFamily> families;
+  std::vector<std::size_t> alone, others, known;
   for (auto& [stem, columns] : stems) {
     const PlannedColumn& first = plan.columns[columns.front()];
     const bool named = first.headed && names_a_temperature(first.name);
     if (first.headed && names_another_quantity(first.name)) continue;
-    const std::size_t members = columns.size();
+    const std::vector<std::size_t> all = columns;
     std::erase_if(columns, [&](std::size_t i) { return !lies_within(values[i]) || !moves_slowly(values[i]); });
     if (!named) keep_alike(columns, values);
-    const std::size_t needed = named ? (members + 1) / 2 : std::max(kFamily, first.headed ? (3 * members + 3) / 4 : 0);
-    if (columns.size() < needed || columns.empty()) continue;
-    families.push_back({columns, text_of(plan, columns, named ? "name and values" : "values")});
+    const std::size_t needed =
+        named ? (all.size() + 1) / 2 : std::max(kFamily, first.headed ? (3 * all.size() + 3) / 4 : 0);
+    if (columns.size() < needed || columns.empty()) {
+      others.insert(others.end(), all.begin(), all.end());
+      continue;
+    }
+    known.insert(known.end(), columns.begin(), columns.end());
+    if (columns.size() == 1)
+      alone.push_back(columns.front());
+    else
+      families.push_back({columns, text_of(plan, columns, named ? "name and values" : "values")});
   }
+  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+    if (plan.columns[i].kind == ColumnKind::number && is_degrees(plan.columns[i].unit)) known.push_back(i);
+  }
+  if (!alone.empty()) families.push_back(together(plan, std::move(alone), "name and values"));
+  if (auto columns = beside(plan, values, others, known); !columns.empty())
+    families.push_back(together(plan, std::move(columns), "their values, as those beside"));
   std::sort(families.begin(), families.end(),
             [](const auto& a, const auto& b) { return a.columns.front() < b.columns.front(); });
   return families;

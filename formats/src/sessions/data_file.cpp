@@ -157,6 +157,16 @@ std::string name_of_run(const Source& source) {
   return sheet.empty() ? source.name() : fmt::format("{}[{}]", source.name(), sheet);
 }
 
+// Of the first run all; of another, `name`, what was not said of one before, and not what it was taken for.
+void add_new_remarks(std::vector<std::string>& said, const std::vector<std::string>& remarks, const std::string& name) {
+  for (std::size_t k = name.empty() ? 0 : 1; k < remarks.size(); ++k) {
+    const std::string what = name.empty() ? remarks[k] : remarks[k].substr(std::min(name.size(), remarks[k].size()));
+    const bool known =
+        std::any_of(said.begin(), said.end(), [&](const std::string& one) { return one.ends_with(what); });
+    if (!known) said.push_back(remarks[k]);
+  }
+}
+
 ModelData data_of_runs(const std::vector<ListedRun>& listed_runs, const std::string& title, const DriftOptions& options,
                        double max_gap_s, std::span<const Reader> readers) {
   std::vector<Source> sources;
@@ -173,8 +183,10 @@ ModelData data_of_runs(const std::vector<ListedRun>& listed_runs, const std::str
     ModelData one = data_of_drift(source, options, max_gap_s, readers);
     runs.push_back(*one.series);
     data.files.insert(data.files.end(), one.files.begin(), one.files.end());
-    data.remarks.insert(data.remarks.end(), one.remarks.begin(), one.remarks.end());
+    add_new_remarks(data.remarks, one.remarks, runs.size() == 1 ? "" : source.name());
   }
+  if (data.remarks.size() > 0 && runs.size() > 1)
+    data.remarks.push_back(fmt::format("{} runs are read so.", runs.size()));
   std::vector<std::optional<double>> zeros_s;
   for (const Series& run : runs) zeros_s.push_back(run.started ? seconds_of_stamp(*run.started) : std::nullopt);
   Stacked all = stacked(runs, names, zeros_s);
@@ -222,13 +234,6 @@ ModelData model_data_of(const DriftData& source, const std::string& name, const 
   }
   data.targets = measured_names(*data.series);
   return data;
-}
-
-std::vector<Source> runs_in(const std::vector<Source>& sources, std::span<const Reader> readers) {
-  std::string title;
-  std::vector<Source> runs;
-  for (ListedRun& run : listed(sources, readers, title)) runs.push_back(std::move(run.source));
-  return runs;
 }
 
 ModelData open_model_data(const std::vector<Source>& sources, const DriftOptions& options, double max_gap_s,

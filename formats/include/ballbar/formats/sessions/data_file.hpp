@@ -27,15 +27,12 @@ struct ModelData {
   std::vector<std::string> remarks;  // what a log was taken for, whole lines
 };
 
+// A list of runs, the sheets of a workbook under the same names and the logs of a folder without recordings are runs.
 // A session: its drift (drift_of with the options) merged with its signals; a series: its gaps closed as `merged` does;
 // one or more recordings (.b5r, logs) of one plane: their trace. Throws Error for anything else, a mixture, or the same
 // file twice.
 ModelData open_model_data(const std::vector<Source>& sources, const DriftOptions& options, double max_gap_s,
                           std::span<const Reader> readers = known_readers(), const StatedCircle& stated = {});
-
-// The runs that sources stand for: those of a list of runs, the sheets of a workbook under the same names, the logs of
-// a folder without recordings; any other source itself. Throws Error as open_model_data.
-std::vector<Source> runs_in(const std::vector<Source>& sources, std::span<const Reader> readers = known_readers());
 
 // The same of a series or a session that is open already. A series in which nothing is to be closed is not copied.
 ModelData model_data_of(const DriftData& source, const std::string& name, const DriftOptions& options, double max_gap_s,

@@ -21,6 +21,7 @@ struct ColumnRecipe {
 // What a user knows of a log; all that is empty is found out. `ballbar import --save` keeps one for the next log.
 struct LogRecipe {
   std::string file;                  // that it was read from; empty: none
+  std::vector<std::string> words;    // of a command line that state it
   std::string sheet;                 // of a workbook; empty: the first that holds a table
   std::optional<char> delimiter;     // ' ': runs of blanks
   std::optional<char> decimal;       // ',' or '.'
