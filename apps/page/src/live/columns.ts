@@ -5,7 +5,7 @@ import { button, element, select_of, table_of, text_in } from "../elements/eleme
 import { type Group, type Held, last_part } from "./files";
 import { type LogWords, options_in, said, with_said, with_word, without_advice } from "./log_words";
 import type { Num } from "../report";
-import { micrometres, plain } from "../drawing/text";
+import { clamped, micrometres, plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { english, named, t } from "../texts/texts";
 
@@ -55,6 +55,9 @@ const kRoles = ["measured", "ambient", "coolant", "structure", "bearing", "mean_
 const kTimeUnits = ["us", "ms", "s", "min", "h", "d"];
 const kEvery = "every";
 const kShownLines = 8;
+
+// "2,5 µm" as the program takes it.
+const quantity = (text: string): string => text.replace(/\s+/g, "").replace(",", ".").replace(/[µμ]/, "u");
 
 // A series of our own tells all itself.
 const log_in = ({ group, data }: Subject): Held | undefined =>
@@ -122,7 +125,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
     const stated = of_column !== "" || said(words, kEvery) !== "";
     const found = !understood || stated ? t.live_columns_found : understood.clock === false ? t.live_columns_no_clock : t.live_columns_found_time({ time: understood.time });
     const headers = [...new Set([...(of_column === "" ? [] : [of_column]), ...rows.map(({ source }) => source)])];
-    const interval = text(kEvery, said(words, kEvery), "10s", (value) => say(kEvery, value.replace(/\s+/g, "")));
+    const interval = text(kEvery, said(words, kEvery), "10s", (value) => say(kEvery, quantity(value)));
     const every = labelled(t.live_columns_every, interval);
     const unit = choice(t.live_columns_time_unit, "time-unit", t.live_columns_found, kTimeUnits.map((one) => [one, one]));
     const show = (kind: string): void => {
@@ -134,7 +137,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
     const values = [["", found], [kEvery, t.live_columns_interval], ...headers.map((one) => [`:${one}`, plain(one, 60)] as const)] as const;
     const { label, select } = select_of(t.live_columns_time, values, (kind) => {
       say("time", kind.startsWith(":") ? kind.slice(1) : "");
-      say(kEvery, kind === kEvery ? interval.value.trim() : "");
+      say(kEvery, kind === kEvery ? quantity(interval.value) : "");
       if (kind === kEvery) say("time-unit", "");
       show(kind);
       if (kind === kEvery) interval.focus();
@@ -187,7 +190,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
     role.addEventListener("change", () => set_role(role.value));
     const found_unit = column.found_unit ?? "";
     const unit = text("unit", said(words, "unit", source) || found_unit, "", (value) => say("unit", value === found_unit ? "" : value, source));
-    const scale = text("scale", said(words, "scale", source), "2.5um", (value) => say("scale", value.replace(/\s+/g, ""), source));
+    const scale = text("scale", said(words, "scale", source), "2.5um", (value) => say("scale", quantity(value), source));
     const fields = [target, role, unit, scale];
     const left_out = tick("leave-out", column.left_out !== undefined || words.includes(leave_out), (on) => {
       words = with_word(words, leave_out, on);
@@ -226,7 +229,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
     const name = plain(last_part(log.name), 80);
     const list = (sentences: readonly string[], kind: string): HTMLElement[] => {
       const told = sentences.map(without_advice).filter((one) => one !== "");
-      return told.length === 0 ? [] : [element("ul", { class: kind }, ...told.map((one) => text_in("li", english(plain(one, 600)))))];
+      return told.length === 0 ? [] : [element("ul", { class: kind }, ...told.map((one) => text_in("li", english(clamped(one, 600)))))];
     };
     const now = understood;
     const skipped = now?.skipped_lines ?? [];
@@ -248,7 +251,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
       element("h2", {}, t.live_columns_of({ name })),
       ...(fault === "" ? [] : [element("p", { class: "fault", role: "alert", lang: "en" }, fault)]),
       ...(now && fault === "" ? list(now.unclear ?? [], "unclear") : []),
-      ...(now ? [element("p", { class: "note" }, t.live_columns_rows({ rows: now.rows }), " ", element("span", { lang: "en" }, micrometres(plain(now.shape, 200))))] : []),
+      ...(now ? [element("p", { class: "note" }, t.live_columns_rows({ rows: now.rows }), ", ", element("span", { lang: "en" }, micrometres(plain(now.shape, 200))))] : []),
       ...(skipped.length > 0 ? [element("p", {}, t.live_columns_skipped({ count: skipped.length, lines: skipped.slice(0, kShownLines).join(", ") + (skipped.length > kShownLines ? " …" : "") }))] : []),
       ...(now ? list([...now.remarks, ...now.faults.map(({ column, what }) => `${column}: ${what}.`)], "note") : []),
       form,
@@ -312,7 +315,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
     },
     refused(why) {
       if (!subject || !log) return null;
-      fault = plain(without_advice(why.replace(log.path, last_part(log.name))), 600) || t.live_columns_unread;
+      fault = clamped(without_advice(why.replace(log.path, last_part(log.name))), 600) || t.live_columns_unread;
       open();
       focus_field([why]);
       return fault;
