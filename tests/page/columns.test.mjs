@@ -1,7 +1,7 @@
 // The dialogue of a log's columns: opened by itself where the log leaves something open, by a button else; what is set
 // in it goes with every later command; a sentence of the program comes without its advice for a terminal.
 import assert from "node:assert/strict";
-import { writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { launched, opened } from "./browser.mjs";
@@ -19,6 +19,7 @@ const logs = {
   "clear.csv": "Time (s),Room (°C),Probe X (µm)\n" + rows(60, (k) => `${10 * k},${wave(k, 60)},${(0.5 * k).toFixed(2)}`),
   "dates.csv": "Time,Room (°C),Probe X (µm)\n" + rows(60, (k) => `03/04/2026 10:${String(k).padStart(2, "0")},${wave(k, 60)},${(0.5 * k).toFixed(2)}`),
 };
+logs["hostile.csv"] = `<img src=x onerror=window.ran=1>,--out=x,a=b=c,__proto__\n${rows(60, (k) => `${k % 7},${k % 5},${k % 3},${k}`)}`;
 const on_disk = (name) => {
   const path = join(folder, name);
   writeFileSync(path, logs[name]);
@@ -46,8 +47,8 @@ const listen = (page) =>
     engine.run = (words, ...more) => (window.asked.push(words), run.call(engine, words, ...more));
     engine.call = (what, ...more) => (window.asked.push([what.call, ...what.words]), call.call(engine, what, ...more));
   });
-const with_log = async (name) => {
-  const one = await opened(browser, tool, { viewport: { width: 1400, height: 900 } });
+const with_log = async (name, options = {}) => {
+  const one = await opened(browser, tool, { viewport: { width: 1400, height: 900 }, ...options });
   await listen(one.page);
   await one.page.evaluate(
     ([name, text]) => {
@@ -83,18 +84,20 @@ test("a log without a time: the dialogue opens, what is set is read, and stands 
   await box.locator("select[data-option=time]").selectOption("every");
   await page.keyboard.type("10 s");
   await box.getByLabel("role: T0").selectOption("ambient");
-  await box.getByLabel("unit: T0").fill("°C");
+  await box.getByLabel("unit: T0", { exact: true }).fill("°C");
   await box.getByLabel("target: T1").check();
   assert.equal(await box.getByLabel("role: T1").inputValue(), "measured");
   await box.getByLabel("target: T1").uncheck();
   await box.getByLabel("role: T1").selectOption("bearing");
   await box.getByLabel("left out: T3").check();
-  await box.getByLabel("one unit is: delta L").fill("1 mm");
+  await box.getByLabel("unit: delta L", { exact: true }).fill("um");
+  await box.getByLabel("one unit is: delta L").fill("1 mm"); // in the place of a unit
   await read_again(page);
   const options = ["--every=10s", "--role=T0=ambient", "--unit=T0=°C", "--role=T1=bearing", "--leave-out=T3", "--scale=delta L=1mm"];
   const first = await asked(page);
   for (const words of first.filter(([verb]) => verb === "import" || verb === "report")) {
     assert.deepEqual(options.filter((one) => !words.includes(one)), [], words.join(" "));
+    assert.ok(!words.includes("--unit=delta L=um"));
   }
   assert.ok(first.some(([verb]) => verb === "report"));
   assert.equal(await page.innerText(".live-told"), "");
@@ -162,3 +165,31 @@ test("a log that cannot be read: why, without advice, and the focus in the field
   assert.deepEqual(wrong, []);
   await close();
 });
+
+test("headers that look like markup, options or pairs are headers", async () => {
+  const { page, box, wrong, close } = await with_log("hostile.csv");
+  if (!(await box.isVisible())) await page.getByRole("button", { name: "Columns" }).first().click();
+  for (const header of ["--out=x", "a=b=c", "__proto__"]) await box.getByLabel(`role: ${header}`).selectOption("load");
+  await box.locator("select[data-option=time]").selectOption("none");
+  await read_again(page);
+  assert.equal(await box.locator(".fault").count(), 0);
+  for (const header of ["--out=x", "a=b=c", "__proto__"]) assert.equal(await box.getByLabel(`role: ${header}`).inputValue(), "load");
+  assert.equal(await page.evaluate(() => window.ran ?? document.querySelector("img[src=x]")), null);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+const axe = readFileSync(new URL("node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
+
+for (const colorScheme of ["light", "dark"]) {
+  test(`the dialogue on a phone, ${colorScheme}: no serious fault for who reads otherwise, nothing runs out of the page`, async () => {
+    const { page, box, wrong, close } = await with_log("no_time.csv", { colorScheme, viewport: { width: 390, height: 844 } });
+    assert.ok(await box.isVisible());
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth), 0);
+    await page.evaluate(axe);
+    const { violations } = await page.evaluate(() => window.axe.run(".live-columns", { resultTypes: ["violations"] }));
+    assert.deepEqual(violations.filter(({ impact }) => ["serious", "critical"].includes(impact)).map(({ id, nodes }) => `${id}: ${nodes[0].html}`), []);
+    assert.deepEqual(wrong, []);
+    await close();
+  });
+}

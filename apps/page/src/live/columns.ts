@@ -54,10 +54,13 @@ export interface Columns {
 const kRoles = ["measured", "ambient", "coolant", "structure", "bearing", "mean_point", "housing", "speed", "load", "event"];
 const kTimeUnits = ["us", "ms", "s", "min", "h", "d"];
 const kEvery = "every";
+const kNone = "none"; // no time: the rows are numbered
 const kShownLines = 8;
 
 // "2,5 µm" as the program takes it.
 const quantity = (text: string): string => text.replace(/\s+/g, "").replace(",", ".").replace(/[µμ]/, "u");
+
+const as_found = (what: string): string => t.live_columns_found_as({ what: plain(what, 60) });
 
 // A series of our own tells all itself.
 const log_in = ({ group, data }: Subject): Held | undefined =>
@@ -123,26 +126,26 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
   const time_fields = (): HTMLElement[] => {
     const of_column = said(words, "time");
     const stated = of_column !== "" || said(words, kEvery) !== "";
-    const found = !understood || stated ? t.live_columns_found : understood.clock === false ? t.live_columns_no_clock : t.live_columns_found_time({ time: understood.time });
-    const headers = [...new Set([...(of_column === "" ? [] : [of_column]), ...rows.map(({ source }) => source)])];
+    const found = !understood || stated ? t.live_columns_found : as_found(understood.clock === false ? t.live_columns_no_clock : understood.time);
+    const headers = [...new Set([...(of_column === "" || of_column === kNone ? [] : [of_column]), ...rows.map(({ source }) => source)])];
     const interval = text(kEvery, said(words, kEvery), "10s", (value) => say(kEvery, quantity(value)));
     const every = labelled(t.live_columns_every, interval);
     const unit = choice(t.live_columns_time_unit, "time-unit", t.live_columns_found, kTimeUnits.map((one) => [one, one]));
     const show = (kind: string): void => {
       every.hidden = kind !== kEvery;
       interval.required = !every.hidden;
-      unit.hidden = kind === kEvery;
+      unit.hidden = kind === kEvery || kind === kNone;
     };
     // A header is told from the rest by the sign before it.
-    const values = [["", found], [kEvery, t.live_columns_interval], ...headers.map((one) => [`:${one}`, plain(one, 60)] as const)] as const;
+    const values = [["", found], [kEvery, t.live_columns_interval], [kNone, t.live_columns_no_clock], ...headers.map((one) => [`:${one}`, plain(one, 60)] as const)] as const;
     const { label, select } = select_of(t.live_columns_time, values, (kind) => {
-      say("time", kind.startsWith(":") ? kind.slice(1) : "");
+      say("time", kind.startsWith(":") ? kind.slice(1) : kind === kNone ? kNone : "");
       say(kEvery, kind === kEvery ? quantity(interval.value) : "");
-      if (kind === kEvery) say("time-unit", "");
+      if (kind === kEvery || kind === kNone) say("time-unit", "");
       show(kind);
       if (kind === kEvery) interval.focus();
     });
-    select.value = said(words, kEvery) !== "" ? kEvery : of_column === "" ? "" : `:${of_column}`;
+    select.value = said(words, kEvery) !== "" ? kEvery : of_column === "" || of_column === kNone ? of_column : `:${of_column}`;
     select.dataset.option = "time";
     show(select.value);
     return [label, every, unit];
@@ -151,10 +154,8 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
   const sheet_field = (): HTMLElement[] => {
     const sheets = understood?.sheets;
     if (!sheets) return /\.xlsx$/i.test(log?.path ?? "") ? [labelled(t.live_columns_sheet, text("sheet", said(words, "sheet"), "1", (value) => say("sheet", value)))] : [];
-    const { label, select } = select_of(t.live_columns_sheet, sheets.map((one) => [one, plain(one, 60)]), (value) => say("sheet", value));
-    select.value = said(words, "sheet") || (understood?.sheet ?? "");
-    select.dataset.option = "sheet";
-    return [label];
+    const sheet = understood?.sheet;
+    return [choice(t.live_columns_sheet, "sheet", sheet === undefined || said(words, "sheet") !== "" ? t.live_columns_found : as_found(sheet), sheets.map((one) => [one, plain(one, 60)]))];
   };
 
   const log_fields = (): HTMLElement => {
@@ -189,8 +190,16 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
     role.value = row.role;
     role.addEventListener("change", () => set_role(role.value));
     const found_unit = column.found_unit ?? "";
-    const unit = text("unit", said(words, "unit", source) || found_unit, "", (value) => say("unit", value === found_unit ? "" : value, source));
-    const scale = text("scale", said(words, "scale", source), "2.5um", (value) => say("scale", quantity(value), source));
+    // A scale is a unit too: the one that was set last counts.
+    const unit = text("unit", said(words, "unit", source) || found_unit, "", (value) => {
+      say("unit", value === found_unit ? "" : value, source);
+      say("scale", (scale.value = ""), source);
+    });
+    const scale = text("scale", said(words, "scale", source), "2.5um", (value) => {
+      say("scale", quantity(value), source);
+      say("unit", "", source);
+      unit.value = found_unit;
+    });
     const fields = [target, role, unit, scale];
     const left_out = tick("leave-out", column.left_out !== undefined || words.includes(leave_out), (on) => {
       words = with_word(words, leave_out, on);
@@ -311,7 +320,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
       if (!to_ask || !subject) return;
       to_ask = false;
       open();
-      focus_field(understood?.unclear ?? []);
+      if (understood?.clock === false) focus_field(["--time"]);
     },
     refused(why) {
       if (!subject || !log) return null;

@@ -124,7 +124,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
   const make_loop = async (of: Subject, first: Report): Promise<Loop | null> => {
     const checked = first.check?.targets.map(({ target }) => target) ?? [];
     const all = checked.length > 0 ? checked : of.group.kind === "recordings" ? [] : targets_in(first);
-    const wanted = all.filter((target) => columns.targets(of).includes(target));
+    const wanted = columns.targets(of).filter((target) => all.includes(target) || (checked.length === 0 && measured_in(first).some(({ name }) => name === target)));
     const targets = wanted.length > 0 ? wanted : all;
     if (targets.length === 0) return null;
     const chosen = of.target || (targets.length > 1 || checked.length === 0 || wanted.length > 0 ? (targets[0] ?? "") : "");
@@ -287,7 +287,9 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
 
 const axis = /^(.*)_(um|urad|mm)$/;
 
-// Those of a drift, or the measured columns of a series; the one that moves most first.
+const measured_in = ({ signals }: Report): Report["signals"][number]["columns"] => signals.flatMap(({ columns }) => columns.filter(({ role }) => role === "measured"));
+
+// Those of a drift, or the measured columns of a series; the one that moves most first; lengths before others.
 export const targets_in = (report: Report): string[] => {
   const ranges = new Map<string, number>();
   const hold = (name: string, values: readonly (number | null)[]): void => {
@@ -300,9 +302,9 @@ export const targets_in = (report: Report): string[] => {
     if (axis.test(name) && !/sigma|correction|change|shift/.test(name)) hold(name, report.drift?.points.map((point) => point[name] ?? null) ?? []);
   }
   if (ranges.size === 0) {
-    for (const { columns } of report.signals) {
-      for (const { name, role, values } of columns) if (role === "measured" && axis.test(name)) hold(name, values);
-    }
+    const measured = measured_in(report);
+    const lengths = measured.filter(({ name }) => axis.test(name));
+    for (const { name, values } of lengths.length > 0 ? lengths : measured) hold(name, values);
   }
   return [...ranges].sort(([, a], [, b]) => b - a).map(([name]) => name);
 };

@@ -954,7 +954,7 @@ export const de: Texts = {
   live_columns_skipped: ({ count, lines }) => (count === 1 ? `1 fehlerhafte Zeile ist übersprungen: Zeile ${lines}` : `${count} fehlerhafte Zeilen sind übersprungen: Zeilen ${lines}`),
   live_columns_unread: "So lässt sich die Datei nicht lesen.",
   live_columns_found: "wie gefunden",
-  live_columns_found_time: ({ time }) => `wie gefunden: ${time}`,
+  live_columns_found_as: ({ what }) => `wie gefunden: ${what}`,
   live_columns_no_clock: "keine Uhr, die Zeilen sind nummeriert",
   live_columns_time: "Zeit",
   live_columns_interval: "Zeilen in gleichem Abstand",

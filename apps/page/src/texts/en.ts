@@ -968,7 +968,7 @@ export const en = {
   live_columns_skipped: ({ count, lines }: { count: number; lines: string }) => (count === 1 ? `1 bad row is skipped: line ${lines}` : `${count} bad rows are skipped: lines ${lines}`),
   live_columns_unread: "The log cannot be read like this.",
   live_columns_found: "as found",
-  live_columns_found_time: ({ time }: { time: string }) => `as found: ${time}`,
+  live_columns_found_as: ({ what }: { what: string }) => `as found: ${what}`,
   live_columns_no_clock: "no clock, rows are numbered",
   live_columns_time: "Time",
   live_columns_interval: "rows at equal distance",

@@ -910,7 +910,7 @@ export const zh: Texts = {
   live_columns_skipped: ({ count, lines }) => `跳过 ${count} 个错误行：第 ${lines} 行`,
   live_columns_unread: "无法这样读取此日志。",
   live_columns_found: "按识别结果",
-  live_columns_found_time: ({ time }) => `按识别结果：${time}`,
+  live_columns_found_as: ({ what }) => `按识别结果：${what}`,
   live_columns_no_clock: "没有时钟，按行编号",
   live_columns_time: "时间",
   live_columns_interval: "各行等间隔",
