@@ -19,7 +19,7 @@ const logs = {
   "clear.csv": "Time (s),Room (°C),Probe X (µm)\n" + rows(60, (k) => `${10 * k},${wave(k, 60)},${(0.5 * k).toFixed(2)}`),
   "dates.csv": "Time,Room (°C),Probe X (µm)\n" + rows(60, (k) => `03/04/2026 10:${String(k).padStart(2, "0")},${wave(k, 60)},${(0.5 * k).toFixed(2)}`),
 };
-logs["hostile.csv"] = `<img src=x onerror=window.ran=1>,--out=x,a=b=c,__proto__\n${rows(60, (k) => `${k % 7},${k % 5},${k % 3},${k}`)}`;
+logs["hostile.csv"] = `--out=x,a=b=c,__proto__,<img src=x onerror=window.ran=1>\n${rows(60, (k) => `${k % 7},${k % 5},${k % 3},${k}`)}`;
 const on_disk = (name) => {
   const path = join(folder, name);
   writeFileSync(path, logs[name]);

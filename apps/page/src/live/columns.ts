@@ -23,7 +23,6 @@ interface Understood {
   remarks: string[];
   faults: { column: string; what: string }[];
   unclear?: string[]; // sentences
-  skipped_lines?: number[];
 }
 
 interface UnderstoodColumn {
@@ -31,6 +30,7 @@ interface UnderstoodColumn {
   found_unit?: string;
   left_out?: string; // why; then nothing below is there
   name?: string;
+  unit?: string; // of the series
   role?: string;
   first?: Num[];
 }
@@ -55,7 +55,6 @@ const kRoles = ["measured", "ambient", "coolant", "structure", "bearing", "mean_
 const kTimeUnits = ["us", "ms", "s", "min", "h", "d"];
 const kEvery = "every";
 const kNone = "none"; // no time: the rows are numbered
-const kShownLines = 8;
 
 // "2,5 µm" as the program takes it.
 const quantity = (text: string): string => text.replace(/\s+/g, "").replace(",", ".").replace(/[µμ]/, "u");
@@ -184,14 +183,14 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
     });
     const set_role = (value: string): void => {
       row.role = value;
-      if (value !== "measured") row.target = target.checked = false;
+      row.target = target.checked = value === "measured";
       say("role", value, source);
     };
     role.value = row.role;
     role.addEventListener("change", () => set_role(role.value));
     const found_unit = column.found_unit ?? "";
     // A scale is a unit too: the one that was set last counts.
-    const unit = text("unit", said(words, "unit", source) || found_unit, "", (value) => {
+    const unit = text("unit", said(words, "unit", source) || found_unit, column.unit ?? "", (value) => {
       say("unit", value === found_unit ? "" : value, source);
       say("scale", (scale.value = ""), source);
     });
@@ -241,7 +240,6 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
       return told.length === 0 ? [] : [element("ul", { class: kind }, ...told.map((one) => text_in("li", english(clamped(one, 600)))))];
     };
     const now = understood;
-    const skipped = now?.skipped_lines ?? [];
     const again = element("button", { type: "submit", class: "act" }, t.live_columns_again);
     const form = element(
       "form",
@@ -261,7 +259,6 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
       ...(fault === "" ? [] : [element("p", { class: "fault", role: "alert", lang: "en" }, fault)]),
       ...(now && fault === "" ? list(now.unclear ?? [], "unclear") : []),
       ...(now ? [element("p", { class: "note" }, t.live_columns_rows({ rows: now.rows }), ", ", element("span", { lang: "en" }, micrometres(plain(now.shape, 200))))] : []),
-      ...(skipped.length > 0 ? [element("p", {}, t.live_columns_skipped({ count: skipped.length, lines: skipped.slice(0, kShownLines).join(", ") + (skipped.length > kShownLines ? " …" : "") }))] : []),
       ...(now ? list([...now.remarks, ...now.faults.map(({ column, what }) => `${column}: ${what}.`)], "note") : []),
       form,
     );
@@ -293,6 +290,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
         box.hidden = true;
         understood = null;
         of_words = "";
+        rows = [];
       }
       subject = of_next ? next : null;
       log = of_next ?? null;

@@ -951,7 +951,6 @@ export const de: Texts = {
   live_columns_of: ({ name }) => `Wie ${name} gelesen wird`,
   live_columns_rows: ({ rows }) => `${rows} Zeilen`,
   live_columns_row: ({ row }) => `Zeile ${row}`,
-  live_columns_skipped: ({ count, lines }) => (count === 1 ? `1 fehlerhafte Zeile ist übersprungen: Zeile ${lines}` : `${count} fehlerhafte Zeilen sind übersprungen: Zeilen ${lines}`),
   live_columns_unread: "So lässt sich die Datei nicht lesen.",
   live_columns_found: "wie gefunden",
   live_columns_found_as: ({ what }) => `wie gefunden: ${what}`,

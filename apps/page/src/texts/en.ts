@@ -965,7 +965,6 @@ export const en = {
   live_columns_of: ({ name }: { name: string }) => `How ${name} is read`,
   live_columns_rows: ({ rows }: { rows: number }) => `${rows} rows`,
   live_columns_row: ({ row }: { row: number }) => `row ${row}`,
-  live_columns_skipped: ({ count, lines }: { count: number; lines: string }) => (count === 1 ? `1 bad row is skipped: line ${lines}` : `${count} bad rows are skipped: lines ${lines}`),
   live_columns_unread: "The log cannot be read like this.",
   live_columns_found: "as found",
   live_columns_found_as: ({ what }: { what: string }) => `as found: ${what}`,

@@ -907,7 +907,6 @@ export const zh: Texts = {
   live_columns_of: ({ name }) => `${name} 的读取方式`,
   live_columns_rows: ({ rows }) => `${rows} 行`,
   live_columns_row: ({ row }) => `第 ${row} 行`,
-  live_columns_skipped: ({ count, lines }) => `跳过 ${count} 个错误行：第 ${lines} 行`,
   live_columns_unread: "无法这样读取此日志。",
   live_columns_found: "按识别结果",
   live_columns_found_as: ({ what }) => `按识别结果：${what}`,
