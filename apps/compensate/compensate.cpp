@@ -15,6 +15,7 @@
 #include "compensate/compensation_options.hpp"
 #include "shaft_picture/shaft_picture.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -153,7 +154,7 @@ void add_compensate(CLI::App& app) {
   command->add_flag("--follow", options->live.follow, "wait for rows that are still to be written to the file");
   add_choice(*command, "--format", {"csv", "jsonl", "word"}, "csv", "of the rows of --signals; word: 16 bits for a PLC",
              [options](std::size_t at) { options->live.format = static_cast<OffsetFormat>(at); });
-  add_source(*command, "--on", options->replay.data, "session or series: what its error would have been")
+  add_data(*command, "--on", options->replay.data, "session or series: what its error would have been")
       ->type_name("DATA");
   command
       ->add_option(

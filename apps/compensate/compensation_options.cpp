@@ -17,6 +17,7 @@
 #include "ballbar/nearest_name.hpp"
 #include "predict/predicted_job.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/state_file.hpp"
 #include "terminal/stderr_line.hpp"
@@ -73,7 +74,7 @@ void add_compensation_options(CLI::App& command, CompensationOptions& options) {
                    ? std::string()
                    : fmt::format("expected a name of letters, digits and _ for an axis, found {}", in_quotes(name));
       });
-  add_sources(command, "--fit", options.fit, "fit what is free to DATA; their ranges are those trained on")
+  add_data(command, "--fit", options.fit, "fit what is free to DATA; their ranges are those trained on")
       ->type_name("DATA")
       ->allow_extra_args(false);
   command

@@ -163,8 +163,9 @@ void add_follow_options(CLI::App& command, FollowOptions& options) {
                   "with --follow: how long the run is to be; where that will be too short, it is said")
       ->type_name("H")
       ->check(number_above_0());
-  take_time(*command.add_option("--every", options.every_s, "with --follow: between looks at the file; default: 1s"),
-            true);
+  take_time(
+      *command.add_option("--look-every", options.every_s, "with --follow: between looks at the file; default: 1s"),
+      true);
   take_time(*command.add_option("--patience", options.patience_s,
                                 "with --follow: end where nothing more came for so long; default: never"),
             false);
@@ -176,7 +177,7 @@ void expect_follow(const FollowOptions& options) {
     if (given && !options.follow) throw CLI::ValidationError(fmt::format("{}: expected --follow with it", option));
   };
   expect(options.planned_hours.has_value(), "--hours");
-  expect(options.every_s.has_value(), "--every");
+  expect(options.every_s.has_value(), "--look-every");
   expect(options.patience_s.has_value(), "--patience");
   expect(options.keep, "--keep");
 }

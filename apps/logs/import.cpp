@@ -10,19 +10,22 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/logs/recipe_toml.hpp"
+#include "ballbar/formats/recordings/ballbar_log.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/number_text.hpp"
 #include "commands.hpp"
-#include "logs/log_options.hpp"
 #include "logs/log_results.hpp"
 #include "logs/merged_logs.hpp"
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -30,10 +33,18 @@ namespace {
 
 constexpr std::size_t kShownRows = 5;
 
+// A circle, written as a ballbar log; what a table of angles or coordinates does not state.
+struct CircleOptions {
+  bool circle = false;
+  StatedCircle stated;
+  std::optional<Plane> plane;
+  Motion motion = Motion::linear_axes;
+};
+
 struct ImportArguments {
   std::vector<Source> logs;
+  CircleOptions circle;
   std::string out, save;
-  LogOptions how;
   ClockOptions clocks;
   bool json = false;
 };
@@ -94,7 +105,8 @@ void print(const ImportArguments& options, const Log& log, const std::vector<Col
     for (const std::string& line : lines) fmt::print("{}", wrapped("- " + line));
   };
   list("Taken so:", guesses(log));
-  list("Mended:", log.remarks);
+  list("Mended or assumed:", log.remarks);
+  list("Please look at:", log.unclear);
   std::vector<std::string> broken;
   broken.reserve(faults.size());
   for (const ColumnFault& fault : faults) broken.push_back(fault_text(fault));
@@ -105,14 +117,22 @@ void print(const ImportArguments& options, const Log& log, const std::vector<Col
 // A series of our own is no log to be guessed at; it is only shown.
 Log opened(const ImportArguments& options) {
   const Reader* const reader = options.logs.front().reader();
-  if (read_of<ReadSeries>(reader) == nullptr) return open_log(options.logs.front(), recipe_of(options.how));
+  if (read_of<ReadSeries>(reader) == nullptr) return open_log(options.logs.front());
   Log log;
   log.series = open_series(options.logs.front());
   for (const Column& column : log.series.columns) {
     const auto gaps = static_cast<std::size_t>(
         std::count_if(column.values.begin(), column.values.end(), [](double v) { return std::isnan(v); }));
     const std::string unit(unit_of(column.name));
-    log.columns.push_back({column.name, column.name, unit, unit, column.role, "by its unit", gaps});
+    const auto first = static_cast<std::ptrdiff_t>(std::min(kShownRows, column.values.size()));
+    log.columns.push_back({column.name,
+                           column.name,
+                           unit,
+                           unit,
+                           column.role,
+                           "by its unit",
+                           gaps,
+                           {column.values.begin(), column.values.begin() + first}});
   }
   log.shape = "a ballbar series";
   log.time = "\"time_s\" in s";
@@ -134,7 +154,7 @@ void run_one(const ImportArguments& options) {
 
 void run_several(const ImportArguments& options) {
   if (!options.save.empty()) throw CLI::ValidationError("--save: expected one log with it, found several");
-  const MergedSeries merged = merged_series(options.logs, options.how, options.clocks);
+  const MergedSeries merged = merged_series(options.logs, options.clocks);
   if (!options.out.empty()) write_series(merged.series, options.out);
   if (options.json) {
     print_json(json_of(merged));
@@ -145,11 +165,42 @@ void run_several(const ImportArguments& options) {
              options.out.empty() ? "Nothing was written; --out clean.csv writes the series." : "wrote " + options.out);
 }
 
+// The file of a run: that of --out; of several, with its number before the ending.
+std::string file_of_run(const std::string& out, std::size_t run, std::size_t runs) {
+  if (runs == 1) return out;
+  const std::filesystem::path path(out);
+  return (path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), run + 1, path.extension().string())).string();
+}
+
+void run_circle(const ImportArguments& options) {
+  const Source& log = options.logs.front();
+  if (options.logs.size() > 1) throw CLI::ValidationError("--circle: expected one file with it, found several");
+  if (!options.save.empty()) throw CLI::ValidationError("--circle: expected no --save with it");
+  RecordingFile file = open_recording(log, known_readers(), options.circle.stated);
+  expect_readings(file, log.path());
+  tell(file.remarks);
+  const std::size_t runs = file.recordings.size();
+  for (std::size_t run = 0; run < runs; ++run) {
+    Recording& recording = file.recordings[run];
+    recording.motion = options.circle.motion;
+    if (options.circle.plane) recording.plane = *options.circle.plane;
+    print_for_people(fmt::format("{}: {} {}, driven by {}, {} readings, nominal radius {:g} mm\n", log.name(),
+                                 name_of(recording.plane), name_of(recording.direction), name_of(recording.motion),
+                                 recording.length_mm.size(), recording.nominal_length_mm));
+    if (options.out.empty()) continue;
+    const std::string out = file_of_run(options.out, run, runs);
+    write_bytes(out, write_ballbar_log(recording));
+    wrote_line(out);
+  }
+  if (options.out.empty()) print_for_people("Nothing was written; --out circle.csv writes a ballbar log.\n");
+}
+
 // A recipe that is saved may be the one that was read, made more of; the series may be neither.
 void expect_own_outputs(const ImportArguments& options) {
   std::vector<std::filesystem::path> inputs = paths_of(options.logs);
   expect_no_input({options.save}, inputs, "--save");
-  inputs.emplace_back(options.how.recipe);
+  if (const std::string& recipe = options.logs.front().recipe().file; !recipe.empty()) inputs.emplace_back(recipe);
+  for (const std::string& file : options.logs.front().recipe().join) inputs.emplace_back(file);
   expect_no_input({options.out}, inputs);
   const auto place = [](const std::string& file) {
     std::error_code unknown;
@@ -161,6 +212,7 @@ void expect_own_outputs(const ImportArguments& options) {
 
 void run(const ImportArguments& options) {
   expect_own_outputs(options);
+  if (options.circle.circle) return run_circle(options);
   if (options.logs.size() > 1) return run_several(options);
   const ClockOptions& clocks = options.clocks;
   if (clocks.keep_clocks || clocks.range_s || clocks.max_gap_s) {
@@ -178,15 +230,22 @@ void add_import(CLI::App& app) {
   const auto options = std::make_shared<ImportArguments>();
   CLI::App* command =
       app.add_subcommand("import", "Show how a log is interpreted, and write it as a series; several logs as one");
-  add_sources(*command, "LOG", options->logs,
-              "delimited text, .xlsx, .mat or .json of columns over time, and series; the clock of the first counts")
+  add_data(*command, "LOG", options->logs,
+           "delimited text, .xlsx, .mat or .json of columns over time, and series; the clock of the first counts")
       ->required()
       ->type_name("");
   command->add_option("--out", options->out, "series .csv to write")->type_name("FILE");
   command->add_option("--save", options->save, "recipe .toml to write: how this log was read, for the next of its kind")
       ->type_name("FILE");
   command->add_flag("--json", options->json, "print what was understood as JSON");
-  add_log_options(*command, options->how);
+  command->add_flag("--circle", options->circle.circle,
+                    "a table of angles and lengths, or of coordinates: write it as a ballbar log, for a session");
+  add_radius(*command, options->circle.stated);
+  add_choice(*command, "--plane", {"XY", "YZ", "ZX"}, "as the file says, else XY", "with --circle: plane of the circle",
+             [options](std::size_t at) { options->circle.plane = kPlanes[at]; });
+  add_choice(*command, "--motion", {"linear_axes", "rotary_axis", "spindle"}, "linear_axes",
+             "with --circle: what drives the circle",
+             [options](std::size_t at) { options->circle.motion = static_cast<Motion>(at); });
   command->add_flag("--keep-clocks", options->clocks.keep_clocks,
                     "several logs: by their dates alone, without a lag from what both show");
   take_time(*command->add_option("--lag-range", options->clocks.range_s,

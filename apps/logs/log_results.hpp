@@ -1,6 +1,7 @@
 // What `import --json` prints, of one log and of several.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,7 +37,8 @@ struct ResultType<LogColumn> {
       Field{"unit", if_taken(&LogColumn::unit), ""},
       Field{"role", if_taken(&LogColumn::role), ""},
       Field{"why", if_taken(&LogColumn::why), "what tells the role"},
-      Field{"gaps", if_taken(&LogColumn::gaps), "cells without a value"}};
+      Field{"gaps", if_taken(&LogColumn::gaps), "cells without a value"},
+      Field{"first", if_taken(&LogColumn::first), "its first values, at most five"}};
 };
 
 template <>
@@ -46,6 +48,20 @@ struct ResultType<ColumnFault> {
   static constexpr std::tuple fields{Field{"column", &ColumnFault::column, "empty: the time"},
                                      Field{"what", &ColumnFault::what, ""}};
 };
+
+inline std::vector<double> first_times_s(const Log& log) {
+  constexpr std::size_t kFirst = 5;
+  const std::vector<double>& time_s = log.series.time_s;
+  return {time_s.begin(), time_s.begin() + static_cast<std::ptrdiff_t>(std::min(kFirst, time_s.size()))};
+}
+
+inline std::vector<std::string> targets(const Log& log) {
+  std::vector<std::string> names;
+  for (const LogColumn& column : log.columns) {
+    if (!column.name.empty() && column.role == Role::measured) names.push_back(column.name);
+  }
+  return names;
+}
 
 struct ImportedLog {
   std::string file;
@@ -65,8 +81,26 @@ struct ResultType<ImportedLog> {
       Field{"started", [](Of of) { return MayLack<std::string>{of.log.series.started}; }, "wall clock of time 0"},
       Field{"rows", [](Of of) { return of.log.series.time_s.size(); }, "how many"},
       Field{"first_row_line", [](Of of) { return of.log.first_row_line; }, ""},
+      Field{"clock", [](Of of) { return of.log.series.has_clock; }, "false: the rows are numbered"},
+      Field{"first_times_s", [](Of of) { return first_times_s(of.log); }, "of the first rows, at most five"},
+      Field{"sheet",
+            [](Of of) {
+              return MayLack<std::string>{of.log.recipe.sheet.empty() ? std::nullopt
+                                                                      : std::optional(of.log.recipe.sheet)};
+            },
+            "of the workbook"},
+      Field{"sheets",
+            [](Of of) {
+              return MayLack<std::vector<std::string>>{of.log.sheets.empty() ? std::nullopt
+                                                                             : std::optional(of.log.sheets)};
+            },
+            "all of the workbook"},
       Field{"columns", [](Of of) { return of.log.columns; }, "of the log, that of the time left out"},
-      Field{"remarks", [](Of of) { return of.log.remarks; }, "what looks broken, what was mended"},
+      Field{"targets", [](Of of) { return targets(of.log); }, "columns that are measured"},
+      Field{"unclear", [](Of of) { return of.log.unclear; }, "what a user should state"},
+      Field{"skipped_lines", [](Of of) { return of.log.skipped_lines; },
+            "numbers of the lines that are no rows of numbers"},
+      Field{"remarks", [](Of of) { return of.log.remarks; }, "what looks broken, what was mended, what was assumed"},
       Field{"faults", &ImportedLog::faults, "of columns"}};
 };
 

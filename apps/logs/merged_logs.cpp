@@ -21,9 +21,9 @@ struct Part {
   Series series;
 };
 
-Part opened(const Source& log, const LogOptions& how) {
+Part opened(const Source& log) {
   Part part{{log.name(), 0.0, std::nullopt, std::nullopt}, {}};
-  OpenedSeries opened = opened_series(log, known_readers(), recipe_of(how));
+  OpenedSeries opened = opened_series(log);
   tell(opened.remarks);
   part.series = *opened.series;
   return part;
@@ -77,12 +77,12 @@ std::string clock_text(const MergedPart& first, const MergedPart& part, bool kee
 
 }  // namespace
 
-MergedSeries merged_series(const std::vector<Source>& logs, const LogOptions& how, const ClockOptions& clocks) {
+MergedSeries merged_series(const std::vector<Source>& logs, const ClockOptions& clocks) {
   expect_once(logs);
   std::vector<Part> parts;
   std::set<std::string> taken;
   for (const Source& log : logs) {
-    parts.push_back(opened(log, how));
+    parts.push_back(opened(log));
     if (parts.size() > 1) align(parts.front(), parts.back(), clocks);
     expect_own_names(parts.back().series, taken);
   }

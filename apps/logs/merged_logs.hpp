@@ -6,7 +6,6 @@
 
 #include "ballbar/formats/text/source.hpp"
 #include "ballbar/series/series.hpp"
-#include "logs/log_options.hpp"
 #include "logs/log_results.hpp"
 
 namespace ballbar {
@@ -17,7 +16,7 @@ struct ClockOptions {
 };
 
 // The clock of the first log counts. Throws Error: a log that cannot be read, or that comes twice.
-MergedSeries merged_series(const std::vector<Source>& logs, const LogOptions& how, const ClockOptions& clocks);
+MergedSeries merged_series(const std::vector<Source>& logs, const ClockOptions& clocks);
 
 void print_text(const MergedSeries& merged, const ClockOptions& clocks);
 

@@ -20,6 +20,7 @@
 #include "page/report_page.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -248,10 +249,10 @@ void run(const CompareArguments& options) {
 void add_compare(CLI::App& app) {
   const auto options = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand("compare", "How well two drift series agree, and within their uncertainty");
-  add_source(*command, "A", options->drifts.a, "session, folder, drift .csv or five probes' .csv")
+  add_data(*command, "A", options->drifts.a, "session, folder, drift .csv or five probes' .csv")
       ->required()
       ->type_name("");
-  add_source(*command, "B", options->drifts.b, "what to compare it with; without it the session's own five probes")
+  add_data(*command, "B", options->drifts.b, "what to compare it with; without it the session's own five probes")
       ->type_name("");
   command->add_option("--plot", options->plot, "picture of both and their difference, .svg")
       ->type_name("FILE")

@@ -19,6 +19,7 @@
 #include "measure/five_probe_drift.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -213,8 +214,7 @@ void run(const DriftArguments& options) {
 void add_drift(CLI::App& app) {
   const auto options = std::make_shared<DriftArguments>();
   CLI::App* command = app.add_subcommand("drift", "Drift of the spindle over a session, or of five probes");
-  add_source(*command, "SESSION", options->session,
-             "session.toml, a folder of it or of .b5r files, or five probes' .csv")
+  add_data(*command, "SESSION", options->session, "session.toml, a folder of it or of .b5r files, or five probes' .csv")
       ->required()
       ->type_name("");
   command->add_option("--out", options->out, "write the series: .csv, .json or .mat; may be repeated")

@@ -14,6 +14,7 @@
 #include "shell/command_words.hpp"
 #include "shell/usage_fault.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/log_options.hpp"
 
 namespace ballbar {
 namespace {
@@ -52,7 +53,7 @@ void add_effect_options(CLI::App& command, EffectOptions& options, const std::st
   add_model_options(command, options.model, false);
   add_also_input(command, options.model);
   command.remove_option(command.get_option("DATA"));
-  add_sources(command, "EFFECT_AND_DATA", options.words, words)->required()->type_name("");
+  add_data(command, "EFFECT_AND_DATA", options.words, words)->required()->type_name("");
   command.add_flag("--json", options.json, "the result for a program");
 }
 

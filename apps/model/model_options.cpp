@@ -1,6 +1,7 @@
 #include "model/model_options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "ballbar/nearest_name.hpp"
 #include "model/held_values.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
@@ -66,6 +68,32 @@ void choose_targets(Model& model, const ModelOptions& options) {
   model.targets = options.target;
 }
 
+std::vector<std::string> names_of(const Series& series) {
+  std::vector<std::string> names;
+  for (const Column& column : series.columns) names.push_back(column.name);
+  return names;
+}
+
+// A model's numbers are in um where its target is.
+void say_unit(const std::string& target) {
+  const std::string_view unit = unit_of(target);
+  if (unit == "um") return;
+  stderr_line(fmt::format("{} is in {}: read um in the results as {}", one_line(target),
+                          unit.empty() ? "units of its own" : unit, unit.empty() ? "units of the column" : unit));
+}
+
+// Effects of a file that have a time constant need data with a clock.
+void expect_clock(const Model& model, const ModelOptions& options, const ModelData& data) {
+  if (data.series->has_clock || options.model.empty()) return;
+  for (const Term& term : model.terms) {
+    if (!needs_clock(*term.effect)) continue;
+    throw Error(
+        fmt::format("{}: expected data with a clock for {}, found numbered rows in {}; --every 10s states how far "
+                    "apart they are.",
+                    options.model.name(), label_of(term), data.title));
+  }
+}
+
 }  // namespace
 
 void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s) {
@@ -75,7 +103,8 @@ void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s) {
 
 void add_model_options(CLI::App& command, ModelOptions& options, bool model_required) {
   options.catalogue = catalogue_of(command);
-  add_sources(command, "DATA", options.data, "series .csv, session, or recordings (.b5r, logs)")
+  add_data(command, "DATA", options.data,
+           "series .csv, log, session, or recordings (.b5r, logs); a folder or a workbook of logs: runs")
       ->required()
       ->type_name("");
   CLI::Option* model =
@@ -111,6 +140,11 @@ ModelData open_data(const ModelOptions& options) {
   ModelData data =
       open_model_data(options.data, {}, options.max_gap_s.value_or(kUsualGap_s), known_readers(), options.circle);
   tell(data.remarks);
+  if (!data.series->has_clock) {
+    stderr_line(
+        "no clock: the rows are numbered, effects with a time constant are not searched, and a second in the "
+        "results is a row; --every 10s states how far apart the rows are");
+  }
   return data;
 }
 
@@ -142,12 +176,15 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
     if (data.motion) with_source(options.model.name(), [&] { expect_acts(model, *data.motion); });
     if (model.level == Level::recording) model = with_circles(std::move(model), *data.series);
   }
+  expect_clock(model, options, data);
   model = with_held_values(with_run_terms(std::move(model), *data.series), options.set);
   choose_targets(model, options);
   if (model.targets.empty())
-    throw Error(fmt::format("{}: expected a measured column to explain, found none.", data.title));
+    throw Error(fmt::format("{}: expected a measured column to explain, found none; --target names one, of {}.",
+                            data.title, fmt::join(names_of(*data.series), ", ")));
   expect_model_suits(model, options, data);
   expect_also_inputs(options, model, *data.series);
+  for (const std::string& target : model.targets) say_unit(target);
   return model;
 }
 

@@ -146,6 +146,8 @@ std::string_view name_of(Testability testability) {
       return "in the model";
     case Testability::other_motion:
       return "other motion";
+    case Testability::no_clock:
+      return "no clock";
   }
   return "testable";
 }

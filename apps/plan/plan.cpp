@@ -154,7 +154,7 @@ void add_plan(CLI::App& app) {
                    "drive a ballbar test between the speeds, with a bar of this length")
       ->type_name("MM")
       ->check(number_within(10.0, 1000.0));
-  command->add_option("--every", options->ballbar_every_min, "minutes between the ballbar tests")
+  command->add_option("--tests-every", options->ballbar_every_min, "minutes between the ballbar tests")
       ->type_name("MIN")
       ->capture_default_str()
       ->check(number_within(1.0, 1440.0));

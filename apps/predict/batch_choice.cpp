@@ -119,7 +119,7 @@ void print_ranking(const std::vector<RankedBatch>& ranked, bool every) {
     table.add(row);
   }
   fmt::print("\n{}", table.text(table_width()));
-  if (shown < ranked.size()) fmt::print("{} more (--every)\n", ranked.size() - shown);
+  if (shown < ranked.size()) fmt::print("{} more (--list-all)\n", ranked.size() - shown);
   fmt::print("RMSE_m: of the batches up to this rank by a regression to them{}.\n",
              measured ? "; RMSE_p: of the job by it" : "");
 }
@@ -171,7 +171,7 @@ void train_for_job(const TrainOptions& options) {
                                          opened.columns.target, options.job.name()));
   }
   const ChoiceOptions how{options.method.value_or(RegressionMethod::pcr), options.share, options.fall};
-  const BatchRanking ranking = with_source(options.data.name(), [&] {
+  const BatchRanking ranking = with_source(options.title(), [&] {
     return batch_ranking(opened.batches, job.start, measured ? &job.moments : nullptr, how);
   });
   const BatchChoice& taken = ranking.choice(options.take);
@@ -182,7 +182,7 @@ void train_for_job(const TrainOptions& options) {
                             options.random);
   }
   if (!options.out.empty()) {
-    write_bytes(options.out, write_batch_model(with_source(options.data.name(), [&] {
+    write_bytes(options.out, write_batch_model(with_source(options.title(), [&] {
                   return temperature_regression(opened.batches, taken.weights, opened.columns, taken.settings,
                                                 [&](std::size_t k) { return read_batch(opened.files[k]); });
                 })));
@@ -192,7 +192,7 @@ void train_for_job(const TrainOptions& options) {
         TrainedForJob{opened.columns.target, job.start.room_first_degC, taken.take, ranking, random, opened.remarks}));
   } else {
     fmt::print("{}: room {:.2f} degC as it begins; {} batches of {}\n\n{}", options.job.name(),
-               job.start.room_first_degC, opened.batches.size(), options.data.name(),
+               job.start.room_first_degC, opened.batches.size(), options.title(),
                wrapped(conclusion(ranking, taken, random)));
     print_choices(ranking, options.fall, random);
     print_ranking(ranking.ranked, options.every);

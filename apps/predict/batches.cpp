@@ -78,7 +78,7 @@ Series read_batch(const Source& source) {
 }
 
 OpenedBatches open_batches(const TrainOptions& options) {
-  RunList list = open_runs(options.data.path());
+  RunList list = open_runs(options.data.front().path());
   take_out(list.runs, options.without);
   std::vector<std::string> remarks;
   std::erase_if(list.runs, [&](const ListedRun& run) {
@@ -90,7 +90,7 @@ OpenedBatches open_batches(const TrainOptions& options) {
     return true;
   });
   if (list.runs.size() < 2) {
-    throw Error(fmt::format("{}: expected at least 2 batches, found {}.", options.data.name(), list.runs.size()));
+    throw Error(fmt::format("{}: expected at least 2 batches, found {}.", options.title(), list.runs.size()));
   }
   const ProgressLine progress;
   OpenedBatches opened;
@@ -119,7 +119,7 @@ OpenedBatches open_batches(const TrainOptions& options) {
     });
     opened.files.push_back(run.file);
   }
-  opened.files.push_back(options.data.path());
+  opened.files.push_back(options.data.front().path());
 
   tell_steps(opened.batches, opened.columns.target, opened.remarks);
   std::vector<std::string> leave;
@@ -133,14 +133,15 @@ OpenedBatches open_batches(const TrainOptions& options) {
                                          some_of(broken.batches), options.keep_broken ? "kept" : "left out"));
     if (!options.keep_broken) leave.push_back(broken.sensor);
   }
-  if (std::find(leave.begin(), leave.end(), opened.columns.room) != leave.end()) {
+  if (!options.job.empty()) with_source(options.title(), [&] { expect_room(opened.columns); });
+  if (!opened.columns.room.empty() && std::find(leave.begin(), leave.end(), opened.columns.room) != leave.end()) {
     opened.remarks.push_back(
         fmt::format("{} is the room by which batches are ranked: do not trust the ranking; name "
                     "another by --room.",
                     opened.columns.room));
   }
-  FewerSensors fewer = with_source(options.data.name(),
-                                   [&] { return without_sensors(std::move(opened.batches), opened.columns, leave); });
+  FewerSensors fewer =
+      with_source(options.title(), [&] { return without_sensors(std::move(opened.batches), opened.columns, leave); });
   opened.columns = std::move(fewer.columns);
   opened.batches = std::move(fewer.batches);
   return opened;

@@ -22,6 +22,7 @@
 #include "predict/predicted_job.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -160,8 +161,7 @@ void add_predict(CLI::App& app) {
   CLI::App* command = app.add_subcommand("predict", "The model's series, with what each effect adds");
   add_model_options(*command, options->model, true);
   add_fit_options(*command, options->model);
-  add_sources(*command, "--on", options->on,
-              "other data to predict, with the parameters fitted to DATA; may be repeated")
+  add_data(*command, "--on", options->on, "other data to predict, with the parameters fitted to DATA; may be repeated")
       ->type_name("DATA")
       ->allow_extra_args(false);
   command->add_option("--out", options->out, "write the series, .csv; may be repeated")

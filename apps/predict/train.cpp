@@ -18,6 +18,7 @@
 #include "predict/predict_result.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
@@ -124,7 +125,7 @@ void expect_rows(std::size_t rows, const RegressionSettings& settings) {
 void print_text(const TrainOptions& options, const OpenedBatches& opened, const std::vector<Contender>& contenders,
                 const TemperatureRegression& model) {
   const InputKind kind = model.columns.kind;
-  fmt::print("{}\n{} from {} temperatures ({}), {} batches, {} rows\n\n", options.data.name(), model.columns.target,
+  fmt::print("{}\n{} from {} temperatures ({}), {} batches, {} rows\n\n", options.title(), model.columns.target,
              model.columns.sensors.size(),
              kind == InputKind::temperature ? "as they are"
              : kind == InputKind::rise      ? "their rise since each batch began"
@@ -152,7 +153,7 @@ void train_temperatures(const TrainOptions& options) {
   for (const RegressionMethod method : kRegressionMethods) {
     const RegressionSettings settings = chosen_settings(options, method, opened);
     expect_rows(rows_in(opened.batches), settings);
-    contenders.push_back(with_source(options.data.name(), [&] { return contender_of(opened, settings); }));
+    contenders.push_back(with_source(options.title(), [&] { return contender_of(opened, settings); }));
   }
   const auto of_method = [&](const Contender& one) { return one.settings.method == method_of(options); };
   const auto less = [](const Contender& a, const Contender& b) { return a.held_out.rms_um < b.held_out.rms_um; };
@@ -186,7 +187,7 @@ void expect_together(const TrainOptions& given) {
     throw CLI::ValidationError(
         "--effects: expected neither --method, --components, --share, --penalty nor --model with it.");
   }
-  if (given.effects) return;
+  if (given.effects || !lists_batches(given.data)) return;
   if (given.few) throw CLI::ValidationError("--few: expected --effects with it.");
   if (given.max_gap_s) throw CLI::ValidationError("--max-gap: expected --effects with it.");
 }
@@ -207,18 +208,27 @@ void expect_together_for_job(const TrainOptions& given) {
 
 void run(const TrainOptions& given, const std::vector<CLI::Option*>& of_a_job) {
   if (!given.job.empty()) {
+    if (given.target.empty()) throw CLI::RequiredError("--target");
     expect_together_for_job(given);
     return train_for_job(given);
   }
   expect_none_given(of_a_job, "--for");
-  if (given.out.empty()) throw CLI::RequiredError("--out");
   expect_together(given);
-  given.effects ? train_effects(given) : train_temperatures(given);
+  const bool on_effects = given.effects || !lists_batches(given.data);
+  if (!on_effects && given.out.empty()) throw CLI::RequiredError("--out");
+  if (!on_effects && given.target.empty()) throw CLI::RequiredError("--target");
+  on_effects ? train_effects(given) : train_temperatures(given);
 }
 
 void add_batch_options(CLI::App& command, TrainOptions& options) {
-  add_source(command, "RUNS", options.data, "list of the recorded batches: runs.csv")->required()->type_name("");
-  command.add_option("--target", options.target, "what to predict: a column in um")->required()->type_name("COLUMN");
+  add_data(
+      command, "RUNS", options.data,
+      "list of the recorded batches, runs.csv; or the runs themselves: logs, a folder of logs, a workbook of a sheet a "
+      "run, of which a regression on effects is made")
+      ->required()
+      ->type_name("");
+  command.add_option("--target", options.target, "what to predict; default: the only measured column")
+      ->type_name("COLUMN");
   command.add_option("--room", options.room, "column of the room's temperature, where its name does not say so")
       ->type_name("COLUMN");
   add_choice(command, "--inputs", {"temperature", "rise", "both"}, "temperature",
@@ -258,9 +268,8 @@ void add_method_options(CLI::App& command, TrainOptions& options) {
 
 // Those that mean nothing without --for.
 std::vector<CLI::Option*> add_job_options(CLI::App& command, TrainOptions& options) {
-  add_source(
-      command, "--for", options.job,
-      "the job at hand, a series of its temperatures: train on the batches like it; with the target it is checked")
+  add_data(command, "--for", options.job,
+           "the job at hand, a series of its temperatures: train on the batches like it; with the target it is checked")
       ->type_name("DATA");
   std::vector<CLI::Option*> added;
   added.push_back(
@@ -280,7 +289,7 @@ std::vector<CLI::Option*> add_job_options(CLI::App& command, TrainOptions& optio
              "with --for: whose model is written and shown first",
              [&](std::size_t at) { options.take = static_cast<Take>(at); });
   added.push_back(command.get_option("--take"));
-  added.push_back(command.add_flag("--every", options.every, "with --for: list every batch"));
+  added.push_back(command.add_flag("--list-all", options.every, "with --for: list every batch"));
   return added;
 }
 
@@ -292,7 +301,7 @@ void add_train(CLI::App& app) {
   add_batch_options(*command, *options);
   add_method_options(*command, *options);
   const std::vector<CLI::Option*> of_a_job = add_job_options(*command, *options);
-  command->add_option("--out", options->out, "write the model, .json; with --for it may be left out")
+  command->add_option("--out", options->out, "write the model, .json; with --for, or of effects, it may be left out")
       ->type_name("FILE")
       ->check(name_that_ends_in({".json"}));
   command->add_flag("--json", options->json, "the result for a program");

@@ -14,8 +14,8 @@
 namespace ballbar {
 
 struct TrainOptions {
-  Source data;  // runs.csv; with `effects` a series or session, too
-  std::string target;
+  std::vector<Source> data;  // runs.csv; with `effects` series or sessions, too
+  std::string target;        // with `effects` it may be empty: the only measured column
   std::optional<std::string> room;
   InputKind inputs = InputKind::temperature;
   std::vector<std::string> without, without_sensor;
@@ -36,7 +36,12 @@ struct TrainOptions {
 
   std::string out;  // .json; empty: no model is written
   bool json = false;
+
+  [[nodiscard]] std::string title() const;  // of the data, for messages
 };
+
+// Whether the data are a list of batches, by the first column of the file.
+bool lists_batches(const std::vector<Source>& data);
 
 struct OpenedBatches {
   BatchColumns columns;

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "ballbar/formats/models/effect_regression_json.hpp"
+#include "ballbar/formats/sessions/data_file.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/number_text.hpp"
 #include "model/model_options.hpp"
@@ -102,20 +104,6 @@ std::vector<std::string> remarks_of(const DriverReport& report) {
   return remarks;
 }
 
-// Whether it is a list of runs, by its first column.
-bool is_run_list(const Source& source) {
-  if (source.series() || (source.is_path() && std::filesystem::is_directory(source.path()))) return false;
-  const std::string head = source.head(kHead);
-  std::size_t at = 0;
-  while (at < head.size() && (head[at] == '#' || head[at] == '\n' || head[at] == '\r')) {
-    at = head[at] == '#' ? head.find('\n', at) : at + 1;
-    if (at == std::string::npos) return false;
-  }
-  const std::string_view rest = std::string_view(head).substr(at);
-  const std::string_view first = rest.substr(0, rest.find_first_of(",\r\n"));
-  return first == "run" || first == "file";
-}
-
 // The record of the file; of a list the batches that were opened, with the temperatures that were kept.
 std::vector<Series> runs_of(const TrainOptions& options, const std::optional<OpenedBatches>& opened) {
   std::vector<std::string> without = options.without_sensor;
@@ -129,14 +117,16 @@ std::vector<Series> runs_of(const TrainOptions& options, const std::optional<Ope
       }
     }
   } else {
-    ModelData data = open_drift(options.data, options.max_gap_s);
-    expect_no_input({options.out}, data.files);
-    for (const std::string& name : without) {
-      if (find_column(*data.series, name) != nullptr) continue;
-      throw Error(fmt::format("--without-sensor {}: expected a column of {}, found none of that name.", name,
-                              options.data.name()));
+    for (const Source& source : runs_in(options.data)) {
+      const ModelData data = open_drift(source, options.max_gap_s);
+      expect_no_input({options.out}, data.files);
+      runs.push_back(*data.series);
     }
-    runs.push_back(*data.series);
+    for (const std::string& name : without) {
+      if (find_column(runs.front(), name) != nullptr) continue;
+      throw Error(
+          fmt::format("--without-sensor {}: expected a column of {}, found none of that name.", name, options.title()));
+    }
   }
   for (Series& run : runs) {
     std::erase_if(run.columns, [&](const Column& column) {
@@ -148,12 +138,12 @@ std::vector<Series> runs_of(const TrainOptions& options, const std::optional<Ope
 
 // Of a list of runs; nothing of one record.
 std::optional<OpenedBatches> opened_list(const TrainOptions& options) {
-  if (!is_run_list(options.data)) {
+  if (!lists_batches(options.data)) {
     if (options.room || options.inputs != InputKind::temperature || !options.without.empty() || options.keep_broken) {
       throw Error(fmt::format("{}: expected a list of runs for --room, --inputs, --without and --keep-broken.",
-                              options.data.name()));
+                              options.title()));
     }
-    expect_no_input({options.out}, paths_of({options.data}));
+    expect_no_input({options.out}, paths_of(options.data));
     return std::nullopt;
   }
   if (options.max_gap_s) throw Error("--max-gap: expected a session or a series with it, found a list of runs.");
@@ -169,27 +159,64 @@ Contender effects_contender(const TrainedRegression& trained, const OpenedBatche
   return effects;
 }
 
+// The only measured column, where none is named.
+std::string target_of(const TrainOptions& options, const Series& run) {
+  if (!options.target.empty()) return options.target;
+  std::vector<std::string> measured;
+  for (const Column& column : run.columns) {
+    if (column.role == Role::measured && column.name.find("_sigma_") == std::string::npos)
+      measured.push_back(column.name);
+  }
+  if (measured.size() == 1) return measured.front();
+  std::vector<std::string> known;
+  for (const Column& column : run.columns) known.push_back(column.name);
+  throw Error(fmt::format("{}: expected one measured column to predict, found {}; name it by --target, one of {}.",
+                          options.title(), measured.empty() ? "none" : fmt::format("{}", fmt::join(measured, ", ")),
+                          fmt::join(measured.empty() ? known : measured, ", ")));
+}
+
 }  // namespace
+
+std::string TrainOptions::title() const {
+  if (data.size() == 1) return data.front().name();
+  return fmt::format("{} to {}", data.front().name(), data.back().name());
+}
+
+bool lists_batches(const std::vector<Source>& data) {
+  const Source& source = data.front();
+  if (data.size() > 1 || source.series() || (source.is_path() && std::filesystem::is_directory(source.path())))
+    return false;
+  const std::string head = source.head(kHead);
+  std::size_t at = 0;
+  while (at < head.size() && (head[at] == '#' || head[at] == '\n' || head[at] == '\r')) {
+    at = head[at] == '#' ? head.find('\n', at) : at + 1;
+    if (at == std::string::npos) return false;
+  }
+  const std::string_view rest = std::string_view(head).substr(at);
+  const std::string_view first = rest.substr(0, rest.find_first_of(",\r\n"));
+  return first == "run" || first == "file";
+}
 
 void train_effects(const TrainOptions& options) {
   const std::optional<OpenedBatches> opened = opened_list(options);
   std::vector<Contender> contenders;
   for (const RegressionMethod method : kRegressionMethods) {
     if (!opened) break;
-    contenders.push_back(with_source(options.data.name(),
-                                     [&] { return contender_of(*opened, best_settings(opened->batches, method)); }));
+    contenders.push_back(
+        with_source(options.title(), [&] { return contender_of(*opened, best_settings(opened->batches, method)); }));
   }
   const std::vector<Series> runs = runs_of(options, opened);
+  const std::string target = target_of(options, runs.front());
   EffectRegressionOptions how;
   how.few = options.few;
   how.progress = [](const std::string& what) { show_progress(what); };
   const TrainedRegression trained = [&] {
     const ProgressLine progress;
-    return with_source(options.data.name(), [&] { return trained_regression(runs, options.target, how); });
+    return with_source(options.title(), [&] { return trained_regression(runs, target, how); });
   }();
   const EffectRegression& of = trained.regression;
   const bool is_model = !of.model.terms.empty();
-  if (is_model) write_bytes(options.out, write_effect_regression(of));
+  if (is_model && !options.out.empty()) write_bytes(options.out, write_effect_regression(of));
   std::vector<std::string> said = remarks_of(trained.drivers);
   if (!of.left_out.empty()) {
     said.push_back(fmt::format("Not used, for they stand still or have gaps: {}.", fmt::join(of.left_out, ", ")));
@@ -200,9 +227,8 @@ void train_effects(const TrainOptions& options) {
     if (of.forecasts) result.forecasts = {*of.forecasts, is_predicted(of)};
     print_json(json_of(result));
   } else {
-    fmt::print("{}\n{} from {} columns by {}; {} rows{}\n\n", options.data.name(), options.target,
-               of.model.trained.size(), dictionary_text(of), of.rows,
-               of.runs > 1 ? fmt::format(" of {} runs", of.runs) : "");
+    fmt::print("{}\n{} from {} columns by {}; {} rows{}\n\n", options.title(), target, of.model.trained.size(),
+               dictionary_text(of), of.rows, of.runs > 1 ? fmt::format(" of {} runs", of.runs) : "");
     fmt::print("{}{}\n", wrapped(expectation(of)), wrapped(memory_text(of)));
     if (opened && of.forecasts) {
       contenders.push_back(effects_contender(trained, *opened));
@@ -216,7 +242,7 @@ void train_effects(const TrainOptions& options) {
     for (const std::string& remark : said) fmt::print("{}", wrapped(remark));
   }
   if (is_model) {
-    wrote_line(options.out);
+    if (!options.out.empty()) wrote_line(options.out);
   } else {
     stderr_line("no effect is likelier than none, nothing written");
   }

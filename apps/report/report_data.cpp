@@ -20,6 +20,7 @@
 #include "predict/predicted_job.hpp"
 #include "report/report_parts.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/log_options.hpp"
 #include "terminal/stderr_line.hpp"
 
 namespace ballbar {
@@ -245,7 +246,7 @@ void add_report_options(CLI::App& command, ReportRequest& request) {
   add_model_options(command, request.model, false);
   add_also_input(command, request.model);
   add_fit_options(command, request.model);
-  add_source(command, "--compare", request.compare, "another drift, or five probes, to compare DATA with")
+  add_data(command, "--compare", request.compare, "another drift, or five probes, to compare DATA with")
       ->type_name("DATA");
   CLI::Option* diagnose =
       command.add_flag("--diagnose", request.diagnose, "which effect is missing, without a model as well");

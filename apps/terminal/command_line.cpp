@@ -1,7 +1,12 @@
 #include "terminal/command_line.hpp"
 
 namespace ballbar {
-namespace {
+
+CommandLine* line_of(CLI::App& command) {
+  CLI::App* root = &command;
+  while (root->get_parent() != nullptr) root = root->get_parent();
+  return dynamic_cast<CommandLine*>(root);
+}
 
 const CommandLine* line_of(const CLI::App& command) {
   const CLI::App* root = &command;
@@ -15,8 +20,6 @@ Source source_of(const CLI::App& command, const std::string& word) {
   const auto found = line->values.find(word);
   return found == line->values.end() ? Source(word) : found->second;
 }
-
-}  // namespace
 
 const Catalogue& catalogue_of(const CLI::App& command) {
   const CommandLine* const line = line_of(command);

@@ -3,10 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "ballbar/effects/effect.hpp"
+#include "ballbar/formats/text/log_recipe.hpp"
 #include "ballbar/formats/text/source.hpp"
 
 namespace ballbar {
@@ -15,14 +17,22 @@ namespace ballbar {
 class CommandLine : public CLI::App {
  public:
   using CLI::App::App;
-  std::map<std::string, Source> values;        // by their names
-  Catalogue catalogue = built_in_catalogue();  // of effects that models may have
+  std::map<std::string, Source> values;                           // by their names
+  Catalogue catalogue = built_in_catalogue();                     // of effects that models may have
+  std::map<const CLI::App*, std::shared_ptr<LogRecipe>> recipes;  // how the logs of a command are read
 };
+
+// That of a command; nullptr: of another program.
+CommandLine* line_of(CLI::App& command);
+const CommandLine* line_of(const CLI::App& command);
+
+// What a word of the command stands for.
+Source source_of(const CLI::App& command, const std::string& word);
 
 // That of the command line that a command belongs to.
 const Catalogue& catalogue_of(const CLI::App& command);
 
-// An option or a place for data.
+// An option or a place for what is no log (log_options.hpp): a model, recordings.
 CLI::Option* add_source(CLI::App& command, const std::string& name, Source& source, const std::string& help);
 CLI::Option* add_sources(CLI::App& command, const std::string& name, std::vector<Source>& sources,
                          const std::string& help);

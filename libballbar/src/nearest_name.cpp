@@ -7,9 +7,7 @@
 #include <vector>
 
 namespace ballbar {
-namespace {
-
-// Letters changed, missing, extra, or exchanged with the next (optimal string alignment), three rows of its table.
+// Three rows of the table.
 std::size_t letters_apart(std::string_view name, std::string_view other) {
   name = name.substr(0, 100);  // what is longer is near to nothing
   std::vector<std::size_t> before, last(other.size() + 1), row(other.size() + 1);
@@ -27,8 +25,6 @@ std::size_t letters_apart(std::string_view name, std::string_view other) {
   }
   return last.back();
 }
-
-}  // namespace
 
 std::size_t utf8_length(std::string_view bytes) {
   const auto at = [&](std::size_t i) { return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u; };

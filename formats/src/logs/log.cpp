@@ -1,22 +1,28 @@
 #include "ballbar/formats/logs/log.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <memory>
 #include <set>
+#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 #include "logs/log_clock.hpp"
 #include "logs/log_plan.hpp"
 #include "logs/log_roles.hpp"
 #include "logs/log_shape.hpp"
 #include "logs/log_sources.hpp"
 #include "logs/log_table.hpp"
+#include "logs/log_temperatures.hpp"
 #include "logs/log_units.hpp"
 #include "text/head.hpp"
 #include "text/readers.hpp"
@@ -25,7 +31,10 @@ namespace ballbar {
 namespace {
 
 constexpr double kFreezing_K = 273.15;
-constexpr double kNoReading = 9e36;  // 9.9E37 and 1E38 stand for overload
+constexpr std::size_t kFirst = 5;         // values of a column that are shown
+constexpr std::size_t kListedLines = 10;  // of those that are skipped
+constexpr double kBetweenBursts = 5.0;    // times the middle step of time
+constexpr double kNoReading = 9e36;       // 9.9E37 and 1E38 stand for overload
 
 // Numbers that loggers write where there is no value; only where they stand far outside all others.
 constexpr double kSentinels[] = {-999.0,  -9999.0, -99999.0, -999.9,   -999.99, -9999.9, -99.9,
@@ -71,6 +80,16 @@ std::string take_sentinels(std::vector<double>& values) {
   return found;
 }
 
+// The name, with a number before its unit where it is taken.
+std::string free_name(const std::string& name, std::string_view unit, std::set<std::string>& taken) {
+  const std::string end = unit.empty() ? "" : "_" + std::string(unit);
+  const std::string stem = name.substr(0, name.size() - end.size());
+  std::string full = name;
+  for (int k = 2; full == "time_s" || full == "time_min" || !taken.insert(full).second; ++k)
+    full = fmt::format("{}_{}{}", stem, k, end);
+  return full;
+}
+
 // A name that can be typed: letters, digits and _; then the unit.
 std::string column_name(std::string_view name, std::string_view unit, std::set<std::string>& taken) {
   std::string stem;
@@ -86,11 +105,7 @@ std::string column_name(std::string_view name, std::string_view unit, std::set<s
   }
   while (stem.ends_with('_')) stem.pop_back();
   if (stem.empty()) stem = "column";
-  const std::string end = unit.empty() ? "" : "_" + std::string(unit);
-  std::string full = stem + end;
-  for (int k = 2; full == "time_s" || full == "time_min" || !taken.insert(full).second; ++k)
-    full = fmt::format("{}_{}{}", stem, k, end);
-  return full;
+  return free_name(unit.empty() ? stem : fmt::format("{}_{}", stem, unit), unit, taken);
 }
 
 void expect_recipe_columns(const LogPlan& plan, const std::string& name, std::size_t line, const LogRecipe& recipe) {
@@ -98,7 +113,7 @@ void expect_recipe_columns(const LogPlan& plan, const std::string& name, std::si
     std::vector<std::string_view> known;
     bool found = false;
     for (const PlannedColumn& column : plan.columns) {
-      found = found || is_of(one, column);
+      found = found || is_of(one, column.source, column.name);
       known.emplace_back(column.source);
     }
     if (found) continue;
@@ -107,14 +122,13 @@ void expect_recipe_columns(const LogPlan& plan, const std::string& name, std::si
   }
 }
 
-// One column of numbers in the units of a series.
-void take_column(const PlannedColumn& planned, const ColumnRecipe* stated, std::vector<double>&& values, Log& log,
+// One column of numbers in the units of a series. `why`: what told its unit, where nothing in the file did.
+void take_column(const PlannedColumn& planned, std::vector<double>&& values, const std::string& why, Log& log,
                  std::set<std::string>& taken) {
+  const ColumnRecipe& stated = planned.stated;
   LogColumn column;
   column.source = planned.source;
   column.found_unit = planned.unit;
-  const std::string gone = take_sentinels(values);
-  if (!gone.empty()) log.remarks.push_back(fmt::format("{}: {}: taken for no value.", planned.source, gone));
   column.gaps =
       static_cast<std::size_t>(std::count_if(values.begin(), values.end(), [](double v) { return std::isnan(v); }));
   if (column.gaps == values.size()) {
@@ -122,7 +136,7 @@ void take_column(const PlannedColumn& planned, const ColumnRecipe* stated, std::
     log.columns.push_back(std::move(column));
     return;
   }
-  const auto unit = log_unit(planned.unit);
+  const auto unit = stated.unit.empty() ? log_unit(planned.unit) : stated_unit(stated.unit, planned.source);
   double factor = 1.0, offset = 0.0;
   if (unit) {
     column.unit = unit->canonical;
@@ -140,18 +154,18 @@ void take_column(const PlannedColumn& planned, const ColumnRecipe* stated, std::
     for (double& value : values) value = value * factor + offset;
   }
   const FoundRole found = found_role(planned.name, column.unit, values);
-  column.role = stated != nullptr && stated->role ? *stated->role : found.role;
-  column.why = stated != nullptr && stated->role ? "by the recipe" : found.why;
+  column.role = stated.role.value_or(found.role);
+  column.why = stated.role ? "by the recipe" : !why.empty() && found.role == Role::structure ? why : found.why;
   if (column.unit.empty() && planned.unit.empty()) column.unit = found.unit;
-  if (stated != nullptr && !stated->name.empty()) {
-    column.name =
-        column_name(stated->name.ends_with("_" + column.unit) && !column.unit.empty()
-                        ? std::string_view(stated->name).substr(0, stated->name.size() - column.unit.size() - 1)
-                        : std::string_view(stated->name),
-                    column.unit, taken);
+  if (!stated.name.empty()) {
+    column.name = column_name(stated.name.ends_with("_" + column.unit) && !column.unit.empty()
+                                  ? std::string_view(stated.name).substr(0, stated.name.size() - column.unit.size() - 1)
+                                  : std::string_view(stated.name),
+                              column.unit, taken);
   } else {
     column.name = column_name(planned.name, column.unit, taken);
   }
+  column.first.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(std::min(kFirst, values.size())));
   log.series.columns.push_back({column.name, column.role, std::move(values)});
   log.columns.push_back(std::move(column));
 }
@@ -170,7 +184,9 @@ LogRecipe recipe_of(const Log& log, const LogShape& shape, const LogPlan& plan, 
   recipe.delimiter = shape.delimiter;
   recipe.decimal = shape.decimal;
   const TimePlan& time = plan.time;
-  if (time.kind == TimePlan::Kind::rows)
+  if (time.numbered)
+    recipe.time = "none";
+  else if (time.kind == TimePlan::Kind::rows)
     recipe.every_s = time.every_s;
   else
     recipe.time = plan.columns[time.column].source;
@@ -191,13 +207,66 @@ void say_lines(const LogTable& table, Log& log) {
   if (table.short_rows > 0)
     log.remarks.push_back(
         fmt::format("{} with fewer values than columns: the rest are gaps.", lines(table.short_rows)));
+  const std::size_t bad = table.bad_lines.size();
+  if (bad == 0) return;
+  const auto some = static_cast<std::ptrdiff_t>(std::min(kListedLines, bad));
+  log.remarks.push_back(fmt::format(
+      "{} skipped, for a cell is no number: {} {}{}.", lines(bad), bad == 1 ? "line" : "lines",
+      fmt::join(table.bad_lines.begin(), table.bad_lines.begin() + some, ", "), bad > kListedLines ? " ..." : ""));
 }
 
-Log log_of(const Source& source, const LogRecipe& recipe) {
+// What a user should state, where the file does not tell it.
+std::vector<std::string> unclear_parts(const Log& log) {
+  std::vector<std::string> parts;
+  if (!log.series.has_clock) parts.emplace_back("No column tells the time, and no line the interval of the rows.");
+  bool measured = false;
+  for (const LogColumn& column : log.columns) {
+    if (column.name.empty()) continue;
+    measured = measured || column.role == Role::measured;
+    if (column.role == Role::measured && column.unit.empty() && column.found_unit.empty())
+      parts.push_back(fmt::format("{} has no unit.", column.source));
+    if (column.role == Role::event && column.why.ends_with('?'))
+      parts.push_back(fmt::format("{}: {}", column.source, column.why));
+  }
+  if (!measured) parts.emplace_back("No column is known as measured.");
+  return parts;
+}
+
+// A row a burst: the mean of its rows, at the mean of their times. Bursts are parted by steps of time that are far
+// longer than the middle one. Throws Error where there are none.
+void take_burst_means(Series& series, const std::string& name) {
+  const double longest_s = kBetweenBursts * median_step_s(series.time_s);
+  std::vector<std::size_t> begins{0};
+  for (std::size_t row = 1; row < series.time_s.size(); ++row) {
+    if (series.time_s[row] - series.time_s[row - 1] > longest_s) begins.push_back(row);
+  }
+  if (begins.size() < 2) throw Error(fmt::format("{}: expected rows in bursts for --burst-means, found none.", name));
+  begins.push_back(series.time_s.size());
+  const auto means = [&](const std::vector<double>& of) {
+    std::vector<double> mean;
+    mean.reserve(begins.size() - 1);
+    for (std::size_t k = 0; k + 1 < begins.size(); ++k) {
+      double sum = 0.0;
+      std::size_t count = 0;
+      for (std::size_t row = begins[k]; row < begins[k + 1]; ++row) {
+        if (!std::isfinite(of[row])) continue;
+        sum += of[row];
+        ++count;
+      }
+      mean.push_back(count == 0 ? kGap : sum / static_cast<double>(count));
+    }
+    return mean;
+  };
+  series.time_s = means(series.time_s);
+  for (Column& column : series.columns) column.values = means(column.values);
+}
+
+// `joined`: columns that the recipe names may be in another file.
+Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   const std::string& name = source.name();
   const LogShape shape = log_shape(source, recipe);
   LogPlan plan = log_plan(shape, name, recipe);
-  expect_recipe_columns(plan, name, std::max<std::size_t>(1, shape.header_line), recipe);
+  if (!joined) expect_recipe_columns(plan, name, std::max<std::size_t>(1, shape.header_line), recipe);
   LogTable table = log_table(source, shape, plan, recipe);
   if (table.rows < 2) {
     throw Error(fmt::format("{}:{}: expected at least two rows, found {}.", name, shape.first_row_line, table.rows));
@@ -207,24 +276,110 @@ Log log_of(const Source& source, const LogRecipe& recipe) {
   log.time = plan.time.text;
   log.first_row_line = shape.first_row_line;
   say_lines(table, log);
+  log.skipped_lines = table.bad_lines;
   std::optional<double> started_s;
   log.series.time_s = clock_s(table, plan, name, started_s, log.remarks);
+  log.series.has_clock = !plan.time.numbered;
   if (started_s) log.series.started = stamp_text(*started_s);
+  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+    if (plan.columns[i].kind != ColumnKind::number) continue;
+    const std::string gone = take_sentinels(table.values[i]);
+    if (!gone.empty()) log.remarks.push_back(fmt::format("{}: {}: taken for no value.", plan.columns[i].source, gone));
+  }
+  std::vector<std::string> assumed(plan.columns.size());
+  for (const TemperatureFamily& family : temperatures_among(plan, table.values)) {
+    for (const std::size_t i : family.columns) {
+      plan.columns[i].unit = "degC";
+      assumed[i] = "by name and values";
+    }
+    log.remarks.push_back(family.text);
+  }
   std::set<std::string> taken;
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     const PlannedColumn& column = plan.columns[i];
     const bool is_time = column.kind != ColumnKind::number && column.kind != ColumnKind::left_out;
     if (is_time || (plan.time.kind == TimePlan::Kind::number && i == plan.time.column)) continue;
     if (column.kind == ColumnKind::left_out) {
-      log.columns.push_back({column.source, "", column.unit, "", Role::event, column.why, 0});
+      log.columns.push_back({column.source, "", column.unit, "", Role::event, column.why, 0, {}});
     } else {
-      take_column(column, recipe_of_column(recipe, column), std::move(table.values[i]), log, taken);
+      take_column(column, std::move(table.values[i]), assumed[i], log, taken);
+      if (!assumed[i].empty()) log.columns.back().found_unit.clear();
     }
   }
   if (log.series.columns.empty())
     throw Error(fmt::format("{}:{}: expected a column with values, found none.", name, shape.first_row_line));
   log.recipe = recipe_of(log, shape, plan, recipe);
   return log;
+}
+
+// The log of a file, whatever it is; those of Source::recipe().join not yet beside it.
+Log one_log(const Source& source, const LogRecipe& recipe, bool joined) {
+  if (!is_table_file(source.head(512))) return log_of(source, recipe, joined);
+  auto text = table_text(source.bytes(kLargestTable), source.name(), recipe);
+  LogRecipe tabs = recipe;
+  tabs.delimiter = '\t';
+  Log log = [&] {
+    try {
+      return log_of(Source::of_text(text->name, std::move(text->text)), tabs, joined);
+    } catch (const Error& error) {
+      if (text->sheet.empty()) throw;
+      throw Error(fmt::format("{} In the sheet {}; --sheet names another.", error.what(), in_quotes(text->sheet)));
+    }
+  }();
+  log.shape = text->shape;
+  log.sheets = std::move(text->sheets);
+  log.recipe.sheet = text->sheet;
+  log.recipe.delimiter.reset();
+  log.recipe.decimal.reset();
+  return log;
+}
+
+// The columns of another file beside those of the log, row by row.
+void join(Log& log, const Source& source, const std::string& file, const LogRecipe& recipe) {
+  LogRecipe other = recipe;
+  other.sheet = log.recipe.sheet;
+  other.time = "none";
+  other.every_s.reset();
+  Log beside = one_log(file, other, true);
+  if (log.series.has_clock && !log.skipped_lines.empty()) {
+    throw Error(fmt::format("{}:{}: expected rows of numbers alone, for {} is joined row by row, found another.",
+                            source.name(), log.skipped_lines.front(), file));
+  }
+  Series& series = log.series;
+  const std::size_t rows = series.time_s.size(), others = beside.series.time_s.size(), both = std::min(rows, others);
+  if (both * 10 < std::max(rows, others) * 9) {
+    throw Error(
+        fmt::format("{}: expected about as many rows as in {}, {}, found {}.", file, source.name(), rows, others));
+  }
+  if (rows != others) {
+    log.remarks.push_back(fmt::format("{} rows here and {} in {}: the last {} are left out.", rows, others, file,
+                                      std::max(rows, others) - both));
+  }
+  std::set<std::string> taken;
+  for (const Column& column : series.columns) taken.insert(column.name);
+  std::size_t k = 0;
+  for (LogColumn& column : beside.columns) {
+    if (!column.name.empty()) {
+      Column& values = beside.series.columns[k++];
+      values.name = column.name = free_name(values.name, column.unit, taken);
+      series.columns.push_back(std::move(values));
+    }
+    log.columns.push_back(std::move(column));
+  }
+  series.time_s.resize(both);
+  for (Column& column : series.columns) column.values.resize(both);
+  log.remarks.push_back(
+      fmt::format("{} of {} are beside these, row by row.", k == 1 ? "1 column" : fmt::format("{} columns", k), file));
+  std::move(beside.remarks.begin(), beside.remarks.end(), std::back_inserter(log.remarks));
+}
+
+void expect_joined_columns(const Log& log, const std::string& name, const LogRecipe& recipe) {
+  LogPlan all;
+  for (const LogColumn& column : log.columns) {
+    all.columns.emplace_back().source = column.source;
+    all.columns.back().name = name_and_unit(column.source).name;
+  }
+  expect_recipe_columns(all, name, 1, recipe);
 }
 
 }  // namespace
@@ -239,31 +394,62 @@ constinit const Reader readers::kLog = {
 };
 
 Log read_log(std::string_view bytes, const std::string& name, const LogRecipe& recipe) {
-  if (auto text = table_text(bytes, name, recipe)) {
-    LogRecipe tabs = recipe;
-    tabs.delimiter = '\t';
-    Log log = [&] {
-      try {
-        return log_of(Source::of_text(text->name, std::move(text->text)), tabs);
-      } catch (const Error& error) {
-        if (text->sheet.empty()) throw;
-        throw Error(fmt::format("{} In the sheet {}; --sheet names another.", error.what(), in_quotes(text->sheet)));
-      }
-    }();
-    log.shape = text->shape;
-    log.recipe.sheet = text->sheet;
-    log.recipe.delimiter.reset();
-    log.recipe.decimal.reset();
-    return log;
-  }
-  return log_of(Source::of_text(name, std::string(bytes)), recipe);
+  Source source = Source::of_text(name, std::string(bytes));
+  source.set_recipe(std::make_shared<const LogRecipe>(recipe));
+  return open_log(source);
 }
 
-Log open_log(const Source& source, const LogRecipe& recipe) {
-  if (is_table_file(source.head(512))) return read_log(source.bytes(kLargestTable), source.name(), recipe);
-  Log log = log_of(source, recipe);
+Log open_log(const Source& source) {
+  const LogRecipe& recipe = source.recipe();
+  Log log = one_log(source, recipe, !recipe.join.empty());
+  for (const std::string& file : recipe.join) join(log, source, file, recipe);
+  if (!recipe.join.empty()) expect_joined_columns(log, source.name(), recipe);
+  if (recipe.burst_means) {
+    const std::size_t rows = log.series.time_s.size();
+    take_burst_means(log.series, source.name());
+    log.remarks.push_back(
+        fmt::format("{} rows come in {} bursts: a row is the mean of one.", rows, log.series.time_s.size()));
+  }
+  log.unclear = unclear_parts(log);
   source.close();
   return log;
+}
+
+std::vector<std::string> sheets_of(const Source& source) {
+  if (!is_table_file(source.head(512))) return {};
+  return alike_sheets(source.bytes(kLargestTable), source.name());
+}
+
+Series with_stated_columns(Series series, const LogRecipe& recipe, const std::string& name) {
+  if (recipe.columns.empty()) return series;
+  LogPlan plan;
+  for (const Column& column : series.columns) {
+    PlannedColumn& planned = plan.columns.emplace_back();
+    const std::string_view unit = unit_of(column.name);
+    planned.source = column.name;
+    planned.name = unit.empty() ? column.name : column.name.substr(0, column.name.size() - unit.size() - 1);
+    planned.stated = stated_of(recipe, planned.source, planned.name, !unit.empty());
+  }
+  expect_recipe_columns(plan, name, 1, recipe);
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+    const ColumnRecipe& stated = plan.columns[i].stated;
+    Column& column = series.columns[i];
+    if (stated.left_out) continue;
+    if (!stated.unit.empty()) {
+      const LogUnit unit = stated_unit(stated.unit, column.name);
+      for (double& value : column.values) value = value * unit.factor + unit.offset;
+      column.name =
+          unit.canonical.empty() ? plan.columns[i].name : fmt::format("{}_{}", plan.columns[i].name, unit.canonical);
+      column.role = role_from_unit(unit.canonical);
+    }
+    if (stated.role) column.role = *stated.role;
+    if (!stated.name.empty()) column.name = stated.name;
+    columns.push_back(std::move(column));
+  }
+  if (columns.empty()) throw Error(fmt::format("{}: expected a column that is not left out, found none.", name));
+  series.columns = std::move(columns);
+  return series;
 }
 
 std::optional<double> seconds_of_stamp(std::string_view started) {

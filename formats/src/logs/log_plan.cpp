@@ -18,6 +18,35 @@
 namespace ballbar {
 namespace {
 
+// Of ASCII, so that a name is found in capitals or not.
+std::string small(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return lower;
+}
+
+bool is_pattern(std::string_view text) { return text.find_first_of("*?") != std::string_view::npos; }
+
+// Whether the text has the form of the pattern: * any signs, ? one.
+bool suits(std::string_view pattern, std::string_view text) {
+  std::size_t at = 0, in_text = 0, star = std::string_view::npos, from = 0;
+  while (in_text < text.size()) {
+    if (at < pattern.size() && pattern[at] == '*') {
+      star = at++;
+      from = in_text;
+    } else if (at < pattern.size() && (pattern[at] == '?' || pattern[at] == text[in_text])) {
+      ++at;
+      ++in_text;
+    } else if (star != std::string_view::npos) {
+      at = star + 1;
+      in_text = ++from;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', at) == std::string_view::npos;
+}
+
 bool names_a_count(std::string_view name) {
   constexpr std::string_view kNames[] = {
       "",        "no",      "nr",   "number", "index",  "unnamed 0", "sample",  "samples",       "row",
@@ -36,11 +65,16 @@ void name_columns(const LogShape& shape, LogPlan& plan) {
     column.unit = split.unit;
     if (column.unit.empty() && !shape.units[i].empty() && shape.units[i] != "-") column.unit = shape.units[i];
     column.headed = !column.source.empty();
-    if (column.source.empty()) column.source = column.name = fmt::format("column {}", i + 1);
+    if (column.source.empty()) column.source = column.name = fmt::format("c{}", i + 1);
     if (column.name.empty()) column.name = column.source;
     if (column.unit.empty() && folded(column.name) == "x value") column.unit = "s";  // LabVIEW's measurement files
     plan.columns.push_back(std::move(column));
   }
+}
+
+void take_stated(const LogRecipe& recipe, LogPlan& plan) {
+  for (PlannedColumn& column : plan.columns)
+    column.stated = stated_of(recipe, column.source, column.name, !column.unit.empty());
 }
 
 // "Y_Unit_Label Volts Amps", one a channel, behind the column of X: LabVIEW's measurement files.
@@ -111,17 +145,16 @@ void expect_no_tags(const LogShape& shape, const LogPlan& plan, const std::vecto
 
 // What is left of the columns after the time: numbers, or why not.
 void plan_values(const std::vector<ColumnSample>& samples, const LogRecipe& recipe, LogPlan& plan) {
-  const bool counted = plan.time.kind != TimePlan::Kind::rows || recipe.every_s;
+  const bool counted = plan.time.kind != TimePlan::Kind::rows || recipe.every_s || plan.time.numbered;
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     PlannedColumn& column = plan.columns[i];
     if (column.kind != ColumnKind::left_out) continue;
     const ColumnSample& sample = samples[i];
-    const ColumnRecipe* const stated = recipe_of_column(recipe, column);
-    if (stated != nullptr && stated->left_out) {
+    if (column.stated.left_out) {
       column.why = "left out by the recipe";
-    } else if (stated != nullptr && !stated->unit.empty()) {
+    } else if (!column.stated.unit.empty() && sample.numbers > 0) {
       column.kind = ColumnKind::number;
-      column.unit = stated->unit;
+      column.unit = column.stated.unit;
     } else if (sample.written() == 0) {
       const bool headed = column.headed;
       column.kind = headed ? ColumnKind::number : ColumnKind::left_out;  // empty: of a separator at the end of the line
@@ -143,14 +176,27 @@ void plan_values(const std::vector<ColumnSample>& samples, const LogRecipe& reci
 
 }  // namespace
 
-bool is_of(const ColumnRecipe& recipe, const PlannedColumn& column) {
-  return recipe.source == column.source || recipe.source == column.name;
+bool is_of(const ColumnRecipe& recipe, std::string_view source, std::string_view name) {
+  if (recipe.source == source || recipe.source == name) return true;
+  const std::string key = small(recipe.source);
+  return suits(key, small(source)) || suits(key, small(name));
 }
 
-const ColumnRecipe* recipe_of_column(const LogRecipe& recipe, const PlannedColumn& column) {
-  const auto found = std::find_if(recipe.columns.begin(), recipe.columns.end(),
-                                  [&](const ColumnRecipe& one) { return is_of(one, column); });
-  return found == recipe.columns.end() ? nullptr : &*found;
+ColumnRecipe stated_of(const LogRecipe& recipe, std::string_view source, std::string_view name, bool has_unit) {
+  ColumnRecipe stated;
+  const auto take = [&](const ColumnRecipe& one, bool unit_too) {
+    stated.source = source;
+    if (!one.name.empty()) stated.name = one.name;
+    if (!one.unit.empty() && unit_too) stated.unit = one.unit;
+    if (one.role) stated.role = one.role;
+    stated.left_out = stated.left_out || one.left_out;
+  };
+  for (const bool patterns : {true, false}) {
+    for (const ColumnRecipe& one : recipe.columns) {
+      if (is_pattern(one.source) == patterns && is_of(one, source, name)) take(one, !patterns || !has_unit);
+    }
+  }
+  return stated;
 }
 
 LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe& recipe) {
@@ -158,6 +204,7 @@ LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe
   name_columns(shape, plan);
   label_units(shape, plan);
   name_channels(shape, plan);
+  take_stated(recipe, plan);
   const std::vector<ColumnSample> samples = samples_of(shape);
   find_time(shape, name, recipe, samples, plan);
   plan_values(samples, recipe, plan);

@@ -21,7 +21,8 @@ struct PlannedColumn {
   std::string unit;    // as written
   bool headed = true;  // has a header
   ColumnKind kind = ColumnKind::left_out;
-  std::string why;  // why it is left out
+  std::string why;      // why it is left out
+  ColumnRecipe stated;  // all that the recipe says of it; `source` is empty where that is nothing
 };
 
 struct TimePlan {
@@ -32,6 +33,7 @@ struct TimePlan {
   double resolution_s = 0.0;            // to which a number is rounded when it became seconds; 0: kept as it is
   std::optional<double> zero_s;         // number: seconds from 1970 to its zero, where it counts from a date
   double every_s = 0.0;                 // rows
+  bool numbered = false;                // rows without a clock
   std::optional<DateOrder> order;       // stamps; empty: not known yet
   bool minutes_and_seconds = false;     // stamps without hours
   bool two_fields_are_minutes = false;  // 05:10 is five minutes, as the header says
@@ -44,11 +46,12 @@ struct LogPlan {
   TimePlan time;
 };
 
-// Whether the recipe's column is this one: by its header, with or without the unit.
-bool is_of(const ColumnRecipe& recipe, const PlannedColumn& column);
+// Whether the recipe's column is this one: by its header, with or without the unit, in capitals or not, or by a pattern
+// with * and ?.
+bool is_of(const ColumnRecipe& recipe, std::string_view source, std::string_view name);
 
-// What the recipe says of the column; nullptr: nothing.
-const ColumnRecipe* recipe_of_column(const LogRecipe& recipe, const PlannedColumn& column);
+// All that the recipe says of a column, a name before a pattern.
+ColumnRecipe stated_of(const LogRecipe& recipe, std::string_view source, std::string_view name, bool has_unit);
 
 // Throws Error with name:line where the time cannot be told.
 LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe& recipe);

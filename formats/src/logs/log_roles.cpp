@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ballbar/nearest_name.hpp"
 #include "logs/text_fold.hpp"
 
 namespace ballbar {
@@ -106,12 +107,47 @@ constexpr std::string_view kMeasured[] = {"probe",       "taster",       "messta
                                           "error",       "abweichung",   "位移",       "変位",      "palpador",
                                           "capteur",     "测头",         "プローブ",   "误差",      "gap",
                                           "abstand",     "tir",          "gauge",      "delta l",   "deviation",
-                                          "ecart",       "wegsensor",    "elongation", "längung",   "laengung"};
-constexpr std::string_view kTemperature[] = {"temp", "temperature", "temperatur", "temperatura", "thermo", "pt100",
-                                             "温度", "温",          "tc",         "rtd",         "ntc"};
+                                          "ecart",       "wegsensor",    "elongation", "längung",   "laengung",
+                                          "err",         "fehler",       "disp",       "displ",     "dilatation",
+                                          "dehnung",     "expansion",    "growth",     "dl",        "verformung",
+                                          "deformation", "伸长",         "热误差",     "变形",      "熱変位",
+                                          "伸び",        "偏差",         "erreur",     "errore",    "desviacion"};
+constexpr std::string_view kTemperature[] = {
+    "temp",          "temperature", "temperatur", "temperatura", "temperatures", "tmp",    "thermo", "thermocouple",
+    "thermoelement", "termocoppia", "termopar",   "pt",          "pt100",        "pt1000", "tc",     "rtd",
+    "ntc",           "thermistor",  "温度",       "温",          "热电偶",       "測温",   "测温"};
+// Parts that the roles above do not name.
+constexpr std::string_view kSpindle[] = {"spindle", "spindel", "mandrino", "husillo",
+                                         "broche",  "主轴",    "主軸",     "スピンドル"};
+constexpr std::string_view kStructure[] = {
+    "bed",      "bett",     "maschinenbett", "bancada",  "banc",      "bancale",       "basamento",
+    "lit",      "床身",     "ベッド",        "column",   "stander",   "saule",         "colonne",
+    "montante", "colonna",  "columna",       "立柱",     "コラム",    "frame",         "rahmen",
+    "gestell",  "bati",     "telaio",        "bastidor", "机架",      "フレーム",      "motor",
+    "moteur",   "motore",   "电机",          "電機",     "モータ",    "马达",          "table",
+    "tisch",    "tavola",   "mesa",          "工作台",   "テーブル",  "head",          "headstock",
+    "kopf",     "testa",    "cabezal",       "ram",      "schieber",  "saddle",        "schlitten",
+    "slide",    "nut",      "mutter",        "screw",    "ballscrew", "spindelmutter", "kugelgewindetrieb",
+    "丝杠",     "螺母",     "ボールねじ",    "guide",    "guideway",  "fuhrung",       "导轨",
+    "scale",    "massstab", "光栅",          "extruder", "nozzle",    "hotend",        "heater",
+    "base",     "sockel",   "底座",          "横梁",     "crossbeam", "traverse",      "portal",
+    "gantry",   "turret",   "revolver",      "chuck",    "futter",    "quill",         "pinole",
+    "滑枕",     "body",     "machine",       "maschine", "flange",    "flansch"};
+constexpr std::string_view kChamber[] = {"chamber", "enclosure", "kammer",  "klimakammer", "klimaschrank",
+                                         "lab",     "labor",     "outside", "inside",      "恒温"};
 constexpr std::string_view kOtherPercent[] = {"humidity", "feuchte", "humidite", "umidita",   "humedad", "湿度",
                                               "override", "ventil",  "valve",    "fullstand", "level",   "duty",
                                               "rh",       "pegel",   "battery",  "vorschub"};
+// Of what is no temperature, whatever part it is of.
+constexpr std::string_view kOtherQuantity[] = {
+    "flow",     "durchfluss", "debit",    "portata",   "caudal",   "流量",      "pressure", "druck",
+    "pression", "pressione",  "presion",  "压力",      "圧力",     "voltage",   "spannung", "tension",
+    "电压",     "電圧",       "volt",     "pos",       "position", "posizione", "posicion", "位置",
+    "axis",     "achse",      "feed",     "vibration", "vib",      "rms",       "freq",     "frequency",
+    "state",    "status",     "alarm",    "code",      "count",    "counter",   "zahler",   "adc",
+    "raw",      "bit",        "day",      "month",     "hour",     "minute",    "tag",      "week",
+    "power",    "target",     "setpoint", "set",       "soll",     "sollwert",  "pwm",      "fan",
+    "bat",      "tool",       "program",  "cycle",     "step",     "gain",      "angle",    "winkel"};
 
 template <std::size_t kSize>
 bool says(const std::string& key, const std::string_view (&words)[kSize]) {
@@ -126,6 +162,36 @@ bool says(const std::string& key, const std::string_view (&words)[kSize]) {
     }
     return false;
   });
+}
+
+// Whether a word of the name is one of these, or so near that it is one misspelled: a letter, of eight and more two. It
+// begins alike.
+template <std::size_t kSize>
+bool nearly_says(const std::string& key, const std::string_view (&words)[kSize]) {
+  if (says(key, words)) return true;
+  for (std::size_t at = 0; at < key.size();) {
+    const std::size_t end = std::min(key.find(' ', at), key.size());
+    const std::string_view written = std::string_view(key).substr(at, end - at);
+    at = end + 1;
+    if (written.size() < 5) continue;
+    const bool near = std::any_of(std::begin(words), std::end(words), [&](std::string_view word) {
+      const std::size_t most = word.size() >= 8 ? 2 : 1;
+      return word.size() >= 5 && word.front() == written.front() && letters_apart(written, word) <= most;
+    });
+    if (near) return true;
+  }
+  return false;
+}
+
+// "t3", "t 3", "t", "frame t", "t air"; a letter alone is the name of a temperature too.
+bool has_letter_t(const std::string& key) {
+  const std::string spaced = " " + key + " ";
+  for (std::size_t at = spaced.find(" t"); at != std::string::npos; at = spaced.find(" t", at + 1)) {
+    std::size_t end = at + 2;
+    while (end < spaced.size() && is_digit(spaced[end])) ++end;
+    if (spaced[end] == ' ') return true;
+  }
+  return false;
 }
 
 // Held for many rows at round numbers of at least 200, never below 0: a spindle's programme.
@@ -144,11 +210,21 @@ bool moves_as_speed(std::span<const double> values) {
   return rows >= 20 && held * 10 >= rows * 7 && round * 10 >= held * 9;
 }
 
+// "x1", "z", "dx", "y2": probes on the axes of a machine.
+bool names_a_probe(const std::string& key) {
+  std::string_view name = key;
+  if (name.starts_with('d')) name.remove_prefix(1);
+  return !name.empty() && name.size() <= 2 && name[0] >= 'x' && name[0] <= 'z' &&
+         (name.size() == 1 || (name[1] >= '1' && name[1] <= '3'));
+}
+
 FoundRole temperature_role(const std::string& key) {
-  if (says(key, kBearing)) return {Role::bearing, "by its name", ""};
-  if (says(key, kCoolant)) return {Role::coolant, "by its name", ""};
-  if (says(key, kHousing)) return {Role::housing, "by its name", ""};
-  if (says(key, kAmbient)) return {Role::ambient, "by its name", ""};
+  if (nearly_says(key, kBearing)) return {Role::bearing, "by its name", ""};
+  if (nearly_says(key, kCoolant)) return {Role::coolant, "by its name", ""};
+  if (nearly_says(key, kHousing)) return {Role::housing, "by its name", ""};
+  if (nearly_says(key, kAmbient) || nearly_says(key, kChamber)) return {Role::ambient, "by its name", ""};
+  if (nearly_says(key, kStructure)) return {Role::structure, "by its name", ""};
+  if (nearly_says(key, kSpindle)) return {Role::housing, "by its name", ""};
   return {Role::structure, "by its unit", ""};
 }
 
@@ -163,6 +239,19 @@ Extremes extremes_of(std::span<const double> values, double but) {
     found.most = std::max(found.most, value);
   }
   return found;
+}
+
+bool names_a_temperature(std::string_view name) {
+  const std::string key = folded(name);
+  return says(key, kTemperature) || has_letter_t(key) || nearly_says(key, kBearing) || nearly_says(key, kCoolant) ||
+         nearly_says(key, kHousing) || nearly_says(key, kAmbient) || nearly_says(key, kChamber) ||
+         nearly_says(key, kStructure) || nearly_says(key, kSpindle);
+}
+
+bool names_another_quantity(std::string_view name) {
+  const std::string key = folded(name);
+  return says(key, kOtherPercent) || says(key, kOtherQuantity) || says(key, kSpeed) || says(key, kLoad) ||
+         says(key, kMeasured) || names_a_probe(key);
 }
 
 FoundRole found_role(std::string_view name, std::string_view unit, std::span<const double> values) {
@@ -186,6 +275,7 @@ FoundRole found_role(std::string_view name, std::string_view unit, std::span<con
     if (far_um > kFarFromZero_um) return {Role::event, "far from zero, as the place of an axis", ""};
     return {Role::measured, "by its unit", ""};
   }
+  if (unit == "V" && says(key, kMeasured)) return {Role::measured, "by its name", ""};
   if (!unit.empty()) return {Role::event, "", ""};
   // Without a unit.
   const Extremes range = extremes_of(values);
@@ -203,7 +293,10 @@ FoundRole found_role(std::string_view name, std::string_view unit, std::span<con
     return {Role::speed, "by its name", ""};
   }
   if (says(key, kLoad)) return {Role::load, "by its name", ""};
-  if (says(key, kMeasured)) return {Role::measured, "by its name; in which unit?", ""};
+  if (says(key, kMeasured) || names_a_probe(key)) {
+    if (range.most - range.least > kTravel_um) return {Role::event, "moves too far for a probe", ""};
+    return {Role::measured, "by its name; in which unit?", ""};
+  }
   if (moves_as_speed(values)) return {Role::speed, "held at round numbers, as a speed; no unit, taken for rpm", "rpm"};
   return {Role::event, "", ""};
 }

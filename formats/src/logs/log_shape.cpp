@@ -279,8 +279,8 @@ Cut best_cut(const std::vector<HeadLine>& lines, const LogRecipe& recipe) {
   Cut best;
   for (const char delimiter : kDelimiters) {
     if (recipe.delimiter && delimiter != *recipe.delimiter) continue;
-    // One column alone is a table only where the interval of the rows is known.
-    const Cut cut = cut_by(lines, delimiter, recipe.every_s ? 1 : 2);
+    // One column alone is a table only where a user says how its rows run.
+    const Cut cut = cut_by(lines, delimiter, recipe.every_s || recipe.time == "none" ? 1 : 2);
     // Blanks stand between words too: another sign goes first.
     if (cut.score > best.score * (delimiter == ' ' ? 1.1 : 1.02) + 1e-9) best = cut;
   }

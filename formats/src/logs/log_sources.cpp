@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
+#include "logs/log_shape.hpp"
 #include "text/json_source.hpp"
 
 namespace ballbar {
@@ -139,6 +140,22 @@ std::string as_cell(std::string_view text) {
 }
 
 bool is_table_file(std::string_view head) { return is_workbook(head) || is_mat_file(head) || is_json(head); }
+
+std::vector<std::string> alike_sheets(std::string_view bytes, const std::string& name) {
+  if (!is_workbook(bytes.substr(0, 512))) return {};
+  std::vector<std::string> sheets;
+  std::vector<std::string> headers;
+  LogRecipe tabs;
+  tabs.delimiter = '\t';
+  tabs.time = "none";
+  for (const TableText& table : workbook_tables(bytes, name)) {
+    if (!holds_table(std::string_view(table.text).substr(0, kHeadBytes))) continue;
+    const LogShape shape = log_shape(Source::of_text(name, table.text), tabs);
+    if (sheets.empty()) headers = shape.headers;
+    if (shape.headers == headers) sheets.push_back(table.sheet);
+  }
+  return sheets;
+}
 
 std::optional<TableText> table_text(std::string_view bytes, const std::string& name, const LogRecipe& recipe) {
   const std::string_view head = bytes.substr(0, 512);

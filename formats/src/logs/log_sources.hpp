@@ -18,6 +18,7 @@ struct TableText {
   std::string name;   // for messages: "log.xlsx[Sheet1]"
   std::string shape;  // in words: "a workbook, sheet \"Sheet1\""
   std::string sheet;
+  std::vector<std::string> sheets;  // all of the workbook
 };
 
 // In one cell: no tab, no line end, no quote.
@@ -30,10 +31,17 @@ std::string as_cell(std::string_view text);
 TableText mat_table(std::string_view bytes, const std::string& name);
 
 // A sheet of a workbook, .xlsx (ECMA-376); in a build without libzip (BALLBAR_XLSX=OFF) an Error says what to install.
-// `sheet`: its name, or its number from 1; empty: the first. Cells are taken as the values they show: a formula by what
-// was stored of it, dates and percentages by their formats; links to other files are never followed. Throws Error: no
-// workbook, no such sheet, above 256 MiB when unpacked.
+// `sheet`: its name, or its number from 1; empty: the first that holds a table. Cells are taken as the values they
+// show: a formula by what was stored of it, dates and percentages by their formats; links to other files are never
+// followed. Throws Error: no workbook, no such sheet, above 256 MiB when unpacked.
 TableText workbook_table(std::string_view bytes, const std::string& name, const std::string& sheet);
+
+// The sheets of a workbook with a table under the names that the first of them has, in their order; none of another
+// file. Throws as workbook_table.
+std::vector<std::string> alike_sheets(std::string_view bytes, const std::string& name);
+
+// As workbook_table, of each sheet; those that are empty have no text.
+std::vector<TableText> workbook_tables(std::string_view bytes, const std::string& name);
 
 bool is_table_file(std::string_view head);  // by its first bytes
 

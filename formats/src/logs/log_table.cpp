@@ -84,6 +84,15 @@ class Table {
     }
   }
 
+  // The table, where not too many rows are skipped.
+  LogTable taken() {
+    const std::size_t bad = table_.bad_lines.size();
+    const std::size_t all = table_.rows + (plan_.time.kind == TimePlan::Kind::rows ? 0 : bad);
+    if (recipe_.skip_bad_rows || bad * 100 <= all) return std::move(table_);
+    if (bad == 1) throw Error(fmt::format("{} --skip-bad-rows leaves the row out.", first_fault_));
+    throw Error(fmt::format("{} {} of {} rows are such; --skip-bad-rows leaves them out.", first_fault_, bad, all));
+  }
+
   LogTable table_;
   OrderEvidence evidence_;
   bool open_order_ = false;
@@ -105,9 +114,16 @@ class Table {
     return at == end || *at == shape_.delimiter || (shape_.delimiter == ' ' && *at == '\t');
   }
 
-  [[noreturn]] void fail_cell(std::size_t column, std::string_view cell, std::size_t line) const {
-    throw Error(fmt::format("{}:{}: expected a number for {}, found {}; --missing takes such a text for a gap.", name_,
-                            line, in_quotes(plan_.columns[column].source), in_quotes(trimmed_cell(cell))));
+  // Counts a row that is none of numbers.
+  bool skip(const std::string& fault, std::size_t line) {
+    if (table_.bad_lines.empty()) first_fault_ = fmt::format("{}:{}: {}", name_, line, fault);
+    table_.bad_lines.push_back(line);
+    if (plan_.time.kind != TimePlan::Kind::rows) return false;
+    for (std::size_t i = 0; i < plan_.columns.size(); ++i) {  // the rows behind it keep their numbers
+      if (plan_.columns[i].kind == ColumnKind::number) table_.values[i].push_back(kGap);
+    }
+    ++table_.rows;
+    return true;
   }
 
   // Adds the row, or counts the line among others.
@@ -192,8 +208,16 @@ class Table {
       ++table_.other_lines;
       return false;
     }
-    if (bad) fail_cell(*bad, bad_cell, line);
-    if (more) expect_blank(rest, line);
+    if (bad) {
+      return skip(fmt::format("expected a number for {}, found {}; --missing takes such a text for a gap.",
+                              in_quotes(plan_.columns[*bad].source), in_quotes(trimmed_cell(bad_cell))),
+                  line);
+    }
+    if (more && !is_remark(rest)) {
+      return skip(fmt::format("expected {} values, one for each column, found more: {}.", plan_.columns.size(),
+                              in_quotes(rest)),
+                  line);
+    }
     if (column < plan_.columns.size()) {
       for (std::size_t i = column; i < plan_.columns.size(); ++i) row_[i] = kGap;
       ++table_.short_rows;
@@ -206,16 +230,13 @@ class Table {
     return true;
   }
 
-  void expect_blank(std::string_view rest, std::size_t line) const {
-    if (rest.find_first_not_of(" \t;,|") == std::string_view::npos) return;
-    // A word behind the last column is a remark; a number would be of a column that the rows before did not have.
+  // A word behind the last column is a remark; a number would be of a column that the rows before did not have.
+  [[nodiscard]] bool is_remark(std::string_view rest) const {
+    if (rest.find_first_not_of(" \t;,|") == std::string_view::npos) return true;
     std::vector<std::string_view> cells;
     split_cells(rest, shape_.delimiter, cells);
-    const bool words = std::all_of(cells.begin(), cells.end(),
-                                   [](std::string_view cell) { return look_of(cell).kind == NumberLook::Kind::other; });
-    if (words) return;
-    throw Error(fmt::format("{}:{}: expected {} values, one for each column, found more: {}.", name_, line,
-                            plan_.columns.size(), in_quotes(rest)));
+    return std::all_of(cells.begin(), cells.end(),
+                       [](std::string_view cell) { return look_of(cell).kind == NumberLook::Kind::other; });
   }
 
   bool take_stamp(std::size_t line, double& time_s) {
@@ -265,6 +286,7 @@ class Table {
   const LogRecipe& recipe_;
   std::vector<double> row_;
   std::size_t number_columns_ = 0;
+  std::string first_fault_;
   std::string_view date_, clock_, milli_;
   double zone_s_ = 0.0;
 };
@@ -286,19 +308,19 @@ LogTable log_table(const Source& source, const LogShape& shape, LogPlan& plan, c
   for (;;) {
     Table table(shape, plan, name, recipe, rows);
     table.read(source);
-    if (plan.time.order || plan.time.kind != TimePlan::Kind::stamps) return std::move(table.table_);
+    if (plan.time.order || plan.time.kind != TimePlan::Kind::stamps) return table.taken();
     plan.time.order = table.evidence_.order();
     if (!plan.time.order) {
       if (table.first_either_.empty()) {
         plan.time.order = DateOrder::day_first;
-        return std::move(table.table_);
+        return table.taken();
       }
       throw Error(fmt::format(
           "{}:{}: expected a date that can be read in one way, found {}: the third number is the year, but which of "
           "the others is the month? Say --dates day-first or --dates month-first.",
           name, table.first_either_line_, in_quotes(table.first_either_)));
     }
-    if (plan.time.order == DateOrder::day_first) return std::move(table.table_);
+    if (plan.time.order == DateOrder::day_first) return table.taken();
   }
 }
 

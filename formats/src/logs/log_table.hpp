@@ -22,11 +22,13 @@ struct LogTable {
   bool zoned = false;                                      // the clock states its zone: no summer time, no doubt
   std::vector<std::pair<std::size_t, std::size_t>> lines;  // (row, line) wherever lines were passed over
   std::size_t rows = 0, other_lines = 0, without_time = 0, short_rows = 0;
+  std::vector<std::size_t> bad_lines;  // skipped; where rows are counted, a row of gaps each
 
   [[nodiscard]] std::size_t line_of(std::size_t row) const;
 };
 
-// Throws Error with name:line where a cell is no number, a row has too many cells, or dates can be read in two ways.
+// Skips rows in which a cell is no number, or that have too many cells, one in a hundred; all by the recipe. Throws
+// Error with name:line where there are more, or where dates can be read in two ways.
 LogTable log_table(const Source& source, const LogShape& shape, LogPlan& plan, const LogRecipe& recipe);
 
 }  // namespace ballbar

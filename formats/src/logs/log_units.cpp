@@ -1,9 +1,15 @@
 #include "logs/log_units.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <utility>
 
+#include "ballbar/error.hpp"
+#include "ballbar/nearest_name.hpp"
 #include "logs/text_fold.hpp"
 #include "text/cells.hpp"
 
@@ -193,6 +199,20 @@ std::optional<LogUnit> log_unit(std::string_view text) {
   const auto* found = std::find_if(std::begin(kUnits), std::end(kUnits), [&](const Known& k) { return k.text == key; });
   if (found == std::end(kUnits)) return std::nullopt;
   return found->unit;
+}
+
+LogUnit stated_unit(std::string_view text, std::string_view column) {
+  if (text == "none") return {};
+  if (const auto unit = log_unit(text)) return *unit;
+  text = bare(text);
+  double scale = 0.0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), scale);
+  const auto unit = log_unit(text.substr(static_cast<std::size_t>(rest - text.data())));
+  if (error == std::errc{} && unit && unit->offset == 0.0 && std::isfinite(scale) && scale != 0.0)
+    return {unit->canonical, unit->factor * scale, 0.0};
+  throw Error(fmt::format(
+      "{}: expected a unit such as um, mm, degC, rpm, A, kW, bar or %, a scale such as 2.5um, or none, found {}.",
+      in_quotes(column), in_quotes(text)));
 }
 
 std::optional<double> time_unit_s(std::string_view text) {

@@ -6,6 +6,10 @@
 
 namespace ballbar {
 
+std::vector<TableText> workbook_tables(std::string_view bytes, const std::string& name) {
+  return {workbook_table(bytes, name, {})};
+}
+
 TableText workbook_table(std::string_view, const std::string& name, const std::string&) {
   throw Error(fmt::format(
       "{}:1: expected a ballbar that can read workbooks, found one built without libzip; install libzip-dev, configure "

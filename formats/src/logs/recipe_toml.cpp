@@ -15,20 +15,22 @@ constexpr std::string_view kFormat = "ballbar-recipe 1";
 
 constexpr Key kRootKeys[] = {
     {"format", "text", "\"ballbar-recipe 1\"; needed"},
-    {"sheet", "text", "of a workbook; default the first"},
+    {"sheet", "text", "of a workbook; default the first that holds a table"},
     {"delimiter", "text", "\"comma\", \"semicolon\", \"tab\", \"bar\" or \"blank\""},
     {"decimal", "text", "\"comma\" or \"point\""},
     {"dates", "text", "\"day-first\" or \"month-first\": how 03/04/2026 is read"},
-    {"time", "text", "header of the column of time"},
+    {"time", "text", "header of the column of time; \"none\": rows are numbered"},
     {"time_unit", "text", "of a time that is a number: \"s\", \"ms\", \"min\", \"h\" ..."},
     {"every_s", "s", "distance of the rows where no column holds the time, above 0"},
     {"missing", "list of texts", "cells that hold no value, besides the usual ones"},
+    {"skip_bad_rows", "true or false", "rows that are none of numbers are skipped, however many; default false"},
+    {"burst_means", "true or false", "rows that come in bursts become a row a burst; default false"},
     {"column", "tables", "`[[column]]`, one a column of the log"},
 };
 constexpr Key kColumnKeys[] = {
-    {"source", "text", "its header in the log, with or without the unit; needed"},
+    {"source", "text", "its header in the log, with or without the unit, or a pattern, \"T*\"; needed"},
     {"name", "text", "in the series; default made from the header"},
-    {"unit", "text", "as a log writes it; default found out"},
+    {"unit", "text", "as a log writes it, or a scale, \"2.5um\"; default found out"},
     {"role", "text", "as in `[columns.NAME]` of a series; default found out"},
     {"left_out", "true or false", "default false"},
 };
@@ -78,6 +80,8 @@ LogRecipe read_recipe(std::string_view bytes, std::string_view name) {
   recipe.time_unit = string(root, "time_unit").value_or("");
   recipe.every_s = positive(root, "every_s");
   recipe.missing = strings(root, "missing").value_or(std::vector<std::string>{});
+  recipe.skip_bad_rows = boolean(root, "skip_bad_rows").value_or(false);
+  recipe.burst_means = boolean(root, "burst_means").value_or(false);
   for (const TomlTable& table : subtables(root, "column")) recipe.columns.push_back(column_of(table));
   return recipe;
 }
@@ -100,6 +104,8 @@ std::string write_recipe(const LogRecipe& recipe) {
       out += (&one == &recipe.missing.front() ? "" : ", ") + toml_quoted(one);
     out += "]\n";
   }
+  if (recipe.skip_bad_rows) out += "skip_bad_rows = true\n";
+  if (recipe.burst_means) out += "burst_means = true\n";
   for (const ColumnRecipe& column : recipe.columns) {
     out += "\n[[column]]\n";
     text("source", column.source);

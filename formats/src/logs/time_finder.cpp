@@ -17,6 +17,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kUnixToMatlab_d = 719529.0;
+constexpr std::string_view kNoTime = "none";  // of a recipe
 
 class TimeFinder {
  public:
@@ -26,6 +27,7 @@ class TimeFinder {
 
   void find() {
     if (recipe_.every_s) return by_rows(*recipe_.every_s, "the option");
+    if (recipe_.time == kNoTime) return by_number();
     if (!recipe_.time.empty()) return of_column(named_by_recipe());
     const auto stamps = first([](const ColumnSample& s) { return s.mostly(s.stamps) && s.numbers == 0; });
     const auto dates = first([](const ColumnSample& s) { return s.mostly(s.dates) && s.numbers == 0; });
@@ -44,8 +46,7 @@ class TimeFinder {
     if (number) return of_number(*number);
     if (const auto every_s = interval_of(shape_)) return by_rows(*every_s, "the lines above the table");
     if (dates) return of_stamp(*dates);
-    fail("a column of time, or the interval of the rows", "neither",
-         "name the column with --time, or give the interval with --every, such as --every 1s");
+    by_number();
   }
 
  private:
@@ -163,6 +164,13 @@ class TimeFinder {
     plan_.time.kind = TimePlan::Kind::rows;
     plan_.time.every_s = every_s;
     plan_.time.text = fmt::format("rows every {:g} s, by {}", every_s, from);
+  }
+
+  void by_number() {
+    plan_.time.kind = TimePlan::Kind::rows;
+    plan_.time.every_s = 1.0;
+    plan_.time.numbered = true;
+    plan_.time.text = "none: the rows are numbered";
   }
 
   void of_column(std::size_t i) {

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/text/reader.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "logs/log_shape.hpp"
 #include "logs/log_sources.hpp"
 #include "logs/number_format.hpp"
 #include "text/zip_part.hpp"
@@ -166,7 +168,6 @@ Workbook workbook_of(zip_t* archive, const std::string& name) {
 }
 
 const Sheet& chosen(const Workbook& workbook, const std::string& sheet_name, const std::string& name) {
-  if (sheet_name.empty()) return workbook.sheets.front();
   std::vector<std::string_view> known;
   for (const Sheet& sheet : workbook.sheets) {
     if (sheet.name == sheet_name) return sheet;
@@ -218,25 +219,35 @@ std::string shown(pugi::xml_node cell, const std::vector<std::string>& strings,
   return days.empty() ? as_cell(value) : days;
 }
 
-}  // namespace
+// A workbook with what all its sheets share.
+struct OpenWorkbook {
+  OpenWorkbook(std::string_view bytes, const std::string& file)
+      : name(file),
+        archive(opened(bytes, file)),
+        workbook(workbook_of(archive.get(), file)),
+        strings(shared_strings(archive.get(), file)),
+        formats(styles(archive.get(), file)) {}
 
-TableText workbook_table(std::string_view bytes, const std::string& name, const std::string& sheet) {
-  const Archive archive = opened(bytes, name);
-  const Workbook workbook = workbook_of(archive.get(), name);
-  const Sheet& taken = chosen(workbook, sheet, name);
-  const std::vector<std::string> strings = shared_strings(archive.get(), name);
-  const std::vector<NumberFormat> formats = styles(archive.get(), name);
-  auto xml = part_of(archive.get(), taken.part, name);
+  std::string name;
+  Archive archive;
+  Workbook workbook;
+  std::vector<std::string> strings;
+  std::vector<NumberFormat> formats;
+};
+
+TableText text_of(const OpenWorkbook& from, const Sheet& taken) {
+  auto xml = part_of(from.archive.get(), taken.part, from.name);
   if (!xml)
-    throw Error(fmt::format("{}:1: expected the sheet {}, found no part {} that holds it.", name, in_quotes(taken.name),
-                            in_quotes(taken.part)));
+    throw Error(fmt::format("{}:1: expected the sheet {}, found no part {} that holds it.", from.name,
+                            in_quotes(taken.name), in_quotes(taken.part)));
   pugi::xml_document document;
-  parse(*xml, taken.part, name, document);
+  parse(*xml, taken.part, from.name, document);
 
   TableText table;
-  table.name = name;
+  table.name = from.name;
   table.shape = fmt::format("a workbook, sheet {}", in_quotes(taken.name));
   table.sheet = taken.name;
+  for (const Sheet& sheet : from.workbook.sheets) table.sheets.push_back(sheet.name);
   std::size_t line = 0;
   for (const pugi::xml_node row : child(child(document, "worksheet"), "sheetData").children()) {
     if (local(row.name()) != "row") continue;
@@ -257,7 +268,7 @@ TableText workbook_table(std::string_view bytes, const std::string& name, const 
                                 table.name, number, kMostColumns, in_quotes(attribute(cell, "r"))));
       }
       for (std::size_t k = first ? 0 : column; k < place; ++k) table.text += '\t';
-      table.text += shown(cell, strings, formats, workbook.since_1904);
+      table.text += shown(cell, from.strings, from.formats, from.workbook.since_1904);
       column = place;
       first = false;
     }
@@ -268,6 +279,25 @@ TableText workbook_table(std::string_view bytes, const std::string& name, const 
     }
   }
   return table;
+}
+
+}  // namespace
+
+TableText workbook_table(std::string_view bytes, const std::string& name, const std::string& sheet) {
+  const OpenWorkbook from(bytes, name);
+  if (!sheet.empty()) return text_of(from, chosen(from.workbook, sheet, name));
+  for (const Sheet& one : from.workbook.sheets) {
+    TableText table = text_of(from, one);
+    if (holds_table(std::string_view(table.text).substr(0, kHeadBytes))) return table;
+  }
+  return text_of(from, from.workbook.sheets.front());
+}
+
+std::vector<TableText> workbook_tables(std::string_view bytes, const std::string& name) {
+  const OpenWorkbook from(bytes, name);
+  std::vector<TableText> tables;
+  for (const Sheet& one : from.workbook.sheets) tables.push_back(text_of(from, one));
+  return tables;
 }
 
 }  // namespace ballbar

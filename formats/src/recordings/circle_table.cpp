@@ -55,30 +55,34 @@ std::string_view unit_of(double mm) {
   return mm == 1e3 ? "m" : "nm";
 }
 
-// The nominal radius: as stated, as the header says, as the control wanted it. `radius_mm`: of the readings, where they
-// have one.
-double nominal_radius_mm(std::string_view name, const ColumnTable& table, const StatedCircle& stated,
+struct NominalRadius {
+  double mm = 0.0;
+  bool assumed = false;
+};
+
+// As stated, as the header says, as the control wanted it, else the whole millimetre next to that of the readings.
+// `radius_mm`: of these, where they have one.
+NominalRadius nominal_radius(std::string_view name, const ColumnTable& table, const StatedCircle& stated,
                          const std::optional<double>& commanded_mm, const std::optional<double>& radius_mm) {
   const auto agrees = [&](const std::optional<double>& nominal_mm) {
     if (!is_radius(nominal_mm)) return false;
     return !radius_mm || std::abs(*nominal_mm - *radius_mm) <= kAgrees * *nominal_mm;
   };
   if (stated.radius_mm) {
-    if (agrees(stated.radius_mm)) return *stated.radius_mm;
+    if (agrees(stated.radius_mm)) return {*stated.radius_mm};
     throw Error(
         fmt::format("{}: expected a circle of about the nominal radius {:g} mm that --radius states, found one of "
                     "{:.4f} mm.",
                     name, *stated.radius_mm, *radius_mm));
   }
   const std::optional<double> in_header = stated_radius_mm(table.preamble);
-  if (agrees(in_header)) return *in_header;
-  if (agrees(commanded_mm)) return std::round(1e3 * *commanded_mm) / 1e3;
-  const std::string found =
-      radius_mm ? fmt::format("a circle of {:.4f} mm, whose nominal radius the file does not state", *radius_mm)
-                : std::string("deviations alone");
-  const double likely_mm = radius_mm ? std::max(1.0, std::round(*radius_mm)) : 100.0;
-  throw Error(fmt::format("{}: expected the nominal radius of this circle, found {}; state it, as in --radius {:g}mm.",
-                          name, found, likely_mm));
+  if (agrees(in_header)) return {*in_header};
+  if (agrees(commanded_mm)) return {std::round(1e3 * *commanded_mm) / 1e3};
+  if (radius_mm) return {std::max(1.0, std::round(*radius_mm)), true};
+  throw Error(
+      fmt::format("{}: expected the nominal radius of this circle, found deviations alone; state it, as in --radius "
+                  "100mm.",
+                  name));
 }
 
 // The first column of time; empty where there is none, or its unit is not known.
@@ -173,15 +177,15 @@ void expect_lengths(std::string_view name, const RecordingFile& file) {
   }
 }
 
-void say(RecordingFile& file, std::string_view name, const Readings& readings, bool plane_known) {
+void say(RecordingFile& file, std::string_view name, const Readings& readings, bool plane_known, bool radius_assumed) {
   std::string runs;
   for (const Recording& one : file.recordings) {
     runs += fmt::format("{}{} of {} readings", runs.empty() ? "" : ", ", name_of(one.direction), one.length_mm.size());
   }
   const Recording& first = file.recordings.front();
-  file.remarks.push_back(fmt::format("{}: read as a circle by {}; plane {}{}, nominal radius {:g} mm; {}.", name,
+  file.remarks.push_back(fmt::format("{}: read as a circle by {}; plane {}{}, nominal radius {:g} mm{}; {}.", name,
                                      readings.what, name_of(first.plane), plane_known ? "" : " (not stated)",
-                                     first.nominal_length_mm, runs));
+                                     first.nominal_length_mm, radius_assumed ? " (assumed)" : "", runs));
 }
 
 RecordingFile file_of(std::string_view name, const ColumnTable& table, const CoordinateCircle& circle,
@@ -191,13 +195,14 @@ RecordingFile file_of(std::string_view name, const ColumnTable& table, const Coo
   std::optional<double> commanded_mm = circle.commanded_radius;
   if (commanded_mm) *commanded_mm *= mm;
   Recording like;
-  like.nominal_length_mm = nominal_radius_mm(name, table, stated, commanded_mm, mm * circle.radius);
+  const NominalRadius nominal = nominal_radius(name, table, stated, commanded_mm, mm * circle.radius);
+  like.nominal_length_mm = nominal.mm;
   const std::optional<Plane> plane = circle.plane ? circle.plane : stated_plane(table.preamble);
   like.plane = plane.value_or(Plane::XY);
   const Readings readings = readings_of(table, circle, mm);
   add_runs(file.recordings, readings, like, table);
   expect_lengths(name, file);
-  say(file, name, readings, plane.has_value());
+  say(file, name, readings, plane.has_value(), nominal.assumed);
   return file;
 }
 
@@ -208,8 +213,9 @@ RecordingFile file_of(std::string_view name, const ColumnTable& table, const Pol
   const double length = median(values.values);
   const double mm = circle.are_lengths ? mm_of_lengths(values, length, stated) : mm_of_deviations(values);
   Recording like;
-  like.nominal_length_mm =
-      nominal_radius_mm(name, table, stated, {}, circle.are_lengths ? std::optional(mm * length) : std::nullopt);
+  const NominalRadius nominal =
+      nominal_radius(name, table, stated, {}, circle.are_lengths ? std::optional(mm * length) : std::nullopt);
+  like.nominal_length_mm = nominal.mm;
   const std::optional<Plane> plane = stated_plane(table.preamble);
   like.plane = plane.value_or(Plane::XY);
   Readings readings;
@@ -218,7 +224,7 @@ RecordingFile file_of(std::string_view name, const ColumnTable& table, const Pol
     add_runs(file.recordings, readings, like, table);
   }
   expect_lengths(name, file);
-  say(file, name, readings, plane.has_value());
+  say(file, name, readings, plane.has_value(), nominal.assumed);
   return file;
 }
 

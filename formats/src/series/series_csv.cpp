@@ -28,6 +28,7 @@ constexpr Key kRootKeys[] = {
     {"method", "text", "how it came about; `drift --out` writes it"},
     {"reference_s", "s", "the row that its changes are from; `drift --out` writes it"},
     {"started", "text", "wall clock at `time_s` = 0, \"2026-11-22T13:05:10\"; `import` writes it"},
+    {"clock", "true or false", "false: `time_s` numbers the rows, for no file told the time; default true"},
     {"columns", "tables", "what a name does not tell: `[columns.NAME]`, a table a column"},
     {"five_probe", "table", "what is known of five probes"},
 };
@@ -78,6 +79,7 @@ struct SeriesHeader {
   std::map<std::string, Role, std::less<>> roles;  // of the columns that state one
   std::optional<FiveProbe> five_probe;
   std::optional<std::string> started;
+  bool has_clock = true;
 };
 
 Role role_of(const TomlTable& column) {
@@ -127,6 +129,7 @@ SeriesHeader header_of(const TomlTable& header, const TableHead& head) {
   number(header, "reference_s");
   SeriesHeader result;
   result.started = string(header, "started");
+  result.has_clock = boolean(header, "clock").value_or(true);
   if (const auto columns = subtable(header, "columns")) {
     std::vector<std::string_view> known;
     for (const ColumnName& column : head.columns) known.push_back(column.name);
@@ -215,6 +218,7 @@ Series read_series(std::string_view bytes, std::string_view name) {
   Series series;
   series.five_probe = header.five_probe;
   series.started = header.started;
+  series.has_clock = header.has_clock;
   series.time_s = std::move(values.front());
   if (head.columns.front().name == "time_min") {
     for (double& time : series.time_s) time *= 60.0;
@@ -236,6 +240,7 @@ Series read_series(std::string_view bytes, std::string_view name) {
 std::string series_header(const Series& series) {
   std::string out = fmt::format("# format = \"{}\"\n", kFormat);
   if (series.started) out += fmt::format("# started = {}\n", toml_quoted(*series.started));
+  if (!series.has_clock) out += "# clock = false\n";
   for (const Column& column : series.columns) {
     const std::string_view unit = unit_of(column.name);
     if (!unit.empty() && column.role == role_from_unit(unit)) continue;

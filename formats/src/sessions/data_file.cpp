@@ -4,6 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
+#include <memory>
+#include <system_error>
 
 #include "ballbar/circle/trace.hpp"
 #include "ballbar/error.hpp"
@@ -30,11 +33,14 @@ void expect_data(const Source& source, std::span<const Reader> readers) {
                   source.name(), found_in(reader)));
 }
 
+// Of several units those in um.
 std::vector<std::string> measured_names(const Series& series) {
   std::vector<std::string> names;
   for (const Column& column : series.columns) {
     if (column.role == Role::measured && column.name.find("_sigma_") == std::string::npos) names.push_back(column.name);
   }
+  const auto is_in_um = [](const std::string& name) { return unit_of(name) == "um"; };
+  if (std::any_of(names.begin(), names.end(), is_in_um)) std::erase_if(names, std::not_fn(is_in_um));
   return names;
 }
 
@@ -89,20 +95,66 @@ struct ListedRun {
   std::optional<RunStart> start;
 };
 
-// A file that lists runs stands for them.
+// A sheet of a workbook, as a log of its own.
+Source sheet_of(const Source& workbook, const std::string& sheet) {
+  Source source = workbook;
+  auto recipe = std::make_shared<LogRecipe>(workbook.recipe());
+  recipe->sheet = sheet;
+  source.set_recipe(std::move(recipe));
+  return source;
+}
+
+// The logs of a folder that holds no session and no recordings, by their names.
+std::vector<Source> logs_in(const Source& folder, std::span<const Reader> readers) {
+  std::vector<Source> logs;
+  std::error_code absent;
+  if (!folder.is_path() || !std::filesystem::is_directory(folder.path(), absent)) return logs;
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path(), absent)) paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  for (const std::filesystem::path& path : paths) {
+    Source source(path);
+    if (!source.is_file()) continue;
+    const Reader* const reader = source.reader(readers);
+    if (is_recording_file(source, readers) || read_of<ReadSession>(reader) != nullptr) return {};
+    source.close();
+    if (!reads_series(reader)) continue;
+    source.set_recipe(std::make_shared<const LogRecipe>(folder.recipe()));
+    logs.push_back(std::move(source));
+  }
+  return logs;
+}
+
+// A file that lists runs, a workbook of sheets alike and a folder of logs stand for their runs.
 std::vector<ListedRun> listed(const std::vector<Source>& sources, std::span<const Reader> readers, std::string& title) {
   std::vector<ListedRun> runs;
   for (const Source& source : sources) {
     if (!lists_runs(source, readers)) {
+      const bool is_log = read_of<ReadLog>(source.reader(readers)) != nullptr && source.recipe().sheet.empty();
+      const std::vector<std::string> sheets = is_log ? sheets_of(source) : std::vector<std::string>();
+      const std::vector<Source> logs = logs_in(source, readers);
       if (sources.size() > 1) source.close();  // there may be more than may be open
-      runs.push_back({source, std::nullopt});
+      if (sheets.size() < 2 && logs.empty()) runs.push_back({source, std::nullopt});
+      if (sheets.size() > 1) {
+        for (const std::string& sheet : sheets) runs.push_back({sheet_of(source, sheet), std::nullopt});
+      }
+      for (const Source& log : logs) runs.push_back({log, std::nullopt});
       continue;
     }
     const RunsOfMachine list = read_run_list(source.bytes(kLargestText), source.name());
     if (sources.size() == 1) title = list.title;
-    for (const RunOfMachine& run : list.runs) runs.push_back({source.path().parent_path() / run.file, run.start});
+    for (const RunOfMachine& run : list.runs) {
+      Source one(source.path().parent_path() / run.file);
+      one.set_recipe(std::make_shared<const LogRecipe>(source.recipe()));
+      runs.push_back({std::move(one), run.start});
+    }
   }
   return runs;
+}
+
+std::string name_of_run(const Source& source) {
+  const std::string& sheet = source.recipe().sheet;
+  return sheet.empty() ? source.name() : fmt::format("{}[{}]", source.name(), sheet);
 }
 
 ModelData data_of_runs(const std::vector<ListedRun>& listed_runs, const std::string& title, const DriftOptions& options,
@@ -111,7 +163,7 @@ ModelData data_of_runs(const std::vector<ListedRun>& listed_runs, const std::str
   std::vector<std::string> names;
   for (const ListedRun& run : listed_runs) {
     sources.push_back(run.source);
-    names.push_back(run.source.name());
+    names.push_back(name_of_run(run.source));
   }
   expect_once(sources);
   ModelData data;
@@ -151,7 +203,9 @@ ModelData model_data_of(const DriftData& source, const std::string& name, const 
     for (const SkippedFile& one : source.session->skipped) data.remarks.push_back("left out: " + one.why);
     parts.push_back(series_of(drift_of(source.session->session, options)));
     for (const std::filesystem::path& signals : source.session->signals) {
-      OpenedSeries opened = opened_series(signals, readers);
+      Source file(signals);
+      file.set_recipe(source.recipe);
+      OpenedSeries opened = opened_series(file, readers);
       parts.push_back(*opened.series);
       data.remarks.insert(data.remarks.end(), opened.remarks.begin(), opened.remarks.end());
     }
@@ -168,6 +222,13 @@ ModelData model_data_of(const DriftData& source, const std::string& name, const 
   }
   data.targets = measured_names(*data.series);
   return data;
+}
+
+std::vector<Source> runs_in(const std::vector<Source>& sources, std::span<const Reader> readers) {
+  std::string title;
+  std::vector<Source> runs;
+  for (ListedRun& run : listed(sources, readers, title)) runs.push_back(std::move(run.source));
+  return runs;
 }
 
 ModelData open_model_data(const std::vector<Source>& sources, const DriftOptions& options, double max_gap_s,

@@ -16,9 +16,9 @@ namespace ballbar {
 namespace {
 
 // Read once: what a log was taken for stands in the remarks.
-OpenedSeries opened_by(const Reader* reader, const Source& source, const LogRecipe& recipe) {
+OpenedSeries opened_by(const Reader* reader, const Source& source) {
   if (const auto read = read_of<ReadLog>(reader)) {
-    Log log = read(source, recipe);
+    Log log = read(source);
     OpenedSeries opened;
     opened.remarks.push_back(fmt::format("{}: {}", source.name(), sentence_of(log)));
     for (const std::string& remark : log.remarks)
@@ -28,15 +28,17 @@ OpenedSeries opened_by(const Reader* reader, const Source& source, const LogReci
   }
   const auto read = read_of<ReadSeries>(reader);
   // Which tells the faults of what is no series.
-  Series series = (read != nullptr ? read : read_series)(source.bytes(kLargestTable), source.name());
+  Series series =
+      with_stated_columns((read != nullptr ? read : read_series)(source.bytes(kLargestTable), source.name()),
+                          source.recipe(), source.name());
   return {std::make_shared<const Series>(std::move(series)), {}};
 }
 
 }  // namespace
 
-OpenedSeries opened_series(const Source& source, std::span<const Reader> readers, const LogRecipe& recipe) {
+OpenedSeries opened_series(const Source& source, std::span<const Reader> readers) {
   if (source.series()) return {source.series(), {}};
-  return opened_by(source.reader(readers), source, recipe);
+  return opened_by(source.reader(readers), source);
 }
 
 Series open_series(const Source& source, std::span<const Reader> readers) {
@@ -50,7 +52,7 @@ DriftData open_drift_data(const Source& source, std::span<const Reader> readers)
   if (source.is_file() && !source.is_archive()) {
     const Reader* const reader = source.reader(readers);
     if (reads_series(reader)) {
-      OpenedSeries opened = opened_by(reader, source, {});
+      OpenedSeries opened = opened_by(reader, source);
       data.series = std::move(opened.series);
       data.remarks = std::move(opened.remarks);
       data.files = {file_on_disk(source.path())};
@@ -64,6 +66,7 @@ DriftData open_drift_data(const Source& source, std::span<const Reader> readers)
     }
   }
   data.session = open_session(source, readers);
+  data.recipe = std::make_shared<const LogRecipe>(source.recipe());
   data.files = data.session->files;
   return data;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -171,17 +172,23 @@ void expect_a_repeated_plane(const fs::path& folder, const std::vector<SessionTe
                   folder.string(), found, skipped.empty() ? "" : " Left out: " + skipped.front().why));
 }
 
-// The `.b5r` files of the folder itself, or of the archive.
-std::vector<fs::path> tests_in(const fs::path& folder) {
+// The `.b5r` files of the folder itself, or of the archive; where a folder has none, its other recordings.
+std::vector<fs::path> tests_in(const fs::path& folder, Readers readers) {
   if (is_archive(folder)) return files_in_archive(folder);
-  std::vector<fs::path> paths;
+  std::vector<fs::path> paths, others;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (ends_in(entry->path(), ".b5r")) paths.push_back(entry->path());
+    (ends_in(entry->path(), ".b5r") ? paths : others).push_back(entry->path());
+  }
+  if (paths.empty()) {
+    std::copy_if(others.begin(), others.end(), std::back_inserter(paths), [&](const fs::path& path) {
+      const Source file(path);
+      return file.is_file() && is_recording_file(file, readers);
+    });
   }
   if (error) throw Error(fmt::format("{}: expected a readable folder, found: {}.", folder.string(), error.message()));
   if (paths.empty()) {
-    throw Error(fmt::format("{}: expected a folder with session.toml or .b5r files, found neither.", folder.string()));
+    throw Error(fmt::format("{}: expected a folder with session.toml or recordings (.b5r, circles), found neither.", folder.string()));
   }
   std::sort(paths.begin(), paths.end());
   return paths;
@@ -189,31 +196,35 @@ std::vector<fs::path> tests_in(const fs::path& folder) {
 
 struct StartedTest {
   fs::path path;
-  std::int64_t started_s = 0;
+  double started_s = 0.0;
   SessionTest test;
 };
 
-StartedTest started_test(const fs::path& path, Readers readers) {
+// `known_s`: where a user states it.
+StartedTest started_test(const fs::path& path, Readers readers, std::optional<double> known_s) {
   StartedTest started{path};
   add_circles(started.test, path, readers);
   started.test.name = path.filename().string();
   const std::optional<std::int64_t> started_s = started.test.circles.front().started_s;
-  if (!started_s) {
+  if (!started_s && !known_s) {
     throw Error(
-        fmt::format("{}: expected DATE_STARTED, the time of this test in the session, found none that can be read.",
+        fmt::format("{}: expected DATE_STARTED, the time of this test in the session, found none that can be read; "
+                    "--every 30min states how far apart the tests of the folder are, in the order of their names.",
                     path.string()));
   }
-  started.started_s = *started_s;
+  started.started_s = known_s ? *known_s : static_cast<double>(*started_s);
   return started;
 }
 
 // By their times. What is at fault, and a second test of one moment, is skipped.
 std::vector<StartedTest> started_tests(const std::vector<fs::path>& paths, Readers readers,
-                                       std::vector<SkippedFile>& skipped) {
+                                       std::optional<double> every_s, std::vector<SkippedFile>& skipped) {
   std::vector<StartedTest> tests;
-  for (const fs::path& path : paths) {
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const fs::path& path = paths[k];
     try {
-      tests.push_back(started_test(path, readers));
+      const auto known_s = every_s ? std::optional(*every_s * static_cast<double>(k)) : std::nullopt;
+      tests.push_back(started_test(path, readers, known_s));
     } catch (const Error& error) {
       skipped.push_back({path.string(), error.what()});
     }
@@ -232,12 +243,12 @@ std::vector<StartedTest> started_tests(const std::vector<fs::path>& paths, Reade
   return tests;
 }
 
-// Each `.b5r` a test, at its own DATE_STARTED.
-SessionFiles session_of_folder(const fs::path& folder, Readers readers) {
+// Each recording a test, at its own DATE_STARTED, or so far after the one before.
+SessionFiles session_of_folder(const fs::path& folder, Readers readers, std::optional<double> every_s) {
   SessionFiles files;
-  const std::vector<fs::path> paths = tests_in(folder);
+  const std::vector<fs::path> paths = tests_in(folder, readers);
   files.files = is_archive(folder) ? std::vector{folder} : paths;
-  std::vector<StartedTest> tests = started_tests(paths, readers, files.skipped);
+  std::vector<StartedTest> tests = started_tests(paths, readers, every_s, files.skipped);
   if (tests.empty()) {
     throw Error(files.skipped.size() == 1 ? files.skipped.front().why
                                           : fmt::format("{}: expected .b5r files that can be read, found none: {}",
@@ -257,7 +268,7 @@ SessionFiles session_of_folder(const fs::path& folder, Readers readers) {
                       folder.string(), files.session.nominal_length_mm, files.session.tests.front().name,
                       circle.nominal_length_mm, started.test.name));
     }
-    started.test.elapsed_s = static_cast<double>(started.started_s - tests.front().started_s);
+    started.test.elapsed_s = started.started_s - tests.front().started_s;
     files.recordings.push_back({started.path, i});
     files.session.tests.push_back(std::move(started.test));
   }
@@ -271,10 +282,12 @@ SessionFiles open_session(const Source& source, Readers readers) {
   std::error_code error;
   const fs::path path = source.path();
   if (!fs::is_directory(path, error)) {
-    return source.is_archive() ? session_of_folder(path, readers) : planned_session(source, readers);
+    return source.is_archive() ? session_of_folder(path, readers, source.recipe().every_s)
+                               : planned_session(source, readers);
   }
   const fs::path plan = path / "session.toml";
-  return fs::exists(plan, error) ? planned_session(plan, readers) : session_of_folder(path, readers);
+  return fs::exists(plan, error) ? planned_session(plan, readers)
+                                : session_of_folder(path, readers, source.recipe().every_s);
 }
 
 }  // namespace ballbar

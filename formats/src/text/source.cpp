@@ -43,6 +43,11 @@ Source Source::of_text(std::string name, std::string text) {
   return source;
 }
 
+const LogRecipe& Source::recipe() const {
+  static const LogRecipe kNothing;
+  return recipe_ == nullptr ? kNothing : *recipe_;
+}
+
 std::shared_ptr<const Series> Source::series() const {
   const auto* const held = std::get_if<std::shared_ptr<const Series>>(&held_);
   return held == nullptr ? nullptr : *held;
@@ -151,7 +156,8 @@ void expect_once(const std::vector<Source>& sources) {
   for (auto source = sources.begin(); source != sources.end(); ++source) {
     const auto before = std::find_if(sources.begin(), source, [&](const Source& other) {
       std::error_code absent;  // told where it is opened
-      return source->is_path() && other.is_path() && std::filesystem::equivalent(source->path(), other.path(), absent);
+      return source->is_path() && other.is_path() && source->recipe().sheet == other.recipe().sheet &&
+             std::filesystem::equivalent(source->path(), other.path(), absent);
     });
     if (before == source) continue;
     throw Error(fmt::format("{}: expected each file once, found it again{}.", source->name(),

@@ -7,6 +7,9 @@
 
 namespace ballbar {
 
+// How many letters are changed, missing, extra or exchanged with the next (optimal string alignment).
+std::size_t letters_apart(std::string_view name, std::string_view other);
+
 // The known name with the fewest changed, missing, extra or exchanged letters. `known` is not empty.
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known);
 

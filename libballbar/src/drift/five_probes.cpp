@@ -19,10 +19,23 @@ using Columns = std::array<const Column*, 5>;  // as kProbes; nullptr: no such p
 
 FiveProbe stated(const Series& series) { return series.five_probe.value_or(FiveProbe{}); }
 
+bool is_same_but_for_capitals(std::string_view a, std::string_view b) {
+  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return small(x) == small(y); });
+}
+
+// The probe's column, in capitals or not.
+const Column* find_probe(const Series& series, std::string_view name) {
+  if (const Column* column = find_column(series, name)) return column;
+  const auto found = std::find_if(series.columns.begin(), series.columns.end(),
+                                  [&](const Column& one) { return is_same_but_for_capitals(one.name, name); });
+  return found == series.columns.end() ? nullptr : &*found;
+}
+
 Columns probes_of(const Series& series, const FiveProbe& probe) {
   Columns columns{};
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    columns[i] = find_column(series, probe.columns[i]);
+    columns[i] = find_probe(series, probe.columns[i]);
     if (columns[i] == nullptr) continue;
     const std::vector<double>& readings = columns[i]->values;
     if (!readings.empty() &&
@@ -209,7 +222,7 @@ bool is_five_probe(const Series& series) {
   // Z alone may be a drift along Z.
   return series.five_probe.has_value() ||
          std::any_of(probe.columns.begin(), probe.columns.begin() + 4,
-                     [&](const std::string& name) { return find_column(series, name) != nullptr; });
+                     [&](const std::string& name) { return find_probe(series, name) != nullptr; });
 }
 
 FivePoint five_point(const Series& series, const FivePointOptions& options) {

@@ -39,6 +39,13 @@ bool applies_to(const Effect& effect, Motion motion) {
          std::find(effect.motions.begin(), effect.motions.end(), motion) != effect.motions.end();
 }
 
+bool needs_clock(const Effect& effect) {
+  constexpr std::string_view kOfTime[] = {"s", "min", "h", "1/s", "um/s", "um/min", "um/h"};
+  return effect.time_only || std::any_of(effect.parameters.begin(), effect.parameters.end(), [&](const Parameter& one) {
+           return std::find(std::begin(kOfTime), std::end(kOfTime), one.unit) != std::end(kOfTime);
+         });
+}
+
 const Effect* find_effect(std::string_view name, Level level, const Catalogue& catalogue) {
   const auto effect = std::find_if(catalogue.begin(), catalogue.end(),
                                    [&](const auto& one) { return one->name == name && one->level == level; });

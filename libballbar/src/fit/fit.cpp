@@ -53,6 +53,7 @@ std::vector<std::size_t> rows_with_value(const Column& target) {
 std::vector<double> stated_sigma_um(const Series& data, const std::string& target,
                                     const std::vector<std::size_t>& rows) {
   const std::string unit(unit_of(target));
+  if (unit.empty()) return {};
   const std::string name = fmt::format("{}_sigma_{}", target.substr(0, target.size() - unit.size() - 1), unit);
   const Column* column = find_column(data, name);
   if (column == nullptr) return {};

@@ -61,10 +61,7 @@ std::string room_of(const Series& first, const std::vector<std::string>& sensors
   }
   if (rooms.empty()) rooms = std::move(by_name);
   if (rooms.size() == 1) return rooms.front();
-  throw Error(
-      fmt::format("expected one column of the room's temperature (role ambient, or room, ambient or air in its name), "
-                  "found {}; name it by --room, one of {}.",
-                  rooms.empty() ? "none" : fmt::format("{}", fmt::join(rooms, " and ")), fmt::join(sensors, ", ")));
+  return {};
 }
 
 // Residuals of y by the columns of a (n by p), though nearly half of y may be wrong: of many fits through p rows the
@@ -163,10 +160,12 @@ BatchStart with_sensors(BatchStart start, const Eigen::VectorXd& first_degC) {
 
 BatchStart start_of(const Series& series, const BatchColumns& columns, const Eigen::MatrixXd& temperatures) {
   BatchStart start;
-  const std::vector<double>& room = without_gaps(series, columns.room);
-  start.room_first_degC = room.front();
-  start.room_mean_degC = Eigen::VectorXd::Map(room.data(), static_cast<Eigen::Index>(room.size())).mean();
-  start.speed_mean_rpm = std::numeric_limits<double>::quiet_NaN();
+  start.room_first_degC = start.room_mean_degC = start.speed_mean_rpm = std::numeric_limits<double>::quiet_NaN();
+  if (!columns.room.empty()) {
+    const std::vector<double>& room = without_gaps(series, columns.room);
+    start.room_first_degC = room.front();
+    start.room_mean_degC = Eigen::VectorXd::Map(room.data(), static_cast<Eigen::Index>(room.size())).mean();
+  }
   if (columns.speed && find_column(series, *columns.speed) != nullptr) {
     const std::vector<double>& speed = without_gaps(series, *columns.speed);
     start.speed_mean_rpm = Eigen::VectorXd::Map(speed.data(), static_cast<Eigen::Index>(speed.size())).mean();
@@ -220,15 +219,20 @@ BatchColumns batch_columns(const Series& first, InputKind kind, const std::strin
   }
   if (speeds.size() == 1) columns.speed = speeds.front();
   column_of(first, target);
-  if (unit_of(target) != "um") {
-    throw Error(fmt::format("expected a target in um, found {}.", target));
-  }
   if (columns.sensors.empty()) throw Error("expected columns of temperatures (_degC or _K), found none.");
   if (room && !is_sensor(column_of(first, *room))) {
     throw Error(fmt::format("expected a temperature of the room, found {}.", *room));
   }
   columns.room = room ? *room : room_of(first, columns.sensors);
   return columns;
+}
+
+void expect_room(const BatchColumns& columns) {
+  if (!columns.room.empty()) return;
+  throw Error(fmt::format(
+      "expected one column of the room's temperature (role ambient, or room, ambient or air in its name), by "
+      "which batches are ranked, found none or several; name it by --room, one of {}.",
+      fmt::join(columns.sensors, ", ")));
 }
 
 Eigen::MatrixXd inputs_of(const Series& series, const BatchColumns& columns) {

@@ -123,6 +123,7 @@ Series merged_parts(std::span<const Series> parts, double max_gap_s) {
     std::copy_if(part.time_s.begin(), part.time_s.end(), std::back_inserter(result.time_s),
                  [&](double time_s) { return range.has(time_s); });
     if (!result.five_probe) result.five_probe = part.five_probe;
+    result.has_clock = result.has_clock && part.has_clock;
   }
   std::sort(result.time_s.begin(), result.time_s.end());
   result.time_s.erase(std::unique(result.time_s.begin(), result.time_s.end()), result.time_s.end());

@@ -113,6 +113,7 @@ Series rows_of(const Series& data, const RowRange& range) {
   Series result;
   result.time_s = part(data.time_s);
   result.five_probe = data.five_probe;
+  result.has_clock = data.has_clock;
   result.columns.reserve(data.columns.size());
   for (const Column& column : data.columns) result.columns.push_back({column.name, column.role, part(column.values)});
   return result;
@@ -164,6 +165,7 @@ Stacked stacked(const std::vector<Series>& runs, const std::vector<std::string>&
   expect_separate(runs, names, hours);
   Series& all = result.series;
   all.five_probe = runs.front().five_probe;
+  all.has_clock = std::all_of(runs.begin(), runs.end(), [](const Series& run) { return run.has_clock; });
   std::vector<std::string> left_out;
   for (const Series& run : runs) {
     for (const Column& column : run.columns) {

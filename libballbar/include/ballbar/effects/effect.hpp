@@ -235,6 +235,9 @@ struct Effect {
 // Whether it acts in recordings that `motion` drives.
 bool applies_to(const Effect& effect, Motion motion);
 
+// Whether it has a time constant, a period, a moment or a rate: data without a clock cannot show it.
+bool needs_clock(const Effect& effect);
+
 // Effects to choose from. Values: a copy has the same effects, and adding to it changes no other.
 using Catalogue = std::vector<std::shared_ptr<const Effect>>;
 

@@ -63,7 +63,7 @@ bool has_free(const Model& model);
 void expect_suits(const Model& model, const Series& data);
 
 // Throws Error as expect_suits does for targets ("target: expected ..."): none, one twice, one that the data do not
-// have, with the nearest; and for one that is not in um, in which all effects are.
+// have, with the nearest.
 void expect_explainable(const std::vector<std::string>& targets, const Series& data);
 
 }  // namespace ballbar

@@ -34,7 +34,7 @@ struct BatchColumns {
   std::vector<std::string> sensors;  // of temperatures
   InputKind kind = InputKind::temperature;
   std::string target;
-  std::string room;
+  std::string room;                  // empty: none, or several that could be
   std::optional<std::string> speed;  // nothing: none logged
 
   bool operator==(const BatchColumns&) const = default;
@@ -42,9 +42,12 @@ struct BatchColumns {
 
 // Of a first batch: every column in degC or K is a sensor; the room is the one of role ambient, or whose name says room
 // or ambient or air; a speed where there is one column of that role. `room` or `target`: named by the user. Throws
-// Error with what there is: no temperature, no such target, no room or several.
+// Error with what there is: no temperature, no such target.
 BatchColumns batch_columns(const Series& first, InputKind kind, const std::string& target,
                            const std::optional<std::string>& room);
+
+// That a room is known, by which batches are ranked. Throws Error.
+void expect_room(const BatchColumns& columns);
 
 // n rows by m inputs: temperatures, then rises. Throws Error naming the column: missing, or a gap in it.
 Eigen::MatrixXd inputs_of(const Series& series, const BatchColumns& columns);
@@ -54,8 +57,8 @@ std::vector<std::string> input_names(const BatchColumns& columns);
 
 // How a test begins and what was driven: by which batches are near each other or not.
 struct BatchStart {
-  double room_first_degC = 0.0;
-  double room_mean_degC = 0.0;
+  double room_first_degC = 0.0;    // NaN: no room is known
+  double room_mean_degC = 0.0;     // the same
   double sensors_mean_degC = 0.0;  // of all sensors in the first row
   double sensors_spread_K = 0.0;   // their standard deviation there
   double speed_mean_rpm = 0.0;     // of the whole batch; NaN: not logged

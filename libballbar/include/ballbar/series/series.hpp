@@ -47,6 +47,7 @@ struct Series {
   std::optional<FiveProbe> five_probe;  // where the file has a [five_probe] table
   std::optional<std::string> started;   // wall clock at time_s = 0, "2026-11-22T13:05:10", no zone, where it is known
   std::vector<RunOrigin> runs;          // one a run where there are several; else none
+  bool has_clock = true;                // false: time_s numbers the rows, 0, 1, 2 ..., for no file tells the time
 };
 
 // Unit at the end of a column's name ("um", "mm", "urad", "degC", "rpm", "A", "W", "K", "percent", "Nm", "bar",

@@ -136,7 +136,10 @@ std::vector<Detectability> detectability_of(const Catalogue& catalogue, const Si
       if (chosen == nullptr || um < least) chosen = &family;
       least = std::min(least, um);
     }
-    if (motion && !applies_to(*effect, *motion)) {
+    if (!data.has_clock && needs_clock(*effect)) {
+      detectable.testability = Testability::no_clock;
+      detectable.why = "it needs a clock, and the rows are numbered";
+    } else if (motion && !applies_to(*effect, *motion)) {
       detectable.testability = Testability::other_motion;
       detectable.why = fmt::format("it is not one of circles driven by {}", name_of(*motion));
     } else if (bindings.empty()) {

@@ -172,6 +172,7 @@ std::vector<Shaped> shaped_of(const Catalogue& catalogue, const Model& model, co
   for (const auto& effect : catalogue) {
     if (effect->level != model.level || effect->rules.is_base) continue;
     if (options.motion && !applies_to(*effect, *options.motion)) continue;
+    if (!data.has_clock && needs_clock(*effect)) continue;
     if (std::find(options.without.begin(), options.without.end(), effect->name) != options.without.end()) continue;
     for (std::vector<std::string>& names : bindings_of(*effect, model, data)) {
       if (has_term(model, *effect, names) && !effect->rules.may_repeat) continue;

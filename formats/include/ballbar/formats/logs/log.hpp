@@ -3,7 +3,8 @@
 //
 // What the file does not say is found out: encoding, delimiter, decimal sign, where the table begins, names, units,
 // dates, gaps, roles. Two readings that are both possible are refused with the line and the option that tells them
-// apart. Lengths become um, temperatures degC, spindle speeds rpm, powers W; a column without a unit stays as it is.
+// apart. Lengths become um, temperatures degC, spindle speeds rpm, powers W; a column without a unit stays as it is,
+// but for temperatures that name and values tell. A log without a clock has numbered rows (Series::has_clock).
 #pragma once
 
 #include <cstddef>
@@ -13,32 +14,11 @@
 #include <string_view>
 #include <vector>
 
+#include "ballbar/formats/text/log_recipe.hpp"
 #include "ballbar/formats/text/source.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
-
-// What a user knows of one column of the log.
-struct ColumnRecipe {
-  std::string source;        // its header, with or without the unit
-  std::string name;          // in the series; empty: made from the header
-  std::string unit;          // as written in the log; empty: found out
-  std::optional<Role> role;  // empty: found out
-  bool left_out = false;
-};
-
-// What a user knows of a log; all that is empty is found out. `ballbar import --save` keeps one for the next log.
-struct LogRecipe {
-  std::string sheet;                 // of a workbook; empty: the first
-  std::optional<char> delimiter;     // ' ': runs of blanks
-  std::optional<char> decimal;       // ',' or '.'
-  std::optional<bool> month_first;   // 03/04/2026 is the fourth of March
-  std::string time;                  // header of the column of time
-  std::string time_unit;             // "s", "ms", "min", "h", "d" of a time that is a number
-  std::optional<double> every_s;     // no column of time: rows so far apart
-  std::vector<std::string> missing;  // cells that hold no value, besides the usual ones
-  std::vector<ColumnRecipe> columns;
-};
 
 // A column of the log and what it was taken for.
 struct LogColumn {
@@ -47,8 +27,9 @@ struct LogColumn {
   std::string found_unit;  // as the log writes it
   std::string unit;        // of the series: "um"; empty where there is none
   Role role = Role::event;
-  std::string why;       // what tells the role, or why it is left out
-  std::size_t gaps = 0;  // cells without a value
+  std::string why;            // what tells the role, or why it is left out
+  std::size_t gaps = 0;       // cells without a value
+  std::vector<double> first;  // its first values, at most five; a gap is NaN
 };
 
 struct Log {
@@ -57,15 +38,25 @@ struct Log {
   std::string time;                // what the time was taken from, in words
   std::string shape;               // how the text was read, in words: "semicolons, decimal comma, Windows-1252"
   std::size_t first_row_line = 0;
-  std::vector<std::string> remarks;  // whole sentences: what looks broken, what was mended
-  LogRecipe recipe;                  // with all that was found out
+  std::vector<std::string> remarks;        // whole sentences: what looks broken, what was mended, what was assumed
+  std::vector<std::string> unclear;        // whole sentences: what a user should state
+  std::vector<std::size_t> skipped_lines;  // numbers of the lines that are no rows of numbers
+  std::vector<std::string> sheets;         // of a workbook, all
+  LogRecipe recipe;                        // with all that was found out
 };
 
 // `name` stands in messages. Throws Error with name:line: what was expected, what was found, which option mends it.
 Log read_log(std::string_view bytes, const std::string& name, const LogRecipe& recipe = {});
 
-// The same of a file, which is not held in memory.
-Log open_log(const Source& source, const LogRecipe& recipe = {});
+// The same of a file, by its own recipe; it is not held in memory.
+Log open_log(const Source& source);
+
+// The sheets of a workbook that hold a table, in their order; none of another file. Throws Error where it is damaged.
+std::vector<std::string> sheets_of(const Source& source);
+
+// What a user states of the columns of a series that is no log: roles, names, units where there is none, what is left
+// out. Throws Error with `name` where it has no such column.
+Series with_stated_columns(Series series, const LogRecipe& recipe, const std::string& name);
 
 // Of Series::started: seconds from 1970 to it and back, without a zone; nullopt for what is no date with a clock.
 std::optional<double> seconds_of_stamp(std::string_view started);

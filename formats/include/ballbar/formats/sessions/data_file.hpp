@@ -18,8 +18,9 @@ namespace ballbar {
 
 struct ModelData {
   Level level = Level::series;
-  std::shared_ptr<const Series> series;      // target and inputs on one clock; recordings: trace_of them
-  std::vector<std::string> targets;          // what a model could explain: the measured columns, sigmas left out
+  std::shared_ptr<const Series> series;  // target and inputs on one clock; recordings: trace_of them
+  std::vector<std::string>
+      targets;  // what a model could explain: the measured columns in um, else the measured columns; no sigmas
   std::vector<std::filesystem::path> files;  // all that were read
   std::string title;
   std::optional<Motion> motion;      // recordings: what drove all of them
@@ -31,6 +32,10 @@ struct ModelData {
 // file twice.
 ModelData open_model_data(const std::vector<Source>& sources, const DriftOptions& options, double max_gap_s,
                           std::span<const Reader> readers = known_readers(), const StatedCircle& stated = {});
+
+// The runs that sources stand for: those of a list of runs, the sheets of a workbook under the same names, the logs of
+// a folder without recordings; any other source itself. Throws Error as open_model_data.
+std::vector<Source> runs_in(const std::vector<Source>& sources, std::span<const Reader> readers = known_readers());
 
 // The same of a series or a session that is open already. A series in which nothing is to be closed is not copied.
 ModelData model_data_of(const DriftData& source, const std::string& name, const DriftOptions& options, double max_gap_s,

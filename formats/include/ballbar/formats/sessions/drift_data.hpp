@@ -21,6 +21,7 @@ struct DriftData {
   std::shared_ptr<const Series> series;
   std::vector<std::filesystem::path> files;  // all that were read
   std::vector<std::string> remarks;          // what a log was taken for, whole lines; none of a ballbar series
+  std::shared_ptr<const LogRecipe> recipe;   // of the logs of a session; nullptr: nothing is known
 };
 
 // What `open_series` says besides.
@@ -28,8 +29,7 @@ struct OpenedSeries {
   std::shared_ptr<const Series> series;
   std::vector<std::string> remarks;
 };
-OpenedSeries opened_series(const Source& source, std::span<const Reader> readers = known_readers(),
-                           const LogRecipe& recipe = {});  // of a log
+OpenedSeries opened_series(const Source& source, std::span<const Reader> readers = known_readers());
 
 // Throws Error with what was found where the file is neither.
 DriftData open_drift_data(const Source& source, std::span<const Reader> readers = known_readers());

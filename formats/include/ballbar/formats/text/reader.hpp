@@ -16,7 +16,6 @@ namespace ballbar {
 
 class Source;
 struct Log;
-struct LogRecipe;
 struct RecordingFile;
 struct Series;
 struct SessionPlan;
@@ -29,7 +28,7 @@ inline constexpr std::size_t kHeadBytes = std::size_t{1} << 16;  // a header is 
 using ReadRecordings = RecordingFile (*)(std::string_view bytes, std::string_view name);
 using ReadCircle = RecordingFile (*)(std::string_view bytes, std::string_view name, const StatedCircle& stated);
 using ReadSeries = Series (*)(std::string_view bytes, std::string_view name);
-using ReadLog = Log (*)(const Source& source, const LogRecipe& recipe);  // not held in memory
+using ReadLog = Log (*)(const Source& source);  // not held in memory
 using ReadSession = SessionPlan (*)(std::string_view bytes, std::string_view name);
 
 struct Reader {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ballbar/circle/recording.hpp"
+#include "ballbar/formats/text/log_recipe.hpp"
 #include "ballbar/formats/text/reader.hpp"
 #include "ballbar/series/series.hpp"
 
@@ -33,6 +34,9 @@ class Source {
 
   [[nodiscard]] const std::string& name() const { return name_; }  // of a file its path
   [[nodiscard]] bool empty() const { return name_.empty(); }
+  // What a user knows of it where it is a log (log.hpp). An option that is read later may fill it.
+  [[nodiscard]] const LogRecipe& recipe() const;
+  void set_recipe(std::shared_ptr<const LogRecipe> recipe) { recipe_ = std::move(recipe); }
   [[nodiscard]] std::filesystem::path path() const { return name_; }
   [[nodiscard]] bool is_path() const { return std::holds_alternative<std::shared_ptr<File>>(held_); }
   [[nodiscard]] std::shared_ptr<const Series> series() const;      // nullptr: something else
@@ -63,6 +67,7 @@ class Source {
   std::variant<std::monostate, std::shared_ptr<File>, std::shared_ptr<const std::string>, std::shared_ptr<const Series>,
                std::shared_ptr<const std::vector<Recording>>>
       held_;
+  std::shared_ptr<const LogRecipe> recipe_;  // nullptr: nothing is known
 };
 
 std::vector<std::string> names_of(const std::vector<Source>& sources);
