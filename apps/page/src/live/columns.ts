@@ -18,7 +18,6 @@ interface Understood {
   columns: UnderstoodColumn[];
   first_times_s?: Num[];
   sheets?: string[]; // of a workbook
-  sheet?: string;
   targets?: string[];
   remarks: string[];
   faults: { column: string; what: string }[];
@@ -58,8 +57,6 @@ const kNone = "none"; // no time: the rows are numbered
 
 // "2,5 µm" as the program takes it.
 const quantity = (text: string): string => text.replace(/\s+/g, "").replace(",", ".").replace(/[µμ]/, "u");
-
-const as_found = (what: string): string => t.live_columns_found_as({ what: plain(what, 60) });
 
 // A series of our own tells all itself.
 const log_in = ({ group, data }: Subject): Held | undefined =>
@@ -125,7 +122,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
   const time_fields = (): HTMLElement[] => {
     const of_column = said(words, "time");
     const stated = of_column !== "" || said(words, kEvery) !== "";
-    const found = !understood || stated ? t.live_columns_found : as_found(understood.clock === false ? t.live_columns_no_clock : understood.time);
+    const found = !understood || stated ? t.live_columns_found : t.live_columns_found_as({ what: understood.clock === false ? t.live_columns_no_clock : plain(understood.time, 60) });
     const headers = [...new Set([...(of_column === "" || of_column === kNone ? [] : [of_column]), ...rows.map(({ source }) => source)])];
     const interval = text(kEvery, said(words, kEvery), "10s", (value) => say(kEvery, quantity(value)));
     const every = labelled(t.live_columns_every, interval);
@@ -153,8 +150,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
   const sheet_field = (): HTMLElement[] => {
     const sheets = understood?.sheets;
     if (!sheets) return /\.xlsx$/i.test(log?.path ?? "") ? [labelled(t.live_columns_sheet, text("sheet", said(words, "sheet"), "1", (value) => say("sheet", value)))] : [];
-    const sheet = understood?.sheet;
-    return [choice(t.live_columns_sheet, "sheet", sheet === undefined || said(words, "sheet") !== "" ? t.live_columns_found : as_found(sheet), sheets.map((one) => [one, plain(one, 60)]))];
+    return [choice(t.live_columns_sheet, "sheet", t.live_columns_found, sheets.map((one) => [one, plain(one, 60)]))];
   };
 
   const log_fields = (): HTMLElement => {
@@ -251,7 +247,11 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       const ticked = rows.filter(({ target }) => target).map(({ source }) => source);
-      void reread(words, ticked.length === rows.filter(({ role }) => role === "measured").length ? [] : ticked);
+      const all = ticked.length === rows.filter(({ role }) => role === "measured").length;
+      const sheet = said(words, "sheet");
+      // Another sheet has columns of its own.
+      if (sheet !== said(subject?.log ?? [], "sheet")) void reread(with_said([], "sheet", sheet), []);
+      else void reread(words, all ? [] : ticked);
     });
     box.setAttribute("aria-label", t.live_columns_of({ name }));
     box.replaceChildren(
