@@ -56,7 +56,9 @@ std::string columns_text(const Log& log) {
   const Series& series = log.series;
   const std::size_t rows = std::min(kShownRows, series.time_s.size());
   std::vector<std::string> heading{"in the log", "unit", "in the series", "role"};
-  for (std::size_t row = 0; row < rows; ++row) heading.push_back(fmt::format("{:.6g} s", series.time_s[row]));
+  for (std::size_t row = 0; row < rows; ++row) {
+    heading.push_back(series.has_clock ? fmt::format("{:.6g} s", series.time_s[row]) : fmt::format("row {}", row + 1));
+  }
   heading.emplace_back("gaps");
   Table table(heading);
   std::size_t k = 0;
@@ -86,7 +88,7 @@ std::vector<std::string> guesses(const Log& log) {
   std::vector<std::string> lines;
   for (const LogColumn& column : log.columns) {
     if (column.name.empty() || column.why.empty() || column.why == "by its unit" || column.why == "by its name" ||
-        column.why == "by the recipe")
+        column.why == "by the recipe" || column.why == "by name and values" || column.why.ends_with('?'))
       continue;
     lines.push_back(fmt::format("{}: {}.", column.source, column.why));
   }
@@ -96,8 +98,12 @@ std::vector<std::string> guesses(const Log& log) {
 void print(const ImportArguments& options, const Log& log, const std::vector<ColumnFault>& faults) {
   const std::vector<double>& time_s = log.series.time_s;
   fmt::print("{}\n{}\n", options.logs.front().name(), wrapped(sentence_of(log)));
-  fmt::print("{} rows over {}{}\n\n", time_s.size(), duration_text(time_s.back() - time_s.front()),
-             log.series.started ? fmt::format(", started {}", *log.series.started) : std::string());
+  if (log.series.has_clock) {
+    fmt::print("{} rows over {}{}\n\n", time_s.size(), duration_text(time_s.back() - time_s.front()),
+               log.series.started ? fmt::format(", started {}", *log.series.started) : std::string());
+  } else {
+    fmt::print("{} rows without a clock; --every 10s states how far apart they are\n\n", time_s.size());
+  }
   fmt::print("{}", columns_text(log));
   const auto list = [](std::string_view title, const std::vector<std::string>& lines) {
     if (lines.empty()) return;
@@ -169,7 +175,8 @@ void run_several(const ImportArguments& options) {
 std::string file_of_run(const std::string& out, std::size_t run, std::size_t runs) {
   if (runs == 1) return out;
   const std::filesystem::path path(out);
-  return (path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), run + 1, path.extension().string())).string();
+  return (path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), run + 1, path.extension().string()))
+      .string();
 }
 
 void run_circle(const ImportArguments& options) {

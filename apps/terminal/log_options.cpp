@@ -104,7 +104,7 @@ void add_table_options(CLI::App& command, const Recipe& recipe) {
   command
       .add_flag_callback(
           "--skip-bad-rows", [recipe] { recipe->skip_bad_rows = true; },
-          "skip rows that are none of numbers, however many; without it one in a hundred")
+          "skip rows that are none of numbers, however many; without it two and one in a hundred")
       ->group(kGroup);
   add_repeated(command, "--join", "a file whose columns stand beside these, row by row, sheet by sheet", "FILE",
                [recipe](const std::string& file) { recipe->join.push_back(file); });

@@ -33,6 +33,7 @@ namespace {
 constexpr double kFreezing_K = 273.15;
 constexpr std::size_t kFirst = 5;         // values of a column that are shown
 constexpr std::size_t kListedLines = 10;  // of those that are skipped
+constexpr std::size_t kProbesAtMost = 3;  // that no name tells
 constexpr double kBetweenBursts = 5.0;    // times the middle step of time
 constexpr double kNoReading = 9e36;       // 9.9E37 and 1E38 stand for overload
 
@@ -193,7 +194,8 @@ LogRecipe recipe_of(const Log& log, const LogShape& shape, const LogPlan& plan, 
   if (time.kind == TimePlan::Kind::stamps && time.order) recipe.month_first = *time.order == DateOrder::month_first;
   recipe.columns.clear();
   for (const LogColumn& column : log.columns) {
-    recipe.columns.push_back({column.source, column.name, column.found_unit, column.role, column.name.empty()});
+    recipe.columns.push_back({column.source, column.name, column.found_unit.empty() ? column.unit : column.found_unit,
+                              column.role, column.name.empty()});
   }
   return recipe;
 }
@@ -201,7 +203,8 @@ LogRecipe recipe_of(const Log& log, const LogShape& shape, const LogPlan& plan, 
 void say_lines(const LogTable& table, Log& log) {
   const auto lines = [](std::size_t count) { return fmt::format("{} {}", count, count == 1 ? "line" : "lines"); };
   if (table.other_lines > 0)
-    log.remarks.push_back(fmt::format("{} of text among or after the rows: passed over.", lines(table.other_lines)));
+    log.remarks.push_back(
+        fmt::format("{} of comments, names or text after the rows: passed over.", lines(table.other_lines)));
   if (table.without_time > 0)
     log.remarks.push_back(fmt::format("{} without a time: left out.", lines(table.without_time)));
   if (table.short_rows > 0)
@@ -210,9 +213,9 @@ void say_lines(const LogTable& table, Log& log) {
   const std::size_t bad = table.bad_lines.size();
   if (bad == 0) return;
   const auto some = static_cast<std::ptrdiff_t>(std::min(kListedLines, bad));
-  log.remarks.push_back(fmt::format(
-      "{} skipped, for a cell is no number: {} {}{}.", lines(bad), bad == 1 ? "line" : "lines",
-      fmt::join(table.bad_lines.begin(), table.bad_lines.begin() + some, ", "), bad > kListedLines ? " ..." : ""));
+  log.remarks.push_back(fmt::format("{} skipped, no row of numbers: {} {}{}.", lines(bad), bad == 1 ? "line" : "lines",
+                                    fmt::join(table.bad_lines.begin(), table.bad_lines.begin() + some, ", "),
+                                    bad > kListedLines ? " ..." : ""));
 }
 
 // What a user should state, where the file does not tell it.
@@ -230,6 +233,26 @@ std::vector<std::string> unclear_parts(const Log& log) {
   }
   if (!measured) parts.emplace_back("No column is known as measured.");
   return parts;
+}
+
+// Where no column is known as measured, those that may be, if they are three at most: "mcu_pos_z".
+void take_nameless_targets(Log& log) {
+  std::vector<std::pair<LogColumn*, Column*>> found;
+  std::size_t k = 0;
+  for (LogColumn& column : log.columns) {
+    if (column.name.empty()) continue;
+    Column& values = log.series.columns[k++];
+    if (column.role == Role::measured) return;
+    const Extremes range = extremes_of(values.values);
+    const bool may_be = column.role == Role::event && column.unit.empty() && column.found_unit.empty() &&
+                        range.most > range.least && could_be_measured(column.source);
+    if (may_be) found.emplace_back(&column, &values);
+  }
+  if (found.size() > kProbesAtMost) return;
+  for (const auto& [column, values] : found) {
+    column->role = values->role = Role::measured;
+    column->why = "the only column that may be measured; in which unit?";
+  }
 }
 
 // A row a burst: the mean of its rows, at the mean of their times. Bursts are parted by steps of time that are far
@@ -410,6 +433,7 @@ Log open_log(const Source& source) {
     log.remarks.push_back(
         fmt::format("{} rows come in {} bursts: a row is the mean of one.", rows, log.series.time_s.size()));
   }
+  take_nameless_targets(log);
   log.unclear = unclear_parts(log);
   source.close();
   return log;
@@ -483,8 +507,10 @@ std::string sentence_of(const Log& log) {
   add(of(Role::coolant), "coolant temperature", "coolant temperatures");
   add(others, "other", "others");
   add(left_out, "left out", "left out");
-  return fmt::format("read as {}; {} rows from line {}, time {}; {}.", log.shape, log.series.time_s.size(),
-                     log.first_row_line, log.time, columns);
+  const std::string time =
+      log.series.has_clock ? fmt::format("time {}", log.time) : "numbered, for none tells the time";
+  return fmt::format("read as {}; {} rows from line {}, {}; {}.", log.shape, log.series.time_s.size(),
+                     log.first_row_line, time, columns);
 }
 
 }  // namespace ballbar

@@ -27,41 +27,25 @@ constexpr std::string_view kLoad[] = {
     "couple",    "coppia",   "par",        "current",     "strom",        "motorstrom",  "courant", "corrente",
     "corriente", "负载",     "负荷",       "負荷",        "功率",         "电流",        "電流",    "扭矩",
     "トルク",    "電力",     "ロード",     "utilization", "wirkleistung", "spindellast", "lmdat"};
-constexpr std::string_view kAmbient[] = {"ambient",
-                                         "room",
-                                         "umgebung",
-                                         "raum",
-                                         "raumtemperatur",
-                                         "hall",
-                                         "halle",
-                                         "ambiant",
-                                         "ambiante",
-                                         "salle",
-                                         "ambiente",
-                                         "sala",
-                                         "stanza",
-                                         "air",
-                                         "luft",
-                                         "aria",
-                                         "aire",
-                                         "atelier",
-                                         "officina",
-                                         "taller",
-                                         "环境",
-                                         "室温",
-                                         "室内",
-                                         "車間",
-                                         "车间",
-                                         "雰囲気",
-                                         "外気",
-                                         "気温",
-                                         "空气",
-                                         "environment",
-                                         "umgebungstemperatur",
-                                         "shop",
-                                         "werkstatt",
-                                         "周围",
-                                         "周囲"};
+constexpr std::string_view kAmbient[] = {"ambient",     "amb",
+                                         "raumluft",    "umg",
+                                         "room",        "umgebung",
+                                         "raum",        "raumtemperatur",
+                                         "hall",        "halle",
+                                         "ambiant",     "ambiante",
+                                         "salle",       "ambiente",
+                                         "sala",        "stanza",
+                                         "air",         "luft",
+                                         "aria",        "aire",
+                                         "atelier",     "officina",
+                                         "taller",      "环境",
+                                         "室温",        "室内",
+                                         "車間",        "车间",
+                                         "雰囲気",      "外気",
+                                         "気温",        "空气",
+                                         "environment", "umgebungstemperatur",
+                                         "shop",        "werkstatt",
+                                         "周围",        "周囲"};
 constexpr std::string_view kCoolant[] = {"coolant",
                                          "cooling",
                                          "kuhlmittel",
@@ -94,6 +78,10 @@ constexpr std::string_view kCoolant[] = {"coolant",
                                          "切削液",
                                          "kuehlmittel",
                                          "raffreddamento",
+                                         "kuhlschmierstoff",
+                                         "taladrina",
+                                         "emulsion",
+                                         "lubrificante",
                                          "冷媒"};
 constexpr std::string_view kBearing[] = {"bearing",    "lager",       "palier",      "roulement", "cuscinetto",
                                          "cuscinetti", "rodamiento",  "cojinete",    "轴承",      "ベアリング",
@@ -101,17 +89,18 @@ constexpr std::string_view kBearing[] = {"bearing",    "lager",       "palier", 
 constexpr std::string_view kHousing[] = {"housing",       "gehause",  "spindelgehause", "carter", "carcasa",
                                          "alloggiamento", "carcassa", "壳体",           "主轴箱", "ハウジング",
                                          "spindelkasten", "gehaeuse", "boitier",        "机壳",   "主軸台"};
-constexpr std::string_view kMeasured[] = {"probe",       "taster",       "messtaster", "sensor x",  "displacement",
-                                          "verlagerung", "verschiebung", "weg",        "drift",     "deplacement",
-                                          "palpeur",     "spostamento",  "sonda",      "tastatore", "desplazamiento",
-                                          "error",       "abweichung",   "位移",       "変位",      "palpador",
-                                          "capteur",     "测头",         "プローブ",   "误差",      "gap",
-                                          "abstand",     "tir",          "gauge",      "delta l",   "deviation",
-                                          "ecart",       "wegsensor",    "elongation", "längung",   "laengung",
-                                          "err",         "fehler",       "disp",       "displ",     "dilatation",
-                                          "dehnung",     "expansion",    "growth",     "dl",        "verformung",
-                                          "deformation", "伸长",         "热误差",     "变形",      "熱変位",
-                                          "伸び",        "偏差",         "erreur",     "errore",    "desviacion"};
+constexpr std::string_view kMeasured[] = {"probe",       "taster",       "messtaster",  "sensor x",  "displacement",
+                                          "verlagerung", "verschiebung", "weg",         "drift",     "deplacement",
+                                          "palpeur",     "spostamento",  "sonda",       "tastatore", "desplazamiento",
+                                          "error",       "abweichung",   "位移",        "変位",      "palpador",
+                                          "capteur",     "测头",         "プローブ",    "误差",      "gap",
+                                          "abstand",     "tir",          "gauge",       "delta l",   "deviation",
+                                          "ecart",       "wegsensor",    "elongation",  "längung",   "laengung",
+                                          "err",         "fehler",       "disp",        "displ",     "dilatation",
+                                          "dehnung",     "expansion",    "growth",      "dl",        "verformung",
+                                          "lvdt",        "length",       "deformation", "伸长",      "热误差",
+                                          "变形",        "熱変位",       "伸び",        "偏差",      "erreur",
+                                          "errore",      "desviacion"};
 constexpr std::string_view kTemperature[] = {
     "temp",          "temperature", "temperatur", "temperatura", "temperatures", "tmp",    "thermo", "thermocouple",
     "thermoelement", "termocoppia", "termopar",   "pt",          "pt100",        "pt1000", "tc",     "rtd",
@@ -138,6 +127,8 @@ constexpr std::string_view kChamber[] = {"chamber", "enclosure", "kammer",  "kli
 constexpr std::string_view kOtherPercent[] = {"humidity", "feuchte", "humidite", "umidita",   "humedad", "湿度",
                                               "override", "ventil",  "valve",    "fullstand", "level",   "duty",
                                               "rh",       "pegel",   "battery",  "vorschub"};
+constexpr std::string_view kSetPoint[] = {"soll",    "sollwert", "set",      "setpoint", "target", "nominal", "cmd",
+                                          "command", "consigne", "consigna", "setp",     "sp",     "设定",    "設定"};
 // Of what is no temperature, whatever part it is of.
 constexpr std::string_view kOtherQuantity[] = {
     "flow",     "durchfluss", "debit",    "portata",   "caudal",   "流量",      "pressure", "druck",
@@ -162,6 +153,17 @@ bool says(const std::string& key, const std::string_view (&words)[kSize]) {
     }
     return false;
   });
+}
+
+// Folded, and parted where a capital follows a small letter: "GVL.rTempBed" -> "gvl r temp bed".
+std::string key_of(std::string_view name) {
+  std::string parted;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool capital = name[i] >= 'A' && name[i] <= 'Z';
+    if (capital && i > 0 && name[i - 1] >= 'a' && name[i - 1] <= 'z') parted += ' ';
+    parted += name[i];
+  }
+  return folded(parted);
 }
 
 // Whether a word of the name is one of these, or so near that it is one misspelled: a letter, of eight and more two. It
@@ -210,15 +212,19 @@ bool moves_as_speed(std::span<const double> values) {
   return rows >= 20 && held * 10 >= rows * 7 && round * 10 >= held * 9;
 }
 
-// "x1", "z", "dx", "y2": probes on the axes of a machine.
+// "x1", "z", "dx", "delta z", "y2": probes on the axes of a machine.
 bool names_a_probe(const std::string& key) {
   std::string_view name = key;
-  if (name.starts_with('d')) name.remove_prefix(1);
+  if (name.starts_with("delta "))
+    name.remove_prefix(6);
+  else if (name.starts_with('d'))
+    name.remove_prefix(1);
   return !name.empty() && name.size() <= 2 && name[0] >= 'x' && name[0] <= 'z' &&
          (name.size() == 1 || (name[1] >= '1' && name[1] <= '3'));
 }
 
 FoundRole temperature_role(const std::string& key) {
+  if (says(key, kSetPoint)) return {Role::event, "a set point", ""};
   if (nearly_says(key, kBearing)) return {Role::bearing, "by its name", ""};
   if (nearly_says(key, kCoolant)) return {Role::coolant, "by its name", ""};
   if (nearly_says(key, kHousing)) return {Role::housing, "by its name", ""};
@@ -241,21 +247,27 @@ Extremes extremes_of(std::span<const double> values, double but) {
   return found;
 }
 
+bool could_be_measured(std::string_view name) {
+  constexpr std::string_view kWords[] = {"x", "y", "z", "pos", "position", "steps", "counts", "count", "probe"};
+  const std::string key = key_of(name);
+  return says(key, kWords) && !says(key, kSetPoint);
+}
+
 bool names_a_temperature(std::string_view name) {
-  const std::string key = folded(name);
+  const std::string key = key_of(name);
   return says(key, kTemperature) || has_letter_t(key) || nearly_says(key, kBearing) || nearly_says(key, kCoolant) ||
          nearly_says(key, kHousing) || nearly_says(key, kAmbient) || nearly_says(key, kChamber) ||
          nearly_says(key, kStructure) || nearly_says(key, kSpindle);
 }
 
 bool names_another_quantity(std::string_view name) {
-  const std::string key = folded(name);
+  const std::string key = key_of(name);
   return says(key, kOtherPercent) || says(key, kOtherQuantity) || says(key, kSpeed) || says(key, kLoad) ||
          says(key, kMeasured) || names_a_probe(key);
 }
 
 FoundRole found_role(std::string_view name, std::string_view unit, std::span<const double> values) {
-  const std::string key = folded(name);
+  const std::string key = key_of(name);
   if (unit == "degC" || unit == "K") return temperature_role(key);
   if (unit == "rpm") return {Role::speed, "by its unit", ""};
   if (unit == "A" || unit == "W" || unit == "Nm") return {Role::load, "by its unit", ""};
@@ -297,7 +309,8 @@ FoundRole found_role(std::string_view name, std::string_view unit, std::span<con
     if (range.most - range.least > kTravel_um) return {Role::event, "moves too far for a probe", ""};
     return {Role::measured, "by its name; in which unit?", ""};
   }
-  if (moves_as_speed(values)) return {Role::speed, "held at round numbers, as a speed; no unit, taken for rpm", "rpm"};
+  if (moves_as_speed(values) && !says(key, kOtherQuantity))
+    return {Role::speed, "held at round numbers, as a speed; no unit, taken for rpm", "rpm"};
   return {Role::event, "", ""};
 }
 

@@ -29,6 +29,9 @@ bool names_a_temperature(std::string_view name);
 // Whether a name is one of something else: a humidity, a pressure, a speed, a probe ...
 bool names_another_quantity(std::string_view name);
 
+// Whether a column without a unit may be what is measured where no name tells it: "mcu_pos_z", "z_steps".
+bool could_be_measured(std::string_view name);
+
 // `unit`: canonical, may be empty. `values`: in it.
 FoundRole found_role(std::string_view name, std::string_view unit, std::span<const double> values);
 

@@ -17,6 +17,9 @@
 namespace ballbar {
 namespace {
 
+constexpr std::size_t kFreeRows = 2;         // that are no rows of numbers, of any file; beside one in a hundred
+constexpr std::size_t kLongestNames = 4096;  // of a line of names once more
+
 // A date may be read in two ways: how its days run in either, from row to row.
 struct OrderEvidence {
   bool day_first = false, month_first = false;
@@ -65,6 +68,7 @@ class Table {
         static_cast<std::size_t>(std::count_if(plan.columns.begin(), plan.columns.end(),
                                                [](const auto& column) { return column.kind == ColumnKind::number; }));
     row_.resize(plan.columns.size(), kGap);
+    find_decimals();
   }
 
   void read(const Source& source) {
@@ -86,9 +90,18 @@ class Table {
 
   // The table, where not too many rows are skipped.
   LogTable taken() {
+    table_.other_lines += pending_.size();
+    for (const CutRow& cut : cut_rows_) {
+      if (table_.bad_lines.empty())
+        first_fault_ =
+            fmt::format("{}:{}: expected {} values, one for each column, found a line that ends within value {}.",
+                        name_, cut.line, plan_.columns.size(), cut.values);
+      table_.bad_lines.push_back(cut.line);
+    }
+    std::sort(table_.bad_lines.begin(), table_.bad_lines.end());
     const std::size_t bad = table_.bad_lines.size();
     const std::size_t all = table_.rows + (plan_.time.kind == TimePlan::Kind::rows ? 0 : bad);
-    if (recipe_.skip_bad_rows || bad * 100 <= all) return std::move(table_);
+    if (recipe_.skip_bad_rows || bad <= kFreeRows + all / 100) return std::move(table_);
     if (bad == 1) throw Error(fmt::format("{} --skip-bad-rows leaves the row out.", first_fault_));
     throw Error(fmt::format("{} {} of {} rows are such; --skip-bad-rows leaves them out.", first_fault_, bad, all));
   }
@@ -100,6 +113,31 @@ class Table {
   std::string first_either_;
 
  private:
+  // Whether the line ends within the number of this column, by its decimals.
+  [[nodiscard]] bool is_cut_off(std::size_t column) const {
+    return plan_.columns[column].kind == ColumnKind::number && decimals_of(last_cell_) < decimals_[column];
+  }
+
+  [[nodiscard]] std::size_t decimals_of(std::string_view cell) const {
+    const std::size_t sign = cell.find(shape_.decimal);
+    return sign == std::string_view::npos ? 0 : cell.find_last_of("0123456789") - sign;
+  }
+
+  // The fewest that a column has in the first rows.
+  void find_decimals() {
+    decimals_.assign(plan_.columns.size(), std::string_view::npos);
+    std::vector<std::string_view> cells;
+    for (const HeadLine& row : shape_.rows) {
+      split_cells(row.text, shape_.delimiter, cells);
+      if (cells.size() != decimals_.size()) continue;
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (look_of(cells[i]).kind != NumberLook::Kind::other)
+          decimals_[i] = std::min(decimals_[i], decimals_of(cells[i]));
+      }
+    }
+    for (std::size_t& decimals : decimals_) decimals = decimals == std::string_view::npos ? 0 : decimals;
+  }
+
   std::string_view cell_at(const char* begin, const char* end) const {
     const std::string_view rest(begin, static_cast<std::size_t>(end - begin));
     return rest.substr(0, cell_end(rest, 0, shape_.delimiter));
@@ -112,6 +150,13 @@ class Table {
 
   bool is_end(const char* at, const char* end) const {
     return at == end || *at == shape_.delimiter || (shape_.delimiter == ' ' && *at == '\t');
+  }
+
+  // The names once more, as loggers write them where they begin anew.
+  [[nodiscard]] bool repeats_names(std::string_view line) const {
+    if (shape_.header_line == 0 || shape_.headers.front().empty()) return false;
+    const std::string_view first = line.substr(0, std::min(cell_end(line, 0, shape_.delimiter), kLongestNames));
+    return trimmed_cell(first) == shape_.headers.front();
   }
 
   // Counts a row that is none of numbers.
@@ -137,7 +182,7 @@ class Table {
     const std::size_t columns = plan_.columns.size();
     at = past_blanks(at, end);
     if (at == end) return false;
-    if (*at == '#') {
+    if (*at == '#' || repeats_names(line)) {
       ++table_.other_lines;
       return false;
     }
@@ -145,6 +190,7 @@ class Table {
     const fast_float::parse_options how(fast_float::chars_format::general, shape_.decimal);
     for (; column < columns && more; ++column) {
       at = past_blanks(at, end);
+      last_cell_ = {at, static_cast<std::size_t>(end - at)};  // of a row that is short, up to its end
       const ColumnKind kind = plan_.columns[column].kind;
       if (kind == ColumnKind::number) {
         double value = kGap;
@@ -196,18 +242,21 @@ class Table {
     if (plan.kind == TimePlan::Kind::number) timed = column > plan.column && std::isfinite(row_[plan.column]);
     // Few numbers and no time: a line of text, a header once more, a note at the end.
     const std::size_t found = numbers - (plan.kind == TimePlan::Kind::number && timed ? 1 : 0);
-    if (!timed) {
-      if (bad || found * 2 < number_columns_ || found == 0)
-        ++table_.other_lines;
-      else
-        ++table_.without_time;
-      return false;
-    }
     const bool untimed = plan.kind == TimePlan::Kind::rows && found * 2 < number_columns_;
-    if (found == 0 && (!bad || untimed) && column < plan_.columns.size()) {
-      ++table_.other_lines;
+    if (!timed && !bad && found > 0 && found * 2 >= number_columns_) {
+      ++table_.without_time;
       return false;
     }
+    if (!timed || (found == 0 && (!bad || untimed) && column < plan_.columns.size())) {
+      pending_.push_back(line);
+      return false;
+    }
+    for (const std::size_t text : pending_) {
+      if (table_.bad_lines.empty())
+        first_fault_ = fmt::format("{}:{}: expected a row of numbers, found none.", name_, text);
+      table_.bad_lines.push_back(text);
+    }
+    pending_.clear();
     if (bad) {
       return skip(fmt::format("expected a number for {}, found {}; --missing takes such a text for a gap.",
                               in_quotes(plan_.columns[*bad].source), in_quotes(trimmed_cell(bad_cell))),
@@ -220,7 +269,12 @@ class Table {
     }
     if (column < plan_.columns.size()) {
       for (std::size_t i = column; i < plan_.columns.size(); ++i) row_[i] = kGap;
-      ++table_.short_rows;
+      if (is_cut_off(column - 1)) {
+        row_[column - 1] = kGap;
+        cut_rows_.push_back({column, line});
+      } else {
+        ++table_.short_rows;
+      }
     }
     for (std::size_t i = 0; i < plan_.columns.size(); ++i) {
       if (plan_.columns[i].kind == ColumnKind::number) table_.values[i].push_back(row_[i]);
@@ -287,6 +341,13 @@ class Table {
   std::vector<double> row_;
   std::size_t number_columns_ = 0;
   std::string first_fault_;
+  std::vector<std::size_t> pending_;  // lines without numbers since the last row
+  struct CutRow {
+    std::size_t values, line;
+  };
+  std::vector<CutRow> cut_rows_;       // that end within a number
+  std::vector<std::size_t> decimals_;  // of each column, the fewest
+  std::string_view last_cell_;         // of the row
   std::string_view date_, clock_, milli_;
   double zone_s_ = 0.0;
 };

@@ -27,8 +27,8 @@ struct LogTable {
   [[nodiscard]] std::size_t line_of(std::size_t row) const;
 };
 
-// Skips rows in which a cell is no number, or that have too many cells, one in a hundred; all by the recipe. Throws
-// Error with name:line where there are more, or where dates can be read in two ways.
+// Skips rows in which a cell is no number, or that have too many cells, two and one in a hundred; all by the recipe.
+// Throws Error with name:line where there are more, or where dates can be read in two ways.
 LogTable log_table(const Source& source, const LogShape& shape, LogPlan& plan, const LogRecipe& recipe);
 
 }  // namespace ballbar

@@ -92,6 +92,7 @@ constexpr Known kUnits[] = {
     {"r/分", {"rpm"}},
     {"回転/分", {"rpm"}},
     {"krpm", {"rpm", 1e3}},
+    {"rad/s", {"rpm", 9.549296585513721}},  // 30 / pi
     // load
     {"a", {"A"}},
     {"amp", {"A"}},
@@ -134,6 +135,7 @@ constexpr Known kUnits[] = {
     {"v", {"V"}},
     {"volt", {"V"}},
     {"volts", {"V"}},
+    {"vdc", {"V"}},
     {"mv", {"V", 1e-3}},
 };
 
@@ -233,7 +235,7 @@ bool is_time_name(std::string_view name) {
       "日期",         "日期时间",   "時間",          "時刻",         "日時",       "日付",          "经过时间",
       "経過時間",     "测量时间",   "采样时间",      "time of day",  "epoch",      "unix time",     "timestamp utc",
       "clock",        "zeitachse",  "relative time", "time elapsed", "duration",   "dauer",         "采集时间",
-      "日期 时间",    "日付 時刻"};
+      "日期 时间",    "日付 時刻",  "millis",        "micros"};
   const std::string key = folded(name);
   return std::find(std::begin(kNames), std::end(kNames), key) != std::end(kNames);
 }
@@ -251,14 +253,14 @@ NameAndUnit name_and_unit(std::string_view header) {
   if (auto both = with_brackets(ascii)) return *both;
   // "t/ms", "Load/%", "T1_degC", "x, µm", "Power in kW", "Temp °C": the last part is a unit, two letters or more, or a
   // sign, since "T A" may be a name.
-  for (const std::string_view between : {" in ", " / ", "/", ", ", ",", "_", " - ", " "}) {
+  for (const std::string_view between : {" in ", " / ", "/", ", ", ",", "_", ".", " - ", " "}) {
     const bool first = between == "/";  // "Speed/U/min"
     const std::size_t at = first ? ascii.find(between) : ascii.rfind(between);
     if (at == std::string::npos || at == 0) continue;
     const std::string_view end = bare(std::string_view(ascii).substr(at + between.size()));
     const bool one_letter = end.size() == 1 && end != "%";
     if (!is_unit_of(std::string_view(ascii).substr(0, at), end) ||
-        (one_letter && (between == " " || between == " - ")) || (between == " " && end == "in"))
+        (one_letter && (between == " " || between == " - " || between == ".")) || (between == " " && end == "in"))
       continue;
     return {std::string(bare(std::string_view(ascii).substr(0, at))), std::string(end)};
   }

@@ -132,7 +132,9 @@ class TimeFinder {
 
   std::optional<double> unit_of_number(std::size_t i) const {
     if (!recipe_.time_unit.empty()) return time_unit_s(recipe_.time_unit);
-    return time_unit_s(plan_.columns[i].unit);
+    if (const auto unit_s = time_unit_s(plan_.columns[i].unit)) return unit_s;
+    const std::string key = folded(plan_.columns[i].name);  // of Arduino's clock
+    return key == "millis" ? std::optional(1e-3) : key == "micros" ? std::optional(1e-6) : std::nullopt;
   }
 
   // Rising numbers: with a unit of time and a name, with a unit, with a name, or days and seconds of a date.

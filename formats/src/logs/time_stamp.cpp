@@ -344,6 +344,8 @@ std::optional<TimeStamp> elapsed_time(std::string_view text) {
 }  // namespace
 
 std::optional<TimeStamp> time_stamp(std::string_view text, DateOrder order) {
+  if (text.starts_with('[')) text.remove_prefix(1);  // "[2026-11-22 13:05:10]" of terminal programs
+  if (text.ends_with(']')) text.remove_suffix(1);
   Cursor cursor(text);
   cursor.skip_blanks();
   TimeStamp stamp;
