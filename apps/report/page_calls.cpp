@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
+#include "terminal/command_line.hpp"
 
 namespace ballbar {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using Texts = std::vector<std::string>;
 
 ReportRequest request_of(Texts words) {
-  CLI::App app;
+  CommandLine app;  // with the options of logs
   ReportRequest request;
   add_report_options(app, request);
   std::reverse(words.begin(), words.end());  // as CLI11 takes them

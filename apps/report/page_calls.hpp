@@ -12,7 +12,8 @@
 namespace ballbar {
 
 // A call is an object: "call" with one of the names below, and "words" as behind `ballbar report`, which say what is
-// looked at. A subject is opened anew where other data are looked at or a file of theirs has changed.
+// looked at. A subject is opened anew where other data are looked at, a log is read in another way, or a file has
+// changed.
 //
 //   report     the report with the fit, without a search
 //   fitted     its parts that the model changes: check, ledger, summary, files, fit of recordings

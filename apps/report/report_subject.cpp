@@ -64,9 +64,11 @@ std::vector<ReportSubject::Mark> ReportSubject::marks() const {
 
 bool ReportSubject::is_of(const ReportRequest& request) const {
   const auto has_model = [](const ReportRequest& one) { return one.diagnose || !one.model.model.empty(); };
-  return names_of(request.model.data) == names_of(given_.model.data) &&
-         request.compare.name() == given_.compare.name() && has_model(request) == has_model(given_) &&
-         marks() == marks_;
+  const auto is_as = [](const Source& one, const Source& other) {
+    return one.name() == other.name() && one.recipe() == other.recipe();
+  };
+  return std::ranges::equal(request.model.data, given_.model.data, is_as) && is_as(request.compare, given_.compare) &&
+         has_model(request) == has_model(given_) && marks() == marks_;
 }
 
 void ReportSubject::open_model_file() {

@@ -28,7 +28,7 @@ class ReportSubject {
   RevisedPart revise(const std::string& file);              // what add() changed, written to the file
   void take_back();                                         // what add() changed
 
-  // Whether the request is of these data, none of whose files has changed since.
+  // Whether the request is of these data, read as they were, none of whose files has changed since.
   bool is_of(const ReportRequest& request) const;
   // Another target or model of the same data; a model whose file has changed is read anew.
   void look_at(const ReportRequest& request);

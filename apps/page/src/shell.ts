@@ -25,6 +25,7 @@ export interface Inside {
   files: { path: string; base64: string }[];
   data: string[]; // the words for DATA
   model?: string;
+  log?: string[]; // words for how a log is read
 }
 
 // A page of a report, with the style and the script of the page that is open.

@@ -85,6 +85,18 @@ TEST(PageCalls, a_subject_that_was_kept_answers_as_one_that_is_new) {
   EXPECT_EQ(kept.answer(desk.call("fitted")), PageCalls().answer(desk.call("fitted")));
 }
 
+TEST(PageCalls, a_log_is_read_anew_where_it_is_read_in_another_way) {
+  const Desk desk;
+  const std::string log = desk.scratch.write("log.csv", "T1,dx\n20.1,1\n20.2,2\n20.4,3\n20.3,5\n").string();
+  PageCalls calls;
+  const auto signals = [&](const std::string& word) -> Json {
+    return calls.answer({{"call", "report"}, {"words", {log, word, "--unit=dx=mm"}}})["signals"][0];
+  };
+  EXPECT_EQ(signals("--every=10s")["time_s"], Json({0.0, 10.0, 20.0, 30.0}));
+  EXPECT_EQ(signals("--every=1min")["time_s"], Json({0.0, 60.0, 120.0, 180.0}));
+  EXPECT_EQ(signals("--leave-out=T1")["columns"].size(), 1U);
+}
+
 TEST(PageCalls, what_was_added_is_taken_back) {
   const Desk desk;
   PageCalls calls;

@@ -1,4 +1,5 @@
 
+import { is_log_word } from "./log_words";
 import type { Report } from "../report";
 import { t } from "../texts/texts";
 
@@ -240,6 +241,7 @@ export interface ReportFile {
   files: PageFile[];
   data: string[]; // words for DATA, among the files
   model: string; // "": none
+  log: string[]; // how a log among them is read
 }
 
 const texts = (list: unknown): string[] => (Array.isArray(list) ? list.filter((one) => typeof one === "string") : []);
@@ -264,5 +266,6 @@ export const read_report_file = (text: string): ReportFile => {
     files: Array.isArray(inside["files"]) ? inside["files"].filter(is_page_file) : [],
     data: texts(inside["data"]),
     model: typeof inside["model"] === "string" ? inside["model"] : "",
+    log: texts(inside["log"]).filter(is_log_word),
   };
 };

@@ -11,6 +11,7 @@ export interface HeadOf {
   take(files: readonly Dropped[]): void;
   close(): void;
   saves: HTMLElement;
+  columns: HTMLElement; // the button
   work: HTMLElement;
   message: HTMLElement;
 }
@@ -34,7 +35,7 @@ const choice = (label: string, values: readonly (readonly [string, string])[], n
   return made.label;
 };
 
-export const head_bar = ({ take, close, saves, work, message }: HeadOf): HeadBar => {
+export const head_bar = ({ take, close, saves, columns, work, message }: HeadOf): HeadBar => {
   const shelf = element("div");
   const choices = element("div", { class: "choices" });
   const bar = element(
@@ -46,6 +47,7 @@ export const head_bar = ({ take, close, saves, work, message }: HeadOf): HeadBar
       "div",
       { class: "buttons" },
       choosing(t.live_add_files, t.live_add_files_title, false, take),
+      columns,
       saves,
       button(t.live_close, t.live_close_title, close),
     ),

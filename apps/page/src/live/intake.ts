@@ -143,6 +143,8 @@ export interface KeptState {
   data: readonly string[]; // words of a command
   model: string; // path; "": none
   target: string;
+  log?: readonly string[]; // of a subject; a page before this had none
+  targets?: readonly string[];
 }
 
 export interface Kept {

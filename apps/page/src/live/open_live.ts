@@ -128,13 +128,13 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
       report: () => opened.report(),
       page_with: page.page_with,
       bytes_of: (path) => engine.get(path),
-      async table_of({ data }) {
-        const ran = await work.run(["drift", ...data, "--out", "drift.csv"], { what: t.live_reading });
+      async table_of({ data, log }) {
+        const ran = await work.run(["drift", ...data, ...log, "--out", "drift.csv"], { what: t.live_reading });
         return ran.status === 0 ? engine.get("drift.csv") : ran.err;
       },
       fault: tell,
     });
-    head = head_bar({ take, close, saves: saves.element, work: work.element, message });
+    head = head_bar({ take, close, saves: saves.element, columns: opened.columns.button, work: work.element, message });
     const toured = samples.find(({ name }) => name === "hidden-effect");
     start = start_of({
       samples,
@@ -144,7 +144,8 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
     });
     if (kept) start.querySelector(".drop")?.before(offer_of(kept));
     if (!store) start.append(element("p", { class: "note" }, t.live_not_kept));
-    place.replaceChildren(head.element, start);
+    opened.columns.rewrite();
+    place.replaceChildren(head.element, opened.columns.element, start);
     draw_head();
   };
 

@@ -1,5 +1,6 @@
 // What is looked at: a group of files, opened, with its report and its loop; what the program has against a file.
 import { catalogue_of } from "./model_list";
+import { type Columns, columns_with } from "./columns";
 import { answer_of, reason, Refused, type Runs, type Subject, type Work } from "./runs";
 import type { Engine, Sample } from "../engine";
 import { type Group, groups_of, type Held } from "./files";
@@ -24,6 +25,7 @@ export interface OpenedOf {
 }
 
 export interface Opened {
+  columns: Columns;
   subject(): Subject | null;
   report(): Report | null;
   loop(): Loop | null;
@@ -61,8 +63,14 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
   let subject: Subject | null = null;
   let report: Report | null = null;
   let loop: Loop | null = null;
+  let last: Subject | null = null; // that was opened, or was to be
+  const read_as = new Map<string, Pick<Subject, "log" | "targets">>(); // by group
   const stated = new Map<string, Group>(); // groups that are not found but said: of samples, of saved pages
   const catalogue = catalogue_of(engine);
+  const columns = columns_with({
+    work,
+    read: (group, as) => open(group, { ...(last?.group.key === group.key ? (subject ?? last) : {}), ...as, target: "" }),
+  });
 
   const attempt = async (act: () => Promise<void>): Promise<void> => {
     tell("");
@@ -83,8 +91,8 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
 
   const keep_state = (): void => {
     if (!subject) return;
-    const { group, model, target, data } = subject;
-    store?.say({ when: Date.now(), title: group.title, data, model, target }).catch(() => undefined);
+    const { group, model, target, data, log, targets } = subject;
+    store?.say({ when: Date.now(), title: group.title, data, model, target, log, targets }).catch(() => undefined);
   };
 
   // What the program says of a file alone; "": nothing against it.
@@ -115,9 +123,11 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
 
   const make_loop = async (of: Subject, first: Report): Promise<Loop | null> => {
     const checked = first.check?.targets.map(({ target }) => target) ?? [];
-    const targets = checked.length > 0 ? checked : of.group.kind === "recordings" ? [] : targets_in(first);
+    const all = checked.length > 0 ? checked : of.group.kind === "recordings" ? [] : targets_in(first);
+    const wanted = columns.targets(of).filter((target) => all.includes(target) || (checked.length === 0 && measured_in(first).some(({ name }) => name === target)));
+    const targets = wanted.length > 0 ? wanted : all;
     if (targets.length === 0) return null;
-    const chosen = of.target || (targets.length > 1 || checked.length === 0 ? (targets[0] ?? "") : "");
+    const chosen = of.target || (targets.length > 1 || checked.length === 0 || wanted.length > 0 ? (targets[0] ?? "") : "");
     const made = loop_of({
       subject: { ...of, target: chosen },
       targets,
@@ -179,8 +189,8 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     if (!file) return;
     try {
       const { read, held, data, model } = await intake.files_of_page(file);
-      if (data.length > 0) return await open(group_of(group.title, held, data), { model });
-      show_alone({ group, data: [], model: "", target: "", compared: "" }, read.report);
+      if (data.length > 0) return await open(group_of(group.title, held, data), { model, log: read.log });
+      show_alone({ group, data: [], model: "", target: "", compared: "", log: [], targets: [] }, read.report);
     } catch (error) {
       intake.faults().set(file.path, reason(error));
       leave(reason(error));
@@ -190,13 +200,26 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
   const open = (group: Group, as: Partial<Subject> = {}): Promise<void> =>
     attempt(async () => {
       work.stop();
-      if (group.kind === "report") return open_page(group);
+      if (group.kind === "report") {
+        columns.forget();
+        return open_page(group);
+      }
       const [model] = group.models.length === 1 ? group.models.map(({ path }) => path) : [""];
-      const next: Subject = { group, data: group.data, model: model ?? "", target: "", compared: "", ...as };
+      const next: Subject = { group, data: group.data, model: model ?? "", target: "", compared: "", log: [], targets: [], ...read_as.get(group.key), ...as };
+      last = next;
+      read_as.set(group.key, { log: next.log, targets: next.targets });
       try {
+        await columns.understand(next);
+        if (group.kind === "series") intake.faults().delete(group.data[0] ?? "");
         await show(next);
+        columns.ask();
       } catch (error) {
         if (!(error instanceof Refused)) throw error;
+        const cut = columns.refused(error.message);
+        if (cut !== null) {
+          intake.faults().set(group.data[0] ?? group.key, cut);
+          return leave("");
+        }
         const several = group.kind === "recordings" && group.data.length > 1;
         const sound = several ? { ...group, data: await sound_of(group.data) } : group;
         if (sound.data.length > 0 && sound.data.length < group.data.length) {
@@ -214,6 +237,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
   };
 
   return {
+    columns,
     subject: () => subject,
     report: () => report,
     loop: () => loop,
@@ -238,9 +262,9 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     again: (kept) =>
       attempt(async () => {
         await intake.again(kept);
-        const { data, model, target, title } = kept.state;
+        const { data, model, target, title, log = [], targets = [] } = kept.state;
         const found = groups_of(intake.held()).find(({ key }) => key === data.join("\n"));
-        await open(found ?? group_of(title, intake.held(), data), { model, target });
+        await open(found ?? group_of(title, intake.held(), data), { model, target, log, targets });
       }),
     show: (given) => show_alone(null, given),
     async rewrite() {
@@ -250,7 +274,12 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       loop?.show(report);
     },
     leave,
-    forget: () => stated.clear(),
+    forget() {
+      stated.clear();
+      read_as.clear();
+      last = null;
+      columns.forget();
+    },
   };
 };
 
@@ -258,7 +287,9 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
 
 const axis = /^(.*)_(um|urad|mm)$/;
 
-// Those of a drift, or the measured columns of a series; the one that moves most first.
+const measured_in = ({ signals }: Report): Report["signals"][number]["columns"] => signals.flatMap(({ columns }) => columns.filter(({ role }) => role === "measured"));
+
+// Those of a drift, or the measured columns of a series; the one that moves most first; lengths before others.
 export const targets_in = (report: Report): string[] => {
   const ranges = new Map<string, number>();
   const hold = (name: string, values: readonly (number | null)[]): void => {
@@ -271,9 +302,9 @@ export const targets_in = (report: Report): string[] => {
     if (axis.test(name) && !/sigma|correction|change|shift/.test(name)) hold(name, report.drift?.points.map((point) => point[name] ?? null) ?? []);
   }
   if (ranges.size === 0) {
-    for (const { columns } of report.signals) {
-      for (const { name, role, values } of columns) if (role === "measured" && axis.test(name)) hold(name, values);
-    }
+    const measured = measured_in(report);
+    const lengths = measured.filter(({ name }) => axis.test(name));
+    for (const { name, values } of lengths.length > 0 ? lengths : measured) hold(name, values);
   }
   return [...ranges].sort(([, a], [, b]) => b - a).map(([name]) => name);
 };

@@ -4,6 +4,7 @@ import { type Engine, Failed, type Ran, Stopped, type Watch } from "../engine";
 import { button, element } from "../elements/elements";
 import { t } from "../texts/texts";
 import type { Group } from "./files";
+import type { LogWords } from "./log_words";
 import type { Report } from "../report";
 
 const kSoon_ms = 300;
@@ -130,6 +131,8 @@ export interface Subject {
   model: string; // path; "": none
   target: string; // "": the model's own, or all
   compared: string; // data to compare with; "": none
+  log: LogWords; // how a log among them is read
+  targets: readonly string[]; // its columns to explain, by their headers; none: all that are measured
 }
 
 const targeted = ({ group, target }: Subject): string[] =>
@@ -141,6 +144,7 @@ const of_model = (subject: Subject): string[] =>
 // What is looked at, as behind `ballbar report`.
 export const look_words = (subject: Subject): string[] => [
   ...subject.data,
+  ...subject.log,
   ...of_model(subject),
   ...(subject.compared === "" ? [] : ["--compare", subject.compared]),
 ];
@@ -162,6 +166,7 @@ export const setting_text = ({ effect, parameter, value }: Setting): string => `
 
 const of_model_and_target = (subject: Subject): string[] => [
   ...subject.data,
+  ...subject.log,
   ...(subject.model === "" ? targeted(subject) : of_model(subject)),
 ];
 

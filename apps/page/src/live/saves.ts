@@ -41,10 +41,10 @@ export const saves_of = (of: SavesOf): Saves => {
     });
 
   // Paths as they are here: dropped on this page again, the files go into a folder of their own.
-  const inside_of = async ({ group, data, model }: Subject): Promise<Inside> => {
+  const inside_of = async ({ group, data, model, log }: Subject): Promise<Inside> => {
     const paths = [...new Set([...group.files.map(({ path }) => path), ...(model === "" ? [] : [model])])];
     const files = await Promise.all(paths.map(async (path) => ({ path, base64: base64_of(await of.bytes_of(path)) })));
-    return { files, data: [...data], ...(model === "" ? {} : { model }) };
+    return { files, data: [...data], ...(model === "" ? {} : { model }), ...(log.length === 0 ? {} : { log: [...log] }) };
   };
 
   return {

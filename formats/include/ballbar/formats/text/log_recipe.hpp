@@ -16,6 +16,8 @@ struct ColumnRecipe {
   std::string unit;    // as written in the log, or a scale: "2.5um" a unit; empty: found out
   std::optional<Role> role;  // empty: found out
   bool left_out = false;
+
+  bool operator==(const ColumnRecipe&) const = default;
 };
 
 // What a user knows of a log; all that is empty is found out. `ballbar import --save` keeps one for the next log.
@@ -34,6 +36,8 @@ struct LogRecipe {
   bool burst_means = false;          // rows that come in bursts: one row a burst, the mean of its rows
   std::vector<std::string> join;     // files whose columns stand beside these, row by row; of no recipe file
   std::vector<ColumnRecipe> columns;
+
+  bool operator==(const LogRecipe&) const = default;
 };
 
 }  // namespace ballbar
