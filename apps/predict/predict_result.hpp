@@ -128,9 +128,24 @@ struct ResultType<CancellingColumns> {
                                      Field{"sum_um", &CancellingColumns::sum_um, "range of both together"}};
 };
 
+// Of the runs that were left out one by one, the one that is predicted worst.
+struct WorstRun {
+  std::string run;
+  double rmse_um = 0.0;
+};
+
+template <>
+struct ResultType<WorstRun> {
+  static constexpr std::string_view name = "WorstRun";
+  static constexpr std::string_view meaning = "The run that is predicted worst where it is left out.";
+  static constexpr std::tuple fields{Field{"run", &WorstRun::run, "its name"},
+                                     Field{"rmse_um", &WorstRun::rmse_um, ""}};
+};
+
 struct TrainedOnEffects {
   EffectRegression regression;
   std::optional<ForecastTest> forecasts;
+  std::optional<WorstRun> worst;
   DriverReport drivers;
   std::vector<Contender> methods;
   std::vector<std::string> remarks;
@@ -160,7 +175,8 @@ struct ResultType<TrainedOnEffects> {
       Field{"cancelling", &DriverReport::cancelling, "pairs of columns"}};
   static constexpr std::tuple fields =
       std::tuple_cat(fields_through(&TrainedOnEffects::regression, of_regression),
-                     std::tuple{Field{"forecasts", &TrainedOnEffects::forecasts, "null: too few rows"}},
+                     std::tuple{Field{"forecasts", &TrainedOnEffects::forecasts, "null: too few rows"},
+                                Field{"worst", &TrainedOnEffects::worst, "null: fewer than five runs"}},
                      fields_through(&TrainedOnEffects::drivers, of_drivers),
                      std::tuple{Field{"methods", &TrainedOnEffects::methods, "of a list of runs: in the same contest"},
                                 Field{"remarks", &TrainedOnEffects::remarks, ""},

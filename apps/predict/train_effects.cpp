@@ -104,12 +104,21 @@ std::vector<std::string> remarks_of(const DriverReport& report) {
   return remarks;
 }
 
-// The record of the file; of a list the batches that were opened, with the temperatures that were kept.
-std::vector<Series> opened_runs(const TrainOptions& options, const std::optional<OpenedBatches>& opened) {
-  std::vector<std::string> without = options.without_sensor;
+struct OpenedRuns {
   std::vector<Series> runs;
+  std::vector<std::string> names;
+};
+
+// The runs of the data; of a list the batches that were opened, with the temperatures that were kept.
+OpenedRuns opened_runs(const TrainOptions& options, const std::optional<OpenedBatches>& opened) {
+  std::vector<std::string> without = options.without_sensor;
+  OpenedRuns result;
+  std::vector<Series>& runs = result.runs;
   if (opened) {
-    for (std::size_t k = 0; k < opened->batches.size(); ++k) runs.push_back(read_batch(opened->files[k]));
+    for (std::size_t k = 0; k < opened->batches.size(); ++k) {
+      runs.push_back(read_batch(opened->files[k]));
+      result.names.push_back(opened->files[k].stem().string());
+    }
     const std::vector<std::string>& kept = opened->columns.sensors;
     for (const Column& column : runs.front().columns) {
       if (is_sensor(column) && std::find(kept.begin(), kept.end(), column.name) == kept.end()) {
@@ -126,6 +135,7 @@ std::vector<Series> opened_runs(const TrainOptions& options, const std::optional
     }
     expect_no_input({options.out}, data.files);
     for (const RowRange& range : runs_of(data.series->time_s)) runs.push_back(rows_of(*data.series, range));
+    for (const RunOrigin& run : data.series->runs) result.names.push_back(run.name);
     for (const std::string& name : without) {
       if (find_column(runs.front(), name) != nullptr) continue;
       throw Error(
@@ -137,7 +147,7 @@ std::vector<Series> opened_runs(const TrainOptions& options, const std::optional
       return std::find(without.begin(), without.end(), column.name) != without.end();
     });
   }
-  return runs;
+  return result;
 }
 
 // Of a list of runs; nothing of one record.
@@ -209,7 +219,8 @@ void train_effects(const TrainOptions& options) {
     contenders.push_back(
         with_source(options.title(), [&] { return contender_of(*opened, best_settings(opened->batches, method)); }));
   }
-  const std::vector<Series> runs = opened_runs(options, opened);
+  const OpenedRuns data = opened_runs(options, opened);
+  const std::vector<Series>& runs = data.runs;
   const std::string target = target_of(options, runs.front());
   EffectRegressionOptions how;
   how.few = options.few;
@@ -226,14 +237,20 @@ void train_effects(const TrainOptions& options) {
     said.push_back(fmt::format("Not used, for they stand still or have gaps: {}.", fmt::join(of.left_out, ", ")));
   }
   if (opened) said.insert(said.end(), opened->remarks.begin(), opened->remarks.end());
+  std::optional<WorstRun> worst;
+  if (trained.left_out && trained.left_out->worst < data.names.size())
+    worst = WorstRun{data.names[trained.left_out->worst], trained.left_out->worst_um};
   if (options.json) {
-    TrainedOnEffects result{of, std::nullopt, trained.drivers, contenders, said, expectation(of)};
+    TrainedOnEffects result{of, std::nullopt, worst, trained.drivers, contenders, said, expectation(of)};
     if (of.forecasts) result.forecasts = {*of.forecasts, is_predicted(of)};
     print_json(json_of(result));
   } else {
     fmt::print("{}\n{} from {} columns by {}; {} rows{}\n\n", options.title(), target, of.model.trained.size(),
                dictionary_text(of), of.rows, of.runs > 1 ? fmt::format(" of {} runs", of.runs) : "");
-    fmt::print("{}{}\n", wrapped(expectation(of)), wrapped(memory_text(of)));
+    fmt::print("{}", wrapped(expectation(of)));
+    if (worst)
+      fmt::print("{}", wrapped(fmt::format("The worst run is {}: {:.2f} um RMSE.", worst->run, worst->rmse_um)));
+    fmt::print("{}\n", wrapped(memory_text(of)));
     if (opened && of.forecasts) {
       contenders.push_back(effects_contender(trained, *opened));
       fmt::print("{}\n", contest_text(contenders));

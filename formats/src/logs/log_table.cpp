@@ -101,7 +101,7 @@ class Table {
     std::sort(table_.bad_lines.begin(), table_.bad_lines.end());
     const std::size_t bad = table_.bad_lines.size();
     const std::size_t all = table_.rows + (plan_.time.kind == TimePlan::Kind::rows ? 0 : bad);
-    if (recipe_.skip_bad_rows || bad <= kFreeRows + all / 100) return std::move(table_);
+    if (recipe_.skip_bad_rows || (bad <= kFreeRows + all / 100 && bad * 10 <= all)) return std::move(table_);
     if (bad == 1) throw Error(fmt::format("{} --skip-bad-rows leaves the row out.", first_fault_));
     throw Error(fmt::format("{} {} of {} rows are such; --skip-bad-rows leaves them out.", first_fault_, bad, all));
   }

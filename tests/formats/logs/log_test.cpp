@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <vector>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/logs/recipe_toml.hpp"
@@ -129,10 +132,6 @@ TEST(log, what_is_not_clear_is_refused_with_its_line_and_the_way_out) {
       said("only words\nand more\n"),
       "log.csv:1: expected rows of at least two values separated by commas, semicolons, tabs or blanks, found none in "
       "the first 2 lines.");
-  EXPECT_EQ(
-      said("a,b\n1,2\n3,5\n4,4\n"),
-      "log.csv:1: expected a column of time, or the interval of the rows, found neither; name the column with --time, "
-      "or give the interval with --every, such as --every 1s.");
   EXPECT_EQ(said("time,b\n1,2\n3,5\n4,4\n"),
             "log.csv:1: expected the unit of the time \"time\", found none; say --time-unit s, ms, min or h.");
   EXPECT_EQ(
@@ -140,9 +139,11 @@ TEST(log, what_is_not_clear_is_refused_with_its_line_and_the_way_out) {
       "log.csv:4: expected a time above 3 s of the row before, found 2 s; if here begins another recording, cut the "
       "file there.");
   EXPECT_EQ(said("t [s];b\n1;2\n2;5\n3;x\n4;4\n"),
-            "log.csv:4: expected a number for \"b\", found \"x\"; --missing takes such a text for a gap.");
-  EXPECT_EQ(said("t [s];b\n1;2\n2;5;9\n3;3\n4;4\n"),
-            "log.csv:3: expected 2 values, one for each column, found more: \"9\".");
+            "log.csv:4: expected a number for \"b\", found \"x\"; --missing takes such a text for a gap. "
+            "--skip-bad-rows leaves the row out.");
+  EXPECT_EQ(said("t [s];b\n1;2\n2;5;9\n3;3;1\n4;4\n"),
+            "log.csv:3: expected 2 values, one for each column, found more: \"9\". 2 of 4 rows are such; "
+            "--skip-bad-rows leaves them out.");
   EXPECT_EQ(
       said("t [s]\ta\n0\t1,234\n1\t1,235\n"),
       "log.csv:2: expected a number of one reading: decimals or thousands, found \"1,234\"; say --decimal comma or "
@@ -160,6 +161,120 @@ TEST(log, what_is_not_clear_is_refused_with_its_line_and_the_way_out) {
            "02;20,5\n"),
       "log.csv:2: expected a column for each quantity, found rows of 2 quantities below each other, named in \"Tag\"; "
       "export them side by side.");
+}
+
+// Rows of numbers, a line each.
+std::string table(std::string_view head, std::size_t rows, const std::function<std::string(std::size_t)>& row) {
+  std::string text = fmt::format("{}\n", head);
+  for (std::size_t i = 0; i < rows; ++i) text += row(i) + "\n";
+  return text;
+}
+
+double warm(std::size_t row, double start) { return start + 8.0 * (1.0 - std::exp(-static_cast<double>(row) / 30.0)); }
+
+TEST(log, rows_without_a_time_are_numbered) {
+  const Log log = read_log("a,b\n1,2\n3,5\n4,4\n", "log.csv");
+  EXPECT_FALSE(log.series.has_clock);
+  EXPECT_EQ(log.series.time_s, (std::vector<double>{0.0, 1.0, 2.0}));
+  EXPECT_EQ(log.unclear.front(), "No column tells the time, and no line the interval of the rows.");
+  LogRecipe every;
+  every.every_s = 10.0;
+  EXPECT_TRUE(read_log("a,b\n1,2\n3,5\n4,4\n", "log.csv", every).series.has_clock);
+  LogRecipe none;
+  none.time = "none";
+  EXPECT_FALSE(read_log("time_s,b\n1,2\n3,5\n2,4\n", "log.csv", none).series.has_clock);
+  // A series keeps it.
+  EXPECT_FALSE(read_series(write_series(log.series), "series").has_clock);
+}
+
+TEST(log, temperatures_are_told_by_names_and_by_how_they_move) {
+  const std::string text = table("delta L,T0,T1,T2,Spindel fornt,Humidity,valve,count", 60, [](std::size_t i) {
+    return fmt::format("{:.3f},{:.2f},{:.2f},{:.2f},{:.2f},{:.1f},{},{}", 0.1 * static_cast<double>(i), warm(i, 20.0),
+                       warm(i, 20.5), warm(i, 21.0), warm(i, 22.0), 45.0 + 0.01 * static_cast<double>(i), 30, i);
+  });
+  const Log log = read_log(text, "log.csv");
+  std::string columns;
+  for (const LogColumn& column : log.columns) columns += fmt::format("{} {}; ", column.name, name_of(column.role));
+  EXPECT_EQ(columns,
+            "delta_L measured; T0_degC structure; T1_degC structure; T2_degC structure; Spindel_fornt_degC housing; "
+            "Humidity event; valve event;  event; ");
+  EXPECT_EQ(log.remarks.front(), "T0 to T2: temperatures by name and values, degC.");
+}
+
+TEST(log, what_does_not_move_as_a_temperature_is_none) {
+  // From row to row as far as it ever moves; out of the range of a machine; without a name of a temperature.
+  const auto unit = [](std::string_view name, const std::function<double(std::size_t)>& value) {
+    const std::string text =
+        table(fmt::format("time_s,{}", name), 40, [&](std::size_t i) { return fmt::format("{},{:.2f}", i, value(i)); });
+    return read_log(text, "log.csv").columns.front().unit;
+  };
+  EXPECT_EQ(unit("T bed", [](std::size_t i) { return warm(i, 20.0); }), "degC");
+  EXPECT_EQ(unit("bed", [](std::size_t i) { return i % 2 == 0 ? 10.0 : 60.0; }), "");
+  EXPECT_EQ(unit("bed", [](std::size_t i) { return warm(i, 200.0); }), "");
+  EXPECT_EQ(unit("bed pressure", [](std::size_t i) { return warm(i, 20.0); }), "");
+  EXPECT_EQ(unit("quality", [](std::size_t i) { return warm(i, 20.0); }), "");
+}
+
+TEST(log, names_in_any_case_and_patterns_state_units_and_roles) {
+  LogRecipe recipe;
+  recipe.columns = {{"*", "", "um", std::nullopt, false}, {"X1", "", "", Role::event, false}};
+  const Log log = read_log("time_s,x1,y1,T_degC\n0,1,2,20\n1,2,3,21\n2,3,4,22\n", "log.csv", recipe);
+  EXPECT_EQ(text_of(log), "x1_um event: 1 2 3; y1_um measured: 2 3 4; T_degC structure: 20 21 22; ");
+  recipe.columns = {{"mcu_pos_z", "", "2.5um", std::nullopt, false}};
+  EXPECT_EQ(text_of(read_log("time_s,mcu_pos_z\n0,4\n1,8\n", "log.csv", recipe)), "mcu_pos_z_um measured: 10 20; ");
+  recipe.columns = {{"mcu_pos_z", "", "2.5", std::nullopt, false}};
+  EXPECT_EQ(
+      said("time_s,mcu_pos_z\n0,4\n1,8\n", recipe),
+      "\"mcu_pos_z\": expected a unit such as um, mm, degC, rpm, A, kW, bar or %, a scale such as 2.5um, or none, "
+      "found \"2.5\".");
+}
+
+TEST(log, a_few_rows_of_garbage_are_skipped_with_their_lines) {
+  const auto with = [](std::size_t garbage) {
+    return table("time_s,z_um,T_degC", 400, [garbage](std::size_t i) {
+      return i >= 100 && i < 100 + garbage ? fmt::format("{},#!x7,21.5", i) : fmt::format("{},{}.25,21.5", i, i % 7);
+    });
+  };
+  const Log log = read_log(with(6), "log.csv");
+  EXPECT_EQ(log.series.time_s.size(), 394u);
+  EXPECT_EQ(log.skipped_lines, (std::vector<std::size_t>{102, 103, 104, 105, 106, 107}));
+  EXPECT_EQ(
+      said(with(7)),
+      "log.csv:102: expected a number for \"z_um\", found \"#!x7\"; --missing takes such a text for a gap. 7 of 400 "
+      "rows are such; --skip-bad-rows leaves them out.");
+  LogRecipe all;
+  all.skip_bad_rows = true;
+  EXPECT_EQ(read_log(with(40), "log.csv", all).skipped_lines.size(), 40u);
+}
+
+TEST(log, a_line_that_ends_within_a_number_gives_no_value) {
+  const std::string text = table("time_s,z_um,T_degC", 200, [](std::size_t i) {
+    return i == 50 ? fmt::format("{},1.25,2", i) : fmt::format("{},1.25,21.50", i);
+  });
+  const Log cut = read_log(text, "log.csv");  // "2" of 21.50 is a whole row: it may be a value
+  EXPECT_EQ(cut.series.columns[1].values[50], 2.0);
+  const Log early =
+      read_log(table("time_s,z_um,T_degC", 200,
+                     [](std::size_t i) { return i == 50 ? fmt::format("{},1.", i) : fmt::format("{},1.25,21.50", i); }),
+               "log.csv");
+  EXPECT_TRUE(std::isnan(early.series.columns[0].values[50]));
+  EXPECT_EQ(early.skipped_lines, (std::vector<std::size_t>{52}));
+}
+
+TEST(log, rows_in_bursts_become_their_means) {
+  LogRecipe recipe;
+  recipe.burst_means = true;
+  const Log log = read_log("time_s,z_um\n0,1\n1,2\n2,3\n60,4\n61,\n62,6\n120,7\n121,8\n122,9\n", "log.csv", recipe);
+  EXPECT_EQ(log.series.time_s, (std::vector<double>{1.0, 61.0, 121.0}));
+  EXPECT_EQ(text_of(log), "z_um measured: 2 5 8; ");
+  EXPECT_EQ(said("time_s,z_um\n0,1\n1,2\n2,3\n", recipe),
+            "log.csv: expected rows in bursts for --burst-means, found none.");
+}
+
+TEST(log, names_one_fewer_than_the_columns_are_those_behind_the_row_names) {
+  const Log log = read_log("\"dz\" \"T1\"\n\"1\" 0.5 20.5\n\"2\" 0.75 20.6\n\"3\" 1 20.7\n", "log.txt");
+  EXPECT_EQ(log.columns.back().source, "T1");
+  EXPECT_EQ(log.series.columns.back().values.front(), 20.5);
 }
 
 TEST(log, damaged_workbooks_and_mat_files_are_refused) {

@@ -1,0 +1,87 @@
+"""Logs as people publish them: any_log.py KIND [NUMBER]. The same bytes each time."""
+
+import math
+import random
+import sys
+
+draw = random.Random(7)
+kind, number = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 1
+
+
+def lagged(values, rows):
+    """A first-order lag of so many rows."""
+    out = [values[0]]
+    for value in values[:-1]:
+        out.append(out[-1] + (value - out[-1]) / rows)
+    return out
+
+
+def warm_up(rows, sensors, start=21.0, period=300):
+    """Temperatures of sensors, each slower and cooler than the one before."""
+    heat = [12.0 if row // period % 2 == 0 else 4.0 for row in range(rows)]
+    return [[start + t for t in lagged([0.0] + [h * (1 - 0.1 * k) for h in heat[1:]], 40 + 25 * k)] for k in range(sensors)]
+
+
+def noisy(values, sigma):
+    return [value + draw.gauss(0.0, sigma) for value in values]
+
+
+def drift(temperatures):
+    return noisy([2.1 * value for value in lagged([t - temperatures[2][0] for t in temperatures[2]], 60)], 0.2)
+
+
+def rows(*columns):
+    for cells in zip(*columns):
+        print(*cells, sep=",")
+
+
+def two(values):
+    return [f"{value:.2f}" for value in values]
+
+
+def three(values):
+    return [f"{value:.3f}" for value in values]
+
+
+if kind == "university":
+    temperatures = warm_up(900, 8)
+    print("delta L", *[f"T{k}" for k in range(8)], sep=",")
+    rows(three(drift(temperatures)), *[two(noisy(one, 0.03)) for one in temperatures])
+elif kind == "printer":
+    print("time,frame_t,chamber_t,mcu_pos_z,sample_index")
+    chamber = lagged([22.0] + [45.0] * 149, 30)
+    frame = lagged(chamber, 40)
+    for minute in range(150):
+        for k in range(8):
+            z = round(1200 - 31 * (frame[minute] - 22.0) + draw.gauss(0.0, 1.5))
+            print(f"{60 * minute + 0.4 * k:.1f},{frame[minute] + draw.gauss(0, 0.02):.2f},"
+                  f"{chamber[minute] + draw.gauss(0, 0.05):.2f},{z},{8 * minute + k}")
+elif kind == "headless":
+    temperatures = warm_up(300, 4, 19.0 + number, 60 + 20 * number)
+    rows(*[two(noisy(one, 0.05)) for one in temperatures], three(drift(temperatures)))
+elif kind == "probes":
+    print("time,x1,x2,y1,y2,z")
+    for row in range(200):
+        grown = 1.0 - math.exp(-row / 60.0)
+        print(10 * row, *[f"{gain * grown + draw.gauss(0.0, 0.05):.3f}" for gain in (3.0, 2.0, -1.0, -0.6, 12.0)], sep=",")
+elif kind in ("inputs", "outputs"):
+    temperatures = warm_up(400, 3)
+    if kind == "inputs":
+        print("Ambient,Spindel front,Bett")
+        rows(*[two(noisy(one, 0.03)) for one in reversed(temperatures)])
+    else:
+        print("Dia Disp")
+        rows(three(drift(temperatures)))
+elif kind == "garbage":
+    temperatures = warm_up(1000, 3)
+    values = drift(temperatures)
+    bad = set(draw.sample(range(10, 990), number))
+    print("time_s;z_um;T1_degC")
+    for row in range(1000):
+        print(f"{10 * row};#!x7;kaputt" if row in bad else f"{10 * row};{values[row]:.3f};{temperatures[0][row]:.2f}")
+elif kind == "circle":
+    print("angle,length")
+    for degree in range(360):
+        angle = math.radians(degree)
+        length = 100.0 + 0.004 * number * math.cos(angle) - 0.002 * math.sin(angle) + draw.gauss(0.0, 0.0002)
+        print(f"{degree},{length:.5f}")
