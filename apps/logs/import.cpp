@@ -123,6 +123,11 @@ void print(const ImportArguments& options, const Log& log, const std::vector<Col
 // A series of our own is no log to be guessed at; it is only shown.
 Log opened(const ImportArguments& options) {
   const Reader* const reader = options.logs.front().reader();
+  if (read_of<ReadCircle>(reader) != nullptr) {
+    stderr_line(
+        fmt::format("{}: its numbers are a circle: ballbar fit fits it, import --circle writes it as a ballbar log",
+                    options.logs.front().name()));
+  }
   if (read_of<ReadSeries>(reader) == nullptr) return open_log(options.logs.front());
   Log log;
   log.series = open_series(options.logs.front());
@@ -245,6 +250,8 @@ void add_import(CLI::App& app) {
   command->add_option("--save", options->save, "recipe .toml to write: how this log was read, for the next of its kind")
       ->type_name("FILE");
   command->add_flag("--json", options->json, "print what was understood as JSON");
+  for (CLI::Option* option : command->get_options([](const CLI::Option* one) { return one->get_group() == kLogGroup; }))
+    option->group("How a log is read, where it does not tell");
   command->add_flag("--circle", options->circle.circle,
                     "a table of angles and lengths, or of coordinates: write it as a ballbar log, for a session");
   add_radius(*command, options->circle.stated);

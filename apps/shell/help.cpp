@@ -1,19 +1,23 @@
 #include "shell/help.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
 #include <memory>
 #include <sstream>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ballbar/nearest_name.hpp"
 #include "shell/command_words.hpp"
 #include "shell/usage_fault.hpp"
+#include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {
@@ -38,6 +42,16 @@ class HelpFormatter : public CLI::Formatter {
     if (!option->get_default_str().empty()) text += "=" + option->get_default_str();
     if (option->get_expected_max() == CLI::detail::expected_max_vector_size) text += " ...";
     return option->get_required() ? text + " REQUIRED" : text;
+  }
+
+  // The options of logs are listed by `import`; the other commands name them.
+  std::string make_group(std::string group, bool is_positional,
+                         std::vector<const CLI::Option*> options) const override {
+    if (group != kLogGroup) return CLI::Formatter::make_group(std::move(group), is_positional, std::move(options));
+    std::vector<std::string> names;
+    names.reserve(options.size());
+    for (const CLI::Option* option : options) names.push_back(option->get_name());
+    return fmt::format("\n{}:\n{}", group, wrapped(fmt::format("{}", fmt::join(names, ", "))));
   }
 };
 

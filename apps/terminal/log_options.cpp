@@ -1,6 +1,7 @@
 #include "terminal/log_options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -17,7 +18,6 @@ namespace ballbar {
 namespace {
 
 using Recipe = std::shared_ptr<LogRecipe>;
-constexpr const char* kGroup = "How a log is read, where it does not tell";
 
 // COLUMN=VALUE; the header of a column may itself hold a =.
 CLI::Validator pairs() {
@@ -25,6 +25,14 @@ CLI::Validator pairs() {
             const std::size_t at = text.rfind('=');
             const bool whole = at != std::string::npos && at > 0 && at + 1 < text.size();
             return whole ? std::string() : fmt::format("expected COLUMN=VALUE, found {}", in_quotes(text));
+          },
+          ""};
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  return {[words](const std::string& text) {
+            if (std::find(words.begin(), words.end(), text) != words.end()) return std::string();
+            return fmt::format("expected one of {}, found {}", fmt::join(words, ", "), in_quotes(text));
           },
           ""};
 }
@@ -53,7 +61,7 @@ CLI::Option* add(CLI::App& command, const Recipe& recipe, const std::string& nam
       .add_option_function<std::string>(
           name, [recipe, take = with_words(name, take)](const std::string& text) { take(*recipe, text); }, help)
       ->type_name(holds)
-      ->group(kGroup);
+      ->group(kLogGroup);
 }
 
 void add_flag(CLI::App& command, const Recipe& recipe, const std::string& name, const std::string& help,
@@ -66,7 +74,7 @@ void add_flag(CLI::App& command, const Recipe& recipe, const std::string& name, 
             recipe->words.push_back(name);
           },
           help)
-      ->group(kGroup);
+      ->group(kLogGroup);
 }
 
 CLI::Option* add_repeated(CLI::App& command, const Recipe& recipe, const std::string& name, const std::string& help,
@@ -80,7 +88,7 @@ CLI::Option* add_repeated(CLI::App& command, const Recipe& recipe, const std::st
           help + "; may be repeated")
       ->type_name(holds)
       ->allow_extra_args(false)
-      ->group(kGroup);
+      ->group(kLogGroup);
 }
 
 ColumnRecipe& column_of(LogRecipe& recipe, const std::string& source) {
@@ -110,11 +118,13 @@ Role role_of(const std::string& name) {
 template <std::size_t kSize>
 void add_sign(CLI::App& command, const Recipe& recipe, const std::string& name, const std::string& help,
               const std::pair<std::string_view, char> (&signs)[kSize], std::optional<char> LogRecipe::*member) {
-  add(command, recipe, name, help, "", [&signs, member](LogRecipe& to, const std::string& word) {
+  const std::vector<std::string> words = names_of(signs);
+  const auto take = [&signs, member](LogRecipe& to, const std::string& word) {
     for (const auto& [known, sign] : signs) {
       if (known == word) to.*member = sign;
     }
-  })->check(CLI::IsMember(names_of(signs)));
+  };
+  add(command, recipe, name, help, fmt::format("{}", fmt::join(words, "|")), take)->check(one_of(words));
 }
 
 // Where the table is and how its cells are written.
@@ -140,12 +150,12 @@ void add_table_options(CLI::App& command, const Recipe& recipe) {
 void add_time_options(CLI::App& command, const Recipe& recipe) {
   add(command, recipe, "--time", "column of the time; none: the rows are numbered", "COLUMN",
       [](LogRecipe& to, const std::string& column) { to.time = column; });
-  add(command, recipe, "--time-unit", "of a time that is a number: us, ms, s, min, h or d", "",
+  add(command, recipe, "--time-unit", "of a time that is a number", "us|ms|s|min|h|d",
       [](LogRecipe& to, const std::string& unit) { to.time_unit = unit; })
-      ->check(CLI::IsMember({"us", "ms", "s", "min", "h", "d"}));
-  add(command, recipe, "--dates", "how 03/04/2026 is read", "", [](LogRecipe& to, const std::string& order) {
-    to.month_first = order == "month-first";
-  })->check(CLI::IsMember({"day-first", "month-first"}));
+      ->check(one_of({"us", "ms", "s", "min", "h", "d"}));
+  const auto take_order = [](LogRecipe& to, const std::string& order) { to.month_first = order == "month-first"; };
+  add(command, recipe, "--dates", "how 03/04/2026 is read", "day-first|month-first", take_order)
+      ->check(one_of({"day-first", "month-first"}));
   command
       .add_option_function<double>(
           "--every",
@@ -155,11 +165,13 @@ void add_time_options(CLI::App& command, const Recipe& recipe) {
           },
           "distance of the rows where there is no time, or of the tests of a folder: 10ms, 1s, 1min")
       ->type_name("TIME")
-      ->transform(CLI::AsNumberWithUnit(
-          std::map<std::string, double>{{"us", 1e-6}, {"ms", 1e-3}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
-          CLI::AsNumberWithUnit::CASE_SENSITIVE))
+      ->transform(
+          CLI::AsNumberWithUnit(
+              std::map<std::string, double>{{"us", 1e-6}, {"ms", 1e-3}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
+              CLI::AsNumberWithUnit::CASE_SENSITIVE)
+              .description(""))
       ->check(number_above_0())
-      ->group(kGroup);
+      ->group(kLogGroup);
   add_flag(command, recipe, "--burst-means", "rows that come in bursts: one row a burst, the mean of its rows",
            &LogRecipe::burst_means);
 }

@@ -180,7 +180,8 @@ constexpr BadText kBadTexts[] = {
     {"probes", "X2 = \"ch2_um\"", "X2 = \"\"",
      "file:8:8: expected a column of readings for X2, found \"\"; the nearest is ch1_um."},
     {"probes", "# [five_probe]\n", "# five_probe = 1\n",
-     "file:3:3: expected one of the keys format, title, method, reference_s, started, columns, five_probe, found "
+     "file:3:3: expected one of the keys format, title, method, reference_s, started, clock, columns, five_probe, "
+     "found "
      "\"spacing_mm\"; the nearest is started."},
     {"series", "ballbar-series 1", "ballbar-series 3",
      "file:1:12: expected \"ballbar-series 1\" for format, found the text \"ballbar-series 3\"."},

@@ -124,8 +124,8 @@ void expect_recipe_columns(const LogPlan& plan, const std::string& name, std::si
 }
 
 // One column of numbers in the units of a series. `why`: what told its unit, where nothing in the file did.
-void take_column(const PlannedColumn& planned, std::vector<double>&& values, const std::string& why, Log& log,
-                 std::set<std::string>& taken) {
+void take_column(const PlannedColumn& planned, std::vector<double>&& values, const std::string& why,
+                 const std::string& name, Log& log, std::set<std::string>& taken) {
   const ColumnRecipe& stated = planned.stated;
   LogColumn column;
   column.source = planned.source;
@@ -137,7 +137,8 @@ void take_column(const PlannedColumn& planned, std::vector<double>&& values, con
     log.columns.push_back(std::move(column));
     return;
   }
-  const auto unit = stated.unit.empty() ? log_unit(planned.unit) : stated_unit(stated.unit, planned.source);
+  const auto unit = stated.unit.empty() ? log_unit(planned.unit)
+                                        : stated_unit(stated.unit, fmt::format("{}: {}", name, planned.source));
   double factor = 1.0, offset = 0.0;
   if (unit) {
     column.unit = unit->canonical;
@@ -215,7 +216,7 @@ void say_lines(const LogTable& table, Log& log) {
   const auto some = static_cast<std::ptrdiff_t>(std::min(kListedLines, bad));
   log.remarks.push_back(fmt::format("{} skipped, no row of numbers: {} {}{}.", lines(bad), bad == 1 ? "line" : "lines",
                                     fmt::join(table.bad_lines.begin(), table.bad_lines.begin() + some, ", "),
-                                    bad > kListedLines ? " ..." : ""));
+                                    bad > kListedLines ? fmt::format(" and {} more", bad - kListedLines) : ""));
 }
 
 // What a user should state, where the file does not tell it.
@@ -325,7 +326,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
     if (column.kind == ColumnKind::left_out) {
       log.columns.push_back({column.source, "", column.unit, "", Role::event, column.why, 0, {}});
     } else {
-      take_column(column, std::move(table.values[i]), assumed[i], log, taken);
+      take_column(column, std::move(table.values[i]), assumed[i], name, log, taken);
       if (!assumed[i].empty()) log.columns.back().found_unit.clear();
     }
   }
@@ -461,7 +462,7 @@ Series with_stated_columns(Series series, const LogRecipe& recipe, const std::st
     Column& column = series.columns[i];
     if (stated.left_out) continue;
     if (!stated.unit.empty()) {
-      const LogUnit unit = stated_unit(stated.unit, column.name);
+      const LogUnit unit = stated_unit(stated.unit, fmt::format("{}: {}", name, column.name));
       for (double& value : column.values) value = value * unit.factor + unit.offset;
       column.name =
           unit.canonical.empty() ? plan.columns[i].name : fmt::format("{}_{}", plan.columns[i].name, unit.canonical);

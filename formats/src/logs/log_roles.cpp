@@ -89,18 +89,18 @@ constexpr std::string_view kBearing[] = {"bearing",    "lager",       "palier", 
 constexpr std::string_view kHousing[] = {"housing",       "gehause",  "spindelgehause", "carter", "carcasa",
                                          "alloggiamento", "carcassa", "壳体",           "主轴箱", "ハウジング",
                                          "spindelkasten", "gehaeuse", "boitier",        "机壳",   "主軸台"};
-constexpr std::string_view kMeasured[] = {"probe",       "taster",       "messtaster",  "sensor x",  "displacement",
-                                          "verlagerung", "verschiebung", "weg",         "drift",     "deplacement",
-                                          "palpeur",     "spostamento",  "sonda",       "tastatore", "desplazamiento",
-                                          "error",       "abweichung",   "位移",        "変位",      "palpador",
-                                          "capteur",     "测头",         "プローブ",    "误差",      "gap",
-                                          "abstand",     "tir",          "gauge",       "delta l",   "deviation",
-                                          "ecart",       "wegsensor",    "elongation",  "längung",   "laengung",
-                                          "err",         "fehler",       "disp",        "displ",     "dilatation",
-                                          "dehnung",     "expansion",    "growth",      "dl",        "verformung",
-                                          "lvdt",        "length",       "deformation", "伸长",      "热误差",
-                                          "变形",        "熱変位",       "伸び",        "偏差",      "erreur",
-                                          "errore",      "desviacion"};
+constexpr std::string_view kMeasured[] = {"probe",       "taster",       "messtaster", "sensor x",   "displacement",
+                                          "verlagerung", "verschiebung", "weg",        "drift",      "deplacement",
+                                          "palpeur",     "spostamento",  "sonda",      "tastatore",  "desplazamiento",
+                                          "error",       "abweichung",   "位移",       "変位",       "palpador",
+                                          "capteur",     "测头",         "プローブ",   "误差",       "gap",
+                                          "abstand",     "tir",          "gauge",      "delta l",    "deviation",
+                                          "ecart",       "wegsensor",    "elongation", "längung",    "laengung",
+                                          "err",         "fehler",       "disp",       "displ",      "dilatation",
+                                          "dehnung",     "growth",       "dl",         "verformung", "lvdt",
+                                          "length",      "deformation",  "伸长",       "热误差",     "变形",
+                                          "熱変位",      "伸び",         "偏差",       "erreur",     "errore",
+                                          "desviacion"};
 constexpr std::string_view kTemperature[] = {
     "temp",          "temperature", "temperatur", "temperatura", "temperatures", "tmp",    "thermo", "thermocouple",
     "thermoelement", "termocoppia", "termopar",   "pt",          "pt100",        "pt1000", "tc",     "rtd",
@@ -131,14 +131,13 @@ constexpr std::string_view kSetPoint[] = {"soll",    "sollwert", "set",      "se
                                           "command", "consigne", "consigna", "setp",     "sp",     "设定",    "設定"};
 // Of what is no temperature, whatever part it is of.
 constexpr std::string_view kOtherQuantity[] = {
-    "flow",     "durchfluss", "debit",    "portata",   "caudal",   "流量",      "pressure", "druck",
-    "pression", "pressione",  "presion",  "压力",      "圧力",     "voltage",   "spannung", "tension",
-    "电压",     "電圧",       "volt",     "pos",       "position", "posizione", "posicion", "位置",
-    "axis",     "achse",      "feed",     "vibration", "vib",      "rms",       "freq",     "frequency",
-    "state",    "status",     "alarm",    "code",      "count",    "counter",   "zahler",   "adc",
-    "raw",      "bit",        "day",      "month",     "hour",     "minute",    "tag",      "week",
-    "power",    "target",     "setpoint", "set",       "soll",     "sollwert",  "pwm",      "fan",
-    "bat",      "tool",       "program",  "cycle",     "step",     "gain",      "angle",    "winkel"};
+    "flow",      "durchfluss", "debit",    "portata",   "caudal",   "流量",     "pressure", "druck",    "pression",
+    "pressione", "presion",    "压力",     "圧力",      "voltage",  "spannung", "tension",  "电压",     "電圧",
+    "volt",      "pos",        "position", "posizione", "posicion", "位置",     "axis",     "achse",    "feed",
+    "vib",       "rms",        "freq",     "frequency", "state",    "status",   "alarm",    "code",     "count",
+    "counter",   "zahler",     "adc",      "raw",       "bit",      "day",      "month",    "hour",     "minute",
+    "tag",       "week",       "power",    "target",    "setpoint", "set",      "soll",     "sollwert", "pwm",
+    "fan",       "bat",        "tool",     "program",   "cycle",    "step",     "gain",     "angle",    "winkel"};
 
 template <std::size_t kSize>
 bool says(const std::string& key, const std::string_view (&words)[kSize]) {

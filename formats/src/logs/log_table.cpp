@@ -120,7 +120,8 @@ class Table {
 
   [[nodiscard]] std::size_t decimals_of(std::string_view cell) const {
     const std::size_t sign = cell.find(shape_.decimal);
-    return sign == std::string_view::npos ? 0 : cell.find_last_of("0123456789") - sign;
+    const std::size_t last = cell.find_last_of("0123456789");
+    return sign == std::string_view::npos || last == std::string_view::npos || last < sign ? 0 : last - sign;
   }
 
   // The fewest that a column has in the first rows.

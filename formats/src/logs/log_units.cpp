@@ -203,7 +203,7 @@ std::optional<LogUnit> log_unit(std::string_view text) {
   return found->unit;
 }
 
-LogUnit stated_unit(std::string_view text, std::string_view column) {
+LogUnit stated_unit(std::string_view text, std::string_view place) {
   if (text == "none") return {};
   if (const auto unit = log_unit(text)) return *unit;
   text = bare(text);
@@ -214,7 +214,7 @@ LogUnit stated_unit(std::string_view text, std::string_view column) {
     return {unit->canonical, unit->factor * scale, 0.0};
   throw Error(fmt::format(
       "{}: expected a unit such as um, mm, degC, rpm, A, kW, bar or %, a scale such as 2.5um, or none, found {}.",
-      in_quotes(column), in_quotes(text)));
+      place, in_quotes(text)));
 }
 
 std::optional<double> time_unit_s(std::string_view text) {

@@ -18,8 +18,8 @@ struct LogUnit {
 std::optional<LogUnit> log_unit(std::string_view text);
 
 // What a user states: a unit of the list, a scale such as "2.5um" or "0.01 mm", or "none". Throws Error for anything
-// else; `column` stands in it.
-LogUnit stated_unit(std::string_view text, std::string_view column);
+// else; `place` stands before it.
+LogUnit stated_unit(std::string_view text, std::string_view place);
 
 // Seconds in a unit of time: "s", "sec", "ms", "min", "h", "Std", "days" ...
 std::optional<double> time_unit_s(std::string_view text);

@@ -141,8 +141,8 @@ TEST(log, what_is_not_clear_is_refused_with_its_line_and_the_way_out) {
   EXPECT_EQ(said("t [s];b\n1;2\n2;5\n3;x\n4;4\n"),
             "log.csv:4: expected a number for \"b\", found \"x\"; --missing takes such a text for a gap. "
             "--skip-bad-rows leaves the row out.");
-  EXPECT_EQ(said("t [s];b\n1;2\n2;5;9\n3;3;1\n4;4\n"),
-            "log.csv:3: expected 2 values, one for each column, found more: \"9\". 2 of 4 rows are such; "
+  EXPECT_EQ(said("t [s];b\n1;2\n2;5;9\n3;3;1\n4;4\n5;4\n"),
+            "log.csv:3: expected 2 values, one for each column, found more: \"9\". 2 of 5 rows are such; "
             "--skip-bad-rows leaves them out.");
   EXPECT_EQ(
       said("t [s]\ta\n0\t1,234\n1\t1,235\n"),
@@ -225,7 +225,7 @@ TEST(log, names_in_any_case_and_patterns_state_units_and_roles) {
   recipe.columns = {{"mcu_pos_z", "", "2.5", std::nullopt, false}};
   EXPECT_EQ(
       said("time_s,mcu_pos_z\n0,4\n1,8\n", recipe),
-      "\"mcu_pos_z\": expected a unit such as um, mm, degC, rpm, A, kW, bar or %, a scale such as 2.5um, or none, "
+      "log.csv: mcu_pos_z: expected a unit such as um, mm, degC, rpm, A, kW, bar or %, a scale such as 2.5um, or none, "
       "found \"2.5\".");
 }
 

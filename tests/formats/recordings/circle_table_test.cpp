@@ -157,11 +157,10 @@ TEST(circle_table, the_commanded_path_states_the_radius_and_the_time_the_feed) {
   EXPECT_NEAR(file.recordings[0].time_s.back(), 3.59, 1e-9);
 }
 
-TEST(circle_table, asks_for_the_radius) {
-  EXPECT_EQ(
-      complaint_of(rows(49.987, point)),
-      "f: expected the nominal radius of this circle, found a circle of 49.9870 mm, whose nominal radius the file "
-      "does not state; state it, as in --radius 50mm.");
+TEST(circle_table, assumes_a_whole_radius_and_asks_for_that_of_deviations) {
+  const RecordingFile assumed = read_circle_table(rows(49.987, point), "f");
+  EXPECT_EQ(assumed.recordings.front().nominal_length_mm, 50.0);
+  EXPECT_NE(assumed.remarks.front().find("nominal radius 50 mm (assumed)"), std::string::npos);
   EXPECT_EQ(complaint_of(rows(49.987, point), {100.0}),
             "f: expected a circle of about the nominal radius 100 mm that --radius states, found one of 49.9870 mm.");
   const auto um_of = [](double t, double r) {

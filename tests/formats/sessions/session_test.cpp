@@ -239,7 +239,7 @@ TEST(session, folder_of_b5r_files_in_the_order_they_were_measured) {
 TEST(session, folders_that_are_no_session) {
   const ScratchFolder folder;
   const auto opening = [&] { return complaint(folder, [&] { open_session(folder.path()); }); };
-  EXPECT_EQ(opening(), "DIR: expected a folder with session.toml or .b5r files, found neither.");
+  EXPECT_EQ(opening(), "DIR: expected a folder with session.toml or recordings (.b5r, circles), found neither.");
   folder.write("a.b5r", good_text("b5r"));
   folder.write("b.b5r", good_text("b5r"));
   const std::string no_drift =
@@ -250,7 +250,9 @@ TEST(session, folders_that_are_no_session) {
                            "a.b5r has.");
   folder.write("b.b5r", changed("b5r", "  <DATE_STARTED>20200229-120001</DATE_STARTED>\n", ""));
   EXPECT_EQ(opening(),
-            no_drift + "expected DATE_STARTED, the time of this test in the session, found none that can be read.");
+            no_drift +
+                "expected DATE_STARTED, the time of this test in the session, found none that can be read; --every "
+                "30min states how far apart the tests of the folder are, in the order of their names.");
   folder.write("b.b5r", replaced(changed("b5r", "20200229-120001", "20200301-000001"), "<NOMINAL_LENGTH>100",
                                  "<NOMINAL_LENGTH>50"));
   EXPECT_EQ(opening(),

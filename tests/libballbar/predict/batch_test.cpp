@@ -177,7 +177,6 @@ TEST(batch, messages) {
   expect_error("expected a column z_mu, found none; the nearest is z_um.", columns_with(good, "z_mu", {}));
   expect_error("expected a column T_rom_degC, found none; the nearest is T_room_degC.",
                columns_with(good, "z_um", "T_rom_degC"));
-  expect_error("expected a target in um, found T_room_degC.", columns_with(good, "T_room_degC", {}));
   expect_error("expected a column z_um, found none.", columns_with({}, "z_um", {}));
 
   Series series = good;
@@ -186,16 +185,17 @@ TEST(batch, messages) {
   series = good;
   series.columns[0].name = "T_nose_degC";
   series.columns.push_back({"T_oil_degC", Role::coolant, {1.0, 2.0, 3.0}});
+  // Only what ranks batches needs a room.
+  BatchColumns without_room = batch_columns(series, InputKind::temperature, "z_um", {});
+  EXPECT_EQ(without_room.room, "");
+  EXPECT_TRUE(std::isnan(batch_of("a", series, without_room).start.room_first_degC));
   expect_error(
-      "expected one column of the room's temperature (role ambient, or room, ambient or air in its name), found none; "
-      "name it by --room, one of T_nose_degC, T_oil_degC.",
-      columns_with(series, "z_um", {}));
+      "expected one column of the room's temperature (role ambient, or room, ambient or air in its name), by which "
+      "batches are ranked, found none or several; name it by --room, one of T_nose_degC, T_oil_degC.",
+      [&] { expect_room(without_room); });
   series.columns[0].name = "T_room_degC";
   series.columns.back().name = "T_air_degC";
-  expect_error(
-      "expected one column of the room's temperature (role ambient, or room, ambient or air in its name), found "
-      "T_room_degC and T_air_degC; name it by --room, one of T_room_degC, T_air_degC.",
-      columns_with(series, "z_um", {}));
+  EXPECT_EQ(batch_columns(series, InputKind::temperature, "z_um", {}).room, "");
 
   const auto batch_with = [&](const Series& one) { return [=] { (void)batch_of("a", one, columns); }; };
   series = good;
