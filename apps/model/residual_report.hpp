@@ -43,6 +43,8 @@ struct ResultType<ResidualReport> {
   static constexpr std::string_view meaning = "A model fitted, and where it fails.";
   static constexpr std::tuple figures{
       Field{"target", [](Report of) { return of.fit.target; }, "column that is explained"},
+      Field{"target_unit", [](Report of) { return std::string(unit_of(of.fit.target)); },
+            "for which um stands in the other keys; empty: the column states none"},
       Field{"rmse_um", [](Report of) { return of.fit.rmse_um; }, "that the model leaves"},
       Field{"floor_um", &floor_um, "that no model could explain; null: not known"},
       Field{"floor_source", [](Report of) { return of.fit.floor.source; }, "what tells the floor"},

@@ -158,6 +158,8 @@ struct ResultType<TrainedOnEffects> {
   static constexpr std::string_view meaning = "A regression on the effects of the catalogue.";
   static constexpr std::tuple of_regression{
       Field{"target", [](const EffectRegression& of) { return of.model.targets.front(); }, "column that is predicted"},
+      Field{"target_unit", [](const EffectRegression& of) { return std::string(unit_of(of.model.targets.front())); },
+            "for which um stands in the other keys; empty: the column states none"},
       Field{"rows", &EffectRegression::rows, "trained on"},
       Field{"runs", &EffectRegression::runs, ""},
       Field{"dictionary", &EffectRegression::dictionary, "kinds of effects"},

@@ -32,6 +32,12 @@ bool is_predicted(const EffectRegression& regression) {
   return !regression.model.terms.empty() && of.rmse_um < (regression.runs > 1 ? kNoBetter : kHardlyBetter) * of.held_um;
 }
 
+// In which the numbers of a regression are.
+std::string unit_text(const EffectRegression& regression) {
+  const std::string_view unit = unit_of(regression.model.targets.front());
+  return std::string(unit.empty() ? "units" : unit);
+}
+
 // The conclusion: what may be expected of rows that the training did not have.
 std::string expectation(const EffectRegression& regression) {
   const std::string& target = regression.model.targets.front();
@@ -42,18 +48,19 @@ std::string expectation(const EffectRegression& regression) {
   const bool several = regression.runs > 1;
   const std::string tested = several ? fmt::format("runs left out (each of {})", of.count)
                                      : fmt::format("forecasts from {} origins", of.count);
-  const std::string without = several ? "0 um is taken" : "the last value, or the mean, is held";
+  const std::string unit = unit_text(regression);
+  const std::string without = several ? fmt::format("0 {} is taken", unit) : "the last value, or the mean, is held";
   if (regression.model.terms.empty() || !(of.rmse_um < kNoBetter * of.held_um)) {
     return fmt::format(
-        "{} is not predicted: in {} the error is {:.2f} um RMSE, and {:.2f} um where {}. What moves it is in none of "
+        "{} is not predicted: in {} the error is {:.2f} {} RMSE, and {:.2f} {} where {}. What moves it is in none of "
         "these columns.",
-        target, tested, of.rmse_um, of.held_um, without);
+        target, tested, of.rmse_um, unit, of.held_um, unit, without);
   }
   return fmt::format(
-      "{} is {}predicted to {:.2f} um on rows that the training did not have (mean of |error| in {}; RMSE {:.2f} um, "
-      "and {:.2f} um where {}). The interval of 95 % held {:.0f} % of them{}.{}",
-      target, is_predicted(regression) ? "" : "hardly ", of.error_um, tested, of.rmse_um, of.held_um, without,
-      100.0 * of.within_share,
+      "{} is {}predicted to {:.2f} {} on rows that the training did not have (mean of |error| in {}; RMSE {:.2f} {}, "
+      "and {:.2f} {} where {}). The interval of 95 % held {:.0f} % of them{}.{}",
+      target, is_predicted(regression) ? "" : "hardly ", of.error_um, unit, tested, of.rmse_um, unit, of.held_um, unit,
+      without, 100.0 * of.within_share,
       regression.interval_scale > 1.005
           ? fmt::format(" and is {:.2f} times as wide in the model's file, so that it holds 95 %",
                         regression.interval_scale)
@@ -62,14 +69,15 @@ std::string expectation(const EffectRegression& regression) {
 }
 
 std::string memory_text(const EffectRegression& regression) {
+  const std::string unit = unit_text(regression);
   return regression.length_s > 0.0
-             ? fmt::format("What no column drives is a curve of {:.2f} um (standard deviation) with a memory of {}.",
-                           regression.sigma_um, duration_text(regression.length_s))
-             : fmt::format("What is left scatters by {:.2f} um, without a memory.", regression.sigma_um);
+             ? fmt::format("What no column drives is a curve of {:.2f} {} (standard deviation) with a memory of {}.",
+                           regression.sigma_um, unit, duration_text(regression.length_s))
+             : fmt::format("What is left scatters by {:.2f} {}, without a memory.", regression.sigma_um, unit);
 }
 
-Table driver_table(const DriverReport& report) {
-  Table table({"column", "role", "share um", "parts left out", "what may be said"});
+Table driver_table(const DriverReport& report, const std::string& unit) {
+  Table table({"column", "role", "share " + unit, "parts left out", "what may be said"});
   double others = 0.0;
   std::size_t shown = 0, more = 0;
   for (const DriverStability& one : report.drivers) {
@@ -88,7 +96,7 @@ Table driver_table(const DriverReport& report) {
   return table;
 }
 
-std::vector<std::string> remarks_of(const DriverReport& report) {
+std::vector<std::string> remarks_of(const DriverReport& report, const std::string& unit) {
   std::vector<std::string> remarks;
   for (const std::vector<std::string>& names : report.interchangeable) {
     remarks.push_back(fmt::format("Interchangeable, any of them will do: {}.", fmt::join(names, ", ")));
@@ -97,9 +105,9 @@ std::vector<std::string> remarks_of(const DriverReport& report) {
     remarks.push_back(fmt::format("Without any one of these nothing changes: {}.", fmt::join(report.not_needed, ", ")));
   }
   for (const CancellingColumns& pair : report.cancelling) {
-    remarks.push_back(
-        fmt::format("{} ({:.1f} um) and {} ({:.1f} um) nearly cancel, to {:.1f} um: neither is a cause by itself.",
-                    pair.first, pair.first_um, pair.second, pair.second_um, pair.sum_um));
+    remarks.push_back(fmt::format(
+        "{0} ({1:.1f} {5}) and {2} ({3:.1f} {5}) nearly cancel, to {4:.1f} {5}: neither is a cause by itself.",
+        pair.first, pair.first_um, pair.second, pair.second_um, pair.sum_um, unit));
   }
   return remarks;
 }
@@ -232,7 +240,7 @@ void train_effects(const TrainOptions& options) {
   const EffectRegression& of = trained.regression;
   const bool is_model = !of.model.terms.empty();
   if (is_model && !options.out.empty()) write_bytes(options.out, write_effect_regression(of));
-  std::vector<std::string> said = remarks_of(trained.drivers);
+  std::vector<std::string> said = remarks_of(trained.drivers, unit_text(of));
   if (!of.left_out.empty()) {
     said.push_back(fmt::format("Not used, for they stand still or have gaps: {}.", fmt::join(of.left_out, ", ")));
   }
@@ -249,16 +257,17 @@ void train_effects(const TrainOptions& options) {
                dictionary_text(of), of.rows, of.runs > 1 ? fmt::format(" of {} runs", of.runs) : "");
     fmt::print("{}", wrapped(expectation(of)));
     if (worst)
-      fmt::print("{}", wrapped(fmt::format("The worst run is {}: {:.2f} um RMSE.", worst->run, worst->rmse_um)));
+      fmt::print("{}", wrapped(fmt::format("The worst run is {}: {:.2f} {} RMSE.", worst->run, worst->rmse_um,
+                                           unit_text(of))));
     fmt::print("{}\n", wrapped(memory_text(of)));
     if (opened && of.forecasts) {
       contenders.push_back(effects_contender(trained, *opened));
       fmt::print("{}\n", contest_text(contenders));
     }
-    fmt::print("{}{}", driver_table(trained.drivers).text(table_width()),
-               wrapped(fmt::format("share: of {:.2f} um, the range of what is predicted. parts left out: least and "
+    fmt::print("{}{}", driver_table(trained.drivers, unit_text(of)).text(table_width()),
+               wrapped(fmt::format("share: of {:.2f} {}, the range of what is predicted. parts left out: least and "
                                    "largest in {} refits, each without a part of the record.",
-                                   trained.drivers.range_um, trained.drivers.refits)));
+                                   trained.drivers.range_um, unit_text(of), trained.drivers.refits)));
     if (!said.empty()) fmt::print("\n");
     for (const std::string& remark : said) fmt::print("{}", wrapped(remark));
   }

@@ -94,7 +94,7 @@ class Fits(unittest.TestCase):
         self.assertEqual(list(fit.params), ["effect", "parameter", "value", "sigma", "low", "high", "unit", "state"])
         self.assertLess(fit.params["low"].iloc[1], fit.params["value"].iloc[1])
         self.assertEqual(set(fit.where["what"]) & {"regime", "time"}, {"regime", "time"})
-        with self.assertRaisesRegex(AttributeError, "Fit has no rms_um; it has target, rmse_um"):
+        with self.assertRaisesRegex(AttributeError, "Fit has no rms_um; it has target, target_unit, rmse_um"):
             fit.rms_um
         with self.assertRaisesRegex(AttributeError, "cannot be changed"):
             fit.rmse_um = 0.0

@@ -214,7 +214,7 @@ BatchColumns batch_columns(const Series& first, InputKind kind, const std::strin
   columns.target = target;
   std::vector<std::string> speeds;
   for (const Column& column : first.columns) {
-    if (is_sensor(column)) columns.sensors.push_back(column.name);
+    if (is_sensor(column) && column.name != target) columns.sensors.push_back(column.name);
     if (column.role == Role::speed) speeds.push_back(column.name);
   }
   if (speeds.size() == 1) columns.speed = speeds.front();

@@ -158,7 +158,7 @@ TEST(circle_table, the_commanded_path_states_the_radius_and_the_time_the_feed) {
 }
 
 TEST(circle_table, assumes_a_whole_radius_and_asks_for_that_of_deviations) {
-  const RecordingFile assumed = read_circle_table(rows(49.987, point), "f");
+  const RecordingFile assumed = read_circle_table(rows(49.987, point), "f", {});
   EXPECT_EQ(assumed.recordings.front().nominal_length_mm, 50.0);
   EXPECT_NE(assumed.remarks.front().find("nominal radius 50 mm (assumed)"), std::string::npos);
   EXPECT_EQ(complaint_of(rows(49.987, point), {100.0}),
