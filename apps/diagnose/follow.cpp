@@ -48,7 +48,7 @@ struct Opened {
 Opened opened(const GrowingLog& log, const ModelOptions& options, bool is_first) {
   try {
     Opened result;
-    result.data = open_model_data({log.copy()}, {}, options.max_gap_s.value_or(kUsualGap_s));
+    result.data = open_model_data({options.data.front().like(log.copy())}, {}, options.max_gap_s.value_or(kUsualGap_s));
     if (is_first) {
       for (std::string& remark : result.data.remarks) remark = log.with_its_name(std::move(remark));
       tell(result.data.remarks);

@@ -16,18 +16,6 @@
 namespace ballbar {
 namespace {
 
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      result += "'\\''";
-    } else {
-      result += c;
-    }
-  }
-  return result + "'";
-}
-
 // As `add` takes it; empty where the name of a column holds the comma that parts them.
 std::string word_of(const std::string& label, const std::vector<std::string>& columns) {
   for (const std::string& column : columns) {
@@ -91,14 +79,6 @@ bool says_a_name(const Diagnosis& found) {
 }
 
 }  // namespace
-
-std::string shell_word(const std::string& text) {
-  const auto is_plain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           std::string_view("_-./=:,+@%").find(c) != std::string::npos;
-  };
-  return !text.empty() && std::all_of(text.begin(), text.end(), is_plain) ? text : quoted(text);
-}
 
 std::string model_file(const ModelOptions& options) {
   if (!options.model.empty()) return options.model.name();

@@ -36,7 +36,4 @@ std::string model_file(const ModelOptions& options);
 // What the user has to do by hand: a value that the model holds. Whole sentences.
 std::string next_hint(const ModelOptions& options, const Diagnosis& found);
 
-// As one word of a shell: in single quotes where it holds anything else than letters, digits and _-./=:,+@%.
-std::string shell_word(const std::string& text);
-
 }  // namespace ballbar

@@ -141,6 +141,7 @@ Log opened(const ImportArguments& options) {
                            unit,
                            unit,
                            column.role,
+                           false,
                            "by its unit",
                            gaps,
                            {column.values.begin(), column.values.begin() + first}});

@@ -94,7 +94,7 @@ struct ResultType<ImportedLog> {
               return MayLack<std::vector<std::string>>{of.log.sheets.empty() ? std::nullopt
                                                                              : std::optional(of.log.sheets)};
             },
-            "all of the workbook"},
+            "of the workbook, all"},
       Field{"columns", [](Of of) { return of.log.columns; }, "of the log, that of the time left out"},
       Field{"targets", [](Of of) { return targets(of.log); }, "columns that are measured"},
       Field{"unclear", [](Of of) { return of.log.unclear; }, "what a user should state"},

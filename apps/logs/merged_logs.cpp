@@ -43,7 +43,7 @@ void align(const Part& first, Part& part, const ClockOptions& options) {
   const double range_s =
       options.range_s.value_or(part.merged.by_date_s ? std::min(1800.0, 0.25 * span_s) : 0.5 * span_s);
   part.merged.lag = clock_lag(first.series, part.series, range_s);
-  if (!part.merged.lag) return;
+  if (!part.merged.lag || std::abs(part.merged.lag->lag_s) <= part.merged.lag->sigma_s) return;
   part.merged.moved_s += part.merged.lag->lag_s;
   for (double& time : part.series.time_s) time += part.merged.lag->lag_s;
 }
@@ -63,7 +63,10 @@ std::string clock_text(const MergedPart& first, const MergedPart& part, bool kee
                          ? fmt::format("starts {} {} by the dates of both", duration_text(std::abs(*part.by_date_s)),
                                        *part.by_date_s < 0.0 ? "earlier" : "later")
                          : std::string("has no date beside that of the first: both start together");
-  if (part.lag) {
+  if (part.lag && std::abs(part.lag->lag_s) <= part.lag->sigma_s) {
+    text += fmt::format("; its clock agrees within {:.2f} s, as {} and {} show (correlation {:.3f})", part.lag->sigma_s,
+                        part.lag->column, part.lag->other, part.lag->correlation);
+  } else if (part.lag) {
     text += fmt::format("; its clock is {} by {}, as {} and {} show (correlation {:.3f}), and was set right",
                         part.lag->lag_s > 0.0 ? "behind" : "ahead",
                         fmt::format("{:.2f} ± {:.2f} s", std::abs(part.lag->lag_s), part.lag->sigma_s),

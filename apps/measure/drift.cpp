@@ -144,7 +144,7 @@ void run_five_probe(const DriftArguments& options, DriftData data) {
                               options.session.name()));
     }
     report.title = data.session->five_probe->string();
-    data.series = opened_series(*data.session->five_probe).series;
+    data.series = opened_series(options.session.like(*data.session->five_probe)).series;
     ball = data.session->ball;
   }
   report.series = stated(*data.series, options.probes);

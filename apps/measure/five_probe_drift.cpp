@@ -200,12 +200,23 @@ FivePointOptions place_of(const Series& series, const FiveProbeOptions& options,
   return how;
 }
 
+// Whether a column has the name of a probe and no unit.
+bool lacks_units(const Series& series) {
+  return std::any_of(series.columns.begin(), series.columns.end(), [](const Column& column) {
+    return column.name.size() <= 2 && unit_of(column.name).empty() &&
+           std::any_of(kProbes.begin(), kProbes.end(), [&](std::string_view probe) {
+             return std::toupper(static_cast<unsigned char>(column.name[0])) == probe[0] &&
+                    column.name.substr(1) == probe.substr(1);
+           });
+  });
+}
+
 MeasuredDrift five_point_of(const Series& series, const FivePointOptions& how, const std::string& name) {
   if (!is_five_probe(series)) {
     throw Error(fmt::format(
         "{}: expected columns of five probes, such as X1_um, or which columns they are, by --probe X1=COLUMN or a line "
-        "`# X1 = \"COLUMN\"` under `# [five_probe]`, found the columns {}.",
-        name, names_of(series)));
+        "`# X1 = \"COLUMN\"` under `# [five_probe]`, found the columns {}{}.",
+        name, names_of(series), lacks_units(series) ? "; --unit '*=um' states their unit" : ""));
   }
   MeasuredDrift drift;
   try {

@@ -62,7 +62,9 @@ void split_words(EffectOptions& options, std::optional<bool> effects) {
     if (word.is_path() && is_effect(word.name())) {
       options.effects.push_back(word.name());
     } else {
-      options.model.data.push_back(word);
+      // The first file of the data is the one that the options of logs are stated of.
+      const bool is_first = options.model.data.empty() && word.is_path();
+      options.model.data.push_back(is_first ? options.words.front().like(word.path()) : word);
     }
   }
   if (effects == true && options.effects.empty()) {
@@ -105,6 +107,12 @@ std::vector<Term> terms_of(const std::vector<std::string>& effects, const Model&
     if (data.motion && !applies_to(*terms.back().effect, *data.motion)) {
       throw Error(fmt::format("expected effects that act where {} drives the circle, found {}.", name_of(*data.motion),
                               terms.back().effect->name));
+    }
+    if (!data.series->has_clock && needs_clock(*terms.back().effect)) {
+      throw Error(
+          fmt::format("{}: expected data with a clock for {}, found numbered rows; --every 10s states how far apart "
+                      "they are.",
+                      data.title, label_of(terms.back())));
     }
     larger.terms.push_back(terms.back());
     expect_suits(larger, *data.series);

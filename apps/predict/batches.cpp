@@ -71,10 +71,25 @@ void tell_steps(const std::vector<Batch>& batches, const std::string& target, st
 
 }  // namespace
 
-Series read_batch(const Source& source) {
+Series read_batch(const Source& source, bool says_how) {
   OpenedSeries opened = opened_series(source);
-  tell(opened.remarks);
+  if (says_how) tell(opened.remarks);
   return *opened.series;
+}
+
+std::string target_of(const TrainOptions& options, const Series& run) {
+  if (!options.target.empty()) return options.target;
+  std::vector<std::string> measured;
+  for (const Column& column : run.columns) {
+    if (column.role == Role::measured && column.name.find("_sigma_") == std::string::npos)
+      measured.push_back(column.name);
+  }
+  if (measured.size() == 1) return measured.front();
+  std::vector<std::string> known;
+  for (const Column& column : run.columns) known.push_back(column.name);
+  throw Error(fmt::format("{}: expected one measured column to predict, found {}; name it by --target, one of {}.",
+                          options.title(), measured.empty() ? "none" : fmt::format("{}", fmt::join(measured, ", ")),
+                          fmt::join(measured.empty() ? known : measured, ", ")));
 }
 
 OpenedBatches open_batches(const TrainOptions& options) {
@@ -100,10 +115,10 @@ OpenedBatches open_batches(const TrainOptions& options) {
     if (opened.batches.size() % 20 == 0) {
       show_progress(fmt::format("reading batch {} of {}", opened.batches.size() + 1, list.runs.size()));
     }
-    const Series series = read_batch(run.file);
+    const Series series = read_batch(options.batch(run.file), true);
     with_source(file, [&] {
       if (opened.batches.empty()) {
-        opened.columns = batch_columns(series, options.inputs, options.target, options.room);
+        opened.columns = batch_columns(series, options.inputs, target_of(options, series), options.room);
         const std::vector<std::string> all = opened.columns.sensors;
         for (const std::string& sensor : options.without_sensor) {
           std::erase(opened.columns.sensors, sensor);

@@ -34,7 +34,7 @@ std::string source_name(const Source& data) { return data.name() == "-" ? "stand
 
 // From a file or, of "-", from the standard input.
 Series read_data(const Source& data) {
-  if (data.name() != "-") return read_batch(data);
+  if (data.name() != "-") return read_batch(data, true);
   std::string bytes;
   char block[1 << 16];
   while (std::cin.read(block, sizeof block) || std::cin.gcount() > 0) {
@@ -258,7 +258,10 @@ void print_and_write(const PredictedJob& job, const JobOptions& options, const K
 
 }  // namespace
 
-std::string stem_of(const std::string& column) { return column.substr(0, column.rfind('_')); }
+std::string stem_of(const std::string& column) {
+  const std::size_t unit = unit_of(column).size();
+  return unit == 0 ? column : column.substr(0, column.size() - unit - 1);
+}
 
 BatchJob batch_job(const Source& data, const Source& model, bool anyway) {
   BatchJob made;
@@ -298,6 +301,10 @@ void predict_by_effects(const JobOptions& options) {
     job.data = read_data(options.data);
   } else {
     const ModelData opened = open_drift(options.data, options.max_gap_s);
+    if (opened.series->runs.size() > 1) {
+      throw Error(fmt::format("{}: expected one run to predict, found {}; name its file, or its sheet by --sheet.",
+                              options.data.name(), opened.series->runs.size()));
+    }
     expect_no_input(options.out, opened.files);
     job.data = *opened.series;
   }

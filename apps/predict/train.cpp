@@ -93,7 +93,7 @@ Contender physical(const TrainOptions& options, const OpenedBatches& opened) {
   model.targets = {opened.columns.target};
   const std::size_t count = opened.batches.size();
   std::vector<Series> batches;
-  for (std::size_t k = 0; k < count; ++k) batches.push_back(read_batch(opened.files[k]));
+  for (std::size_t k = 0; k < count; ++k) batches.push_back(read_batch(options.batch(opened.files[k])));
   FitOptions how;
   how.white = true;
   how.starts = 1;
@@ -163,8 +163,9 @@ void train_temperatures(const TrainOptions& options) {
   const RegressionSettings settings = best->settings;
   std::optional<ComparedModel> effects;
   if (!options.model.empty()) effects = ComparedModel{physical(options, opened)};
-  const TemperatureRegression model = temperature_regression(
-      opened.batches, {}, opened.columns, settings, [&](std::size_t k) { return read_batch(opened.files[k]); });
+  const TemperatureRegression model =
+      temperature_regression(opened.batches, {}, opened.columns, settings,
+                             [&](std::size_t k) { return read_batch(options.batch(opened.files[k])); });
   write_bytes(options.out, write_batch_model(model));
   if (options.json) {
     print_json(json_of(TrainedOnTemperatures{model.columns.target,
@@ -183,11 +184,13 @@ void train_temperatures(const TrainOptions& options) {
 
 // What an option needs, and what it does not go with.
 void expect_together(const TrainOptions& given) {
-  if (given.effects && (method_of(given) || !given.model.empty())) {
+  const bool lists = lists_batches(given.data);
+  if ((given.effects || !lists) && (method_of(given) || !given.model.empty())) {
     throw CLI::ValidationError(
-        "--effects: expected neither --method, --components, --share, --penalty nor --model with it.");
+        given.effects ? "--effects: expected neither --method, --components, --share, --penalty nor --model with it."
+                      : "--method, --components, --share, --penalty, --model: expected a list of runs with them");
   }
-  if (given.effects || !lists_batches(given.data)) return;
+  if (given.effects || !lists) return;
   if (given.few) throw CLI::ValidationError("--few: expected --effects with it.");
   if (given.max_gap_s) throw CLI::ValidationError("--max-gap: expected --effects with it.");
 }
@@ -208,7 +211,6 @@ void expect_together_for_job(const TrainOptions& given) {
 
 void run(const TrainOptions& given, const std::vector<CLI::Option*>& of_a_job) {
   if (!given.job.empty()) {
-    if (given.target.empty()) throw CLI::RequiredError("--target");
     expect_together_for_job(given);
     return train_for_job(given);
   }
@@ -216,7 +218,6 @@ void run(const TrainOptions& given, const std::vector<CLI::Option*>& of_a_job) {
   expect_together(given);
   const bool on_effects = given.effects || !lists_batches(given.data);
   if (!on_effects && given.out.empty()) throw CLI::RequiredError("--out");
-  if (!on_effects && given.target.empty()) throw CLI::RequiredError("--target");
   on_effects ? train_effects(given) : train_temperatures(given);
 }
 

@@ -15,7 +15,7 @@ namespace ballbar {
 
 struct TrainOptions {
   std::vector<Source> data;  // runs.csv; with `effects` series or sessions, too
-  std::string target;        // with `effects` it may be empty: the only measured column
+  std::string target;        // empty: the only measured column
   std::optional<std::string> room;
   InputKind inputs = InputKind::temperature;
   std::vector<std::string> without, without_sensor;
@@ -38,6 +38,8 @@ struct TrainOptions {
   bool json = false;
 
   [[nodiscard]] std::string title() const;  // of the data, for messages
+  // A batch of the list, read as the options of logs say.
+  [[nodiscard]] Source batch(const std::filesystem::path& file) const { return data.front().like(file); }
 };
 
 // Whether the data are a list of batches, by the first column of the file.
@@ -54,7 +56,11 @@ struct OpenedBatches {
 // columns that differ from the first batch's, a batch to leave out that is not listed, as batch_columns and batch_of.
 OpenedBatches open_batches(const TrainOptions& options);
 
-Series read_batch(const Source& source);
+// `says_how`: a log was read.
+Series read_batch(const Source& source, bool says_how = false);
+
+// The only measured column, where the options name none. Throws Error.
+std::string target_of(const TrainOptions& options, const Series& run);
 
 // One method with the settings it is trained with.
 struct Contender {

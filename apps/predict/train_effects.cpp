@@ -124,7 +124,7 @@ OpenedRuns opened_runs(const TrainOptions& options, const std::optional<OpenedBa
   std::vector<Series>& runs = result.runs;
   if (opened) {
     for (std::size_t k = 0; k < opened->batches.size(); ++k) {
-      runs.push_back(read_batch(opened->files[k]));
+      runs.push_back(read_batch(options.batch(opened->files[k])));
       result.names.push_back(opened->files[k].stem().string());
     }
     const std::vector<std::string>& kept = opened->columns.sensors;
@@ -179,22 +179,6 @@ Contender effects_contender(const TrainedRegression& trained, const OpenedBatche
   effects.held_out.rms_um = trained.regression.forecasts->rmse_um;
   if (trained.left_out) effects.worst = opened.files[trained.left_out->worst].stem().string();
   return effects;
-}
-
-// The only measured column, where none is named.
-std::string target_of(const TrainOptions& options, const Series& run) {
-  if (!options.target.empty()) return options.target;
-  std::vector<std::string> measured;
-  for (const Column& column : run.columns) {
-    if (column.role == Role::measured && column.name.find("_sigma_") == std::string::npos)
-      measured.push_back(column.name);
-  }
-  if (measured.size() == 1) return measured.front();
-  std::vector<std::string> known;
-  for (const Column& column : run.columns) known.push_back(column.name);
-  throw Error(fmt::format("{}: expected one measured column to predict, found {}; name it by --target, one of {}.",
-                          options.title(), measured.empty() ? "none" : fmt::format("{}", fmt::join(measured, ", ")),
-                          fmt::join(measured.empty() ? known : measured, ", ")));
 }
 
 }  // namespace

@@ -176,7 +176,7 @@ py::tuple state_of(Series& series) {
     columns.append(py::make_tuple(one.name, static_cast<int>(one.role), array_of(one.values)));
   }
   for (const RunOrigin& one : series.runs) runs.append(py::make_tuple(one.name, static_cast<int>(one.start)));
-  return py::make_tuple(array_of(series.time_s), columns, series.started, of_probes(series), runs);
+  return py::make_tuple(array_of(series.time_s), columns, series.started, of_probes(series), runs, series.has_clock);
 }
 
 std::shared_ptr<Series> series_from(const py::tuple& state) {
@@ -190,6 +190,7 @@ std::shared_ptr<Series> series_from(const py::tuple& state) {
   for (const auto& [name, start] : py::cast<std::vector<std::pair<std::string, int>>>(state[4])) {
     series->runs.push_back({name, static_cast<RunStart>(start)});
   }
+  series->has_clock = py::cast<bool>(state[5]);
   return series;
 }
 
@@ -222,6 +223,7 @@ void bind_series(py::module_& module) {
           "The unit of each column, as its name ends; empty: none.")
       .def_property_readonly("five_probe", &of_probes, "What is stated of five probes, or None.")
       .def_readonly("started", &Series::started, "Wall clock at time 0, or None.")
+      .def_readonly("has_clock", &Series::has_clock, "False: time_s numbers the rows, for no file tells the time.")
       .def(
           "__getitem__",
           [](const py::object& self, const std::string& name) {

@@ -98,12 +98,13 @@ void add_session(Report& made, const SessionFiles& files, const ReportRequest& o
   made.page.drift.value = drift;
   for (const std::string& largest : largest_drifts(drift)) made.conclude(fmt::format("Largest drift: {}.", largest));
   if (files.five_probe) {
-    const Series probes = open_series(*files.five_probe);
+    const Series probes = open_series(options.model.data.front().like(*files.five_probe));
     made.page.five_probe.value =
         five_point_of(probes, place_of(probes, options.probes, files.ball), file_name(*files.five_probe));
   }
   for (const fs::path& signals : files.signals) {
-    made.page.head.signals.push_back(signals_part(file_name(signals), open_series(signals)));
+    made.page.head.signals.push_back(
+        signals_part(file_name(signals), open_series(options.model.data.front().like(signals))));
   }
 }
 
@@ -214,7 +215,7 @@ ReportData report_data(ReportRequest& options) {
     if (has_model || options.diagnose) result.for_model = model_data(options);
     return result;
   }
-  if (options.model.data.size() > 1 || lists_runs(options.model.data.front())) {
+  if (options.model.data.size() > 1 || stands_for_runs(options.model.data.front())) {
     if (!options.compare.empty())
       throw Error("--compare: expected one session or series to compare, found several runs.");
     if (of_batches) throw Error(options.model.model.name() + ": expected one series to predict, found several runs.");

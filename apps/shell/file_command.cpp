@@ -16,6 +16,7 @@
 #include "ballbar/formats/text/source.hpp"
 #include "shell/usage_fault.hpp"
 #include "terminal/stderr_line.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {
@@ -121,7 +122,10 @@ std::vector<std::string> with_command(std::vector<std::string> words, const CLI:
   if (page) command.insert(command.end(), {"--out", *page});
   const bool silent = std::find(given.begin(), given.end(), "--no-diagnosis") != given.end();
   if (page && kind == FileKind::series && !silent) command.emplace_back("--diagnose");
-  stderr_line(fmt::format("{}: as `ballbar {}`", name_of(kind), fmt::join(command, " ")));
+  std::vector<std::string> typed;
+  typed.reserve(command.size());
+  for (const std::string& word : command) typed.push_back(shell_word(word));
+  stderr_line(fmt::format("{}: as `ballbar {}`", name_of(kind), fmt::join(typed, " ")));
   return command;
 }
 

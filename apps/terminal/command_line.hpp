@@ -13,13 +13,20 @@
 
 namespace ballbar {
 
+// How the logs of a command are read: of the first file of DATA as stated; of others, which may lack a column, and
+// stand beside no other file.
+struct LogRecipes {
+  std::shared_ptr<LogRecipe> first, others;
+  bool has_place = false;  // for data
+};
+
 // A word for data is a path, or the name of a value that the program holds.
 class CommandLine : public CLI::App {
  public:
   using CLI::App::App;
-  std::map<std::string, Source> values;                           // by their names
-  Catalogue catalogue = built_in_catalogue();                     // of effects that models may have
-  std::map<const CLI::App*, std::shared_ptr<LogRecipe>> recipes;  // how the logs of a command are read
+  std::map<std::string, Source> values;                            // by their names
+  Catalogue catalogue = built_in_catalogue();                      // of effects that models may have
+  std::map<const CLI::App*, std::shared_ptr<LogRecipes>> recipes;  // by commands
 };
 
 // That of a command; nullptr: of another program.

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/logs/recipe_toml.hpp"
@@ -17,7 +19,7 @@
 namespace ballbar {
 namespace {
 
-using Recipe = std::shared_ptr<LogRecipe>;
+using Recipe = std::shared_ptr<LogRecipes>;
 
 // COLUMN=VALUE; the header of a column may itself hold a =.
 CLI::Validator pairs() {
@@ -45,21 +47,23 @@ std::vector<std::string> names_of(const std::pair<std::string_view, char> (&sign
   return names;
 }
 
-// A value is put into the recipe as it is read, and the words that state it.
+// A value is put into the recipes as it is read, and the words that state it.
 using Take = std::function<void(LogRecipe& recipe, const std::string& text)>;
 
-Take with_words(const std::string& name, const Take& take) {
-  return [name, take](LogRecipe& recipe, const std::string& text) {
-    take(recipe, text);
-    recipe.words.insert(recipe.words.end(), {name, text});
+std::function<void(const std::string& text)> into(const Recipe& recipes, const std::string& name, const Take& take) {
+  return [recipes, name, take](const std::string& text) {
+    for (LogRecipe* const recipe : {recipes->first.get(), recipes->others.get()}) {
+      take(*recipe, text);
+      recipe->words.insert(recipe->words.end(), {name, text});
+    }
+    recipes->others->may_lack_columns = true;
+    recipes->others->join.clear();
   };
 }
 
 CLI::Option* add(CLI::App& command, const Recipe& recipe, const std::string& name, const std::string& help,
                  const std::string& holds, const Take& take) {
-  return command
-      .add_option_function<std::string>(
-          name, [recipe, take = with_words(name, take)](const std::string& text) { take(*recipe, text); }, help)
+  return command.add_option_function<std::string>(name, into(recipe, name, take), help)
       ->type_name(holds)
       ->group(kLogGroup);
 }
@@ -70,8 +74,10 @@ void add_flag(CLI::App& command, const Recipe& recipe, const std::string& name, 
       .add_flag_callback(
           name,
           [recipe, name, member] {
-            (*recipe).*member = true;
-            recipe->words.push_back(name);
+            for (LogRecipe* const one : {recipe->first.get(), recipe->others.get()}) {
+              one->*member = true;
+              one->words.push_back(name);
+            }
           },
           help)
       ->group(kLogGroup);
@@ -82,8 +88,8 @@ CLI::Option* add_repeated(CLI::App& command, const Recipe& recipe, const std::st
   return command
       .add_option_function<std::vector<std::string>>(
           name,
-          [recipe, take = with_words(name, take)](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) take(*recipe, text);
+          [one = into(recipe, name, take)](const std::vector<std::string>& texts) {
+            std::for_each(texts.begin(), texts.end(), one);
           },
           help + "; may be repeated")
       ->type_name(holds)
@@ -160,8 +166,8 @@ void add_time_options(CLI::App& command, const Recipe& recipe) {
       .add_option_function<double>(
           "--every",
           [recipe](double every_s) {
-            recipe->every_s = every_s;
-            recipe->words.insert(recipe->words.end(), {"--every", fmt::format("{}s", every_s)});
+            into(recipe, "--every",
+                 [every_s](LogRecipe& to, const std::string&) { to.every_s = every_s; })(fmt::format("{}s", every_s));
           },
           "distance of the rows where there is no time, or of the tests of a folder: 10ms, 1s, 1min")
       ->type_name("TIME")
@@ -190,38 +196,46 @@ void add_column_options(CLI::App& command, const Recipe& recipe) {
                [](LogRecipe& to, const std::string& source) { column_of(to, source).left_out = true; });
 }
 
-// The recipe of the command, with its options where it has none yet; nullptr of a program without them.
-Recipe recipe_of(CLI::App& command) {
+// The recipes of the command, with its options where it has none yet; nullptr of a program without them.
+Recipe recipes_of(CLI::App& command) {
   CommandLine* const line = line_of(command);
   if (line == nullptr) return nullptr;
-  Recipe& recipe = line->recipes[&command];
-  if (recipe != nullptr) return recipe;
-  recipe = std::make_shared<LogRecipe>();
-  add_table_options(command, recipe);
-  add_time_options(command, recipe);
-  add_column_options(command, recipe);
-  return recipe;
+  Recipe& recipes = line->recipes[&command];
+  if (recipes != nullptr) return recipes;
+  recipes = std::make_shared<LogRecipes>(std::make_shared<LogRecipe>(), std::make_shared<LogRecipe>());
+  recipes->others->may_lack_columns = true;
+  add_table_options(command, recipes);
+  add_time_options(command, recipes);
+  add_column_options(command, recipes);
+  return recipes;
+}
+
+// What takes the words of a place for data: its first file is read by the first recipe, where it is the command's first
+// place.
+std::function<Source(const std::string& word, bool is_first)> reading(CLI::App& command) {
+  const Recipe recipes = recipes_of(command);
+  const bool is_first_place = recipes != nullptr && !std::exchange(recipes->has_place, true);
+  return [&command, recipes, is_first_place](const std::string& word, bool is_first) {
+    Source source = source_of(command, word);
+    if (recipes != nullptr) source.set_recipe(is_first_place && is_first ? recipes->first : recipes->others);
+    return source;
+  };
 }
 
 }  // namespace
 
 CLI::Option* add_data(CLI::App& command, const std::string& name, Source& source, const std::string& help) {
   return command.add_option_function<std::string>(
-      name,
-      [&command, &source, recipe = recipe_of(command)](const std::string& word) {
-        source = source_of(command, word);
-        source.set_recipe(recipe);
-      },
-      help);
+      name, [&source, read = reading(command)](const std::string& word) { source = read(word, true); }, help);
 }
 
 CLI::Option* add_data(CLI::App& command, const std::string& name, std::vector<Source>& sources,
                       const std::string& help) {
   return command.add_option_function<std::vector<std::string>>(
       name,
-      [&command, &sources, recipe = recipe_of(command)](const std::vector<std::string>& words) {
+      [&sources, read = reading(command)](const std::vector<std::string>& words) {
         sources.clear();
-        for (const std::string& word : words) sources.emplace_back(source_of(command, word)).set_recipe(recipe);
+        for (const std::string& word : words) sources.push_back(read(word, sources.empty()));
       },
       help);
 }

@@ -58,6 +58,18 @@ std::vector<std::string> lines_of(std::string text, std::size_t width, bool inde
   return lines;
 }
 
+std::string in_single_quotes(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'') {
+      result += "'\\''";
+    } else {
+      result += c;
+    }
+  }
+  return result + "'";
+}
+
 }  // namespace
 
 std::size_t table_width(std::size_t elsewhere) {
@@ -177,6 +189,14 @@ std::string left_out_text(const std::vector<SkippedFile>& skipped) {
       fmt::format("Left out: {}\n", skipped.size() == 1 ? "one file" : fmt::format("{} files", skipped.size()));
   for (const SkippedFile& one : skipped) text += fmt::format("  {}\n", shortened(one.why, 1000));
   return text;
+}
+
+std::string shell_word(const std::string& text) {
+  const auto is_plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("_-./=:,+@%").find(c) != std::string::npos;
+  };
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_plain) ? text : in_single_quotes(text);
 }
 
 }  // namespace ballbar

@@ -46,4 +46,7 @@ std::string wrapped(const std::string& text, std::size_t width = 100);
 // "Left out: 2 files" and a line for each with its reason; empty where there is none.
 std::string left_out_text(const std::vector<SkippedFile>& skipped);
 
+// As one word of a shell: in single quotes where it holds anything else than letters, digits and _-./=:,+@%.
+std::string shell_word(const std::string& text);
+
 }  // namespace ballbar

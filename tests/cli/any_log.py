@@ -3,9 +3,10 @@
 import math
 import random
 import sys
+import zipfile
 
 draw = random.Random(7)
-kind, number = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 1
+kind, number = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 and sys.argv[2].isdigit() else 1
 
 
 def lagged(values, rows):
@@ -85,3 +86,20 @@ elif kind == "circle":
         angle = math.radians(degree)
         length = 100.0 + 0.004 * number * math.cos(angle) - 0.002 * math.sin(angle) + draw.gauss(0.0, 0.0002)
         print(f"{degree},{length:.5f}")
+elif kind == "workbook":
+    def sheet(lines):
+        cells = "".join(f"<row r='{i}'>" + "".join(f"<c t='str'><v>{c}</v></c>" if isinstance(c, str) else f"<c><v>{c}</v></c>"
+                                                  for c in line) + "</row>" for i, line in enumerate(lines, 1))
+        return f"<worksheet><sheetData>{cells}</sheetData></worksheet>"
+
+    book = {"Read me": [["A spindle, three days"], ["sensor", "place"], ["T1", "front"]], "empty": []}
+    for day in range(3):
+        temperatures = warm_up(120, 2, 19.5 + day, 30 + 10 * day)
+        values = [2.1 * (t - temperatures[1][0]) + draw.gauss(0.0, 0.2) for t in temperatures[1]]
+        book[f"day {day + 1}"] = [["Time (s)", "T front", "T rear", "dz (um)"]] + [
+            [10 * k, round(a, 2), round(b, 2), round(v, 3)] for k, (a, b, v) in enumerate(zip(*temperatures, values))]
+    with zipfile.ZipFile(sys.argv[2], "w") as archive:
+        names = "".join(f"<sheet name='{name}' sheetId='{k}'/>" for k, name in enumerate(book, 1))
+        archive.writestr("xl/workbook.xml", f"<workbook><sheets>{names}</sheets></workbook>")
+        for k, lines in enumerate(book.values(), 1):
+            archive.writestr(f"xl/worksheets/sheet{k}.xml", sheet(lines))

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <limits>
 #include <memory>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "ballbar/error.hpp"
@@ -110,6 +112,7 @@ std::string column_name(std::string_view name, std::string_view unit, std::set<s
 }
 
 void expect_recipe_columns(const LogPlan& plan, const std::string& name, std::size_t line, const LogRecipe& recipe) {
+  if (recipe.may_lack_columns) return;
   for (const ColumnRecipe& one : recipe.columns) {
     std::vector<std::string_view> known;
     bool found = false;
@@ -118,8 +121,9 @@ void expect_recipe_columns(const LogPlan& plan, const std::string& name, std::si
       known.emplace_back(column.source);
     }
     if (found) continue;
-    throw Error(fmt::format("{}:{}: expected a column {}, which the recipe names, found none; the nearest is {}.", name,
-                            line, in_quotes(one.source), in_quotes(nearest_name(one.source, known))));
+    throw Error(fmt::format(
+        "{}:{}: expected a column {}, as stated by the options or the recipe, found none; the nearest is {}.", name,
+        line, in_quotes(one.source), in_quotes(nearest_name(one.source, known))));
   }
 }
 
@@ -137,8 +141,11 @@ void take_column(const PlannedColumn& planned, std::vector<double>&& values, con
     log.columns.push_back(std::move(column));
     return;
   }
-  const auto unit = stated.unit.empty() ? log_unit(planned.unit)
-                                        : stated_unit(stated.unit, fmt::format("{}: {}", name, planned.source));
+  const bool pattern_gives_way =
+      planned.unit_by_pattern && (!why.empty() || !found_role(planned.name, "", values).unit.empty());
+  const auto unit = stated.unit.empty() || pattern_gives_way
+                        ? log_unit(planned.unit)
+                        : stated_unit(stated.unit, fmt::format("{}: {}", name, planned.source));
   double factor = 1.0, offset = 0.0;
   if (unit) {
     column.unit = unit->canonical;
@@ -156,9 +163,16 @@ void take_column(const PlannedColumn& planned, std::vector<double>&& values, con
     for (double& value : values) value = value * factor + offset;
   }
   const FoundRole found = found_role(planned.name, column.unit, values);
-  column.role = stated.role.value_or(found.role);
-  column.why = stated.role ? "by the recipe" : !why.empty() && found.role == Role::structure ? why : found.why;
-  if (column.unit.empty() && planned.unit.empty()) column.unit = found.unit;
+  // Whose unit of length a user states is no axis, however far it moves.
+  const bool is_length = !stated.unit.empty() && !planned.unit_by_pattern && column.unit == "um";
+  column.role = stated.role.value_or(is_length ? Role::measured : found.role);
+  column.role_is_stated = stated.role.has_value();
+  column.why = stated.role                                     ? "by the recipe"
+               : !why.empty() && found.role == Role::structure ? why
+               : is_length                                     ? "by its unit"
+                                                               : found.why;
+  if (column.unit.empty() && planned.unit.empty() && (stated.unit.empty() || pattern_gives_way))
+    column.unit = found.unit;
   if (!stated.name.empty()) {
     column.name = column_name(stated.name.ends_with("_" + column.unit) && !column.unit.empty()
                                   ? std::string_view(stated.name).substr(0, stated.name.size() - column.unit.size() - 1)
@@ -167,7 +181,6 @@ void take_column(const PlannedColumn& planned, std::vector<double>&& values, con
   } else {
     column.name = column_name(planned.name, column.unit, taken);
   }
-  column.first.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(std::min(kFirst, values.size())));
   log.series.columns.push_back({column.name, column.role, std::move(values)});
   log.columns.push_back(std::move(column));
 }
@@ -211,12 +224,16 @@ void say_lines(const LogTable& table, Log& log) {
   if (table.short_rows > 0)
     log.remarks.push_back(
         fmt::format("{} with fewer values than columns: the rest are gaps.", lines(table.short_rows)));
-  const std::size_t bad = table.bad_lines.size();
-  if (bad == 0) return;
-  const auto some = static_cast<std::ptrdiff_t>(std::min(kListedLines, bad));
-  log.remarks.push_back(fmt::format("{} skipped, no row of numbers: {} {}{}.", lines(bad), bad == 1 ? "line" : "lines",
-                                    fmt::join(table.bad_lines.begin(), table.bad_lines.begin() + some, ", "),
-                                    bad > kListedLines ? fmt::format(" and {} more", bad - kListedLines) : ""));
+  const auto say = [&](const std::vector<std::size_t>& numbers, std::string_view what) {
+    if (numbers.empty()) return;
+    const std::size_t some = std::min(kListedLines, numbers.size());
+    log.remarks.push_back(
+        fmt::format("{} {}: {} {}{}.", lines(numbers.size()), what, numbers.size() == 1 ? "line" : "lines",
+                    fmt::join(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(some), ", "),
+                    numbers.size() > some ? fmt::format(" and {} more", numbers.size() - some) : ""));
+  };
+  say(table.bad_lines, "skipped, not a row of numbers");
+  say(table.cut_lines, "cut off within a number, which is a gap");
 }
 
 // What a user should state, where the file does not tell it.
@@ -236,24 +253,43 @@ std::vector<std::string> unclear_parts(const Log& log) {
   return parts;
 }
 
-// Where no column is known as measured, those that may be, if they are three at most: "mcu_pos_z".
-void take_nameless_targets(Log& log) {
-  std::vector<std::pair<LogColumn*, Column*>> found;
-  std::size_t k = 0;
+// Columns of the log that the series has, with their values.
+std::vector<std::pair<LogColumn*, Column*>> taken_columns(Log& log) {
+  std::vector<std::pair<LogColumn*, Column*>> taken;
   for (LogColumn& column : log.columns) {
-    if (column.name.empty()) continue;
-    Column& values = log.series.columns[k++];
-    if (column.role == Role::measured) return;
-    const Extremes range = extremes_of(values.values);
-    const bool may_be = column.role == Role::event && column.unit.empty() && column.found_unit.empty() &&
-                        range.most > range.least && could_be_measured(column.source);
-    if (may_be) found.emplace_back(&column, &values);
+    if (!column.name.empty()) taken.emplace_back(&column, &log.series.columns[taken.size()]);
   }
-  if (found.size() > kProbesAtMost) return;
-  for (const auto& [column, values] : found) {
-    column->role = values->role = Role::measured;
-    column->why = "the only column that may be measured; in which unit?";
+  return taken;
+}
+
+// A bare X, Y or Z without a unit is the place of an axis where another column is measured in one. Where none is, the
+// columns that may be are, if they are three at most: "mcu_pos_z".
+void settle_targets(Log& log) {
+  const auto taken = taken_columns(log);
+  const auto is_axis = [](const LogColumn& column) {
+    return !column.role_is_stated && column.unit.empty() && column.found_unit.empty() && names_an_axis(column.source);
+  };
+  const bool any = std::any_of(taken.begin(), taken.end(), [&](const auto& one) {
+    return one.first->role == Role::measured && !one.first->unit.empty() && !is_axis(*one.first);
+  });
+  const auto set = [](const auto& one, Role role, std::string_view why) {
+    one.first->role = one.second->role = role;
+    one.first->why = why;
+  };
+  std::vector<std::pair<LogColumn*, Column*>> found;
+  for (const auto& one : taken) {
+    const LogColumn& column = *one.first;
+    if (any && column.role == Role::measured && is_axis(column))
+      set(one, Role::event, "the place of an axis, by its name");
+    const Extremes range = extremes_of(one.second->values);
+    const bool may_be = column.role == Role::event && !column.role_is_stated && column.unit.empty() &&
+                        column.found_unit.empty() && range.most > range.least && could_be_measured(column.source);
+    if (may_be) found.push_back(one);
   }
+  const bool none =
+      std::none_of(taken.begin(), taken.end(), [](const auto& one) { return one.first->role == Role::measured; });
+  if (!none || found.size() > kProbesAtMost) return;
+  for (const auto& one : found) set(one, Role::measured, "the only column that may be measured; in which unit?");
 }
 
 // A row a burst: the mean of its rows, at the mean of their times. Bursts are parted by steps of time that are far
@@ -301,6 +337,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   log.first_row_line = shape.first_row_line;
   say_lines(table, log);
   log.skipped_lines = table.bad_lines;
+  log.without_row = table.without_row;
   std::optional<double> started_s;
   log.series.time_s = clock_s(table, plan, name, started_s, log.remarks);
   log.series.has_clock = !plan.time.numbered;
@@ -324,7 +361,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
     const bool is_time = column.kind != ColumnKind::number && column.kind != ColumnKind::left_out;
     if (is_time || (plan.time.kind == TimePlan::Kind::number && i == plan.time.column)) continue;
     if (column.kind == ColumnKind::left_out) {
-      log.columns.push_back({column.source, "", column.unit, "", Role::event, column.why, 0, {}});
+      log.columns.push_back({column.source, "", column.unit, "", Role::event, false, column.why, 0, {}});
     } else {
       take_column(column, std::move(table.values[i]), assumed[i], name, log, taken);
       if (!assumed[i].empty()) log.columns.back().found_unit.clear();
@@ -351,24 +388,38 @@ Log one_log(const Source& source, const LogRecipe& recipe, bool joined) {
     }
   }();
   log.shape = text->shape;
+  log.sheet = text->sheet;
   log.sheets = std::move(text->sheets);
-  log.recipe.sheet = text->sheet;
+  if (recipe.sheet.empty() && log.sheets.size() > 1) {
+    log.remarks.push_back(
+        fmt::format("One of {} sheets is read, {}; --sheet names another.", log.sheets.size(), in_quotes(log.sheet)));
+  }
   log.recipe.delimiter.reset();
   log.recipe.decimal.reset();
   return log;
 }
 
+void expect_rows_alone(const Log& log, const std::string& name) {
+  const std::size_t others = log.without_row + (log.series.has_clock ? log.skipped_lines.size() : 0);
+  if (others == 0) return;
+  throw Error(
+      fmt::format("{}: expected rows of numbers alone, for the files are joined row by row, found {} other {} "
+                  "between the first row and the last.",
+                  name, others, others == 1 ? "line" : "lines"));
+}
+
 // The columns of another file beside those of the log, row by row.
 void join(Log& log, const Source& source, const std::string& file, const LogRecipe& recipe) {
   LogRecipe other = recipe;
-  other.sheet = log.recipe.sheet;
+  other.sheet = log.sheet;
   other.time = "none";
   other.every_s.reset();
+  std::error_code absent;
+  if (std::filesystem::equivalent(file, source.path(), absent))
+    throw Error(fmt::format("{}: expected another file for --join, found the same.", file));
   Log beside = one_log(file, other, true);
-  if (log.series.has_clock && !log.skipped_lines.empty()) {
-    throw Error(fmt::format("{}:{}: expected rows of numbers alone, for {} is joined row by row, found another.",
-                            source.name(), log.skipped_lines.front(), file));
-  }
+  expect_rows_alone(log, source.name());
+  expect_rows_alone(beside, file);
   Series& series = log.series;
   const std::size_t rows = series.time_s.size(), others = beside.series.time_s.size(), both = std::min(rows, others);
   if (both * 10 < std::max(rows, others) * 9) {
@@ -376,13 +427,21 @@ void join(Log& log, const Source& source, const std::string& file, const LogReci
         fmt::format("{}: expected about as many rows as in {}, {}, found {}.", file, source.name(), rows, others));
   }
   if (rows != others) {
-    log.remarks.push_back(fmt::format("{} rows here and {} in {}: the last {} are left out.", rows, others, file,
-                                      std::max(rows, others) - both));
+    const std::size_t more = std::max(rows, others) - both;
+    log.remarks.push_back(fmt::format("{} rows here and {} in {}: the last {} left out.", rows, others, file,
+                                      more == 1 ? "row is" : fmt::format("{} rows are", more)));
   }
+  log.recipe.columns.insert(log.recipe.columns.end(), beside.recipe.columns.begin(), beside.recipe.columns.end());
   std::set<std::string> taken;
   for (const Column& column : series.columns) taken.insert(column.name);
   std::size_t k = 0;
   for (LogColumn& column : beside.columns) {
+    const bool is_time = !column.name.empty() && is_time_name(name_and_unit(column.source).name);
+    if (is_time) {
+      beside.series.columns.erase(beside.series.columns.begin() + static_cast<std::ptrdiff_t>(k));
+      column.name.clear();
+      column.why = "another time";
+    }
     if (!column.name.empty()) {
       Column& values = beside.series.columns[k++];
       values.name = column.name = free_name(values.name, column.unit, taken);
@@ -432,9 +491,15 @@ Log open_log(const Source& source) {
     const std::size_t rows = log.series.time_s.size();
     take_burst_means(log.series, source.name());
     log.remarks.push_back(
-        fmt::format("{} rows come in {} bursts: a row is the mean of one.", rows, log.series.time_s.size()));
+        fmt::format("{} rows come in {} bursts: each row is the mean of a burst.", rows, log.series.time_s.size()));
   }
-  take_nameless_targets(log);
+  settle_targets(log);
+  for (const auto& [column, values] : taken_columns(log)) {
+    const std::size_t rows = std::min(kFirst, values->values.size());
+    column->first.assign(values->values.begin(), values->values.begin() + static_cast<std::ptrdiff_t>(rows));
+    column->gaps = static_cast<std::size_t>(
+        std::count_if(values->values.begin(), values->values.end(), [](double value) { return std::isnan(value); }));
+  }
   log.unclear = unclear_parts(log);
   source.close();
   return log;
@@ -446,6 +511,17 @@ std::vector<std::string> sheets_of(const Source& source) {
 }
 
 Series with_stated_columns(Series series, const LogRecipe& recipe, const std::string& name) {
+  const auto refuse = [&](bool is_given, std::string_view option) {
+    if (is_given) throw Error(fmt::format("{}: expected a log for {}, found a ballbar series.", name, option));
+  };
+  refuse(!recipe.join.empty(), "--join");
+  refuse(recipe.burst_means, "--burst-means");
+  refuse(!recipe.time.empty(), "--time");
+  refuse(recipe.every_s && series.has_clock, "--every");
+  if (recipe.every_s) {
+    for (double& time : series.time_s) time *= *recipe.every_s;
+    series.has_clock = true;
+  }
   if (recipe.columns.empty()) return series;
   LogPlan plan;
   for (const Column& column : series.columns) {
@@ -453,23 +529,30 @@ Series with_stated_columns(Series series, const LogRecipe& recipe, const std::st
     const std::string_view unit = unit_of(column.name);
     planned.source = column.name;
     planned.name = unit.empty() ? column.name : column.name.substr(0, column.name.size() - unit.size() - 1);
+    planned.unit = unit;
     planned.stated = stated_of(recipe, planned.source, planned.name, !unit.empty());
   }
   expect_recipe_columns(plan, name, 1, recipe);
   std::vector<Column> columns;
+  std::set<std::string> taken;
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
-    const ColumnRecipe& stated = plan.columns[i].stated;
+    const PlannedColumn& planned = plan.columns[i];
+    const ColumnRecipe& stated = planned.stated;
     Column& column = series.columns[i];
     if (stated.left_out) continue;
-    if (!stated.unit.empty()) {
-      const LogUnit unit = stated_unit(stated.unit, fmt::format("{}: {}", name, column.name));
-      for (double& value : column.values) value = value * unit.factor + unit.offset;
-      column.name =
-          unit.canonical.empty() ? plan.columns[i].name : fmt::format("{}_{}", plan.columns[i].name, unit.canonical);
-      column.role = role_from_unit(unit.canonical);
+    std::string unit = planned.unit;
+    if (!stated.unit.empty() && !unit.empty() && stated.unit != unit) {
+      throw Error(fmt::format("{}: {}: expected no other unit than {}, which its name states, found {}.", name,
+                              planned.source, unit, in_quotes(stated.unit)));
+    }
+    if (!stated.unit.empty() && unit.empty()) {
+      const LogUnit found = stated_unit(stated.unit, fmt::format("{}: {}", name, planned.source));
+      for (double& value : column.values) value = value * found.factor + found.offset;
+      unit = found.canonical;
+      if (column.role == Role::event) column.role = role_from_unit(unit);
     }
     if (stated.role) column.role = *stated.role;
-    if (!stated.name.empty()) column.name = stated.name;
+    column.name = column_name(stated.name.empty() ? planned.name : stated.name, unit, taken);
     columns.push_back(std::move(column));
   }
   if (columns.empty()) throw Error(fmt::format("{}: expected a column that is not left out, found none.", name));
@@ -509,7 +592,7 @@ std::string sentence_of(const Log& log) {
   add(others, "other", "others");
   add(left_out, "left out", "left out");
   const std::string time =
-      log.series.has_clock ? fmt::format("time {}", log.time) : "numbered, for none tells the time";
+      log.series.has_clock ? fmt::format("time {}", log.time) : "numbered: no column tells the time";
   return fmt::format("read as {}; {} rows from line {}, {}; {}.", log.shape, log.series.time_s.size(),
                      log.first_row_line, time, columns);
 }

@@ -73,8 +73,13 @@ void name_columns(const LogShape& shape, LogPlan& plan) {
 }
 
 void take_stated(const LogRecipe& recipe, LogPlan& plan) {
-  for (PlannedColumn& column : plan.columns)
+  for (PlannedColumn& column : plan.columns) {
     column.stated = stated_of(recipe, column.source, column.name, !column.unit.empty());
+    column.unit_by_pattern =
+        !column.stated.unit.empty() && std::none_of(recipe.columns.begin(), recipe.columns.end(), [&](const auto& one) {
+          return !is_pattern(one.source) && !one.unit.empty() && is_of(one, column.source, column.name);
+        });
+  }
 }
 
 // "Y_Unit_Label Volts Amps", one a channel, behind the column of X: LabVIEW's measurement files.
@@ -152,7 +157,7 @@ void plan_values(const std::vector<ColumnSample>& samples, const LogRecipe& reci
     const ColumnSample& sample = samples[i];
     if (column.stated.left_out) {
       column.why = "left out by the recipe";
-    } else if (!column.stated.unit.empty() && sample.numbers > 0) {
+    } else if (!column.stated.unit.empty() && !column.unit_by_pattern && sample.numbers > 0) {
       column.kind = ColumnKind::number;
       column.unit = column.stated.unit;
     } else if (sample.written() == 0) {
@@ -179,7 +184,8 @@ void plan_values(const std::vector<ColumnSample>& samples, const LogRecipe& reci
 bool is_of(const ColumnRecipe& recipe, std::string_view source, std::string_view name) {
   if (recipe.source == source || recipe.source == name) return true;
   const std::string key = small(recipe.source);
-  return suits(key, small(source)) || suits(key, small(name));
+  const std::string_view before = trimmed_cell(source.substr(0, source.find_first_of("([")));
+  return suits(key, small(source)) || suits(key, small(name)) || suits(key, small(before));
 }
 
 ColumnRecipe stated_of(const LogRecipe& recipe, std::string_view source, std::string_view name, bool has_unit) {
@@ -193,7 +199,8 @@ ColumnRecipe stated_of(const LogRecipe& recipe, std::string_view source, std::st
   };
   for (const bool patterns : {true, false}) {
     for (const ColumnRecipe& one : recipe.columns) {
-      if (is_pattern(one.source) == patterns && is_of(one, source, name)) take(one, !patterns || !has_unit);
+      if (is_pattern(one.source) != patterns || !is_of(one, source, name)) continue;
+      take(one, !has_unit || !(patterns || recipe.may_lack_columns));
     }
   }
   return stated;

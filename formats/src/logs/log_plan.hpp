@@ -21,8 +21,9 @@ struct PlannedColumn {
   std::string unit;    // as written
   bool headed = true;  // has a header
   ColumnKind kind = ColumnKind::left_out;
-  std::string why;      // why it is left out
-  ColumnRecipe stated;  // all that the recipe says of it; `source` is empty where that is nothing
+  std::string why;               // why it is left out
+  ColumnRecipe stated;           // all that the recipe says of it; `source` is empty where that is nothing
+  bool unit_by_pattern = false;  // which gives way to what name and values tell
 };
 
 struct TimePlan {
@@ -46,7 +47,8 @@ struct LogPlan {
   TimePlan time;
 };
 
-// Whether the recipe's column is this one: by its header, with or without the unit, in capitals or not, or by a pattern
+// Whether the recipe's column is this one: by its header, with or without the unit or what stands in
+// brackets, in capitals or not, or by a pattern
 // with * and ?.
 bool is_of(const ColumnRecipe& recipe, std::string_view source, std::string_view name);
 

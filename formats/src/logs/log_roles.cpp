@@ -109,21 +109,23 @@ constexpr std::string_view kTemperature[] = {
 constexpr std::string_view kSpindle[] = {"spindle", "spindel", "mandrino", "husillo",
                                          "broche",  "主轴",    "主軸",     "スピンドル"};
 constexpr std::string_view kStructure[] = {
-    "bed",      "bett",     "maschinenbett", "bancada",  "banc",      "bancale",       "basamento",
-    "lit",      "床身",     "ベッド",        "column",   "stander",   "saule",         "colonne",
-    "montante", "colonna",  "columna",       "立柱",     "コラム",    "frame",         "rahmen",
-    "gestell",  "bati",     "telaio",        "bastidor", "机架",      "フレーム",      "motor",
-    "moteur",   "motore",   "电机",          "電機",     "モータ",    "马达",          "table",
-    "tisch",    "tavola",   "mesa",          "工作台",   "テーブル",  "head",          "headstock",
-    "kopf",     "testa",    "cabezal",       "ram",      "schieber",  "saddle",        "schlitten",
-    "slide",    "nut",      "mutter",        "screw",    "ballscrew", "spindelmutter", "kugelgewindetrieb",
-    "丝杠",     "螺母",     "ボールねじ",    "guide",    "guideway",  "fuhrung",       "导轨",
-    "scale",    "massstab", "光栅",          "extruder", "nozzle",    "hotend",        "heater",
-    "base",     "sockel",   "底座",          "横梁",     "crossbeam", "traverse",      "portal",
-    "gantry",   "turret",   "revolver",      "chuck",    "futter",    "quill",         "pinole",
-    "滑枕",     "body",     "machine",       "maschine", "flange",    "flansch"};
-constexpr std::string_view kChamber[] = {"chamber", "enclosure", "kammer",  "klimakammer", "klimaschrank",
-                                         "lab",     "labor",     "outside", "inside",      "恒温"};
+    "bed",       "bett",      "maschinenbett", "bancada",       "banc",
+    "bancale",   "basamento", "lit",           "床身",          "ベッド",
+    "column",    "stander",   "saule",         "colonne",       "montante",
+    "colonna",   "columna",   "立柱",          "コラム",        "frame",
+    "rahmen",    "gestell",   "bati",          "telaio",        "bastidor",
+    "机架",      "フレーム",  "motor",         "moteur",        "motore",
+    "电机",      "電機",      "モータ",        "马达",          "table",
+    "tisch",     "tavola",    "mesa",          "工作台",        "テーブル",
+    "headstock", "kopf",      "testa",         "cabezal",       "nut",
+    "mutter",    "screw",     "ballscrew",     "spindelmutter", "kugelgewindetrieb",
+    "丝杠",      "螺母",      "ボールねじ",    "guide",         "guideway",
+    "fuhrung",   "导轨",      "光栅",          "extruder",      "nozzle",
+    "hotend",    "heater",    "sockel",        "底座",          "横梁",
+    "crossbeam", "traverse",  "portal",        "gantry",        "turret",
+    "revolver",  "chuck",     "futter",        "pinole",        "滑枕",
+    "flange",    "flansch"};
+constexpr std::string_view kChamber[] = {"chamber", "enclosure", "kammer", "klimakammer", "klimaschrank", "恒温"};
 constexpr std::string_view kOtherPercent[] = {"humidity", "feuchte", "humidite", "umidita",   "humedad", "湿度",
                                               "override", "ventil",  "valve",    "fullstand", "level",   "duty",
                                               "rh",       "pegel",   "battery",  "vorschub"};
@@ -131,13 +133,14 @@ constexpr std::string_view kSetPoint[] = {"soll",    "sollwert", "set",      "se
                                           "command", "consigne", "consigna", "setp",     "sp",     "设定",    "設定"};
 // Of what is no temperature, whatever part it is of.
 constexpr std::string_view kOtherQuantity[] = {
-    "flow",      "durchfluss", "debit",    "portata",   "caudal",   "流量",     "pressure", "druck",    "pression",
-    "pressione", "presion",    "压力",     "圧力",      "voltage",  "spannung", "tension",  "电压",     "電圧",
-    "volt",      "pos",        "position", "posizione", "posicion", "位置",     "axis",     "achse",    "feed",
-    "vib",       "rms",        "freq",     "frequency", "state",    "status",   "alarm",    "code",     "count",
-    "counter",   "zahler",     "adc",      "raw",       "bit",      "day",      "month",    "hour",     "minute",
-    "tag",       "week",       "power",    "target",    "setpoint", "set",      "soll",     "sollwert", "pwm",
-    "fan",       "bat",        "tool",     "program",   "cycle",    "step",     "gain",     "angle",    "winkel"};
+    "id",        "no",       "nr",       "number",   "index",    "quality",  "flow",      "durchfluss", "debit",
+    "portata",   "caudal",   "流量",     "pressure", "druck",    "pression", "pressione", "presion",    "压力",
+    "圧力",      "voltage",  "spannung", "tension",  "电压",     "電圧",     "volt",      "pos",        "position",
+    "posizione", "posicion", "位置",     "axis",     "achse",    "feed",     "vib",       "rms",        "freq",
+    "frequency", "state",    "status",   "alarm",    "code",     "count",    "counter",   "zahler",     "adc",
+    "raw",       "bit",      "day",      "month",    "hour",     "minute",   "tag",       "week",       "power",
+    "target",    "setpoint", "set",      "soll",     "sollwert", "pwm",      "fan",       "bat",        "tool",
+    "program",   "cycle",    "step",     "gain",     "angle",    "winkel"};
 
 template <std::size_t kSize>
 bool says(const std::string& key, const std::string_view (&words)[kSize]) {
@@ -252,11 +255,21 @@ bool could_be_measured(std::string_view name) {
   return says(key, kWords) && !says(key, kSetPoint);
 }
 
-bool names_a_temperature(std::string_view name) {
+bool says_temperature(std::string_view name) {
   const std::string key = key_of(name);
-  return says(key, kTemperature) || has_letter_t(key) || nearly_says(key, kBearing) || nearly_says(key, kCoolant) ||
-         nearly_says(key, kHousing) || nearly_says(key, kAmbient) || nearly_says(key, kChamber) ||
-         nearly_says(key, kStructure) || nearly_says(key, kSpindle);
+  return says(key, kTemperature) || has_letter_t(key);
+}
+
+bool names_a_part(std::string_view name) {
+  const std::string key = key_of(name);
+  return nearly_says(key, kBearing) || nearly_says(key, kCoolant) || nearly_says(key, kHousing) ||
+         nearly_says(key, kAmbient) || nearly_says(key, kChamber) || nearly_says(key, kStructure) ||
+         nearly_says(key, kSpindle);
+}
+
+bool names_an_axis(std::string_view name) {
+  const std::string key = key_of(name);
+  return key.size() == 1 && key[0] >= 'x' && key[0] <= 'z';
 }
 
 bool names_another_quantity(std::string_view name) {
@@ -304,7 +317,9 @@ FoundRole found_role(std::string_view name, std::string_view unit, std::span<con
     return {Role::speed, "by its name", ""};
   }
   if (says(key, kLoad)) return {Role::load, "by its name", ""};
-  if (says(key, kMeasured) || names_a_probe(key)) {
+  constexpr std::string_view kStates[] = {"code", "count",  "counter", "state", "status", "id",    "no",
+                                          "nr",   "number", "index",   "alarm", "flag",   "times", "anzahl"};
+  if ((says(key, kMeasured) || names_a_probe(key)) && !says(key, kStates)) {
     if (range.most - range.least > kTravel_um) return {Role::event, "moves too far for a probe", ""};
     return {Role::measured, "by its name; in which unit?", ""};
   }

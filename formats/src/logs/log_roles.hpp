@@ -22,9 +22,14 @@ struct Extremes {
 };
 Extremes extremes_of(std::span<const double> values, double but = std::numeric_limits<double>::quiet_NaN());
 
-// Whether a name is one of a temperature: "T3", "temp 7", "PT100", "TC K", "frame_t", or of a part of a machine that
-// temperatures are measured at, misspelled too.
-bool names_a_temperature(std::string_view name);
+// Whether a name is one of a temperature: "T3", "temp 7", "PT100", "TC K", "frame_t".
+bool says_temperature(std::string_view name);
+
+// Whether a name is one of a part of a machine that temperatures are measured at, misspelled too.
+bool names_a_part(std::string_view name);
+
+// "X", "z": of an axis alone.
+bool names_an_axis(std::string_view name);
 
 // Whether a name is one of something else: a humidity, a pressure, a speed, a probe ...
 bool names_another_quantity(std::string_view name);

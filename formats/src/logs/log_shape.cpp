@@ -184,20 +184,20 @@ void copy_cells(const Cells& cells, std::size_t columns, std::vector<std::string
   for (std::size_t i = 0; i < std::min(columns, cells.size()); ++i) to[i] = valid_utf8(trimmed_cell(cells[i]));
 }
 
-// Whether the names are one fewer than the columns because the first, of row numbers or row names, has none: as R
-// writes tables.
-bool lacks_first_name(const std::vector<HeadLine>& lines, const Cut& cut) {
+// Whether these names are one fewer than the columns because the first column, of row names in quotes or of rows
+// counted from 1, has none: as R writes tables.
+bool lacks_first_name(const Cells& names, const std::vector<HeadLine>& lines, const Cut& cut) {
+  const bool has_time =
+      std::any_of(names.begin(), names.end(), [](std::string_view name) { return is_time_name(trimmed_cell(name)); });
   Cells cells;
-  std::size_t rows = 0, number = 0;
+  std::size_t rows = 0;
   for (std::size_t i = cut.first; i < lines.size(); ++i) {
     split_cells(lines[i].text, cut.delimiter, cells);
     if (cells.size() != cut.columns) continue;
-    const std::string_view first = trimmed_cell(cells.front());
-    const bool quoted = cells.front().find('"') != std::string_view::npos;
-    const auto value = cell_number(first, '.');
-    if (!quoted && (!value || (rows > 0 && *value != static_cast<double>(number + 1)))) return false;
-    number = value ? static_cast<std::size_t>(*value) : 0;
     ++rows;
+    const bool is_quoted = cells.front().find('"') != std::string_view::npos;
+    const bool counts = !has_time && cell_number(trimmed_cell(cells.front()), '.') == static_cast<double>(rows);
+    if (!(is_quoted || counts) || trimmed_cell(cells.back()).empty()) return false;
   }
   return rows > 1;
 }
@@ -252,7 +252,7 @@ void find_headers(const std::vector<HeadLine>& lines, const Cut& cut, LogShape& 
     if (index == lines.size()) return;
     const std::string text = without_comment_sign(lines[index].text);
     split_header(text, cut, cells);
-    if (cells.size() + 1 == cut.columns && lacks_first_name(lines, cut))
+    if (cells.size() + 1 == cut.columns && lacks_first_name(cells, lines, cut))
       cells.insert(cells.begin(), std::string_view());
     copy_cells(cells, cut.columns, to);
     line = lines[index].number;

@@ -31,7 +31,7 @@ std::string as_cell(std::string_view text);
 TableText mat_table(std::string_view bytes, const std::string& name);
 
 // A sheet of a workbook, .xlsx (ECMA-376); in a build without libzip (BALLBAR_XLSX=OFF) an Error says what to install.
-// `sheet`: its name, or its number from 1; empty: the first that holds a table. Cells are taken as the values they
+// `sheet`: its name, or its number from 1. Cells are taken as the values they
 // show: a formula by what was stored of it, dates and percentages by their formats; links to other files are never
 // followed. Throws Error: no workbook, no such sheet, above 256 MiB when unpacked.
 TableText workbook_table(std::string_view bytes, const std::string& name, const std::string& sheet);

@@ -74,14 +74,17 @@ class Table {
   void read(const Source& source) {
     LogLines lines(source, shape_.encoding);
     bool expected_next = false;
-    std::size_t last_line = 0;
+    std::size_t last_line = 0, between = 0;
     while (lines.next(true)) {
       if (lines.number() < shape_.first_row_line) continue;
       const std::string_view line = lines.line();
       if (!take_row(line, lines.number())) {
         expected_next = false;
+        ++between;
         continue;
       }
+      if (table_.rows > 1) table_.without_row += between;
+      between = 0;
       if (!expected_next || lines.number() != last_line + 1) table_.lines.emplace_back(table_.rows - 1, lines.number());
       expected_next = true;
       last_line = lines.number();
@@ -91,16 +94,15 @@ class Table {
   // The table, where not too many rows are skipped.
   LogTable taken() {
     table_.other_lines += pending_.size();
-    for (const CutRow& cut : cut_rows_) {
-      if (table_.bad_lines.empty())
-        first_fault_ =
-            fmt::format("{}:{}: expected {} values, one for each column, found a line that ends within value {}.",
-                        name_, cut.line, plan_.columns.size(), cut.values);
-      table_.bad_lines.push_back(cut.line);
+    if (table_.bad_lines.empty() && !cut_rows_.empty()) {
+      first_fault_ =
+          fmt::format("{}:{}: expected {} values, one for each column, found a line that ends within value {}.", name_,
+                      cut_rows_.front().line, plan_.columns.size(), cut_rows_.front().values);
     }
-    std::sort(table_.bad_lines.begin(), table_.bad_lines.end());
-    const std::size_t bad = table_.bad_lines.size();
-    const std::size_t all = table_.rows + (plan_.time.kind == TimePlan::Kind::rows ? 0 : bad);
+    for (const CutRow& cut : cut_rows_) table_.cut_lines.push_back(cut.line);
+    const std::size_t skipped = table_.bad_lines.size();
+    const std::size_t bad = skipped + cut_rows_.size();
+    const std::size_t all = table_.rows + (plan_.time.kind == TimePlan::Kind::rows ? 0 : skipped);
     if (recipe_.skip_bad_rows || (bad <= kFreeRows + all / 100 && bad * 10 <= all)) return std::move(table_);
     if (bad == 1) throw Error(fmt::format("{} --skip-bad-rows leaves the row out.", first_fault_));
     throw Error(fmt::format("{} {} of {} rows are such; --skip-bad-rows leaves them out.", first_fault_, bad, all));

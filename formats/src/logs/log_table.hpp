@@ -23,6 +23,8 @@ struct LogTable {
   std::vector<std::pair<std::size_t, std::size_t>> lines;  // (row, line) wherever lines were passed over
   std::size_t rows = 0, other_lines = 0, without_time = 0, short_rows = 0;
   std::vector<std::size_t> bad_lines;  // skipped; where rows are counted, a row of gaps each
+  std::vector<std::size_t> cut_lines;  // that end within a number, which is a gap
+  std::size_t without_row = 0;         // lines between the first row and the last that are no row
 
   [[nodiscard]] std::size_t line_of(std::size_t row) const;
 };

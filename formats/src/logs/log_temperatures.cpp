@@ -40,7 +40,7 @@ bool moves_slowly(std::span<const double> values) {
   double sum = 0.0, squares = 0.0, steps = 0.0, last = 0.0;
   std::size_t count = 0;
   for (const double value : values) {
-    if (!std::isfinite(value)) continue;
+    if (!(value >= kColdest_degC && value <= kWarmest_degC)) continue;  // gaps, and what lies_within forgives
     if (count > 0) steps += (value - last) * (value - last);
     sum += value;
     squares += value * value;
@@ -63,6 +63,17 @@ bool is_whole(std::span<const double> values) {
 bool is_degrees(std::string_view unit) {
   const auto known = log_unit(unit);
   return known && known->canonical == "degC" && known->factor == 1.0;
+}
+
+// A family of one letter that stands for forces, distances, axes, currents ...: "F#", "d1".
+bool is_letter_of_another(std::string_view stem) {
+  return stem.size() == 2 && std::string_view("fdxyzuvwaipqnlegho").find(stem[0]) != std::string_view::npos;
+}
+
+// As the recipe says.
+bool is_no_temperature(const ColumnRecipe& stated) {
+  return stated.role == Role::measured || stated.role == Role::event || stated.role == Role::speed ||
+         stated.role == Role::load;
 }
 
 // The name with # in place of each number.
@@ -137,7 +148,8 @@ std::vector<TemperatureFamily> temperatures_among(const LogPlan& plan, const std
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     const PlannedColumn& column = plan.columns[i];
     const bool is_time = plan.time.kind == TimePlan::Kind::number && i == plan.time.column;
-    if (is_time || column.kind != ColumnKind::number || !column.unit.empty() || column.stated.role == Role::measured)
+    if (is_time || column.kind != ColumnKind::number || !column.unit.empty() || is_no_temperature(column.stated) ||
+        (!column.stated.unit.empty() && !column.unit_by_pattern))
       continue;
     stems[family_of(column.headed ? column.name : "c1")].push_back(i);
   }
@@ -145,10 +157,14 @@ std::vector<TemperatureFamily> temperatures_among(const LogPlan& plan, const std
   std::vector<std::size_t> alone, others, known;
   for (auto& [stem, columns] : stems) {
     const PlannedColumn& first = plan.columns[columns.front()];
-    const bool named = first.headed && names_a_temperature(first.name);
+    const bool by_word = first.headed && says_temperature(first.name);
+    const bool named = by_word || (first.headed && names_a_part(first.name));
     if (first.headed && names_another_quantity(first.name)) continue;
+    if (!named && first.headed && is_letter_of_another(stem)) continue;
     const std::vector<std::size_t> all = columns;
-    std::erase_if(columns, [&](std::size_t i) { return !lies_within(values[i]) || !moves_slowly(values[i]); });
+    std::erase_if(columns, [&](std::size_t i) {
+      return !lies_within(values[i]) || !moves_slowly(values[i]) || (!by_word && is_whole(values[i]));
+    });
     if (!named) keep_alike(columns, values);
     const std::size_t needed =
         named ? (all.size() + 1) / 2 : std::max(kFamily, first.headed ? (3 * all.size() + 3) / 4 : 0);
@@ -167,7 +183,7 @@ std::vector<TemperatureFamily> temperatures_among(const LogPlan& plan, const std
   }
   if (!alone.empty()) families.push_back(together(plan, std::move(alone), "name and values"));
   if (auto columns = beside(plan, values, others, known); !columns.empty())
-    families.push_back(together(plan, std::move(columns), "their values, as those beside"));
+    families.push_back(together(plan, std::move(columns), "values, as those beside"));
   std::sort(families.begin(), families.end(),
             [](const auto& a, const auto& b) { return a.columns.front() < b.columns.front(); });
   return families;

@@ -46,6 +46,8 @@ constexpr Known kUnits[] = {
     {"uin", {"um", kInch_um * 1e-6}},
     {"microinch", {"um", kInch_um * 1e-6}},
     {"mil", {"um", kInch_um * 1e-3}},
+    {"thou", {"um", kInch_um * 1e-3}},
+    {"cm", {"um", 1e4}},
     {"urad", {"urad"}},
     {"um/m", {"urad"}},
     {"mrad", {"urad", 1e3}},

@@ -10,9 +10,7 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/text/reader.hpp"
 #include "ballbar/nearest_name.hpp"
-#include "logs/log_shape.hpp"
 #include "logs/log_sources.hpp"
 #include "logs/number_format.hpp"
 #include "text/zip_part.hpp"
@@ -285,12 +283,7 @@ TableText text_of(const OpenWorkbook& from, const Sheet& taken) {
 
 TableText workbook_table(std::string_view bytes, const std::string& name, const std::string& sheet) {
   const OpenWorkbook from(bytes, name);
-  if (!sheet.empty()) return text_of(from, chosen(from.workbook, sheet, name));
-  for (const Sheet& one : from.workbook.sheets) {
-    TableText table = text_of(from, one);
-    if (holds_table(std::string_view(table.text).substr(0, kHeadBytes))) return table;
-  }
-  return text_of(from, from.workbook.sheets.front());
+  return text_of(from, chosen(from.workbook, sheet, name));
 }
 
 std::vector<TableText> workbook_tables(std::string_view bytes, const std::string& name) {

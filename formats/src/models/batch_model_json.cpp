@@ -53,7 +53,7 @@ std::string sensor_at(const JsonValue& value) {
 BatchColumns columns_at(const JsonValue& root) {
   BatchColumns columns;
   columns.target = target_at(member(root, "target"));
-  columns.room = text(member(root, "room"));
+  if (!member(root, "room").value->is_null()) columns.room = text(member(root, "room"));
   const JsonValue speed = member(root, "speed");
   if (!speed.value->is_null()) {
     if (!speed.value->is_string()) fail(speed, "a printable text or null");
@@ -157,7 +157,7 @@ std::string write_batch_model(const TemperatureRegression& model) {
   for (const TrainedBatch& batch : model.batches) batches.push_back(json_of(batch));
   std::string out = fmt::format("{{\n  \"format\": \"{}\",\n", kBatchFormat);
   out += fmt::format("  \"target\": {},\n", json_text(model.columns.target));
-  out += fmt::format("  \"room\": {},\n", json_text(model.columns.room));
+  out += fmt::format("  \"room\": {},\n", model.columns.room.empty() ? "null" : json_text(model.columns.room));
   out += fmt::format("  \"speed\": {},\n", model.columns.speed ? json_text(*model.columns.speed) : "null");
   out += fmt::format("  \"sensors\": {},\n", json_text(model.columns.sensors));
   out += fmt::format("  \"inputs\": \"{}\",\n", name_of(model.columns.kind));

@@ -133,6 +133,7 @@ std::optional<CoordinateCircle> named_circle(const ColumnTable& table, bool comm
 
 bool could_be_coordinate(const NumberColumn& column) {
   const ColumnWord word = word_of(column);
+  if (!column.unit.empty() && !mm_per_unit(column)) return false;  // a speed, a temperature
   return (word == ColumnWord::none || word == ColumnWord::coordinate) && !is_commanded(column);
 }
 

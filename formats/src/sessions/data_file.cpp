@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <set>
 #include <system_error>
 
 #include "ballbar/circle/trace.hpp"
@@ -104,25 +105,38 @@ Source sheet_of(const Source& workbook, const std::string& sheet) {
   return source;
 }
 
-// The logs of a folder that holds no session and no recordings, by their names.
+// The logs of a folder that holds no session and no recordings, by their names. JSON may be anything, and is left out.
 std::vector<Source> logs_in(const Source& folder, std::span<const Reader> readers) {
   std::vector<Source> logs;
-  std::error_code absent;
-  if (!folder.is_path() || !std::filesystem::is_directory(folder.path(), absent)) return logs;
+  std::error_code error;
+  if (!folder.is_path() || !std::filesystem::is_directory(folder.path(), error)) return logs;
   std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path(), absent)) paths.push_back(entry.path());
+  for (std::filesystem::directory_iterator entry(folder.path(), error), end; !error && entry != end;
+       entry.increment(error)) {
+    paths.push_back(entry->path());
+  }
   std::sort(paths.begin(), paths.end());
   for (const std::filesystem::path& path : paths) {
-    Source source(path);
+    Source source = folder.like(path);
     if (!source.is_file()) continue;
     const Reader* const reader = source.reader(readers);
+    const bool is_json = source.head(1) == "{";
     if (is_recording_file(source, readers) || read_of<ReadSession>(reader) != nullptr) return {};
     source.close();
-    if (!reads_series(reader)) continue;
-    source.set_recipe(std::make_shared<const LogRecipe>(folder.recipe()));
-    logs.push_back(std::move(source));
+    if (reads_series(reader) && !is_json) logs.push_back(std::move(source));
   }
   return logs;
+}
+
+// The sheets of a workbook that are alike, as runs; a log itself.
+void add_log(const Source& log, std::span<const Reader> readers, std::vector<ListedRun>& runs) {
+  const bool may_have_sheets = read_of<ReadLog>(log.reader(readers)) != nullptr && log.recipe().sheet.empty();
+  const std::vector<std::string> sheets = may_have_sheets ? sheets_of(log) : std::vector<std::string>();
+  log.close();  // there may be more than may be open
+  if (sheets.size() < 2) runs.push_back({log, std::nullopt});
+  for (std::size_t k = 0; sheets.size() > 1 && k < sheets.size(); ++k) {
+    runs.push_back({sheet_of(log, sheets[k]), std::nullopt});
+  }
 }
 
 // A file that lists runs, a workbook of sheets alike and a folder of logs stand for their runs.
@@ -130,40 +144,51 @@ std::vector<ListedRun> listed(const std::vector<Source>& sources, std::span<cons
   std::vector<ListedRun> runs;
   for (const Source& source : sources) {
     if (!lists_runs(source, readers)) {
-      const bool is_log = read_of<ReadLog>(source.reader(readers)) != nullptr && source.recipe().sheet.empty();
-      const std::vector<std::string> sheets = is_log ? sheets_of(source) : std::vector<std::string>();
       const std::vector<Source> logs = logs_in(source, readers);
-      if (sources.size() > 1) source.close();  // there may be more than may be open
-      if (sheets.size() < 2 && logs.empty()) runs.push_back({source, std::nullopt});
-      if (sheets.size() > 1) {
-        for (const std::string& sheet : sheets) runs.push_back({sheet_of(source, sheet), std::nullopt});
-      }
-      for (const Source& log : logs) runs.push_back({log, std::nullopt});
+      if (logs.empty()) add_log(source, readers, runs);
+      for (const Source& log : logs) add_log(log, readers, runs);
       continue;
     }
     const RunsOfMachine list = read_run_list(source.bytes(kLargestText), source.name());
     if (sources.size() == 1) title = list.title;
     for (const RunOfMachine& run : list.runs) {
-      Source one(source.path().parent_path() / run.file);
-      one.set_recipe(std::make_shared<const LogRecipe>(source.recipe()));
-      runs.push_back({std::move(one), run.start});
+      runs.push_back({source.like(source.path().parent_path() / run.file), run.start});
     }
   }
   return runs;
 }
 
-std::string name_of_run(const Source& source) {
-  const std::string& sheet = source.recipe().sheet;
-  return sheet.empty() ? source.name() : fmt::format("{}[{}]", source.name(), sheet);
+// What a remark says besides numbers and the sheet of the run.
+std::string without_numbers(std::string text, const std::string& sheet) {
+  for (std::size_t at = text.find(sheet); !sheet.empty() && at != std::string::npos; at = text.find(sheet, at))
+    text.erase(at, sheet.size());
+  std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
+  return text;
 }
 
-// Of the first run all; of another, `name`, what was not said of one before, and not what it was taken for.
-void add_new_remarks(std::vector<std::string>& said, const std::vector<std::string>& remarks, const std::string& name) {
-  for (std::size_t k = name.empty() ? 0 : 1; k < remarks.size(); ++k) {
-    const std::string what = name.empty() ? remarks[k] : remarks[k].substr(std::min(name.size(), remarks[k].size()));
-    const bool known =
-        std::any_of(said.begin(), said.end(), [&](const std::string& one) { return one.ends_with(what); });
-    if (!known) said.push_back(remarks[k]);
+// Of the first run all; of another what was not said of one before, but for numbers. `said`: what was said so.
+void add_new_remarks(const ModelData& run, const Source& source, std::set<std::string>& said, ModelData& data) {
+  for (const std::string& remark : run.remarks) {
+    const std::string what = remark.starts_with(source.title()) ? remark.substr(source.title().size()) : remark;
+    if (said.insert(without_numbers(what, source.recipe().sheet)).second) data.remarks.push_back(remark);
+  }
+}
+
+void expect_one_join(const std::vector<Source>& runs) {
+  const auto joins = [&](const Source& run) { return !run.recipe().join.empty() && run.name() != runs.front().name(); };
+  const bool more =
+      std::any_of(runs.begin(), runs.end(), [&](const Source& run) { return run.name() != runs.front().name(); });
+  if (!(more && !runs.front().recipe().join.empty()) && std::none_of(runs.begin(), runs.end(), joins)) return;
+  throw Error(fmt::format("{}: expected one log, or the sheets of one workbook, for --join, found several files.",
+                          runs.front().name()));
+}
+
+void expect_one_clock(const std::vector<Source>& sources, const std::vector<Series>& runs) {
+  for (std::size_t k = 1; k < runs.size(); ++k) {
+    if (runs[k].has_clock == runs.front().has_clock) continue;
+    throw Error(fmt::format("{}: expected {} as in {}, found {}.", sources[k].title(),
+                            runs.front().has_clock ? "a time" : "rows without a time", sources.front().title(),
+                            runs[k].has_clock ? "a time" : "none"));
   }
 }
 
@@ -173,20 +198,21 @@ ModelData data_of_runs(const std::vector<ListedRun>& listed_runs, const std::str
   std::vector<std::string> names;
   for (const ListedRun& run : listed_runs) {
     sources.push_back(run.source);
-    names.push_back(name_of_run(run.source));
+    names.push_back(run.source.title());
   }
   expect_once(sources);
+  expect_one_join(sources);
   ModelData data;
   std::vector<Series> runs;
+  std::set<std::string> said;
   runs.reserve(sources.size());
   for (const Source& source : sources) {
     ModelData one = data_of_drift(source, options, max_gap_s, readers);
     runs.push_back(*one.series);
     data.files.insert(data.files.end(), one.files.begin(), one.files.end());
-    add_new_remarks(data.remarks, one.remarks, runs.size() == 1 ? "" : source.name());
+    add_new_remarks(one, source, said, data);
   }
-  if (data.remarks.size() > 0 && runs.size() > 1)
-    data.remarks.push_back(fmt::format("{} runs are read so.", runs.size()));
+  expect_one_clock(sources, runs);
   std::vector<std::optional<double>> zeros_s;
   for (const Series& run : runs) zeros_s.push_back(run.started ? seconds_of_stamp(*run.started) : std::nullopt);
   Stacked all = stacked(runs, names, zeros_s);
@@ -234,6 +260,12 @@ ModelData model_data_of(const DriftData& source, const std::string& name, const 
   }
   data.targets = measured_names(*data.series);
   return data;
+}
+
+bool stands_for_runs(const Source& source, std::span<const Reader> readers) {
+  if (source.series() || source.recordings() != nullptr) return false;
+  std::string title;
+  return lists_runs(source, readers) || listed({source}, readers, title).size() > 1;
 }
 
 ModelData open_model_data(const std::vector<Source>& sources, const DriftOptions& options, double max_gap_s,

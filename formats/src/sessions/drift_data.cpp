@@ -20,9 +20,9 @@ OpenedSeries opened_by(const Reader* reader, const Source& source) {
   if (const auto read = read_of<ReadLog>(reader)) {
     Log log = read(source);
     OpenedSeries opened;
-    opened.remarks.push_back(fmt::format("{}: {}", source.name(), sentence_of(log)));
+    opened.remarks.push_back(fmt::format("{}: {}", source.title(), sentence_of(log)));
     for (const std::string& remark : log.remarks)
-      opened.remarks.push_back(fmt::format("{}: {}", source.name(), remark));
+      opened.remarks.push_back(fmt::format("{}: {}", source.title(), remark));
     opened.series = std::make_shared<const Series>(std::move(log.series));
     return opened;
   }
@@ -56,6 +56,7 @@ DriftData open_drift_data(const Source& source, std::span<const Reader> readers)
       data.series = std::move(opened.series);
       data.remarks = std::move(opened.remarks);
       data.files = {file_on_disk(source.path())};
+      for (const std::string& file : source.recipe().join) data.files.emplace_back(file);
       return data;
     }
     if (reader != nullptr && read_of<ReadSession>(reader) == nullptr) {
@@ -68,6 +69,7 @@ DriftData open_drift_data(const Source& source, std::span<const Reader> readers)
   data.session = open_session(source, readers);
   data.recipe = std::make_shared<const LogRecipe>(source.recipe());
   data.files = data.session->files;
+  data.remarks = data.session->remarks;
   return data;
 }
 

@@ -28,11 +28,12 @@ void expect_nominal_length(const Recording& recording, const fs::path& path, dou
                           nominal_length_mm, recording.nominal_length_mm));
 }
 
-// Of a file with results alone, the circles that it stores.
-void add_circles(SessionTest& test, const fs::path& path, Readers readers, const StatedCircle& stated = {}) {
+// Of a file with results alone, the circles that it stores. Returns the remarks on a circle in a table.
+std::vector<std::string> add_circles(SessionTest& test, const fs::path& path, Readers readers,
+                                     const StatedCircle& stated = {}) {
   RecordingFile file = open_recording(path, readers, stated);
   test.circles = std::move(file.recordings);
-  if (!test.circles.empty()) return;
+  if (!test.circles.empty()) return std::move(file.remarks);
   if (file.b5r) {
     for (StoredCircle& one : stored_circles(*file.b5r)) {
       test.circles.push_back(std::move(one.recording));
@@ -45,6 +46,7 @@ void add_circles(SessionTest& test, const fs::path& path, Readers readers, const
         "AF_BEST_RADIUS), found neither.",
         path.string()));
   }
+  return {};
 }
 
 std::vector<Recording> recordings_in(const SessionPlan& plan, const fs::path& path, Readers readers) {
@@ -188,7 +190,8 @@ std::vector<fs::path> tests_in(const fs::path& folder, Readers readers) {
   }
   if (error) throw Error(fmt::format("{}: expected a readable folder, found: {}.", folder.string(), error.message()));
   if (paths.empty()) {
-    throw Error(fmt::format("{}: expected a folder with session.toml or recordings (.b5r, circles), found neither.", folder.string()));
+    throw Error(fmt::format("{}: expected a folder with session.toml or recordings (.b5r, circles), found neither.",
+                            folder.string()));
   }
   std::sort(paths.begin(), paths.end());
   return paths;
@@ -198,12 +201,14 @@ struct StartedTest {
   fs::path path;
   double started_s = 0.0;
   SessionTest test;
+  std::vector<std::string> remarks{};
 };
 
-// `known_s`: where a user states it.
-StartedTest started_test(const fs::path& path, Readers readers, std::optional<double> known_s) {
+// `known_s`: where a user states it, of a file without a date.
+StartedTest started_test(const fs::path& path, Readers readers, std::optional<double> known_s,
+                         const StatedCircle& stated) {
   StartedTest started{path};
-  add_circles(started.test, path, readers);
+  started.remarks = add_circles(started.test, path, readers, stated);
   started.test.name = path.filename().string();
   const std::optional<std::int64_t> started_s = started.test.circles.front().started_s;
   if (!started_s && !known_s) {
@@ -212,7 +217,7 @@ StartedTest started_test(const fs::path& path, Readers readers, std::optional<do
                     "--every 30min states how far apart the tests of the folder are, in the order of their names.",
                     path.string()));
   }
-  started.started_s = known_s ? *known_s : static_cast<double>(*started_s);
+  started.started_s = started_s ? static_cast<double>(*started_s) : *known_s;
   return started;
 }
 
@@ -224,7 +229,10 @@ std::vector<StartedTest> started_tests(const std::vector<fs::path>& paths, Reade
     const fs::path& path = paths[k];
     try {
       const auto known_s = every_s ? std::optional(*every_s * static_cast<double>(k)) : std::nullopt;
-      tests.push_back(started_test(path, readers, known_s));
+      // A radius that one table leaves open is that of the first.
+      const StatedCircle stated{tests.empty() ? std::nullopt
+                                              : std::optional(tests.front().test.circles.front().nominal_length_mm)};
+      tests.push_back(started_test(path, readers, known_s, stated));
     } catch (const Error& error) {
       skipped.push_back({path.string(), error.what()});
     }
@@ -268,6 +276,7 @@ SessionFiles session_of_folder(const fs::path& folder, Readers readers, std::opt
                       folder.string(), files.session.nominal_length_mm, files.session.tests.front().name,
                       circle.nominal_length_mm, started.test.name));
     }
+    files.remarks.insert(files.remarks.end(), started.remarks.begin(), started.remarks.end());
     started.test.elapsed_s = started.started_s - tests.front().started_s;
     files.recordings.push_back({started.path, i});
     files.session.tests.push_back(std::move(started.test));
@@ -287,7 +296,7 @@ SessionFiles open_session(const Source& source, Readers readers) {
   }
   const fs::path plan = path / "session.toml";
   return fs::exists(plan, error) ? planned_session(plan, readers)
-                                : session_of_folder(path, readers, source.recipe().every_s);
+                                 : session_of_folder(path, readers, source.recipe().every_s);
 }
 
 }  // namespace ballbar

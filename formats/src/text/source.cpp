@@ -48,6 +48,16 @@ const LogRecipe& Source::recipe() const {
   return recipe_ == nullptr ? kNothing : *recipe_;
 }
 
+Source Source::like(const std::filesystem::path& path) const {
+  Source other(path);
+  other.recipe_ = recipe_;
+  return other;
+}
+
+std::string Source::title() const {
+  return recipe().sheet.empty() ? name_ : fmt::format("{}[{}]", name_, recipe().sheet);
+}
+
 std::shared_ptr<const Series> Source::series() const {
   const auto* const held = std::get_if<std::shared_ptr<const Series>>(&held_);
   return held == nullptr ? nullptr : *held;

@@ -71,7 +71,7 @@ ErrorColumns present(const ErrorColumns& all, const Eigen::VectorXd& weight) {
 double best_shape(const Effect& effect, const std::vector<double>& shapes, const ErrorRows& rows, const Base& base,
                   const Eigen::VectorXd& left, const Eigen::VectorXd& weight) {
   double best = shapes.front(), most = -1.0;
-  if (shapes.size() == 1) return best;
+  if (shapes.size() == 1 || rows.size() == 0) return best;
   UnitCurves curves(effect, rows.fine);
   const double readings = std::max(weight.sum(), 1.0);
   for (const double shape : shapes) {

@@ -15,6 +15,7 @@
 #include "logs/log_units.hpp"
 #include "logs/number_format.hpp"
 #include "logs/time_stamp.hpp"
+#include "scratch_folder.hpp"
 
 namespace ballbar {
 namespace {
@@ -227,6 +228,82 @@ TEST(log, names_in_any_case_and_patterns_state_units_and_roles) {
       said("time_s,mcu_pos_z\n0,4\n1,8\n", recipe),
       "log.csv: mcu_pos_z: expected a unit such as um, mm, degC, rpm, A, kW, bar or %, a scale such as 2.5um, or none, "
       "found \"2.5\".");
+}
+
+TEST(log, numbers_and_states_are_no_temperatures) {
+  const std::string text = table("time_s,z_um,table_no,bed id,T3,T4,T5,F1,F2,F3", 200, [](std::size_t i) {
+    const double t = warm(i, 20.0);
+    return fmt::format("{0},{1:.2f},7,12,{1:.2f},{2:.2f},{1:.2f},{1:.2f},{1:.2f},{1:.2f}", i, t, i == 100 ? 200.0 : t);
+  });
+  const Log log = read_log(text, "log.csv");
+  std::string units;
+  for (const LogColumn& column : log.columns)
+    units += fmt::format("{}{} ", column.source, column.unit.empty() ? "" : "*");
+  // The spike of T4 is one value in 200.
+  EXPECT_EQ(units, "z_um* table_no bed id T3* T4* T5* F1 F2 F3 ");
+}
+
+TEST(log, a_role_that_is_stated_stays) {
+  const std::string text =
+      table("time_s,pos_z,T9", 50, [](std::size_t i) { return fmt::format("{},{},{:.2f}", i, 3 * i, warm(i, 20.0)); });
+  LogRecipe recipe;
+  recipe.columns = {{"pos_z", "", "", Role::event, false}, {"T9", "", "", Role::event, false}};
+  EXPECT_TRUE(read_log(text, "log.csv", recipe).series.columns[1].name == "T9");
+  EXPECT_EQ(read_log(text, "log.csv", recipe).series.columns[0].role, Role::event);
+  EXPECT_EQ(read_log(text, "log.csv").series.columns[0].role, Role::measured);
+}
+
+TEST(log, an_axis_is_no_probe_beside_one) {
+  const Log log = read_log("time_s,z_um,X,Y\n0,1,10,20\n1,2,11,21\n2,3,12,22\n", "log.csv");
+  EXPECT_EQ(text_of(log), "z_um measured: 1 2 3; X event: 10 11 12; Y event: 20 21 22; ");
+}
+
+TEST(log, delimiters_at_the_ends_of_rows_shift_no_name) {
+  const Log log = read_log("Time (s),z (um),T (degC)\n0,0.1,20.00,\n1,0.2,20.10,\n2,0.3,20.20,\n", "log.csv");
+  EXPECT_EQ(text_of(log), "z_um measured: 0.1 0.2 0.3; T_degC structure: 20 20.1 20.2; ");
+}
+
+TEST(log, another_file_stands_beside_row_by_row) {
+  const ScratchFolder folder;
+  folder.write("y.csv", "time,Dia\n5,1.5\n6,2.5\n7,3.5\n");
+  LogRecipe recipe;
+  recipe.join = {(folder.path() / "y.csv").string()};
+  recipe.columns = {{"Dia", "", "mm", std::nullopt, false}, {"a", "", "", Role::ambient, false}};
+  EXPECT_EQ(text_of(read_log("time_s,a_degC\n0,20\n10,21\n20,22\n", "x.csv", recipe)),
+            "a_degC ambient: 20 21 22; Dia_um measured: 1500 2500 3500; ");
+  // A row that one of them lacks would shift all behind it.
+  EXPECT_EQ(
+      said("time_s,a_degC\n0,20\n10,21\n,21\n20,22\n", recipe),
+      "log.csv: expected rows of numbers alone, for the files are joined row by row, found 1 other line between the "
+      "first row and the last.");
+  recipe.columns = {{"nosuch", "", "mm", std::nullopt, false}};
+  EXPECT_EQ(
+      said("time_s,a_degC\n0,20\n10,21\n20,22\n", recipe),
+      "log.csv:1: expected a column \"nosuch\", as stated by the options or the recipe, found none; the nearest is "
+      "\"Dia\".");
+}
+
+TEST(log, what_is_stated_of_a_series_stands) {
+  const Series series = read_series(
+      "# format = \"ballbar-series 1\"\n# clock = false\n# [columns.dz]\n# role = "
+      "\"measured\"\ntime_s,dz,T_degC\n0,1,20\n1,2,21\n",
+      "s.csv");
+  LogRecipe recipe;
+  recipe.every_s = 10.0;
+  recipe.columns = {{"dz", "T", "mm", std::nullopt, false}, {"T_degC", "", "", Role::ambient, false}};
+  const Series stated = with_stated_columns(series, recipe, "s.csv");
+  EXPECT_TRUE(stated.has_clock);
+  EXPECT_EQ(stated.time_s, (std::vector<double>{0.0, 10.0}));
+  EXPECT_EQ(stated.columns[0].name, "T_um");
+  EXPECT_EQ(stated.columns[0].values, (std::vector<double>{1000.0, 2000.0}));
+  EXPECT_EQ(stated.columns[1].role, Role::ambient);
+  recipe.columns = {{"T_degC", "", "um", std::nullopt, false}};
+  EXPECT_EQ(complaint(ScratchFolder(), [&] { with_stated_columns(series, recipe, "s.csv"); }),
+            "s.csv: T_degC: expected no other unit than degC, which its name states, found \"um\".");
+  recipe.columns.clear();
+  recipe.join = {"y.csv"};
+  EXPECT_EQ(complaint(ScratchFolder(), [&] { with_stated_columns(series, recipe, "s.csv"); }),
+            "s.csv: expected a log for --join, found a ballbar series.");
 }
 
 TEST(log, a_few_rows_of_garbage_are_skipped_with_their_lines) {

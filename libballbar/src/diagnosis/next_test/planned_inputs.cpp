@@ -152,6 +152,7 @@ Series PlannedInputs::under(const Schedule& schedule, std::mt19937_64& random) c
   Series result;
   result.time_s = drives.time_s;
   result.five_probe = data_.five_probe;
+  result.has_clock = data_.has_clock;
   const auto write = [&](std::size_t k, std::vector<double> values) {
     const double step = columns_[k].resolution;
     if (step > 0.0) {

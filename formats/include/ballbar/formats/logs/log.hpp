@@ -27,9 +27,10 @@ struct LogColumn {
   std::string found_unit;  // as the log writes it
   std::string unit;        // of the series: "um"; empty where there is none
   Role role = Role::event;
-  std::string why;            // what tells the role, or why it is left out
-  std::size_t gaps = 0;       // cells without a value
-  std::vector<double> first;  // its first values, at most five; a gap is NaN
+  bool role_is_stated = false;  // by the recipe
+  std::string why;              // what tells the role, or why it is left out
+  std::size_t gaps = 0;         // cells without a value
+  std::vector<double> first;    // its first values, at most five; a gap is NaN
 };
 
 struct Log {
@@ -41,7 +42,9 @@ struct Log {
   std::vector<std::string> remarks;        // whole sentences: what looks broken, what was mended, what was assumed
   std::vector<std::string> unclear;        // whole sentences: what a user should state
   std::vector<std::size_t> skipped_lines;  // numbers of the lines that are no rows of numbers
-  std::vector<std::string> sheets;         // of a workbook, all
+  std::size_t without_row = 0;             // lines between the first row and the last that are no row
+  std::string sheet;                       // of a workbook: the one that was read
+  std::vector<std::string> sheets;         // all of it
   LogRecipe recipe;                        // with all that was found out
 };
 
@@ -51,7 +54,8 @@ Log read_log(std::string_view bytes, const std::string& name, const LogRecipe& r
 // The same of a file, by its own recipe; it is not held in memory.
 Log open_log(const Source& source);
 
-// The sheets of a workbook that hold a table, in their order; none of another file. Throws Error where it is damaged.
+// The sheets of a workbook with a table under the same names, in their order: the most that have the same. None of
+// another file. Throws Error where it is damaged.
 std::vector<std::string> sheets_of(const Source& source);
 
 // What a user states of the columns of a series that is no log: roles, names, units where there is none, what is left

@@ -34,6 +34,9 @@ struct ModelData {
 ModelData open_model_data(const std::vector<Source>& sources, const DriftOptions& options, double max_gap_s,
                           std::span<const Reader> readers = known_readers(), const StatedCircle& stated = {});
 
+// Whether a source stands for several runs. Throws Error where it is a damaged workbook.
+bool stands_for_runs(const Source& source, std::span<const Reader> readers = known_readers());
+
 // The same of a series or a session that is open already. A series in which nothing is to be closed is not copied.
 ModelData model_data_of(const DriftData& source, const std::string& name, const DriftOptions& options, double max_gap_s,
                         std::span<const Reader> readers = known_readers());

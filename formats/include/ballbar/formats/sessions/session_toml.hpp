@@ -69,6 +69,7 @@ struct SessionFiles {
   std::vector<TestFile> recordings;          // in the order of the tests
   std::vector<std::filesystem::path> files;  // all that make up the session, itself included
   std::vector<SkippedFile> skipped;          // of a folder without session.toml: files at fault
+  std::vector<std::string> remarks;          // of the same: how its circles were read, whole sentences
 };
 
 // A session.toml, or a folder: of a session.toml, else of `.b5r` files (each a test at its DATE_STARTED,

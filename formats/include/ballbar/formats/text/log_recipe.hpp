@@ -32,6 +32,7 @@ struct LogRecipe {
   std::string time_unit;             // "s", "ms", "min", "h", "d" of a time that is a number
   std::optional<double> every_s;     // no column of time: rows so far apart
   std::vector<std::string> missing;  // cells that hold no value, besides the usual ones
+  bool may_lack_columns = false;     // columns below that a file has not are passed over
   bool skip_bad_rows = false;        // however many; without it two and one in a hundred
   bool burst_means = false;          // rows that come in bursts: one row a burst, the mean of its rows
   std::vector<std::string> join;     // files whose columns stand beside these, row by row; of no recipe file

@@ -37,6 +37,9 @@ class Source {
   // What a user knows of it where it is a log (log.hpp). An option that is read later may fill it.
   [[nodiscard]] const LogRecipe& recipe() const;
   void set_recipe(std::shared_ptr<const LogRecipe> recipe) { recipe_ = std::move(recipe); }
+  // Another file, of which the user knows the same.
+  [[nodiscard]] Source like(const std::filesystem::path& path) const;
+  [[nodiscard]] std::string title() const;  // the name, with the sheet that the recipe names
   [[nodiscard]] std::filesystem::path path() const { return name_; }
   [[nodiscard]] bool is_path() const { return std::holds_alternative<std::shared_ptr<File>>(held_); }
   [[nodiscard]] std::shared_ptr<const Series> series() const;      // nullptr: something else
