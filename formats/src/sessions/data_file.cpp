@@ -130,7 +130,8 @@ std::vector<Source> logs_in(const Source& folder, std::span<const Reader> reader
 
 // The sheets of a workbook that are alike, as runs; a log itself.
 void add_log(const Source& log, std::span<const Reader> readers, std::vector<ListedRun>& runs) {
-  const bool may_have_sheets = read_of<ReadLog>(log.reader(readers)) != nullptr && log.recipe().sheet.empty();
+  const bool may_have_sheets =
+      !log.is_archive() && read_of<ReadLog>(log.reader(readers)) != nullptr && log.recipe().sheet.empty();
   const std::vector<std::string> sheets = may_have_sheets ? sheets_of(log) : std::vector<std::string>();
   log.close();  // there may be more than may be open
   if (sheets.size() < 2) runs.push_back({log, std::nullopt});

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "terminal/terminal_table.hpp"
+
 namespace ballbar {
 namespace {
 
