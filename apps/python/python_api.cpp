@@ -194,8 +194,8 @@ std::string function_text(const Function& of, const CommandWords& command) {
   return fmt::format(
       "\n\ndef {}(\n{}    progress: Progress | None = None,\n) -> {}:\n    \"\"\"{}.\n\n"
       "    The command ``ballbar {}`` of the program.\n\n    Parameters\n    ----------\n{}"
-      "    progress : callable\n        Is told how far the work is: (done, of, text); `of` is 0 where it is not "
-      "known.\n\n"
+      "    progress : callable\n        Called with (done, of, text); `of` is 0 if the length of the work is "
+      "unknown.\n\n"
       "    Returns\n    -------\n    {}\n        As ``ballbar {} --json``, to the last bit.\n\n"
       "    Raises\n    ------\n    BallbarError\n        Data or a value that can be put right: the sentence says "
       "how.\n    \"\"\"\n"

@@ -67,8 +67,9 @@ bool ReportSubject::is_of(const ReportRequest& request) const {
   const auto is_as = [](const Source& one, const Source& other) {
     return one.name() == other.name() && one.recipe() == other.recipe();
   };
-  return std::ranges::equal(request.model.data, given_.model.data, is_as) && is_as(request.compare, given_.compare) &&
-         has_model(request) == has_model(given_) && marks() == marks_;
+  const std::vector<Source>&data = request.model.data, &before = given_.model.data;
+  return std::equal(data.begin(), data.end(), before.begin(), before.end(), is_as) &&
+         is_as(request.compare, given_.compare) && has_model(request) == has_model(given_) && marks() == marks_;
 }
 
 void ReportSubject::open_model_file() {

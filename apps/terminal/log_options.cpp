@@ -202,7 +202,9 @@ Recipe recipes_of(CLI::App& command) {
   if (line == nullptr) return nullptr;
   Recipe& recipes = line->recipes[&command];
   if (recipes != nullptr) return recipes;
-  recipes = std::make_shared<LogRecipes>(std::make_shared<LogRecipe>(), std::make_shared<LogRecipe>());
+  recipes = std::make_shared<LogRecipes>();
+  recipes->first = std::make_shared<LogRecipe>();
+  recipes->others = std::make_shared<LogRecipe>();
   recipes->others->may_lack_columns = true;
   add_table_options(command, recipes);
   add_time_options(command, recipes);

@@ -1,6 +1,7 @@
 """Arrays of numpy in the place of files: Series and Recording."""
 import concurrent.futures
 import copy
+import pathlib
 import pickle
 import tempfile
 import unittest
@@ -151,6 +152,10 @@ class Arrays(unittest.TestCase):
         again = pickle.loads(pickle.dumps(series))
         self.assertEqual(bb.drift(again), bb.drift(series))
         self.assertEqual((list(again), again.roles), (list(series), series.roles))
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "numbered.csv"
+            path.write_text("dz,T1\n" + "".join(f"{k},{20 + 0.1 * k}\n" for k in range(9)))
+            self.assertEqual([one.has_clock for one in (series, pickle.loads(pickle.dumps(read_series(path))))], [True, False])
         recordings = bb.read_recordings(B5R)
         self.assertEqual(bb.fit_circle(copy.deepcopy(recordings)), bb.fit_circle(recordings))
         result = bb.drift(series)

@@ -15,7 +15,7 @@ from ._errors import BallbarError, warn
 
 Path = Union[str, os.PathLike[str]]
 Progress = Callable[[int, int, str], object]
-"""Is told how far the work is: (done, of, text); `of` is 0 where it is not known."""
+"""Called with (done, of, text); `of` is 0 if the length of the work is unknown."""
 Data = Any
 """A path or a list of paths, a DataFrame (pandas, or what has ``__dataframe__`` or ``to_dataframe``), a dict of arrays,
 a :class:`Series`, a :class:`Recording` or a list of them."""

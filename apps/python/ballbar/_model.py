@@ -193,7 +193,7 @@ class Model:
         every : float or str
             Step of the rows, s or such as ``"10s"``, for a table without times.
         progress : callable
-            Is told how far the work is: (done, of, text); `of` is 0 where it is not known.
+            Called with (done, of, text); `of` is 0 if the length of the work is unknown.
 
         Returns
         -------

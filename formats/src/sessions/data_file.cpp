@@ -215,6 +215,7 @@ ModelData data_of_runs(const std::vector<ListedRun>& listed_runs, const std::str
   }
   expect_one_clock(sources, runs);
   std::vector<std::optional<double>> zeros_s;
+  zeros_s.reserve(runs.size());
   for (const Series& run : runs) zeros_s.push_back(run.started ? seconds_of_stamp(*run.started) : std::nullopt);
   Stacked all = stacked(runs, names, zeros_s);
   for (std::size_t run = 0; run < all.series.runs.size(); ++run) {
