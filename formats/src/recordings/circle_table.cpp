@@ -63,7 +63,7 @@ struct NominalRadius {
 // As stated, as the header says, as the control wanted it, else the whole millimetre next to that of the readings.
 // `radius_mm`: of these, where they have one.
 NominalRadius nominal_radius(std::string_view name, const ColumnTable& table, const StatedCircle& stated,
-                         const std::optional<double>& commanded_mm, const std::optional<double>& radius_mm) {
+                             const std::optional<double>& commanded_mm, const std::optional<double>& radius_mm) {
   const auto agrees = [&](const std::optional<double>& nominal_mm) {
     if (!is_radius(nominal_mm)) return false;
     return !radius_mm || std::abs(*nominal_mm - *radius_mm) <= kAgrees * *nominal_mm;
