@@ -53,6 +53,7 @@ void add_effect_options(CLI::App& command, EffectOptions& options, const std::st
   add_model_options(command, options.model, false);
   add_also_input(command, options.model);
   command.remove_option(command.get_option("DATA"));
+  forget_places(command);
   add_data(command, "EFFECT_AND_DATA", options.words, words)->required()->type_name("");
   command.add_flag("--json", options.json, "the result for a program");
 }

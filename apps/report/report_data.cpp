@@ -173,6 +173,7 @@ FoundFiles expanded(ReportRequest& options, std::vector<std::string>& remarks) {
   std::vector<Source>& data = options.model.data;
   if (!any_folder_of_tests(data)) return {};
   if (data.size() == 1) {
+    if (stands_for_runs(data.front())) return {};  // logs
     try {
       open_session(data.front());
       return {};

@@ -11,6 +11,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/formats/sessions/data_file.hpp"
 #include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/reader.hpp"
 #include "ballbar/formats/text/source.hpp"
@@ -37,6 +38,7 @@ std::string_view name_of(FileKind kind) {
 // Told by content. A file of no known format is taken for a series, whose reader says what is wrong with it.
 FileKind kind_of(const std::string& path) {
   std::error_code absent;
+  if (std::filesystem::is_directory(path, absent) && stands_for_runs(path)) return FileKind::series;
   if (std::filesystem::is_directory(path, absent) || is_archive(path)) return FileKind::session;
   const Reader* const reader = Source(path).reader();
   if (reads_recordings(reader)) return FileKind::recording;

@@ -242,4 +242,8 @@ CLI::Option* add_data(CLI::App& command, const std::string& name, std::vector<So
       help);
 }
 
+void forget_places(CLI::App& command) {
+  if (const auto recipes = recipes_of(command)) recipes->has_place = false;
+}
+
 }  // namespace ballbar

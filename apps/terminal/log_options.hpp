@@ -20,4 +20,7 @@ CLI::Option* add_data(CLI::App& command, const std::string& name, Source& source
 CLI::Option* add_data(CLI::App& command, const std::string& name, std::vector<Source>& sources,
                       const std::string& help);
 
+// Of a command whose first place was taken away: the next one is the first.
+void forget_places(CLI::App& command);
+
 }  // namespace ballbar

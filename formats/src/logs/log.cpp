@@ -505,9 +505,9 @@ Log open_log(const Source& source) {
   return log;
 }
 
-std::vector<std::string> sheets_of(const Source& source) {
+WorkbookSheets sheets_of(const Source& source) {
   if (!is_table_file(source.head(512))) return {};
-  return alike_sheets(source.bytes(kLargestTable), source.name());
+  return workbook_sheets(source.bytes(kLargestTable), source.name());
 }
 
 Series with_stated_columns(Series series, const LogRecipe& recipe, const std::string& name) {

@@ -131,6 +131,27 @@ TableText json_table(std::string_view bytes, const std::string& name) {
   return text;
 }
 
+using Groups = std::vector<std::pair<std::vector<std::string>, std::vector<std::size_t>>>;
+
+// Places of the tables by the names of their columns, the most with the same names first.
+Groups by_names(const std::vector<TableText>& tables) {
+  LogRecipe tabs;
+  tabs.delimiter = '\t';
+  tabs.time = "none";
+  Groups groups;
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    if (!holds_table(std::string_view(tables[k].text).substr(0, kHeadBytes))) continue;
+    const LogShape shape = log_shape(Source::of_text(tables[k].name, tables[k].text), tabs);
+    auto group =
+        std::find_if(groups.begin(), groups.end(), [&](const auto& one) { return one.first == shape.headers; });
+    if (group == groups.end()) group = groups.insert(groups.end(), {shape.headers, {}});
+    group->second.push_back(k);
+  }
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const auto& a, const auto& b) { return a.second.size() > b.second.size(); });
+  return groups;
+}
+
 }  // namespace
 
 std::string as_cell(std::string_view text) {
@@ -142,29 +163,14 @@ std::string as_cell(std::string_view text) {
 
 bool is_table_file(std::string_view head) { return is_workbook(head) || is_mat_file(head) || is_json(head); }
 
-std::vector<std::size_t> alike(const std::vector<TableText>& tables) {
-  LogRecipe tabs;
-  tabs.delimiter = '\t';
-  tabs.time = "none";
-  std::vector<std::pair<std::vector<std::string>, std::vector<std::size_t>>> groups;
-  for (std::size_t k = 0; k < tables.size(); ++k) {
-    if (!holds_table(std::string_view(tables[k].text).substr(0, kHeadBytes))) continue;
-    const LogShape shape = log_shape(Source::of_text(tables[k].name, tables[k].text), tabs);
-    auto group =
-        std::find_if(groups.begin(), groups.end(), [&](const auto& one) { return one.first == shape.headers; });
-    if (group == groups.end()) group = groups.insert(groups.end(), {shape.headers, {}});
-    group->second.push_back(k);
-  }
-  const auto most = std::max_element(groups.begin(), groups.end(),
-                                     [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
-  return most == groups.end() ? std::vector<std::size_t>() : most->second;
-}
-
-std::vector<std::string> alike_sheets(std::string_view bytes, const std::string& name) {
-  if (!is_workbook(bytes.substr(0, 512))) return {};
+WorkbookSheets workbook_sheets(std::string_view bytes, const std::string& name) {
+  WorkbookSheets sheets;
+  if (!is_workbook(bytes.substr(0, 512))) return sheets;
   const std::vector<TableText> tables = workbook_tables(bytes, name);
-  std::vector<std::string> sheets;
-  for (const std::size_t k : alike(tables)) sheets.push_back(tables[k].sheet);
+  for (const auto& [names, places] : by_names(tables)) {
+    std::vector<std::string>& to = sheets.alike.empty() ? sheets.alike : sheets.others;
+    for (const std::size_t k : places) to.push_back(tables[k].sheet);
+  }
   return sheets;
 }
 
@@ -173,8 +179,8 @@ std::optional<TableText> table_text(std::string_view bytes, const std::string& n
   if (is_workbook(head) && !recipe.sheet.empty()) return workbook_table(bytes, name, recipe.sheet);
   if (is_workbook(head)) {
     std::vector<TableText> tables = workbook_tables(bytes, name);
-    const std::vector<std::size_t> same = alike(tables);
-    return std::move(tables[same.empty() ? 0 : same.front()]);
+    const Groups groups = by_names(tables);
+    return std::move(tables[groups.empty() ? 0 : groups.front().second.front()]);
   }
   if (is_mat_file(head)) return mat_table(bytes, name);
   if (is_json(head)) return json_table(bytes, name);

@@ -36,9 +36,8 @@ TableText mat_table(std::string_view bytes, const std::string& name);
 // followed. Throws Error: no workbook, no such sheet, above 256 MiB when unpacked.
 TableText workbook_table(std::string_view bytes, const std::string& name, const std::string& sheet);
 
-// The sheets of a workbook with a table under the names that the first of them has, in their order; none of another
-// file. Throws as workbook_table.
-std::vector<std::string> alike_sheets(std::string_view bytes, const std::string& name);
+// As sheets_of. Throws as workbook_table.
+WorkbookSheets workbook_sheets(std::string_view bytes, const std::string& name);
 
 // As workbook_table, of each sheet; those that are empty have no text.
 std::vector<TableText> workbook_tables(std::string_view bytes, const std::string& name);

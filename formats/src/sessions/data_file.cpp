@@ -128,35 +128,45 @@ std::vector<Source> logs_in(const Source& folder, std::span<const Reader> reader
   return logs;
 }
 
+struct Listing {
+  std::vector<ListedRun> runs;
+  std::string title;                 // of a list of runs
+  std::vector<std::string> remarks;  // whole lines
+};
+
 // The sheets of a workbook that are alike, as runs; a log itself.
-void add_log(const Source& log, std::span<const Reader> readers, std::vector<ListedRun>& runs) {
+void add_log(const Source& log, std::span<const Reader> readers, Listing& listing) {
   const bool may_have_sheets =
       !log.is_archive() && read_of<ReadLog>(log.reader(readers)) != nullptr && log.recipe().sheet.empty();
-  const std::vector<std::string> sheets = may_have_sheets ? sheets_of(log) : std::vector<std::string>();
+  const WorkbookSheets sheets = may_have_sheets ? sheets_of(log) : WorkbookSheets();
   log.close();  // there may be more than may be open
-  if (sheets.size() < 2) runs.push_back({log, std::nullopt});
-  for (std::size_t k = 0; sheets.size() > 1 && k < sheets.size(); ++k) {
-    runs.push_back({sheet_of(log, sheets[k]), std::nullopt});
+  if (sheets.alike.size() < 2) {
+    listing.runs.push_back({log, std::nullopt});
+    return;
   }
+  for (const std::string& sheet : sheets.alike) listing.runs.push_back({sheet_of(log, sheet), std::nullopt});
+  if (sheets.others.empty()) return;
+  listing.remarks.push_back(fmt::format("{}: sheets left out, for their columns have other names: {}.", log.name(),
+                                        fmt::join(sheets.others, ", ")));
 }
 
 // A file that lists runs, a workbook of sheets alike and a folder of logs stand for their runs.
-std::vector<ListedRun> listed(const std::vector<Source>& sources, std::span<const Reader> readers, std::string& title) {
-  std::vector<ListedRun> runs;
+Listing listed(const std::vector<Source>& sources, std::span<const Reader> readers) {
+  Listing listing;
   for (const Source& source : sources) {
     if (!lists_runs(source, readers)) {
       const std::vector<Source> logs = logs_in(source, readers);
-      if (logs.empty()) add_log(source, readers, runs);
-      for (const Source& log : logs) add_log(log, readers, runs);
+      if (logs.empty()) add_log(source, readers, listing);
+      for (const Source& log : logs) add_log(log, readers, listing);
       continue;
     }
     const RunsOfMachine list = read_run_list(source.bytes(kLargestText), source.name());
-    if (sources.size() == 1) title = list.title;
+    if (sources.size() == 1) listing.title = list.title;
     for (const RunOfMachine& run : list.runs) {
-      runs.push_back({source.like(source.path().parent_path() / run.file), run.start});
+      listing.runs.push_back({source.like(source.path().parent_path() / run.file), run.start});
     }
   }
-  return runs;
+  return listing;
 }
 
 // What a remark says besides numbers and the sheet of the run.
@@ -193,17 +203,18 @@ void expect_one_clock(const std::vector<Source>& sources, const std::vector<Seri
   }
 }
 
-ModelData data_of_runs(const std::vector<ListedRun>& listed_runs, const std::string& title, const DriftOptions& options,
-                       double max_gap_s, std::span<const Reader> readers) {
+ModelData data_of_runs(const Listing& listing, const DriftOptions& options, double max_gap_s,
+                       std::span<const Reader> readers) {
   std::vector<Source> sources;
   std::vector<std::string> names;
-  for (const ListedRun& run : listed_runs) {
+  for (const ListedRun& run : listing.runs) {
     sources.push_back(run.source);
     names.push_back(run.source.title());
   }
   expect_once(sources);
   expect_one_join(sources);
   ModelData data;
+  data.remarks = listing.remarks;
   std::vector<Series> runs;
   std::set<std::string> said;
   runs.reserve(sources.size());
@@ -219,12 +230,12 @@ ModelData data_of_runs(const std::vector<ListedRun>& listed_runs, const std::str
   for (const Series& run : runs) zeros_s.push_back(run.started ? seconds_of_stamp(*run.started) : std::nullopt);
   Stacked all = stacked(runs, names, zeros_s);
   for (std::size_t run = 0; run < all.series.runs.size(); ++run) {
-    if (listed_runs[run].start) all.series.runs[run].start = *listed_runs[run].start;
+    if (listing.runs[run].start) all.series.runs[run].start = *listing.runs[run].start;
   }
   data.series = std::make_shared<const Series>(std::move(all.series));
   data.remarks.insert(data.remarks.end(), all.remarks.begin(), all.remarks.end());
-  data.title =
-      fmt::format("{} runs, {}", sources.size(), title.empty() ? fmt::format("{}", fmt::join(names, ", ")) : title);
+  data.title = fmt::format("{} runs, {}", sources.size(),
+                           listing.title.empty() ? fmt::format("{}", fmt::join(names, ", ")) : listing.title);
   data.targets = measured_names(*data.series);
   return data;
 }
@@ -266,17 +277,15 @@ ModelData model_data_of(const DriftData& source, const std::string& name, const 
 
 bool stands_for_runs(const Source& source, std::span<const Reader> readers) {
   if (source.series() || source.recordings() != nullptr) return false;
-  std::string title;
-  return lists_runs(source, readers) || listed({source}, readers, title).size() > 1;
+  return lists_runs(source, readers) || listed({source}, readers).runs.size() > 1;
 }
 
 ModelData open_model_data(const std::vector<Source>& sources, const DriftOptions& options, double max_gap_s,
                           std::span<const Reader> readers, const StatedCircle& stated) {
   if (is_recording_file(sources.front(), readers)) return data_of_recordings(sources, readers, stated);
-  std::string title;
-  const std::vector<ListedRun> runs = listed(sources, readers, title);
-  if (runs.size() == 1) return data_of_drift(runs.front().source, options, max_gap_s, readers);
-  return data_of_runs(runs, title, options, max_gap_s, readers);
+  const Listing listing = listed(sources, readers);
+  if (listing.runs.size() == 1) return data_of_drift(listing.runs.front().source, options, max_gap_s, readers);
+  return data_of_runs(listing, options, max_gap_s, readers);
 }
 
 }  // namespace ballbar

@@ -54,9 +54,14 @@ Log read_log(std::string_view bytes, const std::string& name, const LogRecipe& r
 // The same of a file, by its own recipe; it is not held in memory.
 Log open_log(const Source& source);
 
-// The sheets of a workbook with a table under the same names, in their order: the most that have the same. None of
-// another file. Throws Error where it is damaged.
-std::vector<std::string> sheets_of(const Source& source);
+// Sheets of a workbook with a table, in their order.
+struct WorkbookSheets {
+  std::vector<std::string> alike;   // under the same names, the most that have the same
+  std::vector<std::string> others;  // under other names
+};
+
+// None of another file. Throws Error where it is damaged.
+WorkbookSheets sheets_of(const Source& source);
 
 // What a user states of the columns of a series that is no log: roles, names, units where there is none, what is left
 // out. Throws Error with `name` where it has no such column.
