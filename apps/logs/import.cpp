@@ -43,6 +43,7 @@ struct CircleOptions {
 
 struct ImportArguments {
   std::vector<Source> logs;
+  std::vector<std::string> targets;
   CircleOptions circle;
   std::string out, save;
   ClockOptions clocks;
@@ -223,6 +224,17 @@ void expect_own_outputs(const ImportArguments& options) {
   throw Error(fmt::format("--out {}: expected another file than that of --save, found the same.", options.out));
 }
 
+// What a user calls a target is measured.
+void take_targets(ImportArguments& options) {
+  if (options.targets.empty()) return;
+  for (Source& log : options.logs) {
+    auto recipe = std::make_shared<LogRecipe>(log.recipe());
+    for (const std::string& target : options.targets)
+      recipe->columns.push_back({target, "", "", Role::measured, false});
+    log.set_recipe(std::move(recipe));
+  }
+}
+
 void run(const ImportArguments& options) {
   expect_own_outputs(options);
   if (options.circle.circle) return run_circle(options);
@@ -253,6 +265,11 @@ void add_import(CLI::App& app) {
   command->add_flag("--json", options->json, "print what was understood as JSON");
   for (CLI::Option* option : command->get_options([](const CLI::Option* one) { return one->get_group() == kLogGroup; }))
     option->group("How a log is read, where it does not tell");
+  command
+      ->add_option("--target", options->targets,
+                   "column that is measured, as the other commands take it; may be repeated")
+      ->type_name("COLUMN")
+      ->allow_extra_args(false);
   command->add_flag("--circle", options->circle.circle,
                     "a table of angles and lengths, or of coordinates: write it as a ballbar log, for a session");
   add_radius(*command, options->circle.stated);
@@ -272,7 +289,10 @@ void add_import(CLI::App& app) {
       "Examples:\n"
       "  ballbar import sample-runs/foreign-logs/warmup.csv --out clean.csv --save recipe.toml\n"
       "  ballbar import sample-runs/foreign-logs/probes.csv sample-runs/foreign-logs/control.csv --out clean.csv");
-  command->callback([options] { run(*options); });
+  command->callback([options] {
+    take_targets(*options);
+    run(*options);
+  });
 }
 
 }  // namespace ballbar::commands
