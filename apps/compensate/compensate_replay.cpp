@@ -43,7 +43,7 @@ Recorded open_recorded(const Source& data) {
     throw Error(fmt::format("{}: expected a session with signals, which the model reads, found none.", data.name()));
   }
   recorded.measured = series_of(drift_of(files.session, {}));
-  for (const std::filesystem::path& signal : files.signals) recorded.signals.push_back(open_series(data.like(signal)));
+  for (const Source& signal : files.signals) recorded.signals.push_back(open_series(signal));
   return recorded;
 }
 

@@ -31,8 +31,6 @@
 namespace ballbar::commands {
 namespace {
 
-constexpr std::size_t kShownRows = 5;
-
 // A circle, written as a ballbar log; what a table of angles or coordinates does not state.
 struct CircleOptions {
   bool circle = false;
@@ -133,19 +131,10 @@ Log opened(const ImportArguments& options) {
   Log log;
   log.series = open_series(options.logs.front());
   for (const Column& column : log.series.columns) {
-    const auto gaps = static_cast<std::size_t>(
-        std::count_if(column.values.begin(), column.values.end(), [](double v) { return std::isnan(v); }));
     const std::string unit(unit_of(column.name));
-    const auto first = static_cast<std::ptrdiff_t>(std::min(kShownRows, column.values.size()));
-    log.columns.push_back({column.name,
-                           column.name,
-                           unit,
-                           unit,
-                           column.role,
-                           false,
-                           "by its unit",
-                           gaps,
-                           {column.values.begin(), column.values.begin() + first}});
+    LogColumn& shown = log.columns.emplace_back(
+        LogColumn{column.name, column.name, unit, unit, column.role, false, "by its unit", 0, {}});
+    show_values(shown, column.values);
   }
   log.shape = "a ballbar series";
   log.time = "\"time_s\" in s";

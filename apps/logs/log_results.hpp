@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,9 +51,8 @@ struct ResultType<ColumnFault> {
 };
 
 inline std::vector<double> first_times_s(const Log& log) {
-  constexpr std::size_t kFirst = 5;
-  const std::vector<double>& time_s = log.series.time_s;
-  return {time_s.begin(), time_s.begin() + static_cast<std::ptrdiff_t>(std::min(kFirst, time_s.size()))};
+  const std::span<const double> all = log.series.time_s, first = all.first(std::min(kShownRows, all.size()));
+  return {first.begin(), first.end()};
 }
 
 inline std::vector<std::string> targets(const Log& log) {

@@ -48,16 +48,6 @@ void align(const Part& first, Part& part, const ClockOptions& options) {
   for (double& time : part.series.time_s) time += part.merged.lag->lag_s;
 }
 
-// A name that an earlier part has gets a number before its unit.
-void expect_own_names(Series& series, std::set<std::string>& taken) {
-  for (Column& column : series.columns) {
-    const std::string unit(unit_of(column.name));
-    const std::string stem = unit.empty() ? column.name : column.name.substr(0, column.name.size() - unit.size() - 1);
-    for (int k = 2; !taken.insert(column.name).second; ++k)
-      column.name = fmt::format("{}_{}{}{}", stem, k, unit.empty() ? "" : "_", unit);
-  }
-}
-
 std::string clock_text(const MergedPart& first, const MergedPart& part, bool keep_clocks) {
   std::string text = part.by_date_s
                          ? fmt::format("starts {} {} by the dates of both", duration_text(std::abs(*part.by_date_s)),
@@ -87,7 +77,7 @@ MergedSeries merged_series(const std::vector<Source>& logs, const ClockOptions& 
   for (const Source& log : logs) {
     parts.push_back(opened(log));
     if (parts.size() > 1) align(parts.front(), parts.back(), clocks);
-    expect_own_names(parts.back().series, taken);
+    for (Column& column : parts.back().series.columns) column.name = free_name(column.name, taken);
   }
   const auto started = parts.front().series.started ? seconds_of_stamp(*parts.front().series.started) : std::nullopt;
   MergedSeries result;

@@ -39,8 +39,8 @@ ComparedDrifts compared_drifts_of(const ComparedDriftOptions& options) {
     const Session& session = first.session->session;
     drifts.title = session.title.empty() ? options.a.name() : session.title;
     drifts.a = drift_of_session(*first.session, options);
-    drifts.b = drift_of_series(open_series(options.a.like(*first.session->five_probe)),
-                               first.session->five_probe->string(), options, first.session->ball);
+    drifts.b = drift_of_series(open_series(*first.session->five_probe), first.session->five_probe->name(), options,
+                               first.session->ball);
     return drifts;
   }
   const DriftData second = open_drift_data(options.b);

@@ -143,8 +143,8 @@ void run_five_probe(const DriftArguments& options, DriftData data) {
       throw Error(fmt::format("{}: expected [five_probe] in the session for --five-probe, found none.",
                               options.session.name()));
     }
-    report.title = data.session->five_probe->string();
-    data.series = opened_series(options.session.like(*data.session->five_probe)).series;
+    report.title = data.session->five_probe->name();
+    data.series = opened_series(*data.session->five_probe).series;
     ball = data.session->ball;
   }
   report.series = stated(*data.series, options.probes);

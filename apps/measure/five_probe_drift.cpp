@@ -93,12 +93,6 @@ void print_text(const FiveProbeReport& report, const MeasuredDrift& drift, const
   for (const std::string& remark : drift.remarks) fmt::print("{}", wrapped(remark));
 }
 
-std::string names_of(const Series& series) {
-  std::vector<std::string> names;
-  for (const Column& column : series.columns) names.push_back(column.name);
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
 std::string probe_complaint(const std::string& stated) {
   const std::size_t equals = stated.find('=');
   const std::string name = stated.substr(0, equals);
@@ -113,7 +107,7 @@ void set_column(Series& series, FiveProbe& probe, const std::string& stated) {  
   const std::string column = stated.substr(equals + 1);
   if (find_column(series, column) == nullptr) {
     throw Error(fmt::format("--probe {}: expected a column of the file, one of {}, found \"{}\".", stated,
-                            names_of(series), column));
+                            fmt::join(column_names(series), ", "), column));
   }
   probe.columns[static_cast<std::size_t>(known - kProbes.begin())] = column;
 }
@@ -216,7 +210,7 @@ MeasuredDrift five_point_of(const Series& series, const FivePointOptions& how, c
     throw Error(fmt::format(
         "{}: expected columns of five probes, such as X1_um, or which columns they are, by --probe X1=COLUMN or a line "
         "`# X1 = \"COLUMN\"` under `# [five_probe]`, found the columns {}{}.",
-        name, names_of(series), lacks_units(series) ? "; --unit '*=um' states their unit" : ""));
+        name, fmt::join(column_names(series), ", "), lacks_units(series) ? "; --unit '*=um' states their unit" : ""));
   }
   MeasuredDrift drift;
   try {

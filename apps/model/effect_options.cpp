@@ -109,12 +109,7 @@ std::vector<Term> terms_of(const std::vector<std::string>& effects, const Model&
       throw Error(fmt::format("expected effects that act where {} drives the circle, found {}.", name_of(*data.motion),
                               terms.back().effect->name));
     }
-    if (!data.series->has_clock && needs_clock(*terms.back().effect)) {
-      throw Error(
-          fmt::format("{}: expected data with a clock for {}, found numbered rows; --every 10s states how far apart "
-                      "they are.",
-                      data.title, label_of(terms.back())));
-    }
+    if (needs_clock(*terms.back().effect)) expect_clock(data, "for " + label_of(terms.back()));
     larger.terms.push_back(terms.back());
     expect_suits(larger, *data.series);
   }

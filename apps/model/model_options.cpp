@@ -68,12 +68,6 @@ void choose_targets(Model& model, const ModelOptions& options) {
   model.targets = options.target;
 }
 
-std::vector<std::string> names_of(const Series& series) {
-  std::vector<std::string> names;
-  for (const Column& column : series.columns) names.push_back(column.name);
-  return names;
-}
-
 // A model's numbers are in um where its target is.
 void say_unit(const std::string& target) {
   const std::string_view unit = unit_of(target);
@@ -84,18 +78,23 @@ void say_unit(const std::string& target) {
 }
 
 // Effects of a file that have a time constant need data with a clock.
-void expect_clock(const Model& model, const ModelOptions& options, const ModelData& data) {
-  if (data.series->has_clock || options.model.empty()) return;
+void expect_clock_of_model(const Model& model, const ModelOptions& options, const ModelData& data) {
+  if (options.model.empty()) return;
   for (const Term& term : model.terms) {
-    if (!needs_clock(*term.effect)) continue;
-    throw Error(
-        fmt::format("{}: expected data with a clock for {}, found numbered rows in {}; --every 10s states how far "
-                    "apart they are.",
-                    options.model.name(), label_of(term), data.title));
+    if (needs_clock(*term.effect))
+      with_source(options.model.name(), [&] { expect_clock(data, "for " + label_of(term)); });
   }
 }
 
 }  // namespace
+
+void expect_clock(const ModelData& data, std::string_view what) {
+  if (data.series->has_clock) return;
+  throw Error(
+      fmt::format("{}: expected data with a clock {}, found numbered rows; --every 10s states how far apart they "
+                  "are.",
+                  data.title, what));
+}
 
 void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s) {
   take_time(*command.add_option("--max-gap", max_gap_s, "longest gap of a signal to interpolate over; default: 10min"),
@@ -177,12 +176,12 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
     if (data.motion) with_source(options.model.name(), [&] { expect_acts(model, *data.motion); });
     if (model.level == Level::recording) model = with_circles(std::move(model), *data.series);
   }
-  expect_clock(model, options, data);
+  expect_clock_of_model(model, options, data);
   model = with_held_values(with_run_terms(std::move(model), *data.series), options.set);
   choose_targets(model, options);
   if (model.targets.empty())
     throw Error(fmt::format("{}: expected a measured column to explain, found none; --target names one, of {}.",
-                            data.title, fmt::join(names_of(*data.series), ", ")));
+                            data.title, fmt::join(column_names(*data.series), ", ")));
   expect_model_suits(model, options, data);
   expect_also_inputs(options, model, *data.series);
   for (const std::string& target : model.targets) say_unit(target);

@@ -46,6 +46,9 @@ constexpr double kUsualGap_s = 600.0;
 
 ModelData open_data(const ModelOptions& options);
 
+// Throws Error where the rows of the data are numbered; `what` needs a clock: "to plan from".
+void expect_clock(const ModelData& data, std::string_view what);
+
 // A series or a session of drift. Throws Error for recordings.
 ModelData open_drift(const Source& data, const std::optional<double>& max_gap_s);
 

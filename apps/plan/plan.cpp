@@ -102,12 +102,7 @@ void run(PlanArguments options) {
                     "ballbar test what is out, `ballbar diagnose` of a rotating axis which circles to drive next.",
                     options.model.data.front().name()));
   }
-  if (!data.series->has_clock) {
-    throw Error(
-        fmt::format("{}: expected data with a clock to plan from, found numbered rows; --every 10s states how far "
-                    "apart they are.",
-                    data.title));
-  }
+  expect_clock(data, "to plan from");
   const Model model = open_model(options.model, data);
   say_start(options.model, data);
   if (model.targets.size() != 1) {

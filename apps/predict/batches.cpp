@@ -81,15 +81,12 @@ std::string target_of(const TrainOptions& options, const Series& run) {
   if (!options.target.empty()) return options.target;
   std::vector<std::string> measured;
   for (const Column& column : run.columns) {
-    if (column.role == Role::measured && column.name.find("_sigma_") == std::string::npos)
-      measured.push_back(column.name);
+    if (is_target(column)) measured.push_back(column.name);
   }
   if (measured.size() == 1) return measured.front();
-  std::vector<std::string> known;
-  for (const Column& column : run.columns) known.push_back(column.name);
   throw Error(fmt::format("{}: expected one measured column to predict, found {}; name it by --target, one of {}.",
                           options.title(), measured.empty() ? "none" : fmt::format("{}", fmt::join(measured, ", ")),
-                          fmt::join(measured.empty() ? known : measured, ", ")));
+                          fmt::join(measured.empty() ? column_names(run) : measured, ", ")));
 }
 
 OpenedBatches open_batches(const TrainOptions& options) {

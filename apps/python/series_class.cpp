@@ -163,12 +163,6 @@ std::shared_ptr<Series> series_of(const py::object& time_s, const py::dict& colu
   return series;
 }
 
-std::vector<std::string> names_of(const Series& series) {
-  std::vector<std::string> names;
-  for (const Column& column : series.columns) names.push_back(column.name);
-  return names;
-}
-
 // All that there is of it: one that was read from a file may know more than the constructor takes.
 py::tuple state_of(Series& series) {
   py::list columns, runs;
@@ -204,7 +198,7 @@ void bind_series(py::module_& module) {
       .def_property_readonly(
           "time_s", [](const py::object& self) { return view_of(py::cast<const Series&>(self).time_s, self); },
           "(n,) s, strictly rising; read-only.")
-      .def_property_readonly("names", &names_of, "Of the columns, in order.")
+      .def_property_readonly("names", &column_names, "Of the columns, in order.")
       .def_property_readonly(
           "roles",
           [](const Series& series) {
@@ -239,7 +233,7 @@ void bind_series(py::module_& module) {
           },
           "Whether there is a column of that name.")
       .def(
-          "__iter__", [](const Series& series) { return py::iter(py::cast(names_of(series))); },
+          "__iter__", [](const Series& series) { return py::iter(py::cast(column_names(series))); },
           "Over the names of the columns, as a DataFrame's.")
       .def(
           "__len__", [](const Series& series) { return series.time_s.size(); }, "Rows.")
@@ -256,7 +250,7 @@ void bind_series(py::module_& module) {
       .def("__repr__",
            [](const Series& series) {
              return fmt::format("<ballbar.Series {} rows of {}>", series.time_s.size(),
-                                fmt::join(names_of(series), ", "));
+                                fmt::join(column_names(series), ", "));
            })
       .def(py::pickle(&state_of, &series_from));
   module.def(

@@ -98,13 +98,12 @@ void add_session(Report& made, const SessionFiles& files, const ReportRequest& o
   made.page.drift.value = drift;
   for (const std::string& largest : largest_drifts(drift)) made.conclude(fmt::format("Largest drift: {}.", largest));
   if (files.five_probe) {
-    const Series probes = open_series(options.model.data.front().like(*files.five_probe));
+    const Series probes = open_series(*files.five_probe);
     made.page.five_probe.value =
-        five_point_of(probes, place_of(probes, options.probes, files.ball), file_name(*files.five_probe));
+        five_point_of(probes, place_of(probes, options.probes, files.ball), file_name(files.five_probe->path()));
   }
-  for (const fs::path& signals : files.signals) {
-    made.page.head.signals.push_back(
-        signals_part(file_name(signals), open_series(options.model.data.front().like(signals))));
+  for (const Source& signals : files.signals) {
+    made.page.head.signals.push_back(signals_part(file_name(signals.path()), open_series(signals)));
   }
 }
 

@@ -50,15 +50,17 @@ std::vector<std::string> names_of(const std::pair<std::string_view, char> (&sign
 // A value is put into the recipes as it is read, and the words that state it.
 using Take = std::function<void(LogRecipe& recipe, const std::string& text)>;
 
+void state(LogRecipes& recipes, const std::vector<std::string>& words, const Take& take) {
+  for (LogRecipe* const recipe : {recipes.first.get(), recipes.others.get()}) {
+    take(*recipe, words.back());
+    recipe->words.insert(recipe->words.end(), words.begin(), words.end());
+  }
+  recipes.others->may_lack_columns = true;
+  recipes.others->join.clear();
+}
+
 std::function<void(const std::string& text)> into(const Recipe& recipes, const std::string& name, const Take& take) {
-  return [recipes, name, take](const std::string& text) {
-    for (LogRecipe* const recipe : {recipes->first.get(), recipes->others.get()}) {
-      take(*recipe, text);
-      recipe->words.insert(recipe->words.end(), {name, text});
-    }
-    recipes->others->may_lack_columns = true;
-    recipes->others->join.clear();
-  };
+  return [recipes, name, take](const std::string& text) { state(*recipes, {name, text}, take); };
 }
 
 CLI::Option* add(CLI::App& command, const Recipe& recipe, const std::string& name, const std::string& help,
@@ -74,10 +76,7 @@ void add_flag(CLI::App& command, const Recipe& recipe, const std::string& name, 
       .add_flag_callback(
           name,
           [recipe, name, member] {
-            for (LogRecipe* const one : {recipe->first.get(), recipe->others.get()}) {
-              one->*member = true;
-              one->words.push_back(name);
-            }
+            state(*recipe, {name}, [member](LogRecipe& to, const std::string&) { to.*member = true; });
           },
           help)
       ->group(kLogGroup);
@@ -166,8 +165,8 @@ void add_time_options(CLI::App& command, const Recipe& recipe) {
       .add_option_function<double>(
           "--every",
           [recipe](double every_s) {
-            into(recipe, "--every",
-                 [every_s](LogRecipe& to, const std::string&) { to.every_s = every_s; })(fmt::format("{}s", every_s));
+            state(*recipe, {"--every", fmt::format("{}s", every_s)},
+                  [every_s](LogRecipe& to, const std::string&) { to.every_s = every_s; });
           },
           "distance of the rows where there is no time, or of the tests of a folder: 10ms, 1s, 1min")
       ->type_name("TIME")

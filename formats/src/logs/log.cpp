@@ -33,7 +33,6 @@ namespace ballbar {
 namespace {
 
 constexpr double kFreezing_K = 273.15;
-constexpr std::size_t kFirst = 5;         // values of a column that are shown
 constexpr std::size_t kListedLines = 10;  // of those that are skipped
 constexpr std::size_t kProbesAtMost = 3;  // that no name tells
 constexpr double kBetweenBursts = 5.0;    // times the middle step of time
@@ -83,16 +82,6 @@ std::string take_sentinels(std::vector<double>& values) {
   return found;
 }
 
-// The name, with a number before its unit where it is taken.
-std::string free_name(const std::string& name, std::string_view unit, std::set<std::string>& taken) {
-  const std::string end = unit.empty() ? "" : "_" + std::string(unit);
-  const std::string stem = name.substr(0, name.size() - end.size());
-  std::string full = name;
-  for (int k = 2; full == "time_s" || full == "time_min" || !taken.insert(full).second; ++k)
-    full = fmt::format("{}_{}{}", stem, k, end);
-  return full;
-}
-
 // A name that can be typed: letters, digits and _; then the unit.
 std::string column_name(std::string_view name, std::string_view unit, std::set<std::string>& taken) {
   std::string stem;
@@ -108,19 +97,21 @@ std::string column_name(std::string_view name, std::string_view unit, std::set<s
   }
   while (stem.ends_with('_')) stem.pop_back();
   if (stem.empty()) stem = "column";
-  return free_name(unit.empty() ? stem : fmt::format("{}_{}", stem, unit), unit, taken);
+  return free_name(unit.empty() ? stem : fmt::format("{}_{}", stem, unit), taken);
 }
 
-void expect_recipe_columns(const LogPlan& plan, const std::string& name, std::size_t line, const LogRecipe& recipe) {
+// `headers`: of all columns, as written and without the unit.
+using Headers = std::vector<std::pair<std::string, std::string>>;
+
+void expect_recipe_columns(const Headers& headers, const std::string& name, std::size_t line, const LogRecipe& recipe) {
   if (recipe.may_lack_columns) return;
   for (const ColumnRecipe& one : recipe.columns) {
-    std::vector<std::string_view> known;
-    bool found = false;
-    for (const PlannedColumn& column : plan.columns) {
-      found = found || is_of(one, column.source, column.name);
-      known.emplace_back(column.source);
-    }
+    const bool found = std::any_of(headers.begin(), headers.end(),
+                                   [&](const auto& header) { return is_of(one, header.first, header.second); });
     if (found) continue;
+    std::vector<std::string_view> known;
+    known.reserve(headers.size());
+    for (const auto& header : headers) known.emplace_back(header.first);
     throw Error(fmt::format(
         "{}:{}: expected a column {}, as stated by the options or the recipe, found none; the nearest is {}.", name,
         line, in_quotes(one.source), in_quotes(nearest_name(one.source, known))));
@@ -134,9 +125,8 @@ void take_column(const PlannedColumn& planned, std::vector<double>&& values, con
   LogColumn column;
   column.source = planned.source;
   column.found_unit = planned.unit;
-  column.gaps =
-      static_cast<std::size_t>(std::count_if(values.begin(), values.end(), [](double v) { return std::isnan(v); }));
-  if (column.gaps == values.size()) {
+  if (std::all_of(values.begin(), values.end(), [](double v) { return std::isnan(v); })) {
+    column.gaps = values.size();
     column.why = "has no value";
     log.columns.push_back(std::move(column));
     return;
@@ -326,7 +316,11 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   const std::string& name = source.name();
   const LogShape shape = log_shape(source, recipe);
   LogPlan plan = log_plan(shape, name, recipe);
-  if (!joined) expect_recipe_columns(plan, name, std::max<std::size_t>(1, shape.header_line), recipe);
+  if (!joined) {
+    Headers headers;
+    for (const PlannedColumn& column : plan.columns) headers.emplace_back(column.source, column.name);
+    expect_recipe_columns(headers, name, std::max<std::size_t>(1, shape.header_line), recipe);
+  }
   LogTable table = log_table(source, shape, plan, recipe);
   if (table.rows < 2) {
     throw Error(fmt::format("{}:{}: expected at least two rows, found {}.", name, shape.first_row_line, table.rows));
@@ -444,7 +438,7 @@ void join(Log& log, const Source& source, const std::string& file, const LogReci
     }
     if (!column.name.empty()) {
       Column& values = beside.series.columns[k++];
-      values.name = column.name = free_name(values.name, column.unit, taken);
+      values.name = column.name = free_name(values.name, taken);
       series.columns.push_back(std::move(values));
     }
     log.columns.push_back(std::move(column));
@@ -457,12 +451,9 @@ void join(Log& log, const Source& source, const std::string& file, const LogReci
 }
 
 void expect_joined_columns(const Log& log, const std::string& name, const LogRecipe& recipe) {
-  LogPlan all;
-  for (const LogColumn& column : log.columns) {
-    all.columns.emplace_back().source = column.source;
-    all.columns.back().name = name_and_unit(column.source).name;
-  }
-  expect_recipe_columns(all, name, 1, recipe);
+  Headers headers;
+  for (const LogColumn& column : log.columns) headers.emplace_back(column.source, name_and_unit(column.source).name);
+  expect_recipe_columns(headers, name, 1, recipe);
 }
 
 }  // namespace
@@ -475,6 +466,13 @@ constinit const Reader readers::kLog = {
         },
     .read = open_log,
 };
+
+void show_values(LogColumn& column, std::span<const double> values) {
+  const std::span<const double> first = values.first(std::min(kShownRows, values.size()));
+  column.first.assign(first.begin(), first.end());
+  column.gaps =
+      static_cast<std::size_t>(std::count_if(values.begin(), values.end(), [](double v) { return std::isnan(v); }));
+}
 
 Log read_log(std::string_view bytes, const std::string& name, const LogRecipe& recipe) {
   Source source = Source::of_text(name, std::string(bytes));
@@ -494,12 +492,7 @@ Log open_log(const Source& source) {
         fmt::format("{} rows come in {} bursts: each row is the mean of a burst.", rows, log.series.time_s.size()));
   }
   settle_targets(log);
-  for (const auto& [column, values] : taken_columns(log)) {
-    const std::size_t rows = std::min(kFirst, values->values.size());
-    column->first.assign(values->values.begin(), values->values.begin() + static_cast<std::ptrdiff_t>(rows));
-    column->gaps = static_cast<std::size_t>(
-        std::count_if(values->values.begin(), values->values.end(), [](double value) { return std::isnan(value); }));
-  }
+  for (const auto& [column, values] : taken_columns(log)) show_values(*column, values->values);
   log.unclear = unclear_parts(log);
   source.close();
   return log;
@@ -523,36 +516,32 @@ Series with_stated_columns(Series series, const LogRecipe& recipe, const std::st
     series.has_clock = true;
   }
   if (recipe.columns.empty()) return series;
-  LogPlan plan;
+  Headers headers;
   for (const Column& column : series.columns) {
-    PlannedColumn& planned = plan.columns.emplace_back();
-    const std::string_view unit = unit_of(column.name);
-    planned.source = column.name;
-    planned.name = unit.empty() ? column.name : column.name.substr(0, column.name.size() - unit.size() - 1);
-    planned.unit = unit;
-    planned.stated = stated_of(recipe, planned.source, planned.name, !unit.empty());
+    const std::size_t unit = unit_of(column.name).size();
+    headers.emplace_back(column.name, column.name.substr(0, column.name.size() - (unit == 0 ? 0 : unit + 1)));
   }
-  expect_recipe_columns(plan, name, 1, recipe);
+  expect_recipe_columns(headers, name, 1, recipe);
   std::vector<Column> columns;
   std::set<std::string> taken;
-  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
-    const PlannedColumn& planned = plan.columns[i];
-    const ColumnRecipe& stated = planned.stated;
+  for (std::size_t i = 0; i < headers.size(); ++i) {
+    const auto& [source, stem] = headers[i];
     Column& column = series.columns[i];
+    std::string unit(unit_of(source));
+    const ColumnRecipe stated = stated_of(recipe, source, stem, !unit.empty());
     if (stated.left_out) continue;
-    std::string unit = planned.unit;
     if (!stated.unit.empty() && !unit.empty() && stated.unit != unit) {
-      throw Error(fmt::format("{}: {}: expected no other unit than {}, which its name states, found {}.", name,
-                              planned.source, unit, in_quotes(stated.unit)));
+      throw Error(fmt::format("{}: {}: expected no other unit than {}, which its name states, found {}.", name, source,
+                              unit, in_quotes(stated.unit)));
     }
     if (!stated.unit.empty() && unit.empty()) {
-      const LogUnit found = stated_unit(stated.unit, fmt::format("{}: {}", name, planned.source));
+      const LogUnit found = stated_unit(stated.unit, fmt::format("{}: {}", name, source));
       for (double& value : column.values) value = value * found.factor + found.offset;
       unit = found.canonical;
       if (column.role == Role::event) column.role = role_from_unit(unit);
     }
     if (stated.role) column.role = *stated.role;
-    column.name = column_name(stated.name.empty() ? planned.name : stated.name, unit, taken);
+    column.name = column_name(stated.name.empty() ? stem : stated.name, unit, taken);
     columns.push_back(std::move(column));
   }
   if (columns.empty()) throw Error(fmt::format("{}: expected a column that is not left out, found none.", name));

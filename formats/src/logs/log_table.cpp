@@ -94,18 +94,13 @@ class Table {
   // The table, where not too many rows are skipped.
   LogTable taken() {
     table_.other_lines += pending_.size();
-    if (table_.bad_lines.empty() && !cut_rows_.empty()) {
-      first_fault_ =
-          fmt::format("{}:{}: expected {} values, one for each column, found a line that ends within value {}.", name_,
-                      cut_rows_.front().line, plan_.columns.size(), cut_rows_.front().values);
-    }
-    for (const CutRow& cut : cut_rows_) table_.cut_lines.push_back(cut.line);
+    const std::string& fault = table_.bad_lines.empty() ? first_cut_ : first_fault_;
     const std::size_t skipped = table_.bad_lines.size();
-    const std::size_t bad = skipped + cut_rows_.size();
+    const std::size_t bad = skipped + table_.cut_lines.size();
     const std::size_t all = table_.rows + (plan_.time.kind == TimePlan::Kind::rows ? 0 : skipped);
     if (recipe_.skip_bad_rows || (bad <= kFreeRows + all / 100 && bad * 10 <= all)) return std::move(table_);
-    if (bad == 1) throw Error(fmt::format("{} --skip-bad-rows leaves the row out.", first_fault_));
-    throw Error(fmt::format("{} {} of {} rows are such; --skip-bad-rows leaves them out.", first_fault_, bad, all));
+    if (bad == 1) throw Error(fmt::format("{} --skip-bad-rows leaves the row out.", fault));
+    throw Error(fmt::format("{} {} of {} rows are such; --skip-bad-rows leaves them out.", fault, bad, all));
   }
 
   LogTable table_;
@@ -274,7 +269,12 @@ class Table {
       for (std::size_t i = column; i < plan_.columns.size(); ++i) row_[i] = kGap;
       if (is_cut_off(column - 1)) {
         row_[column - 1] = kGap;
-        cut_rows_.push_back({column, line});
+        if (table_.cut_lines.empty()) {
+          first_cut_ =
+              fmt::format("{}:{}: expected {} values, one for each column, found a line that ends within value {}.",
+                          name_, line, plan_.columns.size(), column);
+        }
+        table_.cut_lines.push_back(line);
       } else {
         ++table_.short_rows;
       }
@@ -343,12 +343,8 @@ class Table {
   const LogRecipe& recipe_;
   std::vector<double> row_;
   std::size_t number_columns_ = 0;
-  std::string first_fault_;
-  std::vector<std::size_t> pending_;  // lines without numbers since the last row
-  struct CutRow {
-    std::size_t values, line;
-  };
-  std::vector<CutRow> cut_rows_;       // that end within a number
+  std::string first_fault_, first_cut_;
+  std::vector<std::size_t> pending_;   // lines without numbers since the last row
   std::vector<std::size_t> decimals_;  // of each column, the fewest
   std::string_view last_cell_;         // of the row
   std::string_view date_, clock_, milli_;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kColdest_degC = 5.0, kWarmest_degC = 90.0;
 constexpr double kUsualStep_K = 0.5;  // from row to row: of the noise and the rounding of a sensor
-constexpr double kSlowShare = 0.25;   // of the variance: von Neumann's ratio of a signal that is no noise
+constexpr double kSlowShare = 0.25;   // of the variance: a smaller mean square step is no noise (von Neumann)
 constexpr double kApart_K = 12.0;     // of a family without a name of temperature, in its first rows
 constexpr double kBeside_K = 6.0;     // from the temperatures beside it
 constexpr std::size_t kFamily = 3;

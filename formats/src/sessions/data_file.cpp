@@ -38,7 +38,7 @@ void expect_data(const Source& source, std::span<const Reader> readers) {
 std::vector<std::string> measured_names(const Series& series) {
   std::vector<std::string> names;
   for (const Column& column : series.columns) {
-    if (column.role == Role::measured && column.name.find("_sigma_") == std::string::npos) names.push_back(column.name);
+    if (is_target(column)) names.push_back(column.name);
   }
   const auto is_in_um = [](const std::string& name) { return unit_of(name) == "um"; };
   if (std::any_of(names.begin(), names.end(), is_in_um)) std::erase_if(names, std::not_fn(is_in_um));
@@ -186,10 +186,9 @@ void add_new_remarks(const ModelData& run, const Source& source, std::set<std::s
 }
 
 void expect_one_join(const std::vector<Source>& runs) {
-  const auto joins = [&](const Source& run) { return !run.recipe().join.empty() && run.name() != runs.front().name(); };
-  const bool more =
-      std::any_of(runs.begin(), runs.end(), [&](const Source& run) { return run.name() != runs.front().name(); });
-  if (!(more && !runs.front().recipe().join.empty()) && std::none_of(runs.begin(), runs.end(), joins)) return;
+  const auto joins = [](const Source& run) { return !run.recipe().join.empty(); };
+  const auto is_other = [&](const Source& run) { return run.name() != runs.front().name(); };
+  if (std::none_of(runs.begin(), runs.end(), joins) || std::none_of(runs.begin(), runs.end(), is_other)) return;
   throw Error(fmt::format("{}: expected one log, or the sheets of one workbook, for --join, found several files.",
                           runs.front().name()));
 }
@@ -253,10 +252,8 @@ ModelData model_data_of(const DriftData& source, const std::string& name, const 
     if (!source.session->session.title.empty()) data.title = source.session->session.title;
     for (const SkippedFile& one : source.session->skipped) data.remarks.push_back("left out: " + one.why);
     parts.push_back(series_of(drift_of(source.session->session, options)));
-    for (const std::filesystem::path& signals : source.session->signals) {
-      Source file(signals);
-      file.set_recipe(source.recipe);
-      OpenedSeries opened = opened_series(file, readers);
+    for (const Source& signals : source.session->signals) {
+      OpenedSeries opened = opened_series(signals, readers);
       parts.push_back(*opened.series);
       data.remarks.insert(data.remarks.end(), opened.remarks.begin(), opened.remarks.end());
     }

@@ -67,7 +67,6 @@ DriftData open_drift_data(const Source& source, std::span<const Reader> readers)
     }
   }
   data.session = open_session(source, readers);
-  data.recipe = std::make_shared<const LogRecipe>(source.recipe());
   data.files = data.session->files;
   data.remarks = data.session->remarks;
   return data;

@@ -137,12 +137,13 @@ SessionFiles planned_session(const Source& source, Readers readers) {
   for (const SessionPlan::Test& test : plan.tests) {
     files.session.tests.push_back(test_of(plan, test, folder, readers));
   }
-  for (const std::string& file : plan.signal_files) files.signals.push_back(path_inside(folder, file, kOwner));
-  if (!plan.five_probe_file.empty()) files.five_probe = path_inside(folder, plan.five_probe_file, kOwner);
+  for (const std::string& file : plan.signal_files)
+    files.signals.push_back(source.like(path_inside(folder, file, kOwner)));
+  if (!plan.five_probe_file.empty()) files.five_probe = source.like(path_inside(folder, plan.five_probe_file, kOwner));
   files.ball = plan.ball;
-  files.files = files.signals;
+  files.files = paths_of(files.signals);
   files.files.push_back(path);
-  if (files.five_probe) files.files.push_back(*files.five_probe);
+  if (files.five_probe) files.files.push_back(files.five_probe->path());
   for (std::size_t i = 0; i < plan.tests.size(); ++i) {
     for (const SessionPlan::File& one : SessionPlan::kFiles) {
       const std::string& file = plan.tests[i].*one.member;
@@ -295,7 +296,7 @@ SessionFiles open_session(const Source& source, Readers readers) {
                                : planned_session(source, readers);
   }
   const fs::path plan = path / "session.toml";
-  return fs::exists(plan, error) ? planned_session(plan, readers)
+  return fs::exists(plan, error) ? planned_session(source.like(plan), readers)
                                  : session_of_folder(path, readers, source.recipe().every_s);
 }
 

@@ -59,4 +59,25 @@ const Column* find_column(const Series& series, std::string_view name) {
   return column == series.columns.end() ? nullptr : &*column;
 }
 
+std::vector<std::string> column_names(const Series& series) {
+  std::vector<std::string> names;
+  names.reserve(series.columns.size());
+  for (const Column& column : series.columns) names.push_back(column.name);
+  return names;
+}
+
+bool is_target(const Column& column) {
+  return column.role == Role::measured && column.name.find("_sigma_") == std::string::npos;
+}
+
+std::string free_name(std::string_view name, std::set<std::string>& taken) {
+  const std::string_view unit = unit_of(name);
+  const std::string end = unit.empty() ? "" : "_" + std::string(unit);
+  const std::string stem(name.substr(0, name.size() - end.size()));
+  std::string full(name);
+  for (int k = 2; full == "time_s" || full == "time_min" || !taken.insert(full).second; ++k)
+    full = stem + "_" + std::to_string(k) + end;
+  return full;
+}
+
 }  // namespace ballbar

@@ -127,7 +127,7 @@ TEST(simulated_files, read_back) {
     }
     EXPECT_EQ(again.signals.size(), 1u);
     ASSERT_TRUE(again.five_probe.has_value());
-    EXPECT_EQ(read_series(read_bytes(*again.five_probe, kLargestTable), "p").five_probe->spacing_mm, 60.0);
+    EXPECT_EQ(read_series(read_bytes(again.five_probe->path(), kLargestTable), "p").five_probe->spacing_mm, 60.0);
     EXPECT_EQ(read_series(read_bytes(scratch.path() / "truth.csv", kLargestTable), "t").time_s,
               (std::vector<double>{0.0, 600.0}));
   }

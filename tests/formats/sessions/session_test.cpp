@@ -135,8 +135,8 @@ TEST(session, two_arcs) {
     EXPECT_EQ(files.session.tests[1].name, "01-c.csv");
     EXPECT_EQ(files.session.tests[1].c_arc->length_mm.size(), 3u);
     EXPECT_EQ(files.session.tests[1].a_arc->plane, Plane::YZ);
-    EXPECT_EQ(files.signals, std::vector<fs::path>{folder.path() / "temperatures.csv"});
-    EXPECT_EQ(files.five_probe, folder.path() / "five-probe.csv");
+    EXPECT_EQ(paths_of(files.signals), std::vector<fs::path>{folder.path() / "temperatures.csv"});
+    EXPECT_EQ(files.five_probe.value().path(), folder.path() / "five-probe.csv");
   }
 }
 

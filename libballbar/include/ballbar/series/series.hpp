@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,5 +61,13 @@ std::optional<Role> role_from_name(std::string_view name);
 
 // The column of that name, or nullptr.
 const Column* find_column(const Series& series, std::string_view name);
+
+std::vector<std::string> column_names(const Series& series);
+
+// What a model could explain: measured, and no sigma of another column.
+bool is_target(const Column& column);
+
+// The name, with a number before its unit where it is taken already; it is taken then.
+std::string free_name(std::string_view name, std::set<std::string>& taken);
 
 }  // namespace ballbar

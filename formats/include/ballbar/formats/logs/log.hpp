@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -62,6 +63,11 @@ struct WorkbookSheets {
 
 // None of another file. Throws Error where it is damaged.
 WorkbookSheets sheets_of(const Source& source);
+
+inline constexpr std::size_t kShownRows = 5;
+
+// Sets the first values, at most kShownRows, and the gaps of a column.
+void show_values(LogColumn& column, std::span<const double> values);
 
 // What a user states of the columns of a series that is no log: roles, names, units where there is none, what is left
 // out. Throws Error with `name` where it has no such column.

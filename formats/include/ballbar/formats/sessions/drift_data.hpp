@@ -21,7 +21,6 @@ struct DriftData {
   std::shared_ptr<const Series> series;
   std::vector<std::filesystem::path> files;  // all that were read
   std::vector<std::string> remarks;          // what a log was taken for, whole lines; none of a ballbar series
-  std::shared_ptr<const LogRecipe> recipe;   // of the logs of a session; nullptr: nothing is known
 };
 
 // What `open_series` says besides.

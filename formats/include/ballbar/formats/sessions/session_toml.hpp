@@ -63,8 +63,8 @@ struct TestFile {
 // Everything the plan names, read. A path may not leave the folder, not through a link either.
 struct SessionFiles {
   Session session;
-  std::vector<std::filesystem::path> signals;
-  std::optional<std::filesystem::path> five_probe;
+  std::vector<Source> signals;  // read as the user says of the session
+  std::optional<Source> five_probe;
   BallPlace ball;
   std::vector<TestFile> recordings;          // in the order of the tests
   std::vector<std::filesystem::path> files;  // all that make up the session, itself included
