@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "ballbar/diagnosis/posterior/search_options.hpp"
@@ -31,6 +32,12 @@ void show_so_far(const std::vector<ProbableSoFar>& effects) {
   show_progress(json_of(so_far).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
+std::set<std::string> labels_of(const Model& model) {
+  std::set<std::string> labels;
+  for (const Term& term : model.terms) labels.insert(label_of(term));
+  return labels;
+}
+
 // Terms of the model that its file did not have before its first revision.
 std::vector<std::size_t> terms_added(const ModelOptions& options, const Model& model) {
   if (options.model.empty()) return {};
@@ -39,13 +46,33 @@ std::vector<std::size_t> terms_added(const ModelOptions& options, const Model& m
   const std::size_t revisions = read_ledger(bytes, file).size();
   if (revisions < 2) return {};
   for (std::size_t revision = 1; revision < revisions; ++revision) bytes = without_last_revision(bytes, file);
-  std::set<std::string> first;
-  for (const Term& term : read_model(bytes, file).terms) first.insert(label_of(term));
+  const std::set<std::string> first = labels_of(read_model(bytes, file));
   std::vector<std::size_t> added;
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
     if (!first.contains(label_of(model.terms[t]))) added.push_back(t);
   }
   return added;
+}
+
+// Labels of effects of the model that a revision added although the data did not support it.
+std::vector<std::string> unsupported_of(const ModelOptions& options, const Model& model) {
+  if (options.model.empty()) return {};
+  const std::string& file = options.model.name();
+  std::string bytes = options.model.bytes(kLargestText);
+  const std::vector<LedgerRow> rows = read_ledger(bytes, file);
+  std::set<std::string> after = labels_of(read_model(bytes, file, options.catalogue)), added;
+  for (auto row = rows.rbegin(); row != rows.rend() && std::next(row) != rows.rend(); ++row) {
+    bytes = without_last_revision(bytes, file);
+    std::set<std::string> before = labels_of(read_model(bytes, file, options.catalogue));
+    if (row->verdict == kNotSupported)
+      std::set_difference(after.begin(), after.end(), before.begin(), before.end(), std::inserter(added, added.end()));
+    after = std::move(before);
+  }
+  std::vector<std::string> held;
+  for (const Term& term : model.terms) {
+    if (added.contains(label_of(term))) held.push_back(label_of(term));
+  }
+  return held;
 }
 
 }  // namespace
@@ -92,6 +119,14 @@ std::string next_text(const DiagnosisReport& diagnosis_report) {
   return "another run of the machine. `ballbar plan` finds which one, and says how surely it would decide.";
 }
 
+std::string unsupported_text(const DiagnosisReport& report) {
+  if (report.unsupported.empty()) return "";
+  return fmt::format(
+      "The model holds {}, which the data did not support when it was added: the verdict holds only if "
+      "it is real.",
+      fmt::join(report.unsupported, " and "));
+}
+
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {
   std::vector<std::string> texts;
   const std::size_t shown = bounds.size() > kLabels + 1 ? kLabels : bounds.size();
@@ -129,6 +164,7 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& benc
     report.next_tests = next_tests(bench.model(), bench.data(), found);
     report.command = next_command(options, found);
     report.hint = next_hint(options, found);
+    report.unsupported = unsupported_of(options, bench.model());
     return report;
   });
 }

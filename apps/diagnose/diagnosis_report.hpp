@@ -34,6 +34,8 @@ struct DiagnosisReport {
   std::string plan_command;  // that plans it; empty: none, or data that nobody can type
   std::string hint;          // what to do where no command does it, a sentence; or empty
   std::vector<StandIn> stand_ins;
+  std::vector<std::string> unsupported;  // labels of effects of the model that were kept although no data
+                                         // supported them
 };
 
 // The effects that were added to the model's file, each a hypothesis again: what stood in for others.
@@ -54,6 +56,9 @@ const std::vector<BoundEffect>& best_of(const Diagnosis& found);
 
 // The test that would tell what is left open, whole sentences; empty where nothing is left to tell.
 std::string next_text(const DiagnosisReport& diagnosis_report);
+
+// What of the model is not supported, a sentence; empty: nothing.
+std::string unsupported_text(const DiagnosisReport& report);
 
 // The first few, and how many more there are: "A or B or one of 3 more".
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between);

@@ -70,7 +70,8 @@ struct ResultType<DiagnosisReport> {
                      std::tuple{Field{"command", &DiagnosisReport::command, "to type next; empty: none"}},
                      fields_through(&DiagnosisReport::diagnosis, found));
   static constexpr std::tuple open = std::tuple_cat(
-      std::tuple{Field{"stand_ins", &DiagnosisReport::stand_ins, "effects added earlier that others explain better"}},
+      std::tuple{Field{"stand_ins", &DiagnosisReport::stand_ins, "effects added earlier that others explain better"},
+                 Field{"unsupported", &DiagnosisReport::unsupported, "effects of the model that no data supported"}},
       fields_through(&DiagnosisReport::diagnosis, hidden),
       std::tuple{Field{"next_test", &deciding_test, "that would decide; null: nothing is open"}});
   static constexpr std::tuple of_effects{Field{"effects", &Diagnosis::effects, kEffects}};

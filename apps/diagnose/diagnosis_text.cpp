@@ -77,15 +77,25 @@ Table candidate_table(const Diagnosis& found) {
   return table;
 }
 
+// "* the most probable set: together 0.719 um. "
+std::string set_text(const Diagnosis& found) {
+  const auto in_set = std::count_if(found.candidates.begin(), found.candidates.end(),
+                                    [](const Candidate& one) { return one.in_best_set; });
+  if (in_set < 2) return "* the most probable set. ";
+  return fmt::format("* the most probable set, which leaves {:.{}f} um. ", found.rmse_after_um,
+                     decimals_of(found.base.rmse_um) + 1);
+}
+
 void print_candidates(const Diagnosis& found) {
   if (found.candidates.empty()) return;
   fmt::print("\n{}", candidate_table(found).text(table_width()));
   const bool of_recordings = found.candidates.front().bound.effect->level == Level::recording;
   const bool best = found.candidates.front().in_best_set;
-  fmt::print("{}", wrapped(fmt::format("{}P: that it is missing. 2 ln B: 2 ln of how much more likely the readings are "
-                                       "with it; 10 is 150 to 1. Held out: {} left out, before and after.",
-                                       best ? "* the most probable set. " : "",
-                                       of_recordings ? "recordings, or quarters of their sweeps," : "cycles")));
+  fmt::print("{}",
+             wrapped(fmt::format(
+                 "{}P: that it is missing. 2 ln B: 2 ln of how much more likely the readings are "
+                 "with it; 10 is 150 to 1. RMSE: with it alone. Held out: {} left out, before and after.",
+                 best ? set_text(found) : "", of_recordings ? "recordings, or quarters of their sweeps," : "cycles")));
 }
 
 std::string posterior_text(const Diagnosis& found) {
@@ -141,6 +151,7 @@ void print_gains_by_run(const Diagnosis& found) {
 void print_text(const DiagnosisReport& diagnosis_report, const std::string& title) {
   const Diagnosis& found = diagnosis_report.diagnosis;
   fmt::print("{}\n{}\n\n", title, heading(diagnosis_report.residual_report.fit));
+  if (!diagnosis_report.unsupported.empty()) fmt::print("{}", wrapped(unsupported_text(diagnosis_report)));
   fmt::print("{}", wrapped(found.sentence));
   if (!diagnosis_report.command.empty()) fmt::print("\n{}\n", diagnosis_report.command);
   if (!diagnosis_report.hint.empty()) fmt::print("\n{}", wrapped(diagnosis_report.hint));

@@ -134,6 +134,7 @@ class Following {
     state_.logged_twice = columns_logged_twice(data);
     DiagnosisOptions how = how_.diagnosis;
     how.search.motion = log.data.motion;
+    how.fit_candidates = false;
     how.search.progress = [&](std::string_view step) { show_progress(fmt::format("{} values: {}", values, step)); };
     try {
       last_ = diagnose(log.model, data, 0, how);

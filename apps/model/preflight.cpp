@@ -148,6 +148,8 @@ std::string_view name_of(Testability testability) {
       return "other motion";
     case Testability::no_clock:
       return "no clock";
+    case Testability::rows_too_far_apart:
+      return "rows too far apart";
   }
   return "testable";
 }

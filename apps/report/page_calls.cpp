@@ -18,7 +18,8 @@ ReportRequest request_of(Texts words) {
   CommandLine app;  // with the options of logs
   ReportRequest request;
   add_report_options(app, request);
-  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  request.how.diagnosis.fit_candidates = false;  // a page asks for each: with
+  std::reverse(words.begin(), words.end());      // as CLI11 takes them
   try {
     app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
@@ -48,7 +49,8 @@ nlohmann::ordered_json PageCalls::answer(const nlohmann::json& call) {
   if (name == "search") return json_of(subject.found());
   if (name == "hold") return json_of(subject.held(call.at("settings").get<Texts>()));
   if (name == "add") return json_of(subject.add(call.at("effects").get<Texts>()));
-  if (name == "revise") return json_of(subject.revise(call.at("model").get<std::string>()));
+  if (name == "with") return json_of(subject.with(call.at("effects").get<Texts>()));
+  if (name == "revise") return json_of(subject.revise(call.at("model").get<std::string>(), call.value("keep", false)));
   if (name != "take_back") throw Error(fmt::format("expected a call of a page, found {}.", name));
   subject.take_back();
   return nlohmann::ordered_json::object();

@@ -20,7 +20,9 @@ namespace ballbar {
 //   search     what is missing: diagnose, summary, fit of recordings
 //   hold       the fit with "settings", EFFECT.PARAMETER=VALUE each, in the place of fitted values
 //   add        the fit with "effects"; the model's file stays as it was
-//   revise     what was added last becomes a revision of the file "model": its sentence, and the ledger
+//   with       the RMSE that "effects" would leave; the model stays
+//   revise     what was added last becomes a revision of the file "model", if the data support it or "keep" is true,
+//              and is taken back if not: its sentence, and the ledger
 //   take_back  what was added last is gone
 //
 // The answers of fitted, search, add and revise are keys of the report, to put in the place of its own.

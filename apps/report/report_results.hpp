@@ -74,9 +74,20 @@ struct ResultType<HeldPart> {
   static constexpr std::tuple fields{Field{"check", &HeldPart::check, "how it fits"}};
 };
 
+struct WithPart {
+  double rmse_um = 0.0;
+};
+
+template <>
+struct ResultType<WithPart> {
+  static constexpr std::string_view name = "WithPart";
+  static constexpr std::string_view meaning = "What a model would leave with more effects.";
+  static constexpr std::tuple fields{Field{"rmse_um", &WithPart::rmse_um, "that `add` leaves"}};
+};
+
 struct RevisedPart {
   std::string sentence;
-  bool supported = false;
+  bool supported = false, kept = false;
   Ledger ledger;
 };
 
@@ -86,6 +97,7 @@ struct ResultType<RevisedPart> {
   static constexpr std::string_view meaning = "A new revision of a model.";
   static constexpr std::tuple fields{Field{"sentence", &RevisedPart::sentence, "what it says in plain words"},
                                      Field{"supported", &RevisedPart::supported, "whether the data support it"},
+                                     Field{"kept", &RevisedPart::kept, "whether the model has it now"},
                                      Field{"ledger", &RevisedPart::ledger, ""}};
 };
 

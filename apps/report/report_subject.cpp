@@ -204,13 +204,24 @@ ModelPart ReportSubject::add(const std::vector<std::string>& effects) {
 
 void ReportSubject::take_back() { only_one().take_back(); }
 
-RevisedPart ReportSubject::revise(const std::string& file) {
+WithPart ReportSubject::with(const std::vector<std::string>& effects) {
   RevisedModel& model = only_one();
+  for (const std::string& effect : effects) expect_known_effect(effect);
+  return {model.bench().rmse_um_with(terms_of(effects, model.model(), *data_.for_model))};
+}
+
+RevisedPart ReportSubject::revise(const std::string& file, bool keep) {
+  RevisedModel& model = only_one();
+  const auto ledger = [&] { return ledger_of(read_ledger(model.text(), file)); };
+  if (const EffectTest& tried = model.bench().added(); !keep && tried.after.verdict == kNotSupported) {
+    const std::string sentence = conclusion(tried);
+    model.take_back();
+    return {sentence, false, false, ledger()};
+  }
   const EffectTest tried = model.revise();
   write_bytes(file, model.text());
   request_.model.model = file;
-  const std::vector<LedgerRow> rows = read_ledger(model.text(), file);
-  return {conclusion(tried), tried.after.verdict == "supported", ledger_of(rows)};
+  return {conclusion(tried), tried.after.verdict == "supported", true, ledger()};
 }
 
 }  // namespace ballbar

@@ -25,8 +25,10 @@ class ReportSubject {
   ModelPart found();                                        // what is missing
   HeldPart held(const std::vector<std::string>& settings);  // the fit with these values, as --set has them
   ModelPart add(const std::vector<std::string>& effects);   // the fit with them; its file stays as it was
-  RevisedPart revise(const std::string& file);              // what add() changed, written to the file
-  void take_back();                                         // what add() changed
+  WithPart with(const std::vector<std::string>& effects);   // what add() would leave
+  // What add() changed, written to the file; what the data do not support is taken back, but for keep.
+  RevisedPart revise(const std::string& file, bool keep);
+  void take_back();  // what add() changed
 
   // Whether the request is of these data, read as they were, none of whose files has changed since.
   bool is_of(const ReportRequest& request) const;

@@ -32,6 +32,8 @@ export type ComparePart = With<results.Comparison, "axes", Record<string, Compar
 export type Parameter = results.FittedParameter;
 export type Checked = results.CheckPart;
 
+export type Plan = results.Plan;
+
 export type Bound = results.Bound;
 export type Candidate = results.DrawnCandidate;
 export interface Diagnosed extends results.DiagnosisPart {

@@ -13,6 +13,7 @@
 #include "fit/multi_start.hpp"
 #include "fit/series_cost.hpp"
 #include "model/model_rows.hpp"
+#include "model/resolved_periods.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/median.hpp"
 #include "numerics/not_finite.hpp"
@@ -98,13 +99,13 @@ Eigen::VectorXd values_of(const std::vector<FittedParameter>& parameters) {
 
 }  // namespace
 
-Fit fit(const Model& model, const Series& data, std::size_t target, const FitOptions& options) {
-  expect_suits(model, data);
-  if (options.among_all_errors && is_of_machine_errors(model, data)) {
-    return fit_of_machine_errors(model, data, target, error_fitted(data, MachineErrorOptions{}));
+Fit fit(const Model& stated, const Series& data, std::size_t target, const FitOptions& options) {
+  expect_suits(stated, data);
+  if (options.among_all_errors && is_of_machine_errors(stated, data)) {
+    return fit_of_machine_errors(stated, data, target, error_fitted(data, MachineErrorOptions{}));
   }
   Fit result;
-  result.target = model.targets.at(target);
+  result.target = stated.targets.at(target);
   const Column& column = *find_column(data, result.target);
   result.row = rows_with_value(column);
   if (result.row.size() < 3) {
@@ -118,6 +119,7 @@ Fit fit(const Model& model, const Series& data, std::size_t target, const FitOpt
   result.sigma_um = stated_sigma_um(data, result.target, result.row);
   const Eigen::VectorXd measured = Eigen::VectorXd::Map(result.measured_um.data(), n);
 
+  const Model model = with_resolved_periods(stated, highest_Hz(result.time_s));
   const ModelRows rows(model, data, result.row);
   const Bounds bounds = bounds_of(model, rows);
   const auto free = static_cast<std::size_t>(std::count(bounds.held.begin(), bounds.held.end(), false));

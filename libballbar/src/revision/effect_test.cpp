@@ -11,6 +11,7 @@
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/error.hpp"
 #include "diagnosis/posterior/inference.hpp"
+#include "diagnosis/verdict/begun_terms.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/member_tests.hpp"
 #include "fit/machine_error_fit.hpp"
@@ -26,32 +27,6 @@ constexpr const char* kLowLikelihoodRatio = "it makes the readings hardly more l
 std::size_t free_parameters(const Term& term) {
   return static_cast<std::size_t>(
       std::count_if(term.settings.begin(), term.settings.end(), [](const Setting& setting) { return !setting.held; }));
-}
-
-std::vector<BoundEffect> bounds_of(const std::vector<Term>& terms) {
-  std::vector<BoundEffect> bounds;
-  bounds.reserve(terms.size());
-  for (const Term& term : terms) bounds.push_back({term.effect.get(), term.columns});
-  return bounds;
-}
-
-// The set of all that is tested; nothing: one of them adds nothing of its own.
-const EffectSet* set_of(Inference& found, const std::vector<BoundEffect>& bounds) {
-  std::vector<std::size_t> families;
-  for (const BoundEffect& bound : bounds) {
-    const std::optional<std::size_t> family = family_of(*found.problem, bound);
-    if (!family) return nullptr;
-    families.push_back(*family);
-  }
-  if (found.posterior.sets.empty()) return nullptr;
-  return &found.posterior.sets[set_of(*found.problem, found.posterior, std::move(families))];
-}
-
-std::size_t member_of(const Inference& found, const EffectSet& set, const BoundEffect& bound) {
-  const std::size_t family = *family_of(*found.problem, bound);
-  std::size_t m = 0;
-  while (found.problem->library.signatures[set.signatures[m]].family != family) ++m;
-  return m;
 }
 
 // What cannot be told from the model: it adds nothing of its own.
@@ -70,20 +45,11 @@ void relabel(std::vector<FittedParameter>& parameters, const std::string& from, 
   }
 }
 
-void begin_at(Term& term, const Term& fitted) {
-  for (std::size_t k = 0; k < term.settings.size(); ++k) {
-    Setting& setting = term.settings[k];
-    if (setting.held || setting.stated || term.effect->parameters[k].kind == ParameterKind::gain) continue;
-    setting.start = fitted.settings[k].start;
-    setting.stated = true;
-  }
-}
-
 // parameters: of the model with the terms.
 std::vector<Candidate> tested(Inference& found, const std::vector<Term>& terms,
                               std::vector<FittedParameter>& parameters) {
   const std::vector<BoundEffect> bounds = bounds_of(terms);
-  const EffectSet* set = set_of(found, bounds);
+  const EffectSet* set = set_of_all(found, bounds);
   std::vector<Candidate> result;
   if (set == nullptr) {
     for (const BoundEffect& bound : bounds) result.push_back(untestable_candidate(bound));
@@ -106,7 +72,7 @@ std::vector<Candidate> tested(Inference& found, const std::vector<Term>& terms,
 
 std::string verdict_of(const std::vector<Candidate>& added) {
   const auto any = [&](auto is) { return std::any_of(added.begin(), added.end(), is); };
-  if (any([](const Candidate& one) { return !one.doubts.empty(); })) return "not supported";
+  if (any([](const Candidate& one) { return !one.doubts.empty(); })) return std::string(kNotSupported);
   return any([](const Candidate& one) { return one.bound.effect->time_only; }) ? "time only" : "supported";
 }
 
@@ -132,18 +98,6 @@ bool is_usual(const Term& term, const Model& model, const Series& data) {
   return std::find(bindings.begin(), bindings.end(), term.columns) != bindings.end();
 }
 
-std::vector<Term> begun(Inference& found, std::vector<Term> terms) {
-  const std::vector<BoundEffect> bounds = bounds_of(terms);
-  const EffectSet* set = set_of(found, bounds);
-  if (set == nullptr) return terms;
-  const FittedSet fitted = fitted_set(*found.problem, found.posterior, *set, false);
-  for (std::size_t t = 0; t < terms.size(); ++t) {
-    const std::size_t m = member_of(found, *set, bounds[t]);
-    begin_at(terms[t], fitted.model.terms[found.problem->model.terms.size() + m]);
-  }
-  return terms;
-}
-
 std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Series& data, std::size_t target) {
   if (is_of_machine_errors(model, data)) return machine_error_drop_tests(model, count, data);
   DiagnosisOptions it_alone;
@@ -159,7 +113,7 @@ std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Se
     Model rest = model;
     rest.terms.erase(rest.terms.begin() + static_cast<std::ptrdiff_t>(t));
     Inference found = inference_of(rest, data, target, it_alone, {term});
-    if (const EffectSet* set = set_of(found, bounds_of({term}))) {
+    if (const EffectSet* set = set_of_all(found, bounds_of({term}))) {
       drop_test.likelihood_ratio = log_bayes_factor_of_member(found, *set, 0);
     }
     drop_test.p = 1.0 / (1.0 + std::exp(0.5 * drop_test.likelihood_ratio));

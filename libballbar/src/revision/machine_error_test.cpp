@@ -129,7 +129,7 @@ EffectTest machine_error_test(const Model& model, const std::vector<Term>& added
   result.after.change = fmt::format("{}", fmt::join(changes, ", "));
   const bool doubted =
       std::any_of(result.added.begin(), result.added.end(), [](const Candidate& one) { return !one.doubts.empty(); });
-  result.after.verdict = doubted ? "not supported" : "supported";
+  result.after.verdict = doubted ? kNotSupported : "supported";
   result.earlier = drop_tests_of(result.model, model.terms.size(), errors);
   for (const DropTest& test : result.earlier) {
     (test.needed ? result.after.still_needed : result.after.no_longer_needed).push_back(test.label);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ballbar/model/measured_input.hpp"
+#include "diagnosis/verdict/begun_terms.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "revision/effect_test_parts.hpp"
 
@@ -40,9 +41,17 @@ ResidualReport residual_report_of(const Model& model, const Series& data, std::s
   return report_of(fit(model, data, target, options), model, data);
 }
 
+// Effects that were fitted beside a model: it with them, their shapes begun. Its fit is soon made anew, and large.
+struct Tried {
+  std::vector<Term> terms;  // as they were given
+  Model model;
+  double rmse_um = 0.0;
+};
+
 // A model, and what was computed of it.
 struct Workbench::Step {
   Model model;
+  std::vector<Tried> tried;           // beside it
   std::vector<Term> added;            // to the step before, as they were given
   std::optional<Inference> of_added;  // of the step before with these terms; none: its own
   std::optional<Fit> fit;             // as the tests of effects have it
@@ -103,22 +112,38 @@ const Diagnosis& Workbench::diagnosis() {
   return *step.diagnosis;
 }
 
-void Workbench::add(const std::vector<Term>& terms) {
+std::unique_ptr<Workbench::Step> Workbench::step_with(const std::vector<Term>& terms) {
   auto next = std::make_unique<Step>();
-  next->model = model();
   next->added = terms;
-  Model with = model();
-  with.terms.insert(with.terms.end(), terms.begin(), terms.end());
-  expect_suits(with, *data_);
-  if (!is_of_machine_errors(with, *data_)) {
-    std::vector<Term> unusual = terms;
-    std::erase_if(unusual, [&](const Term& term) { return is_usual(term, model(), *data_); });
-    if (!unusual.empty()) next->of_added = inference_of(model(), *data_, 0, options_.diagnosis, unusual);
-    const std::vector<Term> first = begun(next->of_added ? *next->of_added : inference(now()), terms);
-    std::copy(first.begin(), first.end(), with.terms.end() - static_cast<std::ptrdiff_t>(terms.size()));
+  const auto known =
+      std::find_if(now().tried.begin(), now().tried.end(), [&](const Tried& one) { return one.terms == terms; });
+  if (known != now().tried.end()) {
+    next->model = known->model;
+    return next;
   }
-  next->model = std::move(with);
-  steps_.push_back(std::move(next));
+  next->model = model();
+  next->model.terms.insert(next->model.terms.end(), terms.begin(), terms.end());
+  expect_suits(next->model, *data_);
+  if (is_of_machine_errors(next->model, *data_)) return next;
+  std::vector<Term> unusual = terms;
+  std::erase_if(unusual, [&](const Term& term) { return is_usual(term, model(), *data_); });
+  if (!unusual.empty()) next->of_added = inference_of(model(), *data_, 0, options_.diagnosis, unusual);
+  next->model = model_with(next->of_added ? *next->of_added : inference(now()), model(), terms);
+  return next;
+}
+
+double Workbench::rmse_um_with(const std::vector<Term>& terms) {
+  for (const Tried& one : now().tried) {
+    if (one.terms == terms) return one.rmse_um;
+  }
+  const std::unique_ptr<Step> step = step_with(terms);
+  const double rmse_um = fit(step->model, *data_, 0, {.among_all_errors = true}).rmse_um;
+  if (!step->of_added) now().tried.push_back({terms, std::move(step->model), rmse_um});
+  return rmse_um;
+}
+
+void Workbench::add(const std::vector<Term>& terms) {
+  steps_.push_back(step_with(terms));
   if (steps_.size() > 2) steps_[steps_.size() - 3]->inference.reset();  // the largest part, and nobody asks for it
 }
 

@@ -106,6 +106,39 @@ TEST(PageCalls, what_was_added_is_taken_back) {
   EXPECT_EQ(calls.answer(desk.call("fitted")), before);
 }
 
+TEST(PageCalls, what_is_promised_is_what_comes) {
+  const Desk desk;
+  PageCalls calls;
+  const Json found = calls.answer(desk.call("search"));
+  for (const Json& one : found["diagnose"]["targets"][0]["candidates"]) {
+    EXPECT_TRUE(one["rmse_after_um"].is_null());  // asked for one by one
+    const Json effects{{"effects", {one["label"]}}};
+    const double promised_um = calls.answer(desk.call("with", effects))["rmse_um"].get<double>();
+    EXPECT_EQ(rmse_um(calls.answer(desk.call("add", effects))), promised_um) << one["label"];
+    calls.answer(desk.call("take_back"));
+  }
+}
+
+TEST(PageCalls, what_the_data_do_not_support_is_kept_only_if_asked) {
+  const Desk desk;
+  PageCalls calls;
+  const std::string first = read_bytes(desk.model, 1U << 20);
+  const Json before = calls.answer(desk.call("fitted"));
+  const Json cycle{{"effects", {"thermostat_cycle"}}};
+  calls.answer(desk.call("add", cycle));
+  const Json refused = calls.answer(desk.call("revise", {{"model", desk.model}}));
+  EXPECT_FALSE(refused["kept"].get<bool>());
+  EXPECT_FALSE(refused["sentence"].get<std::string>().empty());
+  EXPECT_EQ(read_bytes(desk.model, 1U << 20), first);
+  EXPECT_EQ(calls.answer(desk.call("fitted")), before);
+  calls.answer(desk.call("add", cycle));
+  const Json kept = calls.answer(desk.call("revise", {{"model", desk.model}, {"keep", true}}));
+  EXPECT_TRUE(kept["kept"].get<bool>());
+  EXPECT_FALSE(kept["supported"].get<bool>());
+  const Json found = calls.answer(desk.call("search"));
+  EXPECT_EQ(found["diagnose"]["targets"][0]["unsupported"], Json({"thermostat_cycle"}));
+}
+
 TEST(PageCalls, values_are_held_and_the_model_stays) {
   const Desk desk;
   PageCalls calls;

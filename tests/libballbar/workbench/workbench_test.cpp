@@ -81,6 +81,24 @@ TEST(Workbench, a_fit_of_the_model_is_the_fit_that_its_addition_tells) {
   EXPECT_EQ(fit(bench.model(), bench.data()).rmse_um, bench.added().fit_after.rmse_um);
 }
 
+TEST(Workbench, what_is_promised_is_what_comes) {
+  const auto data = data_of({1.0, 3, 200});
+  Workbench bench(data, made::by_speed());
+  const Diagnosis found = bench.diagnosis();
+  ASSERT_GT(found.candidates.size(), 1U);
+  for (const Candidate& one : found.candidates) {
+    const Term term = term_of(*one.bound.effect, one.bound.columns);
+    EXPECT_EQ(bench.rmse_um_with({term}), one.rmse_after_um) << one.label;
+    Workbench anew(data, made::by_speed());
+    anew.add({term});
+    bench.add({term});
+    EXPECT_EQ(bench.check().fit.rmse_um, one.rmse_after_um) << one.label;
+    EXPECT_EQ(anew.check().fit.rmse_um, one.rmse_after_um) << one.label;
+    ASSERT_TRUE(bench.undo());
+    EXPECT_LE(one.rmse_after_um, bench.check().fit.rmse_um) << one.label;
+  }
+}
+
 TEST(Workbench, a_test_that_cannot_be_made_leaves_the_model) {
   Workbench bench(data_of({3.0, 1, 200}), made::by_speed());
   EXPECT_THROW(bench.effect_test({term_of("expansion", {"T_absent_degC"})}), Error);

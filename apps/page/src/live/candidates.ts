@@ -1,6 +1,6 @@
 // What may be missing, most probable first; one button adds it. A row that is looked at draws its curve.
 import { button, element } from "../elements/elements";
-import { ranked_candidates } from "../diagnosis/ranking";
+import { best_set, ranked_candidates } from "../diagnosis/ranking";
 import { decimals_for, shown, with_sigma } from "../drawing/theme";
 import type { Candidate, Diagnosed, Num } from "../report";
 import { plain } from "../drawing/text";
@@ -11,20 +11,39 @@ const kFirst = 5; // the rest is opened if wanted
 // A label that holds a comma within a column's name could not be typed.
 const can_be_typed = ({ columns }: Candidate): boolean => Object.values(columns).every((column) => !column.includes(","));
 
+// What stands beside a "+": the RMSE that it leaves. Told when it is known.
+export interface Promised {
+  effects: readonly string[];
+  show(rmse_um: number): void;
+}
+
 export interface CandidateList {
   element: HTMLElement;
-  show(found: Diagnosed): void;
+  show(found: Diagnosed): readonly Promised[]; // those that are looked at first
   clear(): void;
 }
 
 export const candidate_list = (
-  add: (candidate: Candidate) => void,
+  add: (effects: readonly string[]) => void,
   look: (candidate: Candidate | null) => void,
+  promise: (promised: readonly Promised[]) => void, // of those that are opened
 ): CandidateList => {
   const box = element("div", { class: "live-candidates" });
 
-  const row_of = (candidate: Candidate, starred: boolean, rmse_um: number | null): HTMLElement => {
-    const plus = button("+", t.live_add_title({ effect: plain(candidate.label, 80) }), () => add(candidate));
+  const promised_of = (effects: readonly string[]): Promised & { element: HTMLElement } => {
+    const place = element("span", { class: "promise" }, "…");
+    return {
+      effects,
+      element: place,
+      show(rmse_um) {
+        place.textContent = t.live_promise({ rmse: rmse_shown(rmse_um) });
+        place.dataset.rmse = rmse_shown(rmse_um);
+      },
+    };
+  };
+
+  const row_of = (candidate: Candidate, starred: boolean): { element: HTMLElement; promised: Promised } => {
+    const plus = button("+", t.live_add_title({ effect: plain(candidate.label, 80) }), () => add([candidate.label]));
     plus.className = "plus";
     plus.setAttribute("aria-label", t.live_add_title({ effect: plain(candidate.label, 80) }));
     plus.disabled = !can_be_typed(candidate);
@@ -32,28 +51,42 @@ export const candidate_list = (
     bar.style.setProperty("--share", String(Math.min(1, Math.max(0, candidate.p ?? 0))));
     const decimals = decimals_for(candidate.amplitude_um, candidate.amplitude_sigma_um);
     const name = element("bdi", {}, `${plain(candidate.label, 60)}${starred ? " *" : ""}`);
-    const figures = t.live_candidate({ p: shown(candidate.p, 2), amplitude: with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, Math.min(3, decimals)), rmse: `${shown(rmse_um, 2)} → ${shown(candidate.rmse_after_um, 2)}` });
-    const row = element("li", {}, plus, bar, name, element("span", { class: "figures" }, figures));
+    const figures = t.live_candidate({ p: shown(candidate.p, 2), amplitude: with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, Math.min(3, decimals)) });
+    const promised = promised_of([candidate.label]);
+    const row = element("li", {}, plus, bar, name, element("span", { class: "figures" }, figures, ", ", promised.element));
     row.addEventListener("pointerenter", () => look(candidate));
     row.addEventListener("pointerleave", () => look(null));
     row.addEventListener("focusin", () => look(candidate));
     row.addEventListener("focusout", () => look(null));
-    return row;
+    return { element: row, promised };
+  };
+
+  // The most probable set as one step, where it has several effects.
+  const set_of = (found: Diagnosed): { element: HTMLElement; promised: Promised } | null => {
+    const set = best_set(found);
+    if (set.length < 2 || !set.every(can_be_typed)) return null;
+    const labels = set.map(({ label }) => label);
+    const plus = button(t.live_add_all, t.live_add_all_title({ effects: labels.map((label) => plain(label, 60)).join(", ") }), () => add(labels));
+    plus.className = "plus-all";
+    const promised = promised_of(labels);
+    return { element: element("p", { class: "all-of-these" }, plus, " ", promised.element), promised };
   };
 
   return {
     element: box,
     show(found) {
-      const all = ranked_candidates(found);
-      const rows = all.map(({ candidate, starred }) => row_of(candidate, starred, found.rmse_um));
-      const first = element("ul", {}, ...rows.slice(0, kFirst));
+      const rows = ranked_candidates(found).map(({ candidate, starred }) => row_of(candidate, starred));
+      const set = set_of(found);
+      const list = (some: typeof rows): HTMLElement => element("ul", {}, ...some.map((row) => row.element));
       const rest = rows.slice(kFirst);
+      const more = element("details", {}, element("summary", {}, t.live_more_candidates({ count: rest.length })), list(rest));
+      more.addEventListener("toggle", () => promise(rest.map(({ promised }) => promised)), { once: true });
       box.replaceChildren(
-        ...(rows.length > 0 ? [element("h3", {}, t.live_may_be_missing), first] : []),
-        ...(rest.length > 0
-          ? [element("details", {}, element("summary", {}, t.live_more_candidates({ count: rest.length })), element("ul", {}, ...rest))]
-          : []),
+        ...(rows.length > 0 ? [element("h3", {}, t.live_may_be_missing), list(rows.slice(0, kFirst))] : []),
+        ...(set ? [set.element] : []),
+        ...(rest.length > 0 ? [more] : []),
       );
+      return [...rows.slice(0, kFirst), ...(set ? [set] : [])].map(({ promised }) => promised);
     },
     clear() {
       box.replaceChildren();
@@ -120,6 +153,9 @@ export interface Fall {
 
 const decimals_of = (value: Num): number => (value !== null && value > 0 ? Math.min(4, Math.max(2, 2 - Math.floor(Math.log10(value)))) : 2);
 
+// The same digits before a step and after it.
+export const rmse_shown = (value: Num): string => shown(value, decimals_of(value));
+
 export const fall_shown = (): Fall => {
   const now = element("strong", { class: "rmse" });
   const comparison = element("span", { class: "beside" });
@@ -130,12 +166,11 @@ export const fall_shown = (): Fall => {
   return {
     element: all,
     show({ before, now: value, floor, moved }) {
-      const decimals = decimals_of(value);
       const most = Math.max(before ?? 0, value ?? 0) || 1;
-      now.textContent = t.live_rmse({ value: shown(value, decimals) });
+      now.textContent = t.live_rmse({ value: rmse_shown(value) });
       comparison.textContent = [
-        ...(before === null ? [] : [moved ? t.live_rmse_at_optimum({ value: shown(before, decimals) }) : t.live_rmse_before({ value: shown(before, decimals) })]),
-        ...(floor === null ? [] : [t.live_floor({ value: shown(floor, decimals) })]),
+        ...(before === null ? [] : [moved ? t.live_rmse_at_optimum({ value: rmse_shown(before) }) : t.live_rmse_before({ value: rmse_shown(before) })]),
+        ...(floor === null ? [] : [t.live_floor({ value: rmse_shown(floor) })]),
       ].join(", ");
       bar_before.hidden = before === null;
       mark.hidden = floor === null;

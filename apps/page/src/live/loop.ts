@@ -1,5 +1,5 @@
 // The loop with the hand: what a model leaves, its effects under sliders, what may be missing, and a step forth and back.
-import { candidate_list, fall_shown, posterior_bars } from "./candidates";
+import { candidate_list, fall_shown, posterior_bars, type Promised } from "./candidates";
 import { type Catalogue, model_list } from "./model_list";
 import { added_by, Interrupted, type Part, reason, type Runs, type Subject, words_of, type Work } from "./runs";
 import { button, element, select_of } from "../elements/elements";
@@ -35,7 +35,8 @@ export interface Loop {
   proves(): boolean; // whether it has the picture that the first screen needs
   show(report: Report): void;
   search(): Promise<void>;
-  add(effects: readonly string[]): Promise<void>;
+  // What the data do not support is shown and taken back, but for keep.
+  add(effects: readonly string[], keep?: boolean): Promise<void>;
   undo(): Promise<void>;
   redo(): Promise<void>;
   act(command: string): boolean; // whether it did what the command line says
@@ -43,6 +44,8 @@ export interface Loop {
   to_optimum(): void;
   first_slider(effect: string): ReturnType<ReturnType<typeof model_list>["slider"]>;
 }
+
+class Unsupported extends Error {}
 
 const of_target = <T extends { target: string }>(targets: readonly T[] | undefined, target: string): T | undefined =>
   targets?.find((one) => one.target === target) ?? targets?.[0];
@@ -70,6 +73,14 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const next = button("", "", () => loop.act(found?.command ?? ""));
   next.className = "act";
   next.hidden = true;
+  // What the data did not support, and was not kept; or what the model holds all the same.
+  const refusal = element("p", { class: "refusal", role: "status" });
+  refusal.hidden = true;
+  const refuse = (text: string, effects: readonly string[]): void => {
+    const keep = button(t.live_keep, t.live_keep_title, () => void loop.add(effects, true));
+    refusal.replaceChildren(element("span", { lang: "en" }, micrometres(text)), " ", keep);
+    refusal.hidden = false;
+  };
   const place = element("div", { class: "picture" });
   const fall = fall_shown();
   const posterior = posterior_bars();
@@ -124,12 +135,29 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   };
   const back = button(t.live_to_optimum, t.live_to_optimum_title, to_optimum);
 
+  // One after the other, until the model is another: each takes a moment, and none is stopped, for what stops a call
+  // makes the program forget what it has computed.
+  let promising = 0;
+  const promise = async (all: readonly Promised[]): Promise<void> => {
+    const mine = ++promising;
+    const of_subject = subject;
+    for (const one of all) {
+      if (mine !== promising || of_subject !== subject) return;
+      try {
+        one.show(await runs.rmse_with(of_subject, one.effects));
+      } catch (error) {
+        if (error instanceof Interrupted) return;
+      }
+    }
+    if (mine === promising) all_promised();
+  };
   const candidates = candidate_list(
-    (one) => void loop.add([one.label]),
+    (effects) => void loop.add(effects),
     (one) => {
       candidate = one;
       made?.figure.renew();
     },
+    (opened) => void promise(opened),
   );
   const undo = button(t.live_undo, t.live_undo_title, () => void loop.undo());
   const redo = button(t.live_redo, t.live_redo_title, () => void loop.redo());
@@ -158,7 +186,10 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     list.element,
     plan.element,
   );
-  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, sentence, next), element("div", { class: "by-hand" }, place, hand));
+  const all_promised = (): void => {
+    all.dataset.promised = "true";
+  };
+  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, refusal, sentence, next), element("div", { class: "by-hand" }, place, hand));
 
   const now = (): Now => ({
     report: report as Report,
@@ -202,8 +233,15 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     next.hidden = effects.length === 0;
     next.textContent = t.live_add_named({ effects: effects.map((effect) => plain(effect, 60)).join(", ") });
     next.title = found?.command ?? "";
+    delete all.dataset.promised;
+    ++promising;
     if (!found) return candidates.clear();
-    candidates.show(found);
+    const held = found.unsupported.map((effect) => plain(effect, 60)).join(", ");
+    refusal.hidden = held === "";
+    refusal.textContent = held === "" ? "" : t.live_unsupported({ effects: held });
+    const promised = candidates.show(found);
+    if (!work.busy()) void promise(promised);
+    else void last_change.then(() => promise(promised));
     plan.show(found);
   };
 
@@ -231,7 +269,8 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
 
   // Step by step, the fit first; where one is stopped, or cannot be made, the model is as it was.
   const change_model = async (...steps: (() => Promise<Part>)[]): Promise<void> => {
-    work.stop(); // a search of the model before
+    ++promising;
+    if (all.dataset.search === "running") work.stop(); // of the model before
     const [of_before, was, report_before] = [subject, fitted, report];
     const model = subject.model === "" ? null : await of.bytes_of(subject.model);
     try {
@@ -295,22 +334,28 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
           posterior.clear();
         }
       }),
-    async add(effects) {
+    async add(effects, keep = false) {
       if (changes > 0) return; // pressed twice
       await changing(async () => {
         candidate = null;
         const folder = (subject.data[0] ?? "").replace(/\/[^/]*$/, "");
         const model = subject.model || runs.free_name(folder, "model.toml");
         let sentence_of_it = "";
-        await change_model(
-          () => runs.add(subject, effects),
-          async () => {
-            const { sentence, ledger } = await runs.revise(subject, model);
-            sentence_of_it = sentence;
-            subject = { ...subject, model };
-            return ledger ? { ledger } : {};
-          },
-        );
+        try {
+          await change_model(
+            () => runs.add(subject, effects),
+            async () => {
+              const { sentence, kept, ledger } = await runs.revise(subject, model, keep);
+              sentence_of_it = sentence;
+              if (!kept) throw new Unsupported();
+              subject = { ...subject, model };
+              return ledger ? { ledger } : {};
+            },
+          );
+        } catch (error) {
+          if (!(error instanceof Unsupported)) throw error;
+          return refuse(sentence_of_it, effects);
+        }
         forth.length = 0;
         update();
         undo.focus({ preventScroll: true }); // the button that was pressed is gone

@@ -1,7 +1,7 @@
 // The run of the machine that would decide what is open: asked for by a button, because it takes long.
 import { last_part } from "./files";
 import { button, details_of, element, select_of, table_of } from "../elements/elements";
-import type { Diagnosed, Num } from "../report";
+import type { Diagnosed, Plan } from "../report";
 import { answer_of, plan_words, reason, type Runs, type Subject, type Work } from "./runs";
 import { save } from "../figure/files";
 import { plain } from "../drawing/text";
@@ -10,14 +10,8 @@ import { duration_spoken } from "./spoken";
 import { t } from "../texts/texts";
 import type { Engine } from "../engine";
 
-export interface Planned {
-  sentence: string;
-  tests: { kind: string; hours: number; p_right: Num; p_right_sigma: Num; p_part: Num; p_wrong: Num; truths: number }[];
-  curves: { effects: string; p: Num }[];
-}
-
 export interface PlannedFiles {
-  plan: Planned;
+  plan: Plan;
   files: readonly { name: string; bytes: Uint8Array }[];
 }
 
@@ -30,12 +24,12 @@ export interface NextTest {
 const kSearches = 60; // simulated tests are diagnosed, about
 const kHours = [4, 8, 12, 24];
 
-const tests_table = (tests: Planned["tests"]): HTMLElement =>
+const tests_table = (tests: Plan["tests"]): HTMLElement =>
   table_of({
     title: t.live_tests,
     heading: [t.live_test, t.live_test_hours, t.live_p_right, t.live_p_some, t.live_p_wrong, t.live_simulated],
     rows: tests.map((one) => [
-      plain(one.kind, 60),
+      plain(one.test, 60),
       shown(one.hours),
       `${shown(one.p_right, 2)} ± ${shown(one.p_right_sigma, 2)}`,
       shown(one.p_part, 2),
@@ -116,7 +110,7 @@ export const planned_with =
   async (subject, hours) => {
     try {
       const folder = runs.free_name("plans", "plan");
-      const plan = answer_of<Planned>(await work.run(plan_words(subject, hours, folder), { what: t.live_planning }));
+      const plan = answer_of<Plan>(await work.run(plan_words(subject, hours, folder), { what: t.live_planning }));
       const paths = engine.list().flatMap(({ path }) => (path.startsWith(`${folder}/`) ? [path] : []));
       const files = await Promise.all(paths.map(async (path) => ({ name: last_part(path), bytes: await engine.get(path) })));
       return { plan, files };

@@ -221,7 +221,9 @@ export interface Runs {
   search(subject: Subject, progress: (line: string) => void): Promise<Part>;
   set(subject: Subject, settings: readonly Setting[]): Promise<Part>;
   add(subject: Subject, effects: readonly string[]): Promise<Part>; // the fit alone: no file is written
-  revise(subject: Subject, model: string): Promise<Part & { sentence: string; supported: boolean }>; // the file too
+  // Into the file, if the data support it, or keep is true.
+  revise(subject: Subject, model: string, keep: boolean): Promise<Part & { sentence: string; kept: boolean }>;
+  rmse_with(subject: Subject, effects: readonly string[]): Promise<number>; // that add would leave, um
   take_back(subject: Subject): Promise<void>; // what was added, and is in no file
   try(subject: Subject, effect: string): Promise<string>; // what it would change
   undo(model: string): Promise<void>;
@@ -239,7 +241,9 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
       call("hold", model_words(subject), { what: t.live_moving }, { settings: settings.map(setting_text) }),
     add: (subject, effects) =>
       call("add", model_words(subject), { what: t.live_adding({ effect: effects.join(", ") }) }, { effects }),
-    revise: (subject, model) => call("revise", model_words(subject), { what: t.live_testing }, { model }),
+    revise: (subject, model, keep) => call("revise", model_words(subject), { what: t.live_testing }, { model, keep }),
+    rmse_with: async (subject, effects) =>
+      (await call<{ rmse_um: number }>("with", model_words(subject), { what: t.live_promising }, { effects })).rmse_um,
     take_back: (subject) => call("take_back", model_words(subject), { what: t.live_undoing }),
     try: async (subject, effect) =>
       answer_of<{ sentence: string }>(await work.run(try_words(subject, effect), { what: t.live_trying({ effect }) })).sentence,

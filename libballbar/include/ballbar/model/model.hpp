@@ -19,12 +19,16 @@ struct Setting {
   double lower = 0.0;
   double upper = 0.0;
   bool stated = false;  // the user chose the start: no grid is searched
+
+  bool operator==(const Setting& other) const = default;
 };
 
 struct Term {
   std::shared_ptr<const Effect> effect;  // of a catalogue, or a user's expression
   std::vector<std::string> columns;      // of the data, as effect->inputs
   std::vector<Setting> settings;         // as effect->parameters
+
+  bool operator==(const Term& other) const = default;
 };
 
 // What a column was while the model was fitted.

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ballbar/model/model.hpp"
@@ -15,6 +16,8 @@
 namespace ballbar {
 
 // NaN: not known.
+inline constexpr std::string_view kNotSupported = "not supported";
+
 struct LedgerRow {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::size_t revision = 0;                 // 0: the model as it started

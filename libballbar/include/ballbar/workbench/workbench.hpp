@@ -51,6 +51,8 @@ class Workbench {
   // Each throws Error as fit does, and then is as it was.
   const ResidualReport& check();
   const Diagnosis& diagnosis();
+  // The RMSE that add() would leave; the model stays.
+  double rmse_um_with(const std::vector<Term>& terms);
   // What the effects would change; the model stays.
   EffectTest effect_test(const std::vector<Term>& terms);
 
@@ -67,6 +69,7 @@ class Workbench {
  private:
   struct Step;
   Step& now() const;
+  std::unique_ptr<Step> step_with(const std::vector<Term>& terms);
   const Fit& plain_fit(Step& step) const;
   FittedModel fitted(Step& step) const;
   Inference& inference(Step& step) const;

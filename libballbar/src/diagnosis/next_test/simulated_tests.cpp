@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <thread>
 #include <utility>
 
 #include "ballbar/diagnosis/thresholds.hpp"
@@ -87,11 +89,16 @@ std::vector<Truth> SimulatedTests::drawn(std::size_t count, std::uint64_t stage)
   return truths_->drawn(count, random);
 }
 
-ExpectedTest SimulatedTests::expected(ExpectedTest test, const std::vector<Truth>& truths) const {
+ExpectedTest SimulatedTests::expected(ExpectedTest test, const std::vector<Truth>& truths,
+                                      const std::function<void(std::size_t)>& done) const {
   std::vector<Score> outcomes(truths.size());
+  std::atomic<std::size_t> ended = 0;
+  const std::thread::id caller = std::this_thread::get_id();
   in_parallel(truths.size(), [&](std::size_t k) {
     std::mt19937_64 random = simulation::stream_of(options_.search.seed, simulation::Stream::signal, 1000 + k);
     outcomes[k] = score_under(test.schedule, truths[k], random);
+    ++ended;
+    if (std::this_thread::get_id() == caller) done(ended);
   });
   test.truths = truths.size();
   const auto n = static_cast<double>(truths.size());
@@ -167,6 +174,7 @@ DiagnosisOptions SimulatedTests::simulated_options() const {
   how.search.progress = {};
   how.surrogates = kSurrogatesSimulated;
   how.most_rows = kRowsSimulated;
+  how.fit_candidates = false;
   return how;
 }
 
@@ -197,7 +205,8 @@ SimulatedTests::Score SimulatedTests::score_of(const Truth& truth, const Diagnos
 
 Diagnosis SimulatedTests::diagnosis_with(const Model& model, const Series& data) const {
   const DiagnosisOptions how = simulated_options();
-  return diagnosis_of(inference_of(model, data, target_index_, how, {}, covariances_), model, data, target_index_, how);
+  Inference found = inference_of(model, data, target_index_, how, {}, covariances_);
+  return diagnosis_of(found, model, data, target_index_, how);
 }
 
 SimulatedTests::Score SimulatedTests::score_under(const Schedule& schedule, const Truth& truth,

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <random>
@@ -31,8 +32,9 @@ class SimulatedTests {
   // The same truths at each stage of a design.
   std::vector<Truth> drawn(std::size_t count, std::uint64_t stage) const;
 
-  // A whole diagnosis of each truth.
-  ExpectedTest expected(ExpectedTest test, const std::vector<Truth>& truths) const;
+  // A whole diagnosis of each truth. done: told of how many are, by the thread that asked.
+  ExpectedTest expected(ExpectedTest test, const std::vector<Truth>& truths,
+                        const std::function<void(std::size_t)>& done) const;
 
   // P(right) of the run alone with a thermometer where an effect's heat goes: it shows that heat, whether it moves
   // anything or not. To name an effect of its column is then to name that effect.

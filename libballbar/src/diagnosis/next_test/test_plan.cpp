@@ -54,11 +54,22 @@ std::vector<ExpectedTest> tests_of(const SimulatedTests& design, const std::vect
     if (kinds[item.kind].empty()) order.push_back(item.kind);
     kinds[item.kind].push_back(&item);
   }
+  // More where shorter tests are tried too.
+  std::size_t simulated = 0, whole = order.size() * kScreened + kTruths;
+  const auto expected = [&](const ExpectedTest& test, const std::vector<Truth>& truths) {
+    whole = std::max(whole, simulated + truths.size());
+    const auto tell = [&](std::size_t done) {
+      design.tell(fmt::format("simulating {:g} h of {}, {} of {}", test.hours, test.kind, simulated + done, whole));
+    };
+    tell(0);
+    ExpectedTest result = design.expected(test, truths, tell);
+    simulated += truths.size();
+    return result;
+  };
   const std::vector<Truth> few = design.drawn(kScreened, 0);
   std::vector<ExpectedTest> longest, all;
   for (const std::string& kind : order) {
-    design.tell(fmt::format("simulating {:g} h of {}", kinds[kind].back()->hours, kind));
-    longest.push_back(design.expected(*kinds[kind].back(), few));
+    longest.push_back(expected(*kinds[kind].back(), few));
   }
   std::stable_sort(longest.begin(), longest.end(), is_better);
   for (std::size_t k = 0; k < longest.size(); ++k) {
@@ -67,8 +78,7 @@ std::vector<ExpectedTest> tests_of(const SimulatedTests& design, const std::vect
     bool enough = k < kKindsKept && longest[k].p_right >= kSureEnough;
     all.push_back(std::move(longest[k]));
     for (std::size_t i = items.size() - 1; i-- > 0 && enough;) {
-      design.tell(fmt::format("simulating {:g} h of {}", items[i]->hours, items[i]->kind));
-      all.push_back(design.expected(*items[i], few));
+      all.push_back(expected(*items[i], few));
       enough = all.back().p_right >= kSureEnough;
     }
   }
@@ -78,11 +88,10 @@ std::vector<ExpectedTest> tests_of(const SimulatedTests& design, const std::vect
   for (int round = 0; round < 2; ++round) {
     const std::size_t best = chosen(all);
     if (!(all[best].p_part > 0.0) || !promised.insert(best).second) break;
-    design.tell(fmt::format("simulating {:g} h of {} with {} truths", all[best].hours, all[best].kind, kTruths));
     const auto item = std::find_if(menu.begin(), menu.end(), [&](const ExpectedTest& one) {
       return one.kind == all[best].kind && one.hours == all[best].hours;
     });
-    all[best] = design.expected(*item, fresh);
+    all[best] = expected(*item, fresh);
   }
   std::size_t best = chosen(all);
   if (!promised.empty() && promised.count(best) == 0)
@@ -246,6 +255,7 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
   DiagnosisOptions how;
   how.search = options.search;
   how.search.progress = {};
+  how.fit_candidates = false;
   const Diagnosis now = diagnose(with_run_terms(without_run_terms(model), distinct.data), distinct.data, target, how);
   design.know(now.named);
   plan.inseparable = inseparable_effects(now, distinct);

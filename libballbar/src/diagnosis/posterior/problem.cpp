@@ -9,6 +9,7 @@
 #include "diagnosis/posterior/any_form.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "effects/effect_at.hpp"
+#include "model/resolved_periods.hpp"
 #include "series/subsampled.hpp"
 
 namespace ballbar {
@@ -225,21 +226,22 @@ std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, c
 
 Term term_of(const Problem& problem, const BoundEffect& bound) {
   for (const Term& given : problem.terms) {
-    if (given.effect->name == bound.effect->name && given.columns == bound.columns) return given;
+    if (given.effect->name == bound.effect->name && given.columns == bound.columns)
+      return with_resolved_periods(given, highest_Hz(problem.time_s));
   }
-  return term_of(*bound.effect, bound.columns);
+  return with_resolved_periods(term_of(*bound.effect, bound.columns), highest_Hz(problem.time_s));
 }
 
 std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std::size_t target,
                                     const ProblemOptions& options) {
   auto problem = std::make_unique<Problem>();
-  problem->model = model;
   const std::string& name = model.targets.at(target);
   const Series rows = subsampled(data, name, options.most_rows, options.whole_about_s);
   problem->logged = logged_inputs(rows, model.targets);
   problem->base = base_fit(model, problem->logged.series, target);
   const Fit& base = problem->base;
   problem->time_s = base.time_s;
+  problem->model = with_resolved_periods(model, highest_Hz(problem->time_s));
   problem->at_jump_of_temperature = rows_of_temperature_jumps(rows, base.row);
   const auto n = static_cast<Eigen::Index>(base.row.size());
   problem->y = Eigen::VectorXd::Map(base.measured_um.data(), n);

@@ -9,12 +9,14 @@
 #include <limits>
 #include <utility>
 
+#include "ballbar/number_text.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "fit/model_columns.hpp"
 #include "model/bindings.hpp"
+#include "model/resolved_periods.hpp"
 #include "noise/whitening.hpp"
 #include "series/subsampled.hpp"
 
@@ -118,7 +120,8 @@ void say_unusable(Detectability& detectable, const Model& model, const Series& d
 
 std::vector<Detectability> detectability_of(const Catalogue& catalogue, const SignatureLibrary& library,
                                             const Projected& projection, const Model& model, const Series& data,
-                                            std::optional<Motion> motion) {
+                                            std::optional<Motion> motion, std::span<const double> time_s) {
+  const double rate_Hz = highest_Hz(time_s);
   std::vector<Detectability> detectability;
   std::vector<const Family*> best;
   for (const auto& effect : catalogue) {
@@ -139,6 +142,10 @@ std::vector<Detectability> detectability_of(const Catalogue& catalogue, const Si
     if (!data.has_clock && needs_clock(*effect)) {
       detectable.testability = Testability::no_clock;
       detectable.why = "it needs a clock, and the rows are numbered";
+    } else if (!is_resolved(*effect, rate_Hz)) {
+      detectable.testability = Testability::rows_too_far_apart;
+      detectable.why = fmt::format("rows {} apart do not show a period of {}", duration_text(0.5 / rate_Hz),
+                                   duration_text(usual_period_s(*effect)));
     } else if (motion && !applies_to(*effect, *motion)) {
       detectable.testability = Testability::other_motion;
       detectable.why = fmt::format("it is not one of circles driven by {}", name_of(*motion));
@@ -193,7 +200,7 @@ Preflight preflight(const Model& model, const Series& data, std::size_t target, 
       Eigen::VectorXd::Map(fitted.residual_um.data(), static_cast<Eigen::Index>(fitted.residual_um.size()));
   const Projected projection =
       projected(library, residual, model_columns(fitted), Whitening(fitted.noise, fitted.time_s, fitted.sigma_um));
-  result.detectability = detectability_of(catalogue, library, projection, model, rows, motion);
+  result.detectability = detectability_of(catalogue, library, projection, model, rows, motion, fitted.time_s);
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "diagnosis/thresholds.hpp"
 #include "effects/effect_at.hpp"
 #include "model/bindings.hpp"
+#include "model/resolved_periods.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
 
@@ -97,13 +98,6 @@ BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& name
   return bound;
 }
 
-// 0: nothing that repeats.
-double frequency_Hz(const Parameter& parameter, double value) {
-  if (parameter.shape_of == ShapeOf::period) return 1.0 / value;
-  return parameter.unit == "Hz" ? value : 0.0;
-}
-
-// Empty: at these rows every one would pass for a slower one.
 std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows,
                                            const SignatureOptions& options) {
   std::vector<double> first;
@@ -173,6 +167,7 @@ std::vector<Shaped> shaped_of(const Catalogue& catalogue, const Model& model, co
     if (effect->level != model.level || effect->rules.is_base) continue;
     if (options.motion && !applies_to(*effect, *options.motion)) continue;
     if (!data.has_clock && needs_clock(*effect)) continue;
+    if (!is_resolved(*effect, options.highest_Hz)) continue;
     if (std::find(options.without.begin(), options.without.end(), effect->name) != options.without.end()) continue;
     for (std::vector<std::string>& names : bindings_of(*effect, model, data)) {
       if (has_term(model, *effect, names) && !effect->rules.may_repeat) continue;
@@ -207,11 +202,7 @@ void evaluate(std::vector<Shaped>& all, const std::vector<std::size_t>& rows) {
 
 SignatureLibrary signature_library_of(const Catalogue& catalogue, const Model& model, const Series& data,
                                       const Fit& fit, SignatureOptions options) {
-  for (std::size_t i = 1; i < fit.time_s.size(); ++i) {
-    // The shortest step: one above half that rate would pass for a slow one.
-    options.highest_Hz = i == 1 ? 0.5 / (fit.time_s[1] - fit.time_s[0])
-                                : std::max(options.highest_Hz, 0.5 / (fit.time_s[i] - fit.time_s[i - 1]));
-  }
+  options.highest_Hz = highest_Hz(fit.time_s);
   std::vector<Shaped> all = shaped_of(catalogue, model, data, options);
   evaluate(all, fit.row);
   SignatureLibrary library;

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,7 +51,7 @@ struct SignatureOptions {
   bool every_onset = true;           // up to 400 of them; else 7
   std::vector<std::string> without;  // names of effects that are left out
   std::vector<Term> terms;           // in the place of what the catalogue has of them: held where they hold a shape
-  // signature_library_of: half the rate of the rows that are fitted.
+  // Half the rate of the rows that are fitted, which signature_library_of sets.
   double highest_Hz = std::numeric_limits<double>::infinity();
 };
 
@@ -89,9 +90,10 @@ Projected projected(const SignatureLibrary& library, const Eigen::VectorXd& resi
 // Range of the effect with this d, of one signature; infinite where the model absorbs it.
 double detectable_um(const SignatureLibrary& library, const Projected& projected, std::size_t signature, double d);
 
-// One an effect of the catalogue at the model's level, but for the base that every model has, in its order.
+// One an effect of the catalogue at the model's level, but for the base that every model has, in its order. time_s: of
+// the rows that are fitted.
 std::vector<Detectability> detectability_of(const Catalogue& catalogue, const SignatureLibrary& library,
                                             const Projected& projection, const Model& model, const Series& data,
-                                            std::optional<Motion> motion);
+                                            std::optional<Motion> motion, std::span<const double> time_s);
 
 }  // namespace ballbar

@@ -14,6 +14,7 @@
 #include "diagnosis/posterior/shock.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/thresholds.hpp"
+#include "diagnosis/verdict/begun_terms.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"
 #include "diagnosis/verdict/gains_by_run.hpp"
@@ -51,7 +52,7 @@ Noise noise_of(const Covariance& covariance, double variance) {
 
 class Decision {
  public:
-  Decision(const Inference& inference, const Model& model, const Series& data, std::size_t target,
+  Decision(Inference& inference, const Model& model, const Series& data, std::size_t target,
            const DiagnosisOptions& options)
       : inference_(inference), model_(model), data_(data), target_(target), options_(options) {
     result_.base = problem().base;
@@ -69,6 +70,7 @@ class Decision {
     test_members();
     decide();
     show_candidates();
+    if (options_.fit_candidates) fit_candidates();
     result_.sentence = sentence_of(result_);
     return std::move(result_);
   }
@@ -127,7 +129,7 @@ class Decision {
     find_what_could_hide(projection);
     return detectability_but(options_.search,
                              detectability_of(options_.search.catalogue, problem().library, projection, model_,
-                                              problem().logged.series, options_.search.motion));
+                                              problem().logged.series, options_.search.motion, problem().time_s));
   }
 
   void read_posterior() {
@@ -183,7 +185,6 @@ class Decision {
     for (std::size_t m = 0; m < best_->signatures.size(); ++m) {
       Candidate one = tested_member(inference_, *best_, fitted, at_, m, options_.surrogates, options_.search.seed);
       one.in_best_set = true;
-      one.rmse_after_um = result_.rmse_after_um;
       one.minor = one.amplitude_um < std::max(kMinor * problem().base.rmse_um, options_.tolerance_um);
       if (!(one.likelihood_ratio >= kLeastLikelihoodRatio))
         one.doubts.emplace_back("it makes the readings hardly more likely");
@@ -300,9 +301,7 @@ class Decision {
       const FittedSet fitted = fitted_set(problem(), posterior(), *set, false);
       std::size_t m = 0;
       while (problem().library.signatures[set->signatures[m]].family != f) ++m;
-      Candidate one = described_member(inference_, *set, fitted, m);
-      one.rmse_after_um = rmse_um_with(fitted);
-      result_.candidates.push_back(std::move(one));
+      result_.candidates.push_back(described_member(inference_, *set, fitted, m));
     }
     for (const std::vector<BoundEffect>& group : result_.equivalent) {
       for (Candidate& candidate : result_.candidates) {
@@ -314,7 +313,17 @@ class Decision {
     }
   }
 
-  const Inference& inference_;
+  // Each by itself, as `add` fits it: what is promised is what comes. No pointer into the sets outlives it.
+  void fit_candidates() {
+    best_ = nullptr;
+    for (std::size_t k = 0; k < result_.candidates.size(); ++k) {
+      tell(fmt::format("fitting candidate {} of {}", k + 1, result_.candidates.size()));
+      Candidate& one = result_.candidates[k];
+      one.rmse_after_um = fit(model_with(inference_, model_, {term_of(problem(), one.bound)}), data_, target_).rmse_um;
+    }
+  }
+
+  Inference& inference_;
   const Model& model_;
   const Series& data_;
   std::size_t target_;
@@ -351,13 +360,14 @@ Inference inference_of(const Model& model, const Series& data, std::size_t targe
   return inference(model, data, target, {options.search, terms, options.most_rows, {}, covariances});
 }
 
-Diagnosis diagnosis_of(const Inference& inference, const Model& model, const Series& data, std::size_t target,
+Diagnosis diagnosis_of(Inference& inference, const Model& model, const Series& data, std::size_t target,
                        const DiagnosisOptions& options) {
   return Decision(inference, model, data, target, options).run();
 }
 
 Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options) {
-  return diagnosis_of(inference_of(model, data, target, options), model, data, target, options);
+  Inference found = inference_of(model, data, target, options);
+  return diagnosis_of(found, model, data, target, options);
 }
 
 }  // namespace ballbar

@@ -14,8 +14,8 @@ namespace ballbar {
 Inference inference_of(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
                        const std::vector<Term>& terms = {}, const std::vector<Covariance>& covariances = {});
 
-// What the posterior says. It is of that model, these data and options.
-Diagnosis diagnosis_of(const Inference& inference, const Model& model, const Series& data, std::size_t target,
+// What the posterior says. It is of that model, these data and options. Sets that are asked for are put behind its own.
+Diagnosis diagnosis_of(Inference& inference, const Model& model, const Series& data, std::size_t target,
                        const DiagnosisOptions& options);
 
 }  // namespace ballbar

@@ -209,7 +209,6 @@ Candidate described_member(const Inference& inference, const EffectSet& set, con
   one.intervals.assign(fitted.intervals.begin() + begin, fitted.intervals.begin() + end);
   one.amplitude_um = fitted.amplitude_um[member];
   one.amplitude_sigma_um = fitted.amplitude_sigma_um[member];
-  one.rmse_after_um = fitted.rmse_um;
   one.likelihood_ratio = log_bayes_factor_of_member(inference, set, member);
   return one;
 }

@@ -45,22 +45,23 @@ struct ResultType<Candidate> {
   static constexpr std::string_view meaning = "An effect that may be missing, beside the rest of its likeliest set.";
   static constexpr std::tuple fields = std::tuple_cat(
       fields_through(&Candidate::bound, ResultType<BoundEffect>::fields),
-      std::tuple{Field{"p", &Candidate::p, "probability that it is missing"},
-                 Field{"likelihood_ratio", &Candidate::likelihood_ratio,
-                       "2 ln of how much likelier the readings are with it than without"},
-                 Field{"amplitude_um", &Candidate::amplitude_um, "largest less smallest of what it adds"},
-                 Field{"amplitude_sigma_um", &Candidate::amplitude_sigma_um, "null: not determined"},
-                 Field{"rmse_after_um", &Candidate::rmse_after_um, "that the model leaves with it"},
-                 Field{"held_out_before_um", &Candidate::held_out_before_um, "error in cycles left out, without it"},
-                 Field{"held_out_after_um", &Candidate::held_out_after_um, "error in cycles left out, with it"},
-                 Field{"p_same_gain", &Candidate::p_same_gain, "of gains as different from cycle to cycle, by chance"},
-                 Field{"beats_surrogates", &Candidate::beats_surrogates,
-                       "whether it does better than random curves of its kind; null: not tested"},
-                 Field{"in_best_set", &Candidate::in_best_set, "whether it is of the likeliest set"},
-                 Field{"minor", &Candidate::minor, "whether it is too small to matter"},
-                 Field{"doubts", &Candidate::doubts, "why it is not named"},
-                 Field{"inseparable_from", &Candidate::inseparable_from, "effects that these data do not tell from it"},
-                 Field{"parameters", &parameters_of, ""}});
+      std::tuple{
+          Field{"p", &Candidate::p, "probability that it is missing"},
+          Field{"likelihood_ratio", &Candidate::likelihood_ratio,
+                "2 ln of how much likelier the readings are with it than without"},
+          Field{"amplitude_um", &Candidate::amplitude_um, "largest less smallest of what it adds"},
+          Field{"amplitude_sigma_um", &Candidate::amplitude_sigma_um, "null: not determined"},
+          Field{"rmse_after_um", &Candidate::rmse_after_um, "that the model leaves with it alone, as `add` fits it"},
+          Field{"held_out_before_um", &Candidate::held_out_before_um, "error in cycles left out, without it"},
+          Field{"held_out_after_um", &Candidate::held_out_after_um, "error in cycles left out, with it"},
+          Field{"p_same_gain", &Candidate::p_same_gain, "of gains as different from cycle to cycle, by chance"},
+          Field{"beats_surrogates", &Candidate::beats_surrogates,
+                "whether it does better than random curves of its kind; null: not tested"},
+          Field{"in_best_set", &Candidate::in_best_set, "whether it is of the likeliest set"},
+          Field{"minor", &Candidate::minor, "whether it is too small to matter"},
+          Field{"doubts", &Candidate::doubts, "why it is not named"},
+          Field{"inseparable_from", &Candidate::inseparable_from, "effects that these data do not tell from it"},
+          Field{"parameters", &parameters_of, ""}});
 };
 
 template <>

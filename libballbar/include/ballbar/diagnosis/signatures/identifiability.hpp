@@ -25,7 +25,16 @@
 
 namespace ballbar {
 
-enum class Testability { testable, input_missing, input_constant, absorbed, in_the_model, other_motion, no_clock };
+enum class Testability {
+  testable,
+  input_missing,
+  input_constant,
+  absorbed,
+  in_the_model,
+  other_motion,
+  no_clock,
+  rows_too_far_apart,  // to show the period of what repeats
+};
 
 // How well one effect imitates another: the coherence that half of the other's shapes reach at least, each with that
 // shape of this effect which is most like it.

@@ -28,11 +28,11 @@ struct Candidate {
   // `threshold` on it counts by itself.
   double likelihood_ratio = 0.0;
   double threshold = kLeastLikelihoodRatio;
-  std::vector<FittedParameter> parameters;  // of this effect
-  std::vector<Interval> intervals;          // of each parameter
-  double amplitude_um = 0.0;                // largest less smallest of what it adds
-  double amplitude_sigma_um = kUnknown;     // infinite: not determined
-  double rmse_after_um = 0.0;
+  std::vector<FittedParameter> parameters;                   // of this effect
+  std::vector<Interval> intervals;                           // of each parameter
+  double amplitude_um = 0.0;                                 // largest less smallest of what it adds
+  double amplitude_sigma_um = kUnknown;                      // infinite: not determined
+  double rmse_after_um = kUnknown;                           // of the model with it alone, as `add` fits it
   double held_out_before_um = 0.0, held_out_after_um = 0.0;  // cycles left out, see diagnosis.hpp
   double held_out_evidence = kUnknown;    // ln of the likelihood of cycles left out, gained; without the best cycle
   double p_same_gain = 1.0;               // of gains as different from cycle to cycle

@@ -108,6 +108,7 @@ struct DiagnosisOptions {
   double tolerance_um = 0.0;  // smaller effects are called minor
   std::size_t surrogates = kSurrogates;
   std::size_t most_rows = 1000;  // values of the target weighed
+  bool fit_candidates = true;    // Candidate::rmse_after_um
   std::string where = {};        // worst_place(), which the sentence tells
 };
 
