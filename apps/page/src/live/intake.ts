@@ -54,6 +54,7 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
       faults.set(path, fault);
       return one;
     };
+    if (file.size === 0) return without(t.live_empty);
     const { fits: room, left } = fits(file);
     if (!room) return without(t.live_too_big({ name: plain(name, 80), size: size_spoken(file.size), left: size_spoken(Math.max(0, left)) }));
     try {

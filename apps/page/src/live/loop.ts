@@ -201,7 +201,6 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     const effects = found?.command.startsWith("ballbar add ") ? added_by(found.command, subject) : [];
     next.hidden = effects.length === 0;
     next.textContent = t.live_add_named({ effects: effects.map((effect) => plain(effect, 60)).join(", ") });
-    next.title = found?.command ?? "";
     if (!found) return candidates.clear();
     candidates.show(found);
     plan.show(found);

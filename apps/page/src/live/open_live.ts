@@ -3,12 +3,14 @@ import { type Dropped, folder_as_session } from "./files";
 import { button, element } from "../elements/elements";
 import type { Engine, Sample } from "../engine";
 import { head_bar, type HeadBar, shelf_of } from "./head_bar";
+import { action_of } from "./actions";
 import { intake_of, type Kept, open_store } from "./intake";
 import { listen, start_of } from "./start";
 import type { LivePage } from "./live_page";
 import { opened_with } from "./opened";
-import { reason, runs_with, work_with } from "./runs";
+import { answer_of, reason, runs_with, work_with } from "./runs";
 import { type Saves, saves_of } from "./saves";
+import { save } from "../figure/files";
 import { ago_spoken } from "./spoken";
 import { tour, tour_steps } from "./tour";
 import { t, when_spoken } from "../texts/texts";
@@ -151,10 +153,17 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
 
   write();
   listen({ take, undo: () => void opened.loop()?.undo(), redo: () => void opened.loop()?.redo(), stop: () => work.stop() });
-  page.on_command((command) => {
-    if (opened.loop()?.act(command)) return;
-    tell(command.startsWith("ballbar history ") ? t.live_test_again : t.live_for_terminal({ command }));
-  });
+  page.on_command((command) =>
+    action_of(command, {
+      opened,
+      test_again: () => tell(t.live_test_again),
+      save_of: (words, file) =>
+        attempt(async () => {
+          answer_of(await work.run([...words, "--json"], { what: t.live_reading }));
+          save(file, new Blob([new Uint8Array(await engine.get(file))], { type: "text/csv" }));
+        }),
+    }),
+  );
   if (page.given) opened.show(page.given);
   when_spoken(() => {
     leave_tour();

@@ -31,6 +31,7 @@ export interface Opened {
   loop(): Loop | null;
   groups(): Group[];
   open(group: Group, as?: Partial<Subject>): Promise<void>;
+  diagnose(): Promise<void>; // without a model: what every model has before its first effect
   came(paths: readonly string[]): Promise<void>; // files that are new
   sample(sample: Sample): Promise<void>;
   again(kept: Kept): Promise<void>;
@@ -101,7 +102,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       answer_of(await work.run(["report", path, "--json"], { what: t.live_checking({ name: path }) }));
       return "";
     } catch (error) {
-      if (error instanceof Refused) return error.message;
+      if (error instanceof Refused) return reason(error);
       throw error;
     }
   };
@@ -225,9 +226,22 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
         if (sound.data.length > 0 && sound.data.length < group.data.length) {
           return show({ ...next, group: sound, data: sound.data });
         }
-        if (sound === group) intake.faults().set(group.files[0]?.path ?? group.key, error.message);
-        leave(error.message);
+        if (sound === group) intake.faults().set(group.files[0]?.path ?? group.key, reason(error));
+        leave(reason(error));
       }
+    });
+
+  const diagnose = (): Promise<void> =>
+    attempt(async () => {
+      if (!subject || !report) return;
+      const [of, shown] = [subject, report];
+      const with_fit = { ...shown, ...(await runs.fitted(of)) };
+      const its_loop = await make_loop(of, with_fit);
+      if (!its_loop || report !== shown) return;
+      report = null;
+      loop = its_loop;
+      loop.show(with_fit);
+      await loop.search();
     });
 
   const groups = (): Group[] => {
@@ -243,6 +257,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     loop: () => loop,
     groups,
     open,
+    diagnose,
     async came(paths) {
       for (const one of intake.held()) {
         if (!paths.includes(one.path) || one.kind !== "other" || intake.faults().has(one.path) || is_no_data(one)) continue;

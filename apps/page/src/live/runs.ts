@@ -4,7 +4,7 @@ import { type Engine, Failed, type Ran, Stopped, type Watch } from "../engine";
 import { button, element } from "../elements/elements";
 import { t } from "../texts/texts";
 import type { Group } from "./files";
-import type { LogWords } from "./log_words";
+import { answer_without_advice, type LogWords, without_advice } from "./log_words";
 import type { Report } from "../report";
 
 const kSoon_ms = 300;
@@ -105,7 +105,9 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
       queued(async () => {
         const hide = show(what, false);
         try {
-          return await work((share) => (bar.value = share));
+          return await work((share) => {
+            if (Number.isFinite(share)) bar.value = share;
+          });
         } finally {
           hide();
         }
@@ -209,7 +211,7 @@ const sentence_of = ({ err, status }: Ran): string => {
 
 export const answer_of = <T>(ran: Ran): T => {
   if (ran.status !== 0) throw new Refused(sentence_of(ran));
-  return JSON.parse(ran.out) as T;
+  return answer_without_advice(JSON.parse(ran.out) as T);
 };
 
 // Keys of a report, to put in the place of its own.
@@ -262,7 +264,7 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
 export const reason = (error: unknown): string => {
   const text = error instanceof Error ? error.message : String(error);
   if (error instanceof Interrupted) return t.live_stopped({ what: text });
-  if (error instanceof Refused) return text;
+  if (error instanceof Refused) return without_advice(text) || t.live_refused;
   if (!(error instanceof Failed)) return text;
   return /memory|bad_alloc|OOM/i.test(text) ? t.live_out_of_memory : t.live_failed({ why: text });
 };

@@ -878,6 +878,8 @@ export const de: Texts = {
   live_failed: ({ why }: { why: string }) => `Das Programm ist abgebrochen und wurde mit Ihren Dateien neu gestartet. ${why}`,
   live_out_of_memory: "Dem Programm ging der Speicher dieses Tabs aus; es wurde mit Ihren Dateien neu gestartet.",
   live_ended_with: ({ status }: { status: number }) => `Das Programm endete mit Status ${status}.`,
+  live_refused: "Das Programm sagt nicht mehr dazu.",
+  live_empty: "Die Datei ist leer.",
   live_reading: "Lesen und Anpassen",
   live_searching: "Suche, was fehlt",
   live_moving: "Rechnen mit den neuen Werten",
@@ -1012,7 +1014,6 @@ export const de: Texts = {
   live_add_named: ({ effects }: { effects: string }) => `${effects} hinzufügen`,
   live_add_title: ({ effect }: { effect: string }) => `${effect} zum Modell hinzufügen`,
   live_test_again: "Wenn die Maschine wieder geprüft ist, die neue Datei auch hier ablegen.",
-  live_for_terminal: ({ command }: { command: string }) => `Dieser Schritt ist einer für das Terminal: ${command}`,
 
   // live: next test
   live_next_test: "Der nächste Versuch",

@@ -892,6 +892,8 @@ export const en = {
   live_failed: ({ why }: { why: string }) => `The program failed and was started anew with your files. ${why}`,
   live_out_of_memory: "The program ran out of this tab's memory and was started anew with your files.",
   live_ended_with: ({ status }: { status: number }) => `The program ended with status ${status}.`,
+  live_refused: "The program says no more about it.",
+  live_empty: "The file has nothing in it.",
   live_reading: "Reading and fitting",
   live_searching: "Searching what is missing",
   live_moving: "Computing with the new values",
@@ -1026,7 +1028,6 @@ export const en = {
   live_add_named: ({ effects }: { effects: string }) => `Add ${effects}`,
   live_add_title: ({ effect }: { effect: string }) => `Add ${effect} to the model`,
   live_test_again: "When the machine was tested again, drop the new file here too.",
-  live_for_terminal: ({ command }: { command: string }) => `This step is one for a terminal: ${command}`,
 
   // live: next test
   live_next_test: "The next test",

@@ -834,6 +834,8 @@ export const zh: Texts = {
   live_failed: ({ why }: { why: string }) => `程序出错，已用您的文件重新启动。${why}`,
   live_out_of_memory: "程序耗尽了本标签页的内存，已用您的文件重新启动。",
   live_ended_with: ({ status }: { status: number }) => `程序以状态 ${status} 结束。`,
+  live_refused: "程序没有给出更多说明。",
+  live_empty: "文件是空的。",
   live_reading: "读取与拟合",
   live_searching: "搜索缺少的效应",
   live_moving: "按新数值计算",
@@ -968,7 +970,6 @@ export const zh: Texts = {
   live_add_named: ({ effects }: { effects: string }) => `加入 ${effects}`,
   live_add_title: ({ effect }: { effect: string }) => `将 ${effect} 加入模型`,
   live_test_again: "再次测试机床后，将新文件也拖到这里。",
-  live_for_terminal: ({ command }: { command: string }) => `此步骤需在终端中执行：${command}`,
 
   // live: next test
   live_next_test: "下一次测试",
