@@ -27,6 +27,7 @@ class ReportSubject {
   ModelPart add(const std::vector<std::string>& effects);   // the fit with them; its file stays as it was
   RevisedPart revise(const std::string& file);              // what add() changed, written to the file
   void take_back();                                         // what add() changed
+  ModelText with_values();                                  // the model's file, beginning with what is fitted
 
   // Whether the request is of these data, read as they were, none of whose files has changed since.
   bool is_of(const ReportRequest& request) const;

@@ -114,7 +114,7 @@ std::vector<ResultSchema> all_schemas() {
                     Undone, Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult,
                     History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet, TrainedOnTemperatures,
                     TrainedOnEffects, TrainedForJob, PredictedSeries, PredictedTarget, ReplayResult, MadeSets, NextRun,
-                    ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart, HeldPart, RevisedPart,
+                    ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart, HeldPart, RevisedPart, ModelText,
                     HistoryReport, FleetReport, PageFiles>();
 }
 

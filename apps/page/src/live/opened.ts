@@ -39,6 +39,8 @@ export interface Opened {
   rewrite(): Promise<void>; // in another language
   leave(why: string): void;
   forget(): void;
+  unsaved(): boolean; // whether something was done by hand that is in no file yet
+  saved(): void;
 }
 
 const kShort_ms = 3000; // to fit
@@ -67,6 +69,8 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
   let last: Subject | null = null; // that was opened, or was to be
   const read_as = new Map<string, Pick<Subject, "log" | "targets">>(); // by group
   const stated = new Map<string, Group>(); // groups that are not found but said: of samples, of saved pages
+  let unsaved = false;
+  const models = new Map<string, string>(); // the text of each as it came in, or was saved
   const catalogue = catalogue_of(engine);
   const columns = columns_with({
     work,
@@ -93,7 +97,15 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
   const keep_state = (): void => {
     if (!subject) return;
     const { group, model, target, data, log, targets } = subject;
-    store?.say({ when: Date.now(), title: group.title, data, model, target, log, targets }).catch(() => undefined);
+    store?.say({ when: Date.now(), title: group.title, data, model, target, log, targets, unsaved }).catch(() => undefined);
+  };
+
+  const text_of = async (model: string): Promise<string> => new TextDecoder().decode(await engine.get(model).catch(() => new Uint8Array()));
+  // An effect that was added and taken back leaves nothing to save.
+  const note_change = async (model: string): Promise<void> => {
+    await intake.written(model);
+    unsaved = (await text_of(model)) !== (models.get(model) ?? "");
+    keep_state();
   };
 
   // What the program says of a file alone; "": nothing against it.
@@ -141,7 +153,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       plan: planned_with(engine, work, runs),
       changed(now, next) {
         if (loop !== made) return; // an answer about what is no longer open
-        if (next.model !== "" && report !== now && (report !== null || next.model !== subject?.model)) void intake.written(next.model);
+        if (next.model !== "" && report !== now && (report !== null || next.model !== subject?.model)) void note_change(next.model);
         const again = report !== null;
         report = now;
         subject = next;
@@ -207,7 +219,9 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       }
       const [model] = group.models.length === 1 ? group.models.map(({ path }) => path) : [""];
       const next: Subject = { group, data: group.data, model: model ?? "", target: "", compared: "", log: [], targets: [], ...read_as.get(group.key), ...as };
+      if (last?.group.key === group.key && last.log.join("\n") !== next.log.join("\n")) unsaved = true; // columns, by hand
       last = next;
+      if (next.model !== "" && !models.has(next.model)) models.set(next.model, await text_of(next.model));
       read_as.set(group.key, { log: next.log, targets: next.targets });
       try {
         await columns.understand(next);
@@ -244,8 +258,15 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       await loop.search();
     });
 
+  // A model that was made here lies beside its data.
+  const with_new_models = (group: Group): Group => {
+    const folder = group.data[0]?.replace(/[^/]*$/, "") ?? "";
+    const made = intake.held().filter(({ path, kind }) => kind === "model" && path.startsWith(folder) && !group.models.some((one) => one.path === path));
+    return { ...group, models: [...group.models, ...made] };
+  };
+
   const groups = (): Group[] => {
-    const of_stated = [...stated.values()];
+    const of_stated = [...stated.values()].map(with_new_models);
     const files = new Set(of_stated.flatMap((group) => group.files.map(({ path }) => path)));
     return [...of_stated, ...groups_of(intake.held().filter(({ path }) => !files.has(path)))];
   };
@@ -277,6 +298,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     again: (kept) =>
       attempt(async () => {
         await intake.again(kept);
+        unsaved = kept.state.unsaved ?? false;
         const { data, model, target, title, log = [], targets = [] } = kept.state;
         const found = groups_of(intake.held()).find(({ key }) => key === data.join("\n"));
         await open(found ?? group_of(title, intake.held(), data), { model, target, log, targets });
@@ -293,7 +315,16 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       stated.clear();
       read_as.clear();
       last = null;
+      models.clear();
+      unsaved = false;
       columns.forget();
+    },
+    unsaved: () => unsaved,
+    saved() {
+      unsaved = false;
+      const model = subject?.model ?? "";
+      if (model !== "") void text_of(model).then((text) => models.set(model, text));
+      keep_state();
     },
   };
 };

@@ -227,6 +227,7 @@ export interface Runs {
   take_back(subject: Subject): Promise<void>; // what was added, and is in no file
   try(subject: Subject, effect: string): Promise<string>; // what it would change
   undo(model: string): Promise<void>;
+  model_text(subject: Subject): Promise<string>; // its file, beginning with the values that are fitted
   free_name(folder: string, name: string): string;
 }
 
@@ -245,6 +246,7 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
     take_back: (subject) => call("take_back", model_words(subject), { what: t.live_undoing }),
     try: async (subject, effect) =>
       answer_of<{ sentence: string }>(await work.run(try_words(subject, effect), { what: t.live_trying({ effect }) })).sentence,
+    model_text: async (subject) => (await call<{ text: string }>("with_values", model_words(subject), { what: t.live_reading })).text,
     async undo(model) {
       const ran = await work.run(["undo", "--model", model], { what: t.live_undoing });
       if (ran.status !== 0) throw new Refused(sentence_of(ran));
@@ -264,7 +266,7 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
 export const reason = (error: unknown): string => {
   const text = error instanceof Error ? error.message : String(error);
   if (error instanceof Interrupted) return t.live_stopped({ what: text });
-  if (error instanceof Refused) return without_advice(text) || t.live_refused;
+  if (error instanceof Refused) return /^std::|bad_alloc/.test(text) ? t.live_too_much : without_advice(text) || t.live_refused;
   if (!(error instanceof Failed)) return text;
   return /memory|bad_alloc|OOM/i.test(text) ? t.live_out_of_memory : t.live_failed({ why: text });
 };

@@ -1033,6 +1033,14 @@ export const de: Texts = {
   live_p_wrong: "P falsch",
   live_simulated: "simuliert",
 
+  // live: nothing lost
+  live_too_much: "Dieser Schritt braucht mehr Speicher, als ein Tab des Browsers hat. Lassen Sie Spalten aus oder nehmen Sie weniger Zeilen.",
+  live_ask_unsaved: "Was Sie geändert haben, steht noch in keiner Datei, und Schließen löscht es.",
+  live_ask_save: "Seite mit den Dateien sichern, dann schließen",
+  live_ask_delete: "Löschen",
+  live_ask_stay: "Abbrechen",
+  live_ask_kept: ({ title }: { title: string }) => `Dieser Browser behält Änderungen an ${title}, die noch in keiner Datei stehen. Sie werden gelöscht, wenn Sie fortfahren.`,
+
   // live: saves
   live_save: "Speichern",
   live_save_report: "Berichtsseite (.html)",

@@ -1047,6 +1047,14 @@ export const en = {
   live_p_wrong: "P wrong",
   live_simulated: "simulated",
 
+  // live: nothing lost
+  live_too_much: "This step needs more memory than a tab of the browser has. Leave out columns, or take fewer rows.",
+  live_ask_unsaved: "What you changed is in no file yet, and closing deletes it.",
+  live_ask_save: "Save the page with the files, then close",
+  live_ask_delete: "Delete it",
+  live_ask_stay: "Cancel",
+  live_ask_kept: ({ title }: { title: string }) => `This browser keeps changes to ${title} that are in no file yet. They are deleted if you go on.`,
+
   // live: saves
   live_save: "Save",
   live_save_report: "Report page (.html)",

@@ -989,6 +989,14 @@ export const zh: Texts = {
   live_p_wrong: "P 错误",
   live_simulated: "模拟次数",
 
+  // live: nothing lost
+  live_too_much: "此步骤所需内存超过浏览器标签页的限制。请去掉一些列，或减少行数。",
+  live_ask_unsaved: "您的更改尚未保存到任何文件，关闭将删除这些更改。",
+  live_ask_save: "保存含文件的页面，然后关闭",
+  live_ask_delete: "删除",
+  live_ask_stay: "取消",
+  live_ask_kept: ({ title }: { title: string }) => `此浏览器保留着对 ${title} 的更改，尚未保存到任何文件。如果继续，这些更改将被删除。`,
+
   // live: saves
   live_save: "保存",
   live_save_report: "报告页 (.html)",
