@@ -4,6 +4,7 @@ import { ranked_candidates } from "../diagnosis/ranking";
 import { decimals_for, shown, with_sigma } from "../drawing/theme";
 import type { Candidate, Diagnosed, Num } from "../report";
 import { plain } from "../drawing/text";
+import { plain_name } from "../machine_errors/error_names";
 import { t } from "../texts/texts";
 
 const kFirst = 5; // the rest is opened if wanted
@@ -24,14 +25,14 @@ export const candidate_list = (
   const box = element("div", { class: "live-candidates" });
 
   const row_of = (candidate: Candidate, starred: boolean, rmse_um: number | null): HTMLElement => {
-    const plus = button("+", t.live_add_title({ effect: plain(candidate.label, 80) }), () => add(candidate));
+    const plus = button("+", t.live_add_title({ effect: plain_name(candidate.label, 80) }), () => add(candidate));
     plus.className = "plus";
-    plus.setAttribute("aria-label", t.live_add_title({ effect: plain(candidate.label, 80) }));
+    plus.setAttribute("aria-label", t.live_add_title({ effect: plain_name(candidate.label, 80) }));
     plus.disabled = !can_be_typed(candidate);
     const bar = element("span", { class: "p" });
     bar.style.setProperty("--share", String(Math.min(1, Math.max(0, candidate.p ?? 0))));
     const decimals = decimals_for(candidate.amplitude_um, candidate.amplitude_sigma_um);
-    const name = element("bdi", {}, `${plain(candidate.label, 60)}${starred ? " *" : ""}`);
+    const name = element("bdi", { title: plain(candidate.label, 200) }, `${plain_name(candidate.label, 60)}${starred ? " *" : ""}`);
     const figures = t.live_candidate({ p: shown(candidate.p, 2), amplitude: with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, Math.min(3, decimals)), rmse: `${shown(rmse_um, 2)} → ${shown(candidate.rmse_after_um, 2)}` });
     const row = element("li", {}, plus, bar, name, element("span", { class: "figures" }, figures));
     row.addEventListener("pointerenter", () => look(candidate));
@@ -83,7 +84,7 @@ const posterior_in = (line: string): Posterior | null => {
 export const bar_of = (label: string, p: number): HTMLElement => {
   const bar = element("span", { class: "p" });
   bar.style.setProperty("--share", String(Math.min(1, Math.max(0, p))));
-  return element("li", {}, bar, element("bdi", {}, plain(label, 60)), element("span", { class: "number" }, shown(p, 2)));
+  return element("li", {}, bar, element("bdi", { title: plain(label, 200) }, plain_name(label, 60)), element("span", { class: "number" }, shown(p, 2)));
 };
 
 export interface PosteriorBars {
