@@ -5,7 +5,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <span>
 #include <utility>
 
 #include "ballbar/error.hpp"
@@ -134,6 +136,27 @@ bool RevisedModel::go_back_to(const std::string& text) {
   revisions_.erase(had, revisions_.end());
   text_ = text;
   return true;
+}
+
+std::string RevisedModel::text_with_values() {
+  if (read_model(text_, options_.model.name(), options_.catalogue).targets.size() > 1) return text_;
+  const std::vector<FittedParameter>& fitted =
+      with_source(
+          options_.data.front().name(), [&]() -> auto& { return bench_.check(); })
+          .fit.parameters;
+  std::vector<Term> terms = bench_.model().terms;
+  std::size_t parameters = 0;
+  for (const Term& term : terms) parameters += term.settings.size();
+  std::size_t at = fitted.size() - parameters;  // after the constant, where there is one
+  for (Term& term : terms) {
+    for (Setting& setting : term.settings) {
+      const double value = fitted[at++].value;
+      if (setting.held || !std::isfinite(value)) continue;
+      setting.start = std::clamp(value, setting.lower, setting.upper);
+      setting.stated = true;
+    }
+  }
+  return with_settings(text_, options_.model.name(), std::span(terms).subspan(not_in_file_), options_.catalogue);
 }
 
 }  // namespace ballbar

@@ -46,6 +46,10 @@ class RevisedModel {
   // The revision that had this text, with all that was computed of it; false: none had.
   bool go_back_to(const std::string& text);
 
+  // The text with what is fitted as the start of each free parameter: a fit of it is this fit. Of several targets a
+  // file has room for the values of none, and stays as it is.
+  std::string text_with_values();
+
   // Another text, with the same model, such as one of a model that was grown.
   void set_text(std::string text) { text_ = std::move(text); }
 

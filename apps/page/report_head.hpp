@@ -30,6 +30,7 @@ struct SignalsPart {
   std::string source;
   Bulk time_s;
   std::vector<PageColumn> columns;
+  MayLack<std::size_t> rows;
 };
 
 template <>
@@ -38,7 +39,8 @@ struct ResultType<SignalsPart> {
   static constexpr std::string_view meaning = "Columns on one clock.";
   static constexpr std::tuple fields{Field{"source", &SignalsPart::source, "the file"},
                                      Field{"time_s", known(&SignalsPart::time_s), ""},
-                                     Field{"columns", &SignalsPart::columns, ""}};
+                                     Field{"columns", &SignalsPart::columns, ""},
+                                     Field{"rows", &SignalsPart::rows, "of the file, where not all are here"}};
 };
 
 struct ReportHead {

@@ -51,6 +51,7 @@ nlohmann::ordered_json PageCalls::answer(const nlohmann::json& call) {
   if (name == "add") return json_of(subject.add(call.at("effects").get<Texts>()));
   if (name == "with") return json_of(subject.with(call.at("effects").get<Texts>()));
   if (name == "revise") return json_of(subject.revise(call.at("model").get<std::string>(), call.value("keep", false)));
+  if (name == "with_values") return json_of(subject.with_values());
   if (name != "take_back") throw Error(fmt::format("expected a call of a page, found {}.", name));
   subject.take_back();
   return nlohmann::ordered_json::object();

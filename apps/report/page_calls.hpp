@@ -24,6 +24,7 @@ namespace ballbar {
 //   revise     what was added last becomes a revision of the file "model", if the data support it or "keep" is true,
 //              and is taken back if not: its sentence, and the ledger
 //   take_back  what was added last is gone
+//   with_values  the text of the model's file with what is fitted as the start of the next fit
 //
 // The answers of fitted, search, add and revise are keys of the report, to put in the place of its own.
 class PageCalls {

@@ -101,4 +101,15 @@ struct ResultType<RevisedPart> {
                                      Field{"ledger", &RevisedPart::ledger, ""}};
 };
 
+struct ModelText {
+  std::string text;
+};
+
+template <>
+struct ResultType<ModelText> {
+  static constexpr std::string_view name = "ModelText";
+  static constexpr std::string_view meaning = "A model's file.";
+  static constexpr std::tuple fields{Field{"text", &ModelText::text, "of the file"}};
+};
+
 }  // namespace ballbar

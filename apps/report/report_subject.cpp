@@ -202,6 +202,8 @@ ModelPart ReportSubject::add(const std::vector<std::string>& effects) {
   return fitted();
 }
 
+ModelText ReportSubject::with_values() { return {only_one().text_with_values()}; }
+
 void ReportSubject::take_back() { only_one().take_back(); }
 
 WithPart ReportSubject::with(const std::vector<std::string>& effects) {

@@ -28,7 +28,8 @@ class ReportSubject {
   WithPart with(const std::vector<std::string>& effects);   // what add() would leave
   // What add() changed, written to the file; what the data do not support is taken back, but for keep.
   RevisedPart revise(const std::string& file, bool keep);
-  void take_back();  // what add() changed
+  void take_back();         // what add() changed
+  ModelText with_values();  // the model's file, beginning with what is fitted
 
   // Whether the request is of these data, read as they were, none of whose files has changed since.
   bool is_of(const ReportRequest& request) const;

@@ -115,6 +115,7 @@ std::vector<ResultSchema> all_schemas() {
                     History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet, TrainedOnTemperatures,
                     TrainedOnEffects, TrainedForJob, PredictedSeries, PredictedTarget, ReplayResult, MadeSets, NextRun,
                     ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart, HeldPart, WithPart, RevisedPart,
+                    ModelText,
                     HistoryReport, FleetReport, PageFiles>();
 }
 

@@ -31,6 +31,7 @@ interface FileSystem {
   chdir(path: string): void;
   open(path: string, flags: string): FileStream;
   write(stream: FileStream, bytes: Uint8Array, offset: number, length: number, position: number, own?: boolean): number;
+  truncate(path: string, size: number): void;
   close(stream: FileStream): void;
   readFile(path: string): Uint8Array<ArrayBuffer>;
   writeFile(path: string, bytes: Uint8Array, options: { canOwn: boolean }): void;
@@ -117,7 +118,9 @@ const put = (fs: FileSystem, { path, at, bytes, size }: Question & { kind: "put"
   const place = `${kHome}/${path}`;
   fs.mkdirTree(place.slice(0, place.lastIndexOf("/")));
   if (at === 0 && bytes.length === size) return fs.writeFile(place, bytes, { canOwn: true });
-  const stream = fs.open(place, at === 0 ? "w" : "r+");
+  if (at === 0) fs.close(fs.open(place, "w"));
+  if (at === 0) fs.truncate(place, size); // its memory at once, not in steps that each copy it
+  const stream = fs.open(place, "r+");
   fs.write(stream, bytes, 0, bytes.length, at);
   fs.close(stream);
 };

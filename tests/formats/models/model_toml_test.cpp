@@ -281,6 +281,28 @@ TEST(model_toml, written_and_read_again_is_the_same) {
   EXPECT_TRUE(passed);
 }
 
+TEST(model_toml, other_settings_leave_the_rest_as_it_is) {
+  const std::string text =
+      "\xEF\xBB\xBF# mine\nformat = \"ballbar-model 1\"\ntarget = 'z_um'\n\n# the oil\n[[effect]]\nname = "
+      "\"expansion\"\ntemperature = \"T_oil_degC\"\n\n# later\n[[effect]] # two\nname = "
+      "\"lagged_expansion\"\ntemperature = 'T_air_degC'\ntime_constant_s = 600 # held\n\n# the ledger\n[[history]]\na "
+      "= 1\n";
+  std::vector<Term> terms = read_model(text, "file").terms;
+  terms[0].settings[0].start = 2.5;
+  terms[0].settings[0].stated = true;
+  terms[1].settings[0].start = -1.25;
+  terms[1].settings[0].stated = true;
+  EXPECT_EQ(
+      with_settings(text, "file", terms),
+      "\xEF\xBB\xBF# mine\nformat = \"ballbar-model 1\"\ntarget = 'z_um'\n\n# the oil\n[[effect]]\nname = "
+      "\"expansion\"\ntemperature = \"T_oil_degC\"\ngain_um_per_K = { start = 2.5 }\n\n# later\n[[effect]]\nname = "
+      "\"lagged_expansion\"\ntemperature = \"T_air_degC\"\ngain_um_per_K = { start = -1.25 }\ntime_constant_s = "
+      "600.0\n\n# the ledger\n[[history]]\na = 1\n");
+  EXPECT_THROW(with_settings(text, "file", std::span(terms).first(1)), Error);
+  EXPECT_EQ(with_settings("format = \"ballbar-model 1\"\ntarget = 'z_um'", "file", {}),
+            "format = \"ballbar-model 1\"\ntarget = 'z_um'");
+}
+
 TEST(model_toml, an_effect_more_leaves_the_rest_as_it_is) {
   const Term term = term_of("expansion", {"T_oil_degC"});
   const std::string added = "[[effect]]\nname = \"expansion\"\ntemperature = \"T_oil_degC\"\n";

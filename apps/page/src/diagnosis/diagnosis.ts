@@ -8,16 +8,17 @@ import { command_of, data_files, model_options } from "../drawing/command";
 import { best_set, set_name } from "./ranking";
 import type { Candidate, Checked, Diagnosed, Num, Report } from "../report";
 import { plain } from "../drawing/text";
+import { plain_name } from "../machine_errors/error_names";
 import { shown } from "../drawing/theme";
 import { verdict_of } from "./verdict";
 import { waterfall } from "./waterfall";
 import { with_without_picture } from "./with_without";
 import { english, english_after, named, type Sentence, t } from "../texts/texts";
 
-const sentences_of = (found: Diagnosed): Sentence[] => {
+const sentences_of = (found: Diagnosed, checked: Checked | undefined): Sentence[] => {
   const reasons = found.reasons.length > 0 && found.verdict !== "nothing";
   return [
-    english(found.sentence),
+    verdict_of(found, checked),
     t.diagnosis_verdict({ verdict: named(t.verdicts, found.verdict) }),
     ...(found.hint === "" ? [] : [english(found.hint)]),
     ...(found.next_test_text === "" ? [] : [english_after(t.diagnosis_to_decide, found.next_test_text)]),
@@ -29,7 +30,11 @@ const sentences_of = (found: Diagnosed): Sentence[] => {
 const by_reason = (untestable: Diagnosed["untestable"]): Sentence[] => {
   const effects_of = new Map<string, string[]>();
   for (const { effect, why } of untestable) effects_of.set(why, [...(effects_of.get(why) ?? []), effect]);
-  return [...effects_of].map(([why, effects]) => english(`${effects.join(", ")}: ${why}`));
+  return [...effects_of].map(([why, effects]) => {
+    const said = english(why);
+    if (typeof said !== "string") return english(`${effects.join(", ")}: ${why}`);
+    return `${effects.map((effect) => plain_name(effect, 60)).join(", ")}: ${said}`;
+  });
 };
 
 const lists_of = (found: Diagnosed): NonNullable<Section["lists"]> =>
@@ -126,7 +131,7 @@ const fall_picture = (report: Report, found: Diagnosed, name: string): Picture[]
 const result_of = (found: Diagnosed): string => {
   if (found.not_diagnosed !== undefined) return t.diagnosis_not_diagnosed;
   const best = best_set(found);
-  const set = best.map(({ label }) => plain(label, 50)).join(", ");
+  const set = best.map(({ label }) => plain_name(label, 50)).join(", ");
   const after = best.length === 0 ? "" : ` → ${shown(found.rmse_after_um, 3)}`;
   const verdict = named(t.verdicts, found.verdict);
   return t.diagnosis_result({ verdict, set, rmse: `${shown(found.rmse_um, 3)}${after}` });
@@ -166,7 +171,7 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
   const left_out = checked?.level === "recording" ? t.diagnosis_left_out_recordings : t.diagnosis_left_out_cycles;
   return {
     ...section,
-    sentences: sentences_of(found),
+    sentences: sentences_of(found, checked),
     command: found.command,
     above: found.verdict === "untestable" ? [] : [posterior_table(found)],
     tables: found.candidates.length > 0 ? [candidate_table(found, left_out, chooses)] : [],
@@ -176,7 +181,7 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
             picture: `with-without${number}`,
             kind: t.model_target,
             label: plain(found.target, 60),
-            conclusion: () => ({ verdict: verdict_of(found), concluded: found.sentence, next: next_of(report, found) }),
+            conclusion: () => ({ verdict: verdict_of(found, checked), concluded: found.sentence, next: next_of(report, found) }),
           },
         }
       : {}),

@@ -1,7 +1,9 @@
 // The verdict of a diagnosis in one sentence of the page's language, of what the program found. In English it is the
 // program's own.
-import { typed_name } from "../machine_errors/error_names";
-import type { Bound, Diagnosed, Num } from "../report";
+import { parameter_name, plain_name } from "../machine_errors/error_names";
+import { end_name, place_name } from "../model/model_tables";
+import { plain } from "../drawing/text";
+import type { Bound, Candidate, Checked, Diagnosed, Num } from "../report";
 import { own_text } from "./diagnosis_tables";
 import { rounded, shown } from "../drawing/theme";
 import { english, language, type Sentence, t } from "../texts/texts";
@@ -9,12 +11,47 @@ import { english, language, type Sentence, t } from "../texts/texts";
 const kMost_effects = 4; // effects in a sentence
 const kOwn = 0.5; // P of a value of the model's own that is said
 
+type Misfit = Checked["where"][number];
+
 const kSure_driver = 0.9; // P, as in the program's sentence
 
 const same = (a: Bound, b: Bound): boolean =>
   a.effect === b.effect && JSON.stringify(a.columns) === JSON.stringify(b.columns);
 
-const p_text = (p: Num): string => shown(p, 2);
+// "very likely (98 %)": words and steps are the program's.
+const p_text = (p: Num): string => {
+  if (p === null) return "–";
+  const words = p >= 0.9 ? t.sure.very_likely : p >= 0.65 ? t.sure.likely : p > 0.35 ? t.sure.even : p > 0.1 ? t.sure.unlikely : t.sure.very_unlikely;
+  const percent = p >= 0.995 ? t.sure_over : p < 0.005 ? t.sure_under : `${shown(100 * p, 0)} %`;
+  return t.sure_text({ words, percent });
+};
+
+// "2 h 11 min"
+const duration_text = (time_s: number): string => {
+  if (time_s < 60) return `${shown(time_s, 0)} s`;
+  const [large, small, of] = time_s < 3600 ? (["min", "s", 60] as const) : (["h", "min", 3600] as const);
+  const rest = Math.round((time_s % of) / (of / 60));
+  return rest === 0 || rest === 60 ? `${Math.round(time_s / of)} ${large}` : `${Math.floor(time_s / of)} ${large} ${rest} ${small}`;
+};
+
+// ", time constant 2 h 11 min"
+const time_text = (candidate: Candidate | undefined): string => {
+  const time = candidate?.parameters.find(({ name, unit, sigma }) => unit === "s" && name.startsWith("time_constant") && sigma !== null);
+  return time && time.value !== null ? t.diagnosis_time_constant({ name: parameter_name(time.name), duration: duration_text(time.value) }) : "";
+};
+
+const kWorth_it = 0.1; // share of the misfit above that of the readings from which a place is said, as in the program
+
+// Where the model fails most; "": nowhere more than elsewhere.
+export const place_sentence = ({ where, n }: Pick<Checked, "where" | "n">): string => {
+  const above = (one: Misfit): number => (one.share ?? 0) - one.n / n;
+  const worst = [...where].sort((a, b) => above(b) - above(a))[0];
+  if (!worst || above(worst) < kWorth_it) return "";
+  if (worst.what === "regime") return t.diagnosis_fails_most({ place: t.diagnosis_place_regime({ regime: end_name(worst.from) }) });
+  const [from, to] = [end_name(worst.from), end_name(worst.to)];
+  const range = from === to ? from : t.diagnosis_place_range({ from, to });
+  return t.diagnosis_fails_most({ place: worst.what === "time" ? range : t.diagnosis_place_of({ what: plain(place_name(worst.what), 50), range }) });
+};
 
 const effect_text = ({ candidates, effects }: Diagnosed, bound: Bound): string => {
   const candidate = candidates.find((one) => same(one, bound));
@@ -22,7 +59,8 @@ const effect_text = ({ candidates, effects }: Diagnosed, bound: Bound): string =
   const size_um = candidate?.amplitude_um ?? 0;
   const size = size_um > 0 ? rounded(size_um, 2) : "";
   const label = effect?.label ?? candidate?.label ?? bound.effect;
-  return t.diagnosis_says_effect({ effect: typed_name(label, 90), size, p: p_text(effect?.p ?? candidate?.p ?? null) });
+  const p = p_text(effect?.p ?? candidate?.p ?? null);
+  return t.diagnosis_says_effect({ effect: plain_name(label, 90), size, p }) + time_text(candidate);
 };
 
 const effects_text = (found: Diagnosed, bounds: readonly Bound[]): string => {
@@ -66,7 +104,10 @@ const in_the_language = (found: Diagnosed): string => {
   }
 };
 
-export const verdict_of = (found: Diagnosed): Sentence => {
+// checked: where the model fails, which is said too.
+export const verdict_of = (found: Diagnosed, checked?: Checked | null): Sentence => {
   const own = language === "en" ? "" : in_the_language(found);
-  return own === "" ? english(found.sentence) : own;
+  if (own === "") return english(found.sentence);
+  const place = checked && found.verdict !== "nothing" && found.verdict !== "untestable" ? place_sentence(checked) : "";
+  return place === "" ? own : `${own} ${place}`;
 };

@@ -63,6 +63,7 @@ export const signals_section = (report: Report): Section[] => {
       id: "signals",
       heading: measured ? t.drift_measured_and_signals : t.drift_signals,
       result,
+      sentences: report.signals.flatMap(({ rows, time_s }) => (rows === undefined ? [] : [t.drift_thinned({ shown: shown(time_s.length, 0), rows: shown(rows, 0) })])),
       ...(pictures[0] ? { first: first(pictures[0].name) } : {}),
       pictures,
     },

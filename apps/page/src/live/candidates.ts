@@ -4,6 +4,7 @@ import { best_set, ranked_candidates } from "../diagnosis/ranking";
 import { decimals_for, shown, with_sigma } from "../drawing/theme";
 import type { Candidate, Diagnosed, Num } from "../report";
 import { plain } from "../drawing/text";
+import { plain_name } from "../machine_errors/error_names";
 import { t } from "../texts/texts";
 
 const kFirst = 5; // the rest is opened if wanted
@@ -43,14 +44,14 @@ export const candidate_list = (
   };
 
   const row_of = (candidate: Candidate, starred: boolean): { element: HTMLElement; promised: Promised } => {
-    const plus = button("+", t.live_add_title({ effect: plain(candidate.label, 80) }), () => add([candidate.label]));
+    const plus = button("+", t.live_add_title({ effect: plain_name(candidate.label, 80) }), () => add([candidate.label]));
     plus.className = "plus";
-    plus.setAttribute("aria-label", t.live_add_title({ effect: plain(candidate.label, 80) }));
+    plus.setAttribute("aria-label", t.live_add_title({ effect: plain_name(candidate.label, 80) }));
     plus.disabled = !can_be_typed(candidate);
     const bar = element("span", { class: "p" });
     bar.style.setProperty("--share", String(Math.min(1, Math.max(0, candidate.p ?? 0))));
     const decimals = decimals_for(candidate.amplitude_um, candidate.amplitude_sigma_um);
-    const name = element("bdi", {}, `${plain(candidate.label, 60)}${starred ? " *" : ""}`);
+    const name = element("bdi", { title: plain(candidate.label, 200) }, `${plain_name(candidate.label, 60)}${starred ? " *" : ""}`);
     const figures = t.live_candidate({ p: shown(candidate.p, 2), amplitude: with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, Math.min(3, decimals)) });
     const promised = promised_of([candidate.label]);
     const row = element("li", {}, plus, bar, name, element("span", { class: "figures" }, figures, ", ", promised.element));
@@ -66,7 +67,7 @@ export const candidate_list = (
     const set = best_set(found);
     if (set.length < 2 || !set.every(can_be_typed)) return null;
     const labels = set.map(({ label }) => label);
-    const plus = button(t.live_add_all, t.live_add_all_title({ effects: labels.map((label) => plain(label, 60)).join(", ") }), () => add(labels));
+    const plus = button(t.live_add_all, t.live_add_all_title({ effects: labels.map((label) => plain_name(label, 60)).join(", ") }), () => add(labels));
     plus.className = "plus-all";
     const promised = promised_of(labels);
     return { element: element("p", { class: "all-of-these" }, plus, " ", promised.element), promised };
@@ -116,7 +117,7 @@ const posterior_in = (line: string): Posterior | null => {
 export const bar_of = (label: string, p: number): HTMLElement => {
   const bar = element("span", { class: "p" });
   bar.style.setProperty("--share", String(Math.min(1, Math.max(0, p))));
-  return element("li", {}, bar, element("bdi", {}, plain(label, 60)), element("span", { class: "number" }, shown(p, 2)));
+  return element("li", {}, bar, element("bdi", { title: plain(label, 200) }, plain_name(label, 60)), element("span", { class: "number" }, shown(p, 2)));
 };
 
 export interface PosteriorBars {

@@ -25,6 +25,7 @@ export interface Intake {
   // The files that a report page carries, and which words of a command they are.
   files_of_page(page: Held): Promise<{ read: ReportFile; held: Held[]; data: string[]; model: string }>;
   written(path: string): Promise<void>; // by the program: kept with the rest
+  keeps(): boolean; // whether the browser keeps all of it, so that a reload loses nothing
   clear(): Promise<void>;
 }
 
@@ -33,8 +34,15 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
   let drops = 0;
   const faults = new Map<string, string>();
 
-  const keep = async (path: string, name: string, file: Blob): Promise<void> => {
-    if (!faults.has(path)) await store?.put(path, name, file).catch(() => undefined); // full: then a reload loses it
+  let keeping: Promise<void> = Promise.resolve(); // a large file takes seconds: it is shown before it is kept
+  let kept_all = true;
+  const keep = (path: string, name: string, file: Blob): void => {
+    if (faults.has(path)) return;
+    keeping = keeping
+      .then(() => store?.put(path, name, file))
+      .catch(() => {
+        kept_all = false; // full: then a reload loses it
+      });
   };
   const hold = async (path: string, name: string, file: Blob): Promise<Held> => {
     const head = await head_of(file);
@@ -54,6 +62,7 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
       faults.set(path, fault);
       return one;
     };
+    if (file.size === 0) return without(t.live_empty);
     const { fits: room, left } = fits(file);
     if (!room) return without(t.live_too_big({ name: plain(name, 80), size: size_spoken(file.size), left: size_spoken(Math.max(0, left)) }));
     try {
@@ -72,7 +81,7 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
   };
   const take_in = async (files: readonly Incoming[]): Promise<Held[]> => {
     const taken = await put_all(files);
-    for (const { path, name, file } of files) await keep(path, name, file);
+    for (const { path, name, file } of files) keep(path, name, file);
     return taken;
   };
 
@@ -123,9 +132,12 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
       const file = new Blob([new Uint8Array(await engine.get(path))]);
       const name = held.find((one) => one.path === path)?.name ?? path;
       await hold(path, name, file);
-      await keep(path, name, file);
+      keep(path, name, file);
     },
+    keeps: () => store !== null && kept_all,
     async clear() {
+      await keeping;
+      kept_all = true;
       for (const { path } of held) if (!faults.has(path)) await engine.remove(path).catch(() => undefined);
       held = [];
       faults.clear();
@@ -145,6 +157,7 @@ export interface KeptState {
   target: string;
   log?: readonly string[]; // of a subject; a page before this had none
   targets?: readonly string[];
+  unsaved?: boolean; // what is in no file that a person has
 }
 
 export interface Kept {

@@ -14,7 +14,8 @@ export interface LivePage {
   // unfolded, zoomed and chose stays.
   show(report: Report, loop: Loop | null, again: boolean): void;
   clear(): void;
-  on_command(act: (command: string) => void): void; // what a button does that says a command
+  // What a button does that says a command; null: nothing, and the button is left out.
+  on_command(action_of: (command: string) => (() => void) | null): void;
   given: Report | null; // with which the page was made
   page_with(report: Report, inside: Inside | null): string; // a page of a report, as a file
 }
@@ -30,9 +31,12 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
   const place = element("div", { class: "live-report" });
   document.body.append(place);
   const shared = shared_by_figures(voice);
-  shared.act = () => undefined;
+  shared.action_of = () => null;
   const tools = page_tools(shared);
   place.append(tools);
+  // Without a report the tools stand above all; else in its own line.
+  const without_report = (on: boolean): void => void document.documentElement.classList.toggle("no-report", on);
+  without_report(true);
 
   return {
     state: shared,
@@ -44,17 +48,19 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
       const kept = loop?.figure();
       shared.clear(kept);
       const { parts, draw } = open(report, shared, tools, loop && { element: loop.element, proves: loop.proves() });
+      without_report(false);
       place.replaceChildren(...parts);
       draw();
       if (again) bring_back();
       if (kept) shared.add(kept);
       if (focused instanceof HTMLElement && focused.isConnected) focused.focus({ preventScroll: true });
     },
-    on_command(act) {
-      shared.act = act;
+    on_command(action_of) {
+      shared.action_of = action_of;
     },
     clear() {
       shared.clear();
+      without_report(true);
       place.replaceChildren(tools);
     },
     page_with: (report, inside) => report_page(document, report, inside),

@@ -10,6 +10,7 @@ import type { PageState } from "../figure/view";
 import type { Candidate, Checked, Diagnosed, Report } from "../report";
 import { micrometres, plain } from "../drawing/text";
 import { english, language, type Sentence, sentence_text, t } from "../texts/texts";
+import { plain_name } from "../machine_errors/error_names";
 import { verdict_of } from "../diagnosis/verdict";
 import { verdict_of as verdict_of_check } from "../model/model";
 
@@ -231,12 +232,12 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     found = of_it && of_it.not_diagnosed === undefined ? of_it : null;
     const effects = found?.command.startsWith("ballbar add ") ? added_by(found.command, subject) : [];
     next.hidden = effects.length === 0;
-    next.textContent = t.live_add_named({ effects: effects.map((effect) => plain(effect, 60)).join(", ") });
-    next.title = found?.command ?? "";
+    next.textContent = t.live_add_named({ effects: effects.map((effect) => plain_name(effect, 60)).join(", ") });
+    next.title = effects.join(", ");
     delete all.dataset.promised;
     ++promising;
     if (!found) return candidates.clear();
-    const held = found.unsupported.map((effect) => plain(effect, 60)).join(", ");
+    const held = found.unsupported.map((effect) => plain_name(effect, 60)).join(", ");
     refusal.hidden = held === "";
     refusal.textContent = held === "" ? "" : t.live_unsupported({ effects: held });
     const promised = candidates.show(found);
@@ -316,6 +317,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       attempt(async () => {
         const of_subject = subject;
         candidates.clear();
+        posterior.clear();
         search.disabled = true;
         all.dataset.search = "running";
         try {
@@ -323,15 +325,16 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
           const part = await runs.search(subject, (line) => posterior.tell(line));
           took_ms = performance.now() - began;
           all.dataset.search = "done";
+          posterior.clear();
           if (of_subject !== subject) return;
           if (fitted) loop.show(with_part(part, true));
           else loop.show(with_part({ ...(await runs.fitted(subject)), ...part }, true));
-          if (found) say(verdict_of(found));
+          if (found) say(verdict_of(found, fitted));
         } catch (error) {
-          all.dataset.search = error instanceof Interrupted ? "stopped" : "failed";
+          const stopped = error instanceof Interrupted;
+          all.dataset.search = stopped ? "stopped" : "failed";
+          if (!stopped || changes > 0) posterior.clear(); // one that is stopped keeps what it has
           throw error;
-        } finally {
-          posterior.clear();
         }
       }),
     async add(effects, keep = false) {

@@ -4,6 +4,7 @@ import { decimated, extent } from "../drawing/columns";
 import { element, svg_element } from "../elements/elements";
 import type { Checked, Num, Parameter } from "../report";
 import { is_scaled, kConstant, key_of } from "./fit_picture";
+import { parameter_name, plain_name } from "../machine_errors/error_names";
 import { plain, unit_shown } from "../drawing/text";
 import { t } from "../texts/texts";
 import { decimals_for, shown, with_sigma } from "../drawing/theme";
@@ -33,8 +34,9 @@ export const model_list = (catalogue: Catalogue, changed: (key: string) => void)
   const optimum_of = (one: Parameter, value: number): Optimum => {
     const known = catalogue.parameter(one.effect ?? "", one.name);
     return {
-      label: plain(one.name.replace(/_(um|s|per)(_.*)?$/, "").replaceAll("_", " "), 40) || plain(one.name, 40),
-      of: plain(one.effect ?? "", 60),
+      label: parameter_name(one.name),
+      typed: plain(one.name, 60),
+      of: plain_name(one.effect ?? "", 60),
       unit: unit_of(one.unit),
       value,
       sigma: one.sigma,
@@ -81,7 +83,7 @@ export const model_list = (catalogue: Catalogue, changed: (key: string) => void)
               sliders.set(key_of(one), { one, slider });
               return slider.element;
             });
-            const head = element("div", { class: "effect" }, element("bdi", {}, plain(effect, 80) || t.live_model), curve);
+            const head = element("div", { class: "effect" }, element("bdi", { title: plain(effect, 200) }, plain_name(effect, 80) || t.live_model), curve);
             return element("li", {}, head, ...rows);
           }),
         );
@@ -128,6 +130,7 @@ const kSigmas = 6; // to either side at least
 
 export interface Optimum {
   label: string; // of the parameter
+  typed: string; // its name in the program
   of: string; // the effect
   unit: string;
   value: number;
@@ -182,6 +185,7 @@ export const slider_of = (first: Optimum, changed: () => void): Slider => {
     input.disabled = !(to > from);
     input.setAttribute("aria-label", `${now.of}: ${now.label}`);
     name.textContent = now.label;
+    name.title = now.typed;
     track.style.setProperty("--optimum", String(share(now.value)));
     track.style.setProperty("--from", String(share(now.value - (now.sigma ?? 0))));
     track.style.setProperty("--to", String(share(now.value + (now.sigma ?? 0))));

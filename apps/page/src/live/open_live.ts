@@ -1,14 +1,18 @@
 // The page with the program in it: files come in, the program is asked, and the page shows what it answers.
 import { type Dropped, folder_as_session } from "./files";
+import { asked } from "./question";
 import { button, element } from "../elements/elements";
+import { plain } from "../drawing/text";
 import type { Engine, Sample } from "../engine";
 import { head_bar, type HeadBar, shelf_of } from "./head_bar";
+import { action_of } from "./actions";
 import { intake_of, type Kept, open_store } from "./intake";
 import { listen, start_of } from "./start";
 import type { LivePage } from "./live_page";
 import { opened_with } from "./opened";
-import { reason, runs_with, work_with } from "./runs";
+import { answer_of, reason, runs_with, work_with } from "./runs";
 import { type Saves, saves_of } from "./saves";
+import { save } from "../figure/files";
 import { ago_spoken } from "./spoken";
 import { tour, tour_steps } from "./tour";
 import { t, when_spoken } from "../texts/texts";
@@ -45,9 +49,10 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
   };
 
   const draw_head = (): void => {
-    const subject = opened.subject();
     const held = intake.held();
     const groups = opened.groups();
+    const of = opened.subject();
+    const subject = of && { ...of, group: groups.find(({ key }) => key === of.group.key) ?? of.group };
     start.hidden = opened.report() !== null;
     saves.renew();
     if (held.length === 0 && !opened.report()) return head.show(null);
@@ -75,31 +80,44 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
     },
   });
 
-  // What was kept is of other files: either it is gone on with, or it goes.
-  const anew = async (): Promise<void> => {
+  // Whether what is in no file may go.
+  const may_go = async (): Promise<boolean> => {
+    if (!opened.unsaved()) return true;
+    const answer = await asked(t.live_ask_unsaved, [["save", t.live_ask_save], ["delete", t.live_ask_delete], ["stay", t.live_ask_stay]]);
+    if (answer === "save") await saves.save_all();
+    return answer === "save" || answer === "delete";
+  };
+  const kept_may_go = async (): Promise<boolean> =>
+    !kept?.state.unsaved || (await asked(t.live_ask_kept({ title: plain(kept.state.title, 80) }), [["delete", t.live_ask_delete], ["stay", t.live_ask_stay]])) === "delete";
+
+  // What was kept is of other files: either it is gone on with, or it goes. false: it is to stay.
+  const anew = async (): Promise<boolean> => {
     leave_tour();
-    if (intake.held().length > 0) return;
+    if (intake.held().length > 0) return true;
+    if (!(await kept_may_go())) return false;
     kept = null;
     start.querySelector(".kept")?.remove();
     await store?.clear().catch(() => undefined);
+    return true;
   };
   const take = (dropped: readonly Dropped[]): void =>
     void attempt(async () => {
       if (dropped.length === 0) return tell(t.live_nothing_in_it);
-      await anew();
+      if (!(await anew())) return;
       await opened.came((await intake.take(dropped)).map(({ path }) => path));
     });
   const open_sample = async (sample: Sample): Promise<void> => {
-    await anew();
-    await opened.sample(sample);
+    if (await anew()) await opened.sample(sample);
   };
   const take_tour = async (sample: Sample): Promise<void> => {
     await open_sample(sample);
+    if (!opened.report()) return;
     touring = tour(tour_steps({ loop: () => opened.loop(), saves: saves.element }));
   };
   const close = (): void =>
     void attempt(async () => {
       leave_tour();
+      if (!(await may_go())) return;
       work.stop();
       await intake.clear();
       opened.forget();
@@ -115,11 +133,15 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
         start.querySelector(".kept")?.remove();
         void opened.again(of);
       }),
-      button(t.live_delete_kept, t.live_delete_title, () => {
-        kept = null;
-        start.querySelector(".kept")?.remove();
-        void store?.clear().then(() => tell(t.live_deleted));
-      }),
+      button(t.live_delete_kept, t.live_delete_title, () =>
+        void attempt(async () => {
+          if (!(await kept_may_go())) return;
+          kept = null;
+          start.querySelector(".kept")?.remove();
+          await store?.clear();
+          tell(t.live_deleted);
+        }),
+      ),
     );
 
   const write = (): void => {
@@ -128,6 +150,8 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
       report: () => opened.report(),
       page_with: page.page_with,
       bytes_of: (path) => engine.get(path),
+      model_text: (subject) => runs.model_text(subject),
+      saved: () => opened.saved(),
       async table_of({ data, log }) {
         const ran = await work.run(["drift", ...data, ...log, "--out", "drift.csv"], { what: t.live_reading });
         return ran.status === 0 ? engine.get("drift.csv") : ran.err;
@@ -150,11 +174,22 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
   };
 
   write();
-  listen({ take, undo: () => void opened.loop()?.undo(), redo: () => void opened.loop()?.redo(), stop: () => work.stop() });
-  page.on_command((command) => {
-    if (opened.loop()?.act(command)) return;
-    tell(command.startsWith("ballbar history ") ? t.live_test_again : t.live_for_terminal({ command }));
+  // What the browser keeps is there again after a reload.
+  addEventListener("beforeunload", (event) => {
+    if (opened.unsaved() && !intake.keeps()) event.preventDefault();
   });
+  listen({ take, undo: () => void opened.loop()?.undo(), redo: () => void opened.loop()?.redo(), stop: () => work.stop() });
+  page.on_command((command) =>
+    action_of(command, {
+      opened,
+      test_again: () => tell(t.live_test_again),
+      save_of: (words, file) =>
+        attempt(async () => {
+          answer_of(await work.run([...words, "--json"], { what: t.live_reading }));
+          save(file, new Blob([new Uint8Array(await engine.get(file))], { type: "text/csv" }));
+        }),
+    }),
+  );
   if (page.given) opened.show(page.given);
   when_spoken(() => {
     leave_tour();

@@ -31,6 +31,7 @@ export interface Opened {
   loop(): Loop | null;
   groups(): Group[];
   open(group: Group, as?: Partial<Subject>): Promise<void>;
+  diagnose(): Promise<void>; // without a model: what every model has before its first effect
   came(paths: readonly string[]): Promise<void>; // files that are new
   sample(sample: Sample): Promise<void>;
   again(kept: Kept): Promise<void>;
@@ -38,6 +39,8 @@ export interface Opened {
   rewrite(): Promise<void>; // in another language
   leave(why: string): void;
   forget(): void;
+  unsaved(): boolean; // whether something was done by hand that is in no file yet
+  saved(): void;
 }
 
 const kShort_ms = 3000; // to fit
@@ -66,6 +69,8 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
   let last: Subject | null = null; // that was opened, or was to be
   const read_as = new Map<string, Pick<Subject, "log" | "targets">>(); // by group
   const stated = new Map<string, Group>(); // groups that are not found but said: of samples, of saved pages
+  let unsaved = false;
+  const models = new Map<string, string>(); // the text of each as it came in, or was saved
   const catalogue = catalogue_of(engine);
   const columns = columns_with({
     work,
@@ -92,7 +97,15 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
   const keep_state = (): void => {
     if (!subject) return;
     const { group, model, target, data, log, targets } = subject;
-    store?.say({ when: Date.now(), title: group.title, data, model, target, log, targets }).catch(() => undefined);
+    store?.say({ when: Date.now(), title: group.title, data, model, target, log, targets, unsaved }).catch(() => undefined);
+  };
+
+  const text_of = async (model: string): Promise<string> => new TextDecoder().decode(await engine.get(model).catch(() => new Uint8Array()));
+  // An effect that was added and taken back leaves nothing to save.
+  const note_change = async (model: string): Promise<void> => {
+    await intake.written(model);
+    unsaved = (await text_of(model)) !== (models.get(model) ?? "");
+    keep_state();
   };
 
   // What the program says of a file alone; "": nothing against it.
@@ -101,7 +114,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       answer_of(await work.run(["report", path, "--json"], { what: t.live_checking({ name: path }) }));
       return "";
     } catch (error) {
-      if (error instanceof Refused) return error.message;
+      if (error instanceof Refused) return reason(error);
       throw error;
     }
   };
@@ -140,7 +153,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       plan: planned_with(engine, work, runs),
       changed(now, next) {
         if (loop !== made) return; // an answer about what is no longer open
-        if (next.model !== "" && report !== now && (report !== null || next.model !== subject?.model)) void intake.written(next.model);
+        if (next.model !== "" && report !== now && (report !== null || next.model !== subject?.model)) void note_change(next.model);
         const again = report !== null;
         report = now;
         subject = next;
@@ -206,7 +219,9 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       }
       const [model] = group.models.length === 1 ? group.models.map(({ path }) => path) : [""];
       const next: Subject = { group, data: group.data, model: model ?? "", target: "", compared: "", log: [], targets: [], ...read_as.get(group.key), ...as };
+      if (last?.group.key === group.key && last.log.join("\n") !== next.log.join("\n")) unsaved = true; // columns, by hand
       last = next;
+      if (next.model !== "" && !models.has(next.model)) models.set(next.model, await text_of(next.model));
       read_as.set(group.key, { log: next.log, targets: next.targets });
       try {
         await columns.understand(next);
@@ -225,13 +240,33 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
         if (sound.data.length > 0 && sound.data.length < group.data.length) {
           return show({ ...next, group: sound, data: sound.data });
         }
-        if (sound === group) intake.faults().set(group.files[0]?.path ?? group.key, error.message);
-        leave(error.message);
+        if (sound === group) intake.faults().set(group.files[0]?.path ?? group.key, reason(error));
+        leave(reason(error));
       }
     });
 
+  const diagnose = (): Promise<void> =>
+    attempt(async () => {
+      if (!subject || !report) return;
+      const [of, shown] = [subject, report];
+      const with_fit = { ...shown, ...(await runs.fitted(of)) };
+      const its_loop = await make_loop(of, with_fit);
+      if (!its_loop || report !== shown) return;
+      report = null;
+      loop = its_loop;
+      loop.show(with_fit);
+      await loop.search();
+    });
+
+  // A model that was made here lies beside its data.
+  const with_new_models = (group: Group): Group => {
+    const folder = group.data[0]?.replace(/[^/]*$/, "") ?? "";
+    const made = intake.held().filter(({ path, kind }) => kind === "model" && path.startsWith(folder) && !group.models.some((one) => one.path === path));
+    return { ...group, models: [...group.models, ...made] };
+  };
+
   const groups = (): Group[] => {
-    const of_stated = [...stated.values()];
+    const of_stated = [...stated.values()].map(with_new_models);
     const files = new Set(of_stated.flatMap((group) => group.files.map(({ path }) => path)));
     return [...of_stated, ...groups_of(intake.held().filter(({ path }) => !files.has(path)))];
   };
@@ -243,6 +278,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     loop: () => loop,
     groups,
     open,
+    diagnose,
     async came(paths) {
       for (const one of intake.held()) {
         if (!paths.includes(one.path) || one.kind !== "other" || intake.faults().has(one.path) || is_no_data(one)) continue;
@@ -262,6 +298,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     again: (kept) =>
       attempt(async () => {
         await intake.again(kept);
+        unsaved = kept.state.unsaved ?? false;
         const { data, model, target, title, log = [], targets = [] } = kept.state;
         const found = groups_of(intake.held()).find(({ key }) => key === data.join("\n"));
         await open(found ?? group_of(title, intake.held(), data), { model, target, log, targets });
@@ -278,7 +315,16 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       stated.clear();
       read_as.clear();
       last = null;
+      models.clear();
+      unsaved = false;
       columns.forget();
+    },
+    unsaved: () => unsaved,
+    saved() {
+      unsaved = false;
+      const model = subject?.model ?? "";
+      if (model !== "") void text_of(model).then((text) => models.set(model, text));
+      keep_state();
     },
   };
 };

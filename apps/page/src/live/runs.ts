@@ -2,9 +2,10 @@
 // nothing.
 import { type Engine, Failed, type Ran, Stopped, type Watch } from "../engine";
 import { button, element } from "../elements/elements";
+import { duration_spoken } from "./spoken";
 import { t } from "../texts/texts";
 import type { Group } from "./files";
-import type { LogWords } from "./log_words";
+import { answer_without_advice, type LogWords, without_advice } from "./log_words";
 import type { Report } from "../report";
 
 const kSoon_ms = 300;
@@ -44,8 +45,11 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
   let last: Promise<unknown> = Promise.resolve();
   let waiting = 0;
 
-  const show = (what: string, can_stop: boolean): (() => void) => {
+  // How far it is, as it tells itself: `to` takes a share, and from two of them on the time to go is known.
+  const show = (what: string, can_stop: boolean): { hide(): void; to(share: number): void } => {
     const began = performance.now();
+    let first: { share: number; at: number } | null = null; // of this stage
+    let now: { share: number; at: number } | null = null;
     text.textContent = what;
     bar.removeAttribute("value");
     bar.setAttribute("aria-label", what);
@@ -55,12 +59,26 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
       say(what);
     }, kSoon_ms);
     const clock = setInterval(() => {
-      text.textContent = t.live_since({ what, seconds: Math.round((performance.now() - began) / 1000) });
+      const seconds = Math.round((performance.now() - began) / 1000);
+      const left_ms = first && now && now.share > first.share ? ((now.at - first.at) * (1 - now.share)) / (now.share - first.share) - (performance.now() - now.at) : null;
+      text.textContent =
+        left_ms === null || !now
+          ? t.live_since({ what, seconds })
+          : t.live_to_go({ what, seconds, percent: Math.round(100 * now.share), left: duration_spoken(Math.max(0, left_ms)) });
     }, 1000);
-    return () => {
-      clearTimeout(soon);
-      clearInterval(clock);
-      shown.hidden = true;
+    return {
+      hide() {
+        clearTimeout(soon);
+        clearInterval(clock);
+        shown.hidden = true;
+      },
+      to(share) {
+        if (!Number.isFinite(share)) return; // of an empty file
+        const at = performance.now();
+        if (first === null || (now && share < now.share)) first = { share, at };
+        now = { share, at };
+        bar.value = share;
+      },
     };
   };
 
@@ -80,10 +98,10 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
     const mine = new AbortController();
     stopping.add(mine);
     return queued(async () => {
-      const hide = show(what, true);
+      const { hide, to } = show(what, true);
       const take_line = (line: string): void => {
         const share = share_of(line);
-        if (share !== null) bar.value = share;
+        if (share !== null) to(share);
         progress?.(line);
       };
       try {
@@ -103,9 +121,9 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
     call: (call, job) => stoppable(job, (watch) => engine.call(call, watch)),
     during: (what, work) =>
       queued(async () => {
-        const hide = show(what, false);
+        const { hide, to } = show(what, false);
         try {
-          return await work((share) => (bar.value = share));
+          return await work(to);
         } finally {
           hide();
         }
@@ -209,7 +227,7 @@ const sentence_of = ({ err, status }: Ran): string => {
 
 export const answer_of = <T>(ran: Ran): T => {
   if (ran.status !== 0) throw new Refused(sentence_of(ran));
-  return JSON.parse(ran.out) as T;
+  return answer_without_advice(JSON.parse(ran.out) as T);
 };
 
 // Keys of a report, to put in the place of its own.
@@ -227,6 +245,7 @@ export interface Runs {
   take_back(subject: Subject): Promise<void>; // what was added, and is in no file
   try(subject: Subject, effect: string): Promise<string>; // what it would change
   undo(model: string): Promise<void>;
+  model_text(subject: Subject): Promise<string>; // its file, beginning with the values that are fitted
   free_name(folder: string, name: string): string;
 }
 
@@ -247,6 +266,7 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
     take_back: (subject) => call("take_back", model_words(subject), { what: t.live_undoing }),
     try: async (subject, effect) =>
       answer_of<{ sentence: string }>(await work.run(try_words(subject, effect), { what: t.live_trying({ effect }) })).sentence,
+    model_text: async (subject) => (await call<{ text: string }>("with_values", model_words(subject), { what: t.live_reading })).text,
     async undo(model) {
       const ran = await work.run(["undo", "--model", model], { what: t.live_undoing });
       if (ran.status !== 0) throw new Refused(sentence_of(ran));
@@ -266,7 +286,7 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
 export const reason = (error: unknown): string => {
   const text = error instanceof Error ? error.message : String(error);
   if (error instanceof Interrupted) return t.live_stopped({ what: text });
-  if (error instanceof Refused) return text;
+  if (error instanceof Refused) return /^std::|bad_alloc/.test(text) ? t.live_too_much : without_advice(text) || t.live_refused;
   if (!(error instanceof Failed)) return text;
   return /memory|bad_alloc|OOM/i.test(text) ? t.live_out_of_memory : t.live_failed({ why: text });
 };

@@ -13,12 +13,15 @@ export interface SavesOf {
   report(): Report | null;
   page_with(report: Report, inside: Inside | null): string;
   bytes_of(path: string): Promise<Uint8Array>;
+  model_text(subject: Subject): Promise<string>; // with what is fitted
+  saved(): void; // what was changed is in a file now
   table_of(subject: Subject): Promise<Uint8Array | string>; // of the drift, or why not
   fault(text: string): void;
 }
 
 export interface Saves {
   element: HTMLElement;
+  save_all(): Promise<void>; // the page with its files, to go on with
   renew(): void;
 }
 
@@ -40,15 +43,34 @@ export const saves_of = (of: SavesOf): Saves => {
       act().catch((error: unknown) => of.fault(t.live_not_saved({ why: String(error instanceof Error ? error.message : error) })));
     });
 
+  // A regression of `train` has its values.
+  const model_bytes = async (subject: Subject): Promise<Uint8Array> =>
+    subject.model.endsWith(".toml") && of.report()?.check ? new TextEncoder().encode(await of.model_text(subject)) : of.bytes_of(subject.model);
   // Paths as they are here: dropped on this page again, the files go into a folder of their own.
-  const inside_of = async ({ group, data, model, log }: Subject): Promise<Inside> => {
+  const inside_of = async (subject: Subject): Promise<Inside> => {
+    const { group, data, model, log } = subject;
     const paths = [...new Set([...group.files.map(({ path }) => path), ...(model === "" ? [] : [model])])];
-    const files = await Promise.all(paths.map(async (path) => ({ path, base64: base64_of(await of.bytes_of(path)) })));
+    const bytes = async (path: string): Promise<Uint8Array> => (path === model ? model_bytes(subject) : of.bytes_of(path));
+    const files = await Promise.all(paths.map(async (path) => ({ path, base64: base64_of(await bytes(path)) })));
     return { files, data: [...data], ...(model === "" ? {} : { model }), ...(log.length === 0 ? {} : { log: [...log] }) };
+  };
+
+  const save_all = async (): Promise<void> => {
+    const [subject, report] = [of.subject(), of.report()];
+    if (!subject || !report) return;
+    save(`${name()}-with-files.html`, html(of.page_with(report, await inside_of(subject))));
+    of.saved();
+  };
+  const save_model = async (): Promise<void> => {
+    const subject = of.subject();
+    if (!subject || subject.model === "") return;
+    save(last_part(subject.model), new Blob([new Uint8Array(await model_bytes(subject))]));
+    of.saved();
   };
 
   return {
     element: box,
+    save_all,
     renew() {
       const subject = of.subject();
       const report = of.report();
@@ -59,16 +81,11 @@ export const saves_of = (of: SavesOf): Saves => {
       ];
       if (subject && subject.group.files.length > 0) {
         entries.push(
-          entry(t.live_save_all, t.live_save_all_title, async () =>
-            save(`${name()}-with-files.html`, html(of.page_with(report, await inside_of(subject)))),
-          ),
+          entry(t.live_save_all, t.live_save_all_title, save_all),
         );
       }
       if (subject && subject.model !== "") {
-        const { model } = subject;
-        entries.push(
-          entry(t.live_save_model, t.live_save_model_title, async () => save(last_part(model), new Blob([new Uint8Array(await of.bytes_of(model))]))),
-        );
+        entries.push(entry(t.live_save_model, t.live_save_model_title, save_model));
       }
       if (subject && report.drift) {
         entries.push(

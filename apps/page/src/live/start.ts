@@ -1,9 +1,9 @@
 // The first screen without data: where files are dropped or chosen, sample runs, a tour, and what was here before.
 import { chosen_of, type Dropped, dropped_of } from "./files";
-import { button, element } from "../elements/elements";
+import { button, element, text_in } from "../elements/elements";
 import type { Sample } from "../engine";
 import { plain } from "../drawing/text";
-import { t } from "../texts/texts";
+import { english, t } from "../texts/texts";
 
 const kName = "ballbar";
 
@@ -34,7 +34,7 @@ export const start_of = ({ samples, take, sample, tour }: StartOf): HTMLElement 
   );
   const tries = samples.map((one) => {
     const open = button(plain(one.name, 40), "", () => sample(one));
-    return element("li", {}, open, element("span", {}, one.title));
+    return element("li", {}, open, text_in("span", english(one.title)));
   });
   return element(
     "section",

@@ -35,5 +35,23 @@ export const typed_name = (typed: string, most: number): string => {
   return plain(typed === id ? `${name} (${typed})` : `${name}, ${typed}`, most);
 };
 
+// An effect in the page's language, without the name that is typed: "verzögerte Ausdehnung (T_room_degC)". In English
+// the program's own; an element that shows it says the typed one in its title.
+export const plain_name = (label: string, most: number): string => {
+  const [, id = "", columns = ""] = /^(\w+)\s*(\(.*)?$/s.exec(label) ?? [];
+  if (language === "en" || !Object.hasOwn(t.effects, id)) return language === "en" ? plain(label, most) : typed_name(label, most);
+  return plain(`${named(t.effects, id)}${columns === "" ? "" : ` ${columns}`}`, most);
+};
+
+// "gain_um_per_K" is a gain.
+export const parameter_name = (name: string): string => {
+  const stem = name.replace(/_(um|mm|ms|s|Hz|deg|ppm|unit|per)(_.*)?$/, "");
+  return plain(named(t.parameters, stem), 40).replaceAll("_", " ") || plain(name, 40);
+};
+
+// With the name that is typed, on a page that is not in English.
+export const typed_parameter = (name: string): string =>
+  language === "en" ? plain(name, 60) : plain(`${parameter_name(name)} (${name})`, 60);
+
 // "um/m" as pictures write it.
 export const unit_shown = (unit: string): string => plain(unit, 20).replace(/^um\b/, "µm");

@@ -112,7 +112,7 @@ export const next_step = (shared: Shared): NextStep => {
   };
   button.addEventListener("click", () => {
     const typed = command.textContent ?? "";
-    if (shared.act) shared.act(typed);
+    if (shared.action_of) shared.action_of(typed)?.();
     else
       void copied(command).then((done) => {
         tell(done ? t.page_copied : t.page_press_to_copy);
@@ -126,8 +126,10 @@ export const next_step = (shared: Shared): NextStep => {
     text.replaceWith(why);
     text = why;
     command.textContent = typed;
+    command.hidden = shared.action_of !== undefined;
     button.textContent = label;
-    button.title = shared.act ? typed : t.page_copies;
+    button.title = shared.action_of ? "" : t.page_copies;
+    button.hidden = shared.action_of?.(typed) === null;
   };
   const made = element("div", { class: "next" }, text, element("div", { class: "do" }, button, command, message));
   return { element: made, show };

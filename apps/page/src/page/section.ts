@@ -11,9 +11,10 @@ import { micrometres } from "../drawing/text";
 const text_table = (table: TextTable, shared: Shared): HTMLElement =>
   table_of(table.choose ? { ...table, row: choosing_rows(table.choose, shared) } : table);
 
-const sentences_of = ({ sentences = [], command }: Section): HTMLElement[] => {
+// A page that does the steps by itself shows no command.
+const sentences_of = ({ sentences = [], command }: Section, shared: Shared): HTMLElement[] => {
   const [first, ...rest] = sentences.map((sentence) => text_in("p", sentence));
-  const typed = command ? [element("pre", { class: "command", tabindex: "0" }, command)] : [];
+  const typed = command && !shared.action_of ? [element("pre", { class: "command", tabindex: "0" }, command)] : [];
   return [...(first ? [first] : []), ...typed, ...rest];
 };
 
@@ -63,7 +64,7 @@ export const section_of = (section: Section, on_first_screen: boolean, shared: S
   const made = element(
     "section",
     { id: section.id, "aria-labelledby": `${section.id}-heading` },
-    folded(section.id, head, [...sentences_of(section), ...parts.rest]),
+    folded(section.id, head, [...sentences_of(section, shared), ...parts.rest]),
   );
   return { element: made, proof: parts.proof, figure: proof === undefined ? undefined : shared.figures.get(proof) };
 };

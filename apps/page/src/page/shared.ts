@@ -9,7 +9,8 @@ export interface Shared extends PageState {
   add(figure: Figure): void;
   clear(but?: Figure | null): void; // the page goes on without its figures, or with one of them
   look(dark: boolean): void;
-  act?: (command: string) => void; // does what a command says; where it is not there, commands are copied
+  // What does a command's step on this page; null: nothing does. Where it is not there, commands are copied.
+  action_of?: (command: string) => (() => void) | null;
 }
 
 export const shared_by_figures = (voice: HTMLElement): Shared => {

@@ -2,6 +2,7 @@
 // The files of the languages have the same keys, which the compiler checks.
 import { de } from "./de";
 import { en, type Texts } from "./en";
+import { program_sentence } from "./program";
 import { zh } from "./zh";
 
 export type Language = "en" | "de" | "zh";
@@ -41,16 +42,21 @@ export const language_of = (asked: readonly string[]): Language => {
   return "en";
 };
 
-// A sentence of the program, which is English on every page and marked as such where it is shown; `before` it stands
-// what the page says.
+// A sentence of the program: in the page's language where that has it (program.ts), else English, and marked as such
+// where it is shown; `before` it stands what the page says.
 export interface Quoted {
   readonly before: string;
   readonly english: string;
 }
 export type Sentence = string | Quoted;
 
-export const english = (text: string): Quoted => ({ before: "", english: text });
-export const english_after = (before: string, text: string): Quoted => ({ before, english: text });
+const in_the_language = (text: string): string | null =>
+  program_sentence(text, { language, effects: t.effects, numbers: with_decimal_sign });
+export const english = (text: string): Sentence => in_the_language(text) ?? { before: "", english: text };
+export const english_after = (before: string, text: string): Sentence => {
+  const said = in_the_language(text);
+  return said === null ? { before, english: text } : `${before} ${said}`;
+};
 export const sentence_text = (sentence: Sentence): string =>
   typeof sentence === "string" ? sentence : [sentence.before, sentence.english].filter((part) => part !== "").join(" ");
 

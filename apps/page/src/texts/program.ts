@@ -1,0 +1,54 @@
+// Sentences of the program in another language: each as the program has it, with {} for what varies, and what it is
+// there, where {1} is the first of these. One that no row is of stays English, and is marked so.
+import { program_de } from "./program_de";
+import { program_zh } from "./program_zh";
+
+export type ProgramSentences = readonly (readonly [string, string])[];
+
+interface Row {
+  pattern: RegExp;
+  said: string;
+}
+
+const escaped = (text: string): string => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+
+const rows_of = (sentences: ProgramSentences): Row[] =>
+  sentences.map(([written, said]) => ({ pattern: new RegExp(`^${escaped(written).replaceAll("\\{\\}", "(.+?)")}$`, "s"), said }));
+
+const rows: Readonly<Record<string, readonly Row[]>> = { de: rows_of(program_de), zh: rows_of(program_zh) };
+
+// "lagged_expansion(T_room_degC)"
+const kLabel = /^([a-z][a-z_0-9]*)( ?\(.*\))?$/s;
+
+export interface Words {
+  language: string;
+  effects: Readonly<Record<string, string>>;
+  numbers(text: string): string; // with the sign of the language
+}
+
+// What stands in a place of a sentence: a phrase, an effect, several of either, a number.
+const part_of = (text: string, words: Words): string => {
+  const phrase = one_of(text, words);
+  if (phrase !== null) return phrase;
+  const [, name = "", columns = ""] = kLabel.exec(text) ?? [];
+  if (Object.hasOwn(words.effects, name)) return `${words.effects[name] ?? name}${columns === "" ? "" : ` ${columns.trim()}`}`;
+  return words.numbers(text);
+};
+
+const one_of = (text: string, words: Words): string | null => {
+  for (const { pattern, said } of rows[words.language] ?? []) {
+    const found = pattern.exec(text);
+    if (found) return said.replace(/\{(\d)\}/g, (_, place: string) => part_of(found[Number(place)] ?? "", words));
+  }
+  return null;
+};
+
+// null: it has none in the language.
+export const program_sentence = (text: string, words: Words): string | null => {
+  const whole = one_of(text, words);
+  if (whole !== null || rows[words.language] === undefined) return whole;
+  const all = text.split(/(?<=[.!?])\s+(?=\p{Lu})/u);
+  if (all.length < 2) return null;
+  const said = all.map((one) => one_of(one, words));
+  return said.every((one) => one !== null) ? said.join(words.language === "zh" ? "" : " ") : null;
+};
