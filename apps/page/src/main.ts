@@ -55,10 +55,12 @@ const embedded_report = (): Report | null => {
 
 const voice = element("div", { class: "voice", role: "status", "aria-live": "polite" });
 
-// `by_hand`: of a live page, what stands on the first screen; `proves`: it does so in the place of the report's own.
+// `by_hand`: of a live page, what stands on the first screen; `proves`: it does so in the place of the report's own, but
+// for a drift, which is what its session was recorded for.
 const open: Open = (report, shared, tools, by_hand) => {
   const { first, all } = ranked_sections(report);
-  const own = !by_hand?.proves;
+  const drifts = report.drift !== undefined || report.five_probe !== undefined;
+  const own = !by_hand?.proves || (drifts && first[0]?.id === "drift");
   const made = all.map((section) => ({ section, ...section_of(section, own && first.includes(section), shared) }));
   const proved = made.flatMap(({ section, figure, proof }): Proved[] =>
     section.first && figure ? [{ first: section.first, figure, proof }] : [],
@@ -66,11 +68,11 @@ const open: Open = (report, shared, tools, by_hand) => {
   const main = element(
     "main",
     {},
-    ...(own ? first_screen(proved, report.summary, shared) : []),
+    ...(own ? first_screen(proved, by_hand?.proves ? [] : report.summary, shared) : []),
     ...(by_hand ? [by_hand.element] : []),
     ...made.map((one) => one.element),
   );
-  const sheet = one_sheet(report, shared);
+  const sheet = one_sheet(report, first[0], shared);
   return {
     parts: [
       ...(sheet ? [sheet.sheet] : []),

@@ -1,6 +1,6 @@
 // The drift of the spindle over time.
 import {
-  axes_of_points, axes_of_probes, axis_curve, type DriftAxis, largest_of, largest_table, points_table,
+  axes_of_points, axes_of_probes, axis_curve, type DriftAxis, largest_of_each, largest_table, points_table,
 } from "./drift_axes";
 import { data_files, report_command } from "../drawing/command";
 import type { First, Picture, Range, Section, TextTable } from "../picture";
@@ -63,14 +63,14 @@ const probe_pictures = (axes: readonly DriftAxis[], whole: Range): Picture[] => 
 };
 
 const result_of = (axes: readonly DriftAxis[]): string => {
-  const largest = largest_of(axes);
-  return largest === null ? "" : t.drift_result({ largest: largest.text, at: largest.at_text });
+  const [largest] = largest_of_each(axes);
+  return largest ? t.drift_result({ largest: largest.text, at: largest.at_text }) : "";
 };
 
 const first_of = (report: Report, axes: readonly DriftAxis[], picture: string): First => ({
   picture,
   conclusion: () => ({
-    verdict: t.drift_verdict({ largest: largest_of(axes)?.text ?? "–", at: largest_of(axes)?.at_text ?? "–" }),
+    verdict: t.drift_verdict({ each: largest_of_each(axes).map(({ said }) => said) }),
     next: {
       label: t.drift_next,
       command: report_command(data_files(report).slice(0, 1)),
@@ -86,10 +86,10 @@ export const drift_section = (report: Report): Section[] => {
 
   const whole = whole_of(report);
   const main = points.length > 0 ? points : probes.filter(({ unit }) => unit === "um");
-  const tables: TextTable[] = [
-    ...(points.length > 0 ? [largest_table(t.drift_largest_title, points), points_table(points)] : []),
-    ...(probes.length > 0 ? [largest_table(t.drift_largest_probes_title, probes)] : []),
-  ];
+  const of_points = points.length > 0 ? [largest_table(t.drift_largest_title, points), points_table(points)] : [];
+  const of_probes = probes.length > 0 ? [largest_table(t.drift_largest_probes_title, probes)] : [];
+  // What belongs to the first picture stands beside it.
+  const [[above, table = above], tables]: [TextTable[], TextTable[]] = points.length > 0 ? [of_points, of_probes] : [of_probes, []];
   const pictures = [...(points.length > 0 ? [drift_picture(points, whole)] : []), ...probe_pictures(probes, whole)];
   return [
     {
@@ -103,6 +103,16 @@ export const drift_section = (report: Report): Section[] => {
       ],
       tables,
       pictures,
+      ...(pictures[0] && above && table
+        ? {
+            companion: {
+              picture: pictures[0].name,
+              key: "",
+              ...(table === above ? {} : { above }),
+              notes: () => ({ table, sentences: [], lists: [], tables: [] }),
+            },
+          }
+        : {}),
     },
   ];
 };

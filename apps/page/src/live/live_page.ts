@@ -13,6 +13,7 @@ export interface LivePage {
   // In the place of the one before; a loop stands for the first screen. `again`: of the same data, so that what a reader
   // unfolded, zoomed and chose stays.
   show(report: Report, loop: Loop | null, again: boolean): void;
+  made_with(options: string): void; // the report that is shown next
   clear(): void;
   on_command(act: (command: string) => void): void; // what a button does that says a command
   given: Report | null; // with which the page was made
@@ -49,6 +50,9 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
       if (again) bring_back();
       if (kept) shared.add(kept);
       if (focused instanceof HTMLElement && focused.isConnected) focused.focus({ preventScroll: true });
+    },
+    made_with(options) {
+      shared.asked = options;
     },
     on_command(act) {
       shared.act = act;

@@ -40,7 +40,8 @@ export const extent_of_test = (test: ErrorTest): [number, number] =>
     [0, 0],
   );
 
-// The rows of a test in the order they are read: by rank, then what is not significant by the size of its curve.
+// The rows of a test in the order they are read: by rank, then what is significant without one, then what is not; each
+// by the size of its curve.
 
 export interface RankedError {
   effect: string;
@@ -52,6 +53,7 @@ const kUnranked = 1e9;
 
 const compared = ({ first: a }: RankedError, { first: b }: RankedError): number =>
   (a.rank ?? kUnranked) - (b.rank ?? kUnranked) ||
+  Number(b.significant === true) - Number(a.significant === true) ||
   (b.individual_circularity_um ?? 0) - (a.individual_circularity_um ?? 0);
 
 export const ranked_errors = ({ errors }: MachineErrorsPart): RankedError[] => {

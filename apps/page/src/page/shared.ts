@@ -9,6 +9,7 @@ export interface Shared extends PageState {
   add(figure: Figure): void;
   clear(but?: Figure | null): void; // the page goes on without its figures, or with one of them
   look(dark: boolean): void;
+  asked?: string; // the options that the report was made with, where they are known
   act?: (command: string) => void; // does what a command says; where it is not there, commands are copied
 }
 
