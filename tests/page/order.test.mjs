@@ -11,7 +11,7 @@ const kScreens = 6;
 
 // [name, page, what is on the first screen]
 const cases = [
-  ["two arcs with a model", two_arcs, "with-without"],
+  ["two arcs with a model", two_arcs, "drift"],
   ["two arcs", () => report("order-two-arcs", of_run("two-arcs-he2015")), "drift"],
   ["a turning spindle", () => report("order-rotation", of_run("spindle-rotation-huang2022")), "drift"],
   ["a ballbar test", () => report("order-b5r", of_run("qc20-style-b5r", "00.b5r")), "machine-errors"],

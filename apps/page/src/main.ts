@@ -3,6 +3,8 @@ import { kept_view, shared_by_figures } from "./page/shared";
 import { one_sheet } from "./page/one_sheet";
 import { page_tools } from "./page/page_tools";
 import { details_of, element, text_in } from "./elements/elements";
+import { canvas_of } from "./figure/charts";
+import { drawn } from "./figure/still";
 import { first_screen, type Proved } from "./page/first_screen";
 import type { Section } from "./picture";
 import type { Report } from "./report";
@@ -85,6 +87,20 @@ const open: Open = (report, shared, tools, by_hand) => {
   };
 };
 
+// Browsers compile a function when it is first called: a first page is drawn before there is one to show, and let go.
+const warm_up = (report: Report): void => {
+  const shared = shared_by_figures(element("div"));
+  const { first, all } = ranked_sections(report);
+  const made = all.map((section) => ({ section, ...section_of(section, first.includes(section), shared) }));
+  for (const { section, figure, proof } of made) {
+    if (!section.first || !figure) continue;
+    first_screen([{ first: section.first, figure, proof }], report.summary, shared);
+    const state = figure.state();
+    const look = { ...state.look, width_px: 640, height_px: 520 };
+    canvas_of(drawn(figure.picture, { ...state, look }), look.width_px, look.height_px, 1);
+  }
+};
+
 // For reading values back, as the tests of the page do.
 const ready = (shared: object): void => {
   Object.defineProperty(window, "ballbar", { value: shared });
@@ -98,6 +114,7 @@ try {
   document.body.append(voice);
   if (engine) {
     const page = live_page(voice, given, open);
+    void engine.warmed.then((report) => requestIdleCallback(() => page.shown() || warm_up(JSON.parse(report) as Report)));
     void open_live(engine, page).then(() => ready(Object.assign(Object.create(page.shared), { engine })));
   } else {
     if (!given) throw new Error(t.page_no_data);

@@ -6,7 +6,7 @@ import { t } from "../texts/texts";
 
 export interface Controls {
   element: HTMLElement;
-  update(state: State): void;
+  update(state: State, drawn?: boolean): void; // not drawn yet: sliders wait
 }
 
 const switch_of = (toggle: Toggle, state: State, change: (on: boolean) => void): HTMLElement => {
@@ -54,7 +54,7 @@ const kSteps = 100; // of the slider, a decade
 
 interface Chooser {
   label: HTMLElement;
-  update(state: State): void;
+  update(state: State, drawn: boolean): void;
 }
 
 // Two digits: a number that is read.
@@ -69,8 +69,9 @@ const slider_of = (choice: Choice, slider: Slider, choose: (value: string) => vo
   const [by_itself] = choice.values;
   const back = button(by_itself?.label ?? "", "", () => choose(choice.initial));
   return {
-    label: element("span", { class: "choice slider" }, element("label", {}, element("span", {}, choice.label), " ", input), told, back),
-    update({ chosen }) {
+    label: element("span", { class: "choice magnify" }, element("label", {}, element("span", {}, choice.label), " ", input), told, back),
+    update({ chosen }, drawn) {
+      if (!drawn) return; // what is drawn may take long to find
       const now = slider.now(chosen);
       input.value = String(at(now));
       told.textContent = slider.text(now);
@@ -97,8 +98,8 @@ export const controls_of = (
   const choices = (picture.choices ?? []).map((choice) => chooser_of(choice, (value) => choose(choice.key, value)));
   const legend = element("div", { class: "legend", role: "group", "aria-label": t.figure_curves });
   let shown = "";
-  const update = (state: State): void => {
-    for (const choice of choices) choice.update(state);
+  const update = (state: State, drawn = true): void => {
+    for (const choice of choices) choice.update(state, drawn);
     const toggles = picture.toggles(state);
     // Made anew only where they differ, for a switch in use must keep the focus.
     const now = JSON.stringify([state.look.dark, toggles, toggles.map((toggle) => state.hidden.has(toggle.key))]);

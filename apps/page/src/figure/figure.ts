@@ -14,12 +14,15 @@ const kPaper_px = 680; // the width between the margins of a sheet
 const kPaper_pixels = 2; // of the canvas for one of the page, in print
 const kLowest_px = 300;
 const kLowest_in_window_px = 400;
-const kHead_px = 372; // of the page above a picture that is seen whole below it
+const kBelow_px = 8;
 
 // On a narrow screen a picture is hardly higher than wide: there the rest would be blank, or a curve all too steep.
-const height_at = ({ height_px, rows_of_text, in_window }: Picture, width_px: number): number => {
+// One that is to be seen whole is no higher than the window below its place on the page.
+const height_at = ({ height_px, rows_of_text, in_window }: Picture, box: HTMLElement): number => {
   if (rows_of_text) return height_px;
-  const seen_px = in_window ? Math.max(kLowest_in_window_px, innerHeight - kHead_px) : height_px;
+  const width_px = box.clientWidth;
+  const from_px = Math.min(innerHeight / 2, box.getBoundingClientRect().top + scrollY);
+  const seen_px = in_window ? Math.max(kLowest_in_window_px, innerHeight - from_px - kBelow_px) : height_px;
   return Math.min(height_px, seen_px, Math.max(kLowest_px, width_px + 40));
 };
 
@@ -170,7 +173,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     const width_px = box.clientWidth;
     if (width_px === 0) return;
     stale = false;
-    const height_px = height_at(picture, width_px);
+    const height_px = height_at(picture, box);
     state = {
       ...state,
       window: window_now(),
@@ -310,6 +313,6 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   new ResizeObserver(() => {
     if (chart && chart.getWidth() !== box.clientWidth) figure.redraw();
   }).observe(box);
-  controls.update(state);
+  controls.update(state, false);
   return figure;
 };

@@ -14,6 +14,7 @@ export interface LivePage {
   // unfolded, zoomed and chose stays.
   show(report: Report, loop: Loop | null, again: boolean): void;
   made_with(options: string): void; // the report that is shown next
+  shown(): boolean; // whether a report is, or was
   clear(): void;
   on_command(act: (command: string) => void): void; // what a button does that says a command
   given: Report | null; // with which the page was made
@@ -35,11 +36,14 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
   const tools = page_tools(shared);
   place.append(tools);
 
+  let shown = false;
   return {
     state: shared,
     shared,
     given,
+    shown: () => shown,
     show(report, loop, again) {
+      shown = true;
       const bring_back = kept_view(shared);
       const focused = document.activeElement;
       const kept = loop?.figure();

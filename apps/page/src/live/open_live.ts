@@ -152,7 +152,8 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
   write();
   listen({ take, undo: () => void opened.loop()?.undo(), redo: () => void opened.loop()?.redo(), stop: () => work.stop() });
   page.on_command((command) => {
-    if (opened.loop()?.act(command)) return;
+    const loop = opened.loop();
+    if (loop?.act(command)) return loop.element.scrollIntoView({ block: "nearest" }); // below a drift
     tell(command.startsWith("ballbar history ") ? t.live_test_again : t.live_for_terminal({ command }));
   });
   if (page.given) opened.show(page.given);

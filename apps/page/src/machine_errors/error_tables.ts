@@ -63,7 +63,7 @@ export const gains_table = ({ part, recordings }: ErrorTest): TextTable => {
   const ranked = ranked_errors(part);
   const plane = recordings[0]?.plane;
   const gain = ({ circularity_gain_um: um, circularity_gain_sigma_um: sigma }: MachineErrorRow): string =>
-    um === null || um === undefined ? "–" : with_sigma(um, sigma ?? null, Math.min(2, decimals_for(um, sigma ?? null)));
+    typeof sigma === "number" ? with_sigma(um, sigma, Math.min(2, decimals_for(um, sigma))) : shown(um, 2);
   const most = Math.max(1e-9, ...ranked.map(({ first }) => first.circularity_gain_um ?? 0));
   const shares = ranked.flatMap(({ first, rows }) =>
     rows.map((_, k) => (k > 0 || first.rank === null || !((first.circularity_gain_um ?? 0) > 0) ? null : (first.circularity_gain_um ?? 0) / most)),

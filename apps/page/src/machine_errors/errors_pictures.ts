@@ -138,12 +138,6 @@ const error_choice = (tests: readonly ErrorTest[]): Choice => {
 export const errors_picture = (tests: readonly ErrorTest[]): Picture => {
   const test_of = (chosen: State["chosen"]): ErrorTest | undefined => chosen_test(tests, chosen);
   const error_of = (chosen: State["chosen"]): string => chosen["error"] ?? "";
-  const extents = new Map<ErrorTest, [number, number]>();
-  const extent_of = (test: ErrorTest): [number, number] => {
-    const known = extents.get(test) ?? extent_of_test(test);
-    extents.set(test, known);
-    return known;
-  };
   return {
     name: kErrors_picture,
     title: t.errors_picture_title,
@@ -157,7 +151,7 @@ export const errors_picture = (tests: readonly ErrorTest[]): Picture => {
       error_choice(tests),
       magnification_choice((chosen) => {
         const test = test_of(chosen);
-        return { first: test?.recordings[0], extent_um: test ? extent_of(test) : [0, 0] };
+        return { first: test?.recordings[0], extent_um: test ? extent_of_test(test) : [0, 0] };
       }),
     ],
     toggles: ({ chosen }) => {
@@ -170,7 +164,7 @@ export const errors_picture = (tests: readonly ErrorTest[]): Picture => {
       const error = error_of(state.chosen);
       return round_option(state, {
         first: test.recordings[0],
-        extent_um: extent_of(test),
+        extent_um: extent_of_test(test),
         curves: curves_of(test, error, state),
         toggles: toggles_of(test, error),
         note: circularity_note(test, error),

@@ -1,6 +1,6 @@
 // All tests in one table: of each the numbers of ISO 230-4 against the limits of its file, its largest error and what
 // mending that gains. A column a test, as they are few; many have a row each.
-import { type ErrorTest, ranked_errors } from "./error_curves";
+import { type ErrorTest, ranked_errors, type RankedError } from "./error_curves";
 import { error_name, unit_shown } from "./error_names";
 import { once_each } from "../recordings/recording_groups";
 import { plain } from "../drawing/text";
@@ -67,13 +67,16 @@ export const test_names = (tests: readonly ErrorTest[]): string[] => {
     : once_each(tests.map(({ recordings: [first] }) => plain(`${first?.plane}, ${first?.test}`, 40)));
 };
 
-const largest_of = ({ part, recordings }: ErrorTest): string => {
-  const largest = ranked_errors(part).find(({ first }) => first.rank !== null);
-  return largest ? error_name(largest.effect, recordings[0]?.plane) : "–";
+// The one to mend first: of those that are significant, where none gains.
+const largest_error = ({ part }: ErrorTest): RankedError | undefined =>
+  ranked_errors(part).find(({ first }) => first.rank !== null || first.significant === true);
+
+const largest_of = (test: ErrorTest): string => {
+  const largest = largest_error(test);
+  return largest ? error_name(largest.effect, test.recordings[0]?.plane) : "–";
 };
 
-const without_largest = ({ part }: ErrorTest): string =>
-  shown(ranked_errors(part).find(({ first }) => first.rank !== null)?.first.circularity_without_um, 2);
+const without_largest = (test: ErrorTest): string => shown(largest_error(test)?.first.circularity_without_um, 2);
 
 const value_of = ({ part }: ErrorTest, name: string): string => {
   const row = part.errors.find((one) => one.name === name);

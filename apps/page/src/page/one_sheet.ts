@@ -9,7 +9,7 @@ import type { Report } from "../report";
 import type { Shared } from "./shared";
 import { t } from "../texts/texts";
 
-const kSettled_ms = 300; // after a choice
+const kSettled_ms = 1000; // after a choice: it takes a while to draw, and is seen on paper alone
 
 export interface OneSheet {
   sheet: HTMLElement;

@@ -101,7 +101,7 @@ export const figure_with_notes = (
 ): [HTMLElement, HTMLElement] => {
   const side = element("div", { class: "ranked" });
   const below = element("div");
-  const leaf = element("div", { class: "leaf", role: "region", "aria-live": "polite" });
+  const leaf = element("div", { class: "leaf", role: "region" });
   const made = new Map<string, { side: HTMLElement; below: HTMLElement }>();
   const make = (chosen: string): { side: HTMLElement; below: HTMLElement } => {
     const { table, sentences, lists, tables } = notes(chosen);
