@@ -11,6 +11,8 @@ import { minutes, shown } from "../drawing/theme";
 import { time_curves } from "./time_curves";
 import { english, type Sentence, t } from "../texts/texts";
 
+const kOf_compared = -60; // of a drift that was opened to be compared: its comparison says more
+
 const span_min = (axes: readonly DriftAxis[]): number => {
   const clock = axes[0]?.time_min ?? [];
   return clock.length > 0 ? (clock[clock.length - 1] as number) - (clock[0] as number) : 0;
@@ -70,7 +72,7 @@ const result_of = (axes: readonly DriftAxis[]): string => {
 const first_of = (report: Report, axes: readonly DriftAxis[], picture: string): First => ({
   picture,
   conclusion: () => ({
-    verdict: t.drift_verdict({ each: largest_of_each(axes).map(({ said }) => said) }),
+    verdict: t.drift_verdict({ each: largest_of_each(axes).map(({ said }) => said).join("; ") }),
     next: {
       label: t.drift_next,
       command: report_command(data_files(report).slice(0, 1)),
@@ -96,6 +98,7 @@ export const drift_section = (report: Report): Section[] => {
       id: "drift",
       heading: t.drift,
       result: result_of(main),
+      says: report.compare && !drift ? kOf_compared : 0,
       ...(pictures[0] ? { first: first_of(report, main, pictures[0].name) } : {}),
       sentences: [
         ...(drift ? drift_sentences(drift, points) : []),

@@ -152,7 +152,6 @@ export const table_of = ({ title, about = "", heading, rows, row_titles, at_firs
   const all = button(t.elements_all_rows({ rows: rows.length }), "", () => {
     append(at_first, rows.length);
     all.remove();
-    if (row) (body.children[at_first] as HTMLElement | undefined)?.focus(); // the button is gone
   });
   return element("div", {}, scroll, all);
 };

@@ -272,7 +272,7 @@ export const de: Texts = {
   drift_speed_caption: "Neben der Drift aufgezeichnet; ein Wert gilt bis zum nächsten.",
   drift_with_role: ({ name, role }) => `${name} (${role})`,
   drift_result: ({ largest, at }) => `größte ${largest} bei ${at}`,
-  drift_verdict: ({ each }) => `Größte Drift: ${each.join("; ")}.`,
+  drift_verdict: ({ each }) => `Größte Drift: ${each}.`,
   drift_at: ({ axis, value, unit, at }) => `${axis} ${value} ${unit} bei ${at}`,
   drift_in_axis: ({ value, unit, axis }) => `${value} ${unit} in ${axis}`,
   drift_next: "Die Ursache der Drift finden",

@@ -275,7 +275,7 @@ export const en = {
   drift_speed_caption: "Recorded beside the drift; a value holds until the next one.",
   drift_with_role: ({ name, role }: { name: string; role: string }) => `${name} (${role})`,
   drift_result: ({ largest, at }: { largest: string; at: string }) => `largest ${largest} at ${at}`,
-  drift_verdict: ({ each }: { each: readonly string[] }) => `Largest drift: ${each.join("; ")}.`,
+  drift_verdict: ({ each }: { each: string }) => `Largest drift: ${each}.`,
   drift_at: ({ axis, value, unit, at }: { axis: string; value: string; unit: string; at: string }) => `${axis} ${value} ${unit} at ${at}`,
   drift_in_axis:
     ({ value, unit, axis }: { value: string; unit: string; axis: string }) => `${value} ${unit} in ${axis}`,

@@ -260,7 +260,7 @@ export const zh: Texts = {
   drift_speed_caption: "与漂移同时记录；数值保持至下一值。",
   drift_with_role: ({ name, role }) => `${name}（${role}）`,
   drift_result: ({ largest, at }) => `最大 ${largest}，${at} 处`,
-  drift_verdict: ({ each }) => `最大漂移：${each.join("；")}。`,
+  drift_verdict: ({ each }) => `最大漂移：${each}。`,
   drift_at: ({ axis, value, unit, at }) => `${axis} ${value} ${unit}（${at}）`,
   drift_in_axis: ({ value, unit, axis }) => `${axis} 方向 ${value} ${unit}`,
   drift_next: "查找漂移原因",
