@@ -14,6 +14,7 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/stored_errors.hpp"
 #include "ballbar/units.hpp"
+#include "diagnose/error_names.hpp"
 
 namespace ballbar {
 namespace {
@@ -171,17 +172,19 @@ std::string conclusion(const ErrorsReport& report) {
                        found.circularity_um);
   }
   const RankedError& most = *significant.front();
-  std::string words = most.effect->explanation.summary;
+  const Plane plane = report.recordings.front().plane;
+  std::string words = with_axes(most.effect->explanation.summary, plane);
   if (words.ends_with('.')) words.pop_back();
   words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
-  const std::string first = fmt::format("{} ({})", most.effect->name, words);
+  const std::string first = fmt::format("{} ({})", plain_name(most.effect->name, plane), words);
   std::string text = most.rank ? fmt::format("Mending {} takes the circularity from {:.1f} to {:.1f} um; ", first,
                                              found.circularity_um, most.circularity_without_um)
                                : fmt::format("The circularity is {:.1f} um, and mending {} alone leaves it so; ",
                                              found.circularity_um, first);
   if (significant.size() == 1) return text + "no other error stands out of the noise.";
   std::vector<std::string> others;
-  for (std::size_t k = 1; k < significant.size(); ++k) others.push_back(significant[k]->effect->name);
+  for (std::size_t k = 1; k < significant.size(); ++k)
+    others.push_back(plain_name(significant[k]->effect->name, plane));
   text += fmt::format("{} significant errors together, to {:.1f}. The other{}: {}.",
                       significant.size() == 2 ? "both" : "all " + number_word(significant.size()),
                       found.circularity_without_all_um, others.size() == 1 ? "" : "s", fmt::join(others, ", "));
@@ -193,7 +196,9 @@ std::string left_text(const ErrorsReport& report) {
   std::string text;
   if (!found.one_by_one.empty()) {
     text = fmt::format("One by one: the circle alone leaves {:.2f} um rms", found.circle_rms_um);
-    for (const AddedError& one : found.one_by_one) text += fmt::format(", + {} {:.2f}", one.effect->name, one.rms_um);
+    for (const AddedError& one : found.one_by_one) {
+      text += fmt::format(", + {} {:.2f}", plain_name(one.effect->name, report.recordings.front().plane), one.rms_um);
+    }
     text += ". ";
   }
   text += fmt::format("All errors together leave {:.2f} um rms", found.residual_rms_um);

@@ -8,6 +8,7 @@
 #include <ctime>
 
 #include "ballbar/units.hpp"
+#include "diagnose/error_names.hpp"
 #include "diagnose/machine_errors_report.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -150,8 +151,10 @@ void print_group(const ErrorsReport& report) {
   for (const RankedError& ranked : found.ranked) {
     if (!ranked.significant || shown == kRemedies) continue;
     ++shown;
-    fmt::print("{}{}", shown == 1 ? "\n" : "",
-               wrapped(fmt::format("{}. {}: {}", shown, ranked.effect->name, ranked.effect->explanation.remedy)));
+    fmt::print(
+        "{}{}", shown == 1 ? "\n" : "",
+        wrapped(fmt::format("{}. {}: {}", shown, plain_name(ranked.effect->name, report.recordings.front().plane),
+                            ranked.effect->explanation.remedy)));
   }
   fmt::print("\n{}", wrapped(left_text(report)));
   if (!found.undetermined.empty()) {

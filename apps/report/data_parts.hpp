@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ballbar/drift/measured_drift.hpp"
+#include "diagnose/error_names.hpp"
 #include "diagnose/machine_errors_result.hpp"
 #include "measure/fit_result.hpp"
 #include "page/report_head.hpp"
@@ -70,6 +71,7 @@ struct ResultType<Compared> {
   static constexpr std::string_view name = "ResultRow";
   static constexpr std::string_view meaning = "A result, ours beside what the file stores.";
   static constexpr std::tuple fields{
+      Field{"key", &Compared::key, "g_ccw_um, d_um, ...; empty: of no number of ISO 230-4"},
       Field{"label", &Compared::label, ""},
       Field{"decimals", &Compared::decimals, "to show"},
       Field{"ours", &Compared::ours, ""},
@@ -118,6 +120,28 @@ struct ResultType<FitPart> {
                      fields_through(&FitPart::iso230_4, kPairFields));
 };
 
+// What the catalogue says of an error, with the machine's axes.
+struct ErrorPage {
+  const Effect* effect = nullptr;
+  Plane plane = Plane::XY;
+};
+
+template <>
+struct ResultType<ErrorPage> {
+  using Page = const ErrorPage&;
+  static constexpr std::string_view name = "ErrorPage";
+  static constexpr std::string_view meaning = "What the catalogue says of an error, with the machine's axes.";
+  static constexpr std::tuple fields{
+      Field{"effect", [](Page of) { return of.effect->name; }, ""},
+      Field{"summary", [](Page of) { return with_axes(of.effect->explanation.summary, of.plane); }, "in a line"},
+      Field{"cause", [](Page of) { return of.effect->explanation.cause; }, ""},
+      Field{"signature", [](Page of) { return of.effect->explanation.signature; }, "how it looks"},
+      Field{"confused_with", [](Page of) { return of.effect->explanation.confused_with; }, "other effects"},
+      Field{"separated_by", [](Page of) { return of.effect->explanation.separated_by; },
+            "the test that tells them apart"},
+      Field{"remedy", [](Page of) { return of.effect->explanation.remedy; }, "in the workshop"}};
+};
+
 // The errors of a machine from one test.
 struct MachineErrorsOfTest {
   ErrorsReport report;
@@ -125,6 +149,7 @@ struct MachineErrorsOfTest {
   std::vector<std::size_t> recordings;
   std::vector<Bulk> circle_um;
   TableOf<std::vector<Bulk>> curves;
+  std::vector<ErrorPage> pages;
 };
 
 template <>
@@ -139,7 +164,8 @@ struct ResultType<MachineErrorsOfTest> {
       fields_through(&MachineErrorsOfTest::report, Report::rest),
       std::tuple{Field{"circle_um", &MachineErrorsOfTest::circle_um,
                        "at the readings of each recording: centre and scale of all together"},
-                 Field{"curves", &MachineErrorsOfTest::curves, "by effect: what it adds"}});
+                 Field{"curves", &MachineErrorsOfTest::curves, "by effect: what it adds"},
+                 Field{"pages", &MachineErrorsOfTest::pages, "of the errors that are ranked"}});
 };
 
 // Of each row.

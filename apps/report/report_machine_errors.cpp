@@ -78,11 +78,13 @@ std::string with_file_names(std::string text, const std::vector<std::string>& fi
 }
 
 MachineErrorsOfTest part_of(const ErrorsReport& report, const Places& places) {
-  MachineErrorsOfTest part{report, {}, places, each(circle_um(report.found, report.recordings), report.recordings), {}};
+  MachineErrorsOfTest part{report, {}, places, each(circle_um(report.found, report.recordings), report.recordings),
+                           {},     {}};
   for (const std::string& file : report.files) part.files.push_back(fs::path(file).filename().string());
   for (const RankedError& one : report.found.ranked) {
     part.curves.emplace_back(one.effect->name,
                              each(curve_of(report.found, one.effect, report.recordings), report.recordings));
+    part.pages.push_back({one.effect, report.recordings.front().plane});
   }
   return part;
 }

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { drawn, figure, launched, opened } from "./browser.mjs";
+import { drawn, figure, launched, opened, unfold } from "./browser.mjs";
 import { drawing } from "./drawing.mjs";
 import { data_of } from "./machine_errors.mjs";
 import { folder, json_of, of_run, report, run } from "./reports.mjs";
@@ -18,7 +18,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-const table = (of) => of.locator(".side-by-side table:visible");
+const table = (of) => of.locator("#machine-errors .table:visible", { hasText: "All errors" });
 const cells = async (one) => one.locator("td").allTextContents();
 
 test("the numbers of `errors --json`, and curves that make its circularities", async () => {
@@ -43,6 +43,7 @@ test("the numbers of `errors --json`, and curves that make its circularities", a
   }
   const { page: one, wrong, close } = await opened(browser, own);
   await drawn(one);
+  await unfold(one, "machine-errors");
   const names = await table(one).locator("tbody tr").count();
   assert.equal(names, ranked.length);
   const [largest] = ranked;
@@ -59,7 +60,7 @@ test("a picture of a chosen error without the page", async () => {
   const printed = run("report", of_run("qc20-style-b5r", "00.b5r"), "--format", "svg", "--picture", kPicture, "--choose", "error=backlash_a", "--out", out);
   assert.equal(printed.toString(), `${out}  Errors on the circle\n`);
   const { texts } = await drawing(paper, out);
-  assert.ok(texts.some(({ text }) => text === "Errors on the circle, backlash X"));
+  assert.ok(texts.some(({ text }) => text === "Errors on the circle, backlash of X"));
 });
 
 // Readings of a log on two linear axes, in one direction.
@@ -83,6 +84,7 @@ test("logs of one direction each are tests; one with too few readings is a remar
   assert.ok(!readFileSync(own, "utf8").includes(folder), "where the files lay is not told");
   const { page: one, wrong, close } = await opened(browser, own);
   await drawn(one);
+  await unfold(one, "machine-errors");
   assert.equal((await cells(table(one).locator("tr", { hasText: "squareness" })))[7], "–", "nothing is predicted for another run");
   await figure(one, kPicture).getByRole("combobox", { name: "Test" }).selectOption({ label: "second.csv, ZX" });
   await drawn(one);

@@ -60,7 +60,7 @@ test("the sheet has what a customer asks for, with the error that is chosen", as
   }
   await seen(page, "machine-errors");
   await figure(page, "machine-errors").locator("select").first().selectOption("backlash_a");
-  await page.waitForFunction(() => decodeURIComponent(document.querySelector(".handover img").src).includes("Errors on the circle, backlash X"));
+  await page.waitForFunction(() => decodeURIComponent(document.querySelector(".handover img").src).includes("Errors on the circle, backlash of X"));
   assert.deepEqual(wrong, []);
   await close();
 });
@@ -85,11 +85,26 @@ test("it is the first page of print, and the only one where its button asks for 
   await close();
 });
 
-test("reports of several tests have none", async () => {
-  const { page, close } = await opened(browser, await report("handover-several", of_run("qc20-style-b5r")));
-  assert.equal(await page.locator(".handover").count(), 0);
-  await close();
-});
+// What stands on the first screen, and where it comes from.
+for (const [name, words, sheet_words] of [
+  ["several-planes", [of_run("machine-history", "2026-01-19")], ["XY is the worst of 3 planes", "ISO 230-4, all 3 tests", "2026-01-19 08:05 – 2026-01-19 09:15", "XY.b5r, YZ.b5r, ZX.b5r", "magnified"]],
+  ["drift", [of_run("two-arcs-he2015")], ["Largest drift: y 31.7", "Drift of the spindle", "00-a.csv", "at the end", "Made by ballbar"]],
+  ["verdict", [of_run("hidden-effect", "01", "data.csv"), "--model", of_run("hidden-effect", "01", "model.toml"), "--diagnose"], ["The model of y_um lacks", "Candidates", "data.csv, model.toml", "Signature"]],
+]) {
+  test(`a sheet of ${name}: conclusion, picture, numbers, provenance, on one page`, async () => {
+    const { page, wrong, close } = await opened(browser, await report(`sheet-${name}`, ...words));
+    await page.waitForFunction(() => document.querySelector(".handover img").src !== "");
+    const sheet = await sheet_of(page);
+    assert.deepEqual(sheet.size, [794, 1123]);
+    assert.equal(sheet.beyond, 0, "text runs into the margins");
+    const all = sheet.words.join(" ");
+    for (const one of sheet_words) assert.ok(all.includes(one), `${one} in ${all}`);
+    await page.evaluate(() => (document.documentElement.dataset.print = "handover"));
+    assert.equal(pages_in(await page.pdf({ preferCSSPageSize: true })), 1);
+    assert.deepEqual(wrong, []);
+    await close();
+  });
+}
 
 test("--format pdf: one page of the same drawing", (t) => {
   const out = join(folder, "handover.pdf");

@@ -40,10 +40,16 @@ const row = (name, effect, more) => ({
   stored: null,
   stored_rank: null,
   circularity_without_um: null,
+  circularity_gain_um: null,
+  circularity_gain_sigma_um: null,
   ...more,
 });
 
-const backlash = { individual_circularity_um: 1.4, share_percent: 27.5, rank: 2, circularity_without_um: 3.21, remedy: "Adjust the backlash in the control." };
+const backlash = { individual_circularity_um: 1.4, share_percent: 27.5, rank: 2, circularity_without_um: 3.21, circularity_gain_um: 1.41, circularity_gain_sigma_um: 0.2, remedy: "Adjust the backlash in the control." };
+
+const page_of = (effect, summary, confused_with) => ({
+  effect, summary, cause: `Cause of ${effect}.`, signature: `Form of ${effect}.`, confused_with, separated_by: `Test of ${effect}.`, remedy: `Remedy of ${effect}.`,
+});
 
 // Of recordings at these places of `fit`, as `ballbar report` writes it. `renamed` gives other names to effects.
 export const part_of = ({ fit }, places, renamed = {}) => {
@@ -63,12 +69,13 @@ export const part_of = ({ fit }, places, renamed = {}) => {
       row("backlash_a_neg", name_of("backlash_a"), { ...backlash, value: -0.4, stored: -0.41, stored_rank: 2 }),
       row(name_of("squareness"), name_of("squareness"), {
         value: 18.04, sigma: 1.46, unit: "um/m", individual_circularity_um: 1.8, share_percent: 35.3, rank: 1, as_instrument: { value: 17.68, rank: 1 }, stored: 17.63, stored_rank: 1,
-        circularity_without_um: 2.87, remedy: "Square the axes.",
+        circularity_without_um: 2.87, circularity_gain_um: 1.75, circularity_gain_sigma_um: null, remedy: "Square the axes.",
       }),
       row("centre_a", null, { value: a, sigma: 0.05, stored: 1.5 }),
       row("global_scale", null, { value: 0.5, sigma: 0.04 }),
     ],
     circularity_um: 4.62,
+    circularity_without_all_um: 1.52,
     residual_rms_um: 0.576,
     repeatability_um: 0.443,
     undetermined: ["scale_mismatch with straightness_b, centre_a"],
@@ -79,6 +86,10 @@ export const part_of = ({ fit }, places, renamed = {}) => {
     tolerances: ["pass: circularity 4.6 um, tolerance 10 um"],
     circle_um: at(() => (t) => a * Math.cos(t) + b * Math.sin(t) + (radius_mm - nominal_length_mm) * 1000),
     curves: Object.fromEntries(Object.entries(shapes).map(([name, shape]) => [name_of(name), at(shape)])),
+    pages: [
+      page_of(name_of("squareness"), "The two axes are not at a right angle.", ["servo_mismatch"]),
+      page_of("backlash_a", "Play of axis X.", ["reversal_spike_a", "centre_drift"]),
+    ],
   };
 };
 

@@ -11,12 +11,12 @@ const kScreens = 6;
 
 // [name, page, what is on the first screen]
 const cases = [
-  ["two arcs with a model", two_arcs, "with-without"],
+  ["two arcs with a model", two_arcs, "drift"],
   ["two arcs", () => report("order-two-arcs", of_run("two-arcs-he2015")), "drift"],
   ["a turning spindle", () => report("order-rotation", of_run("spindle-rotation-huang2022")), "drift"],
   ["a ballbar test", () => report("order-b5r", of_run("qc20-style-b5r", "00.b5r")), "machine-errors"],
   ["ballbar tests", () => report("order-b5r-folder", of_run("qc20-style-b5r")), "machine-errors"],
-  ["46 hours with a model", () => report("order-46h", of_run("spindle-46h", "measured.csv"), "--model", of_run("spindle-46h", "speed.toml"), "--target", "ch3_um"), "with-without"],
+  ["46 hours with a model", () => report("order-46h", of_run("spindle-46h", "measured.csv"), "--model", of_run("spindle-46h", "speed.toml"), "--target", "ch3_um"), "five-probe"],
   ["a hidden effect", hidden_effect, "with-without"],
   ["a comparison", () => report("order-compare", of_run("two-arcs-he2015", "five-probe.csv"), "--compare", of_run("two-arcs-he2015")), "comparison-y"],
   ["a history", history, "history-1"],
@@ -149,13 +149,13 @@ test("unfolded by a key, by a link, and on paper", async () => {
   const { page, wrong, close } = await opened(browser, await pages.get("two arcs with a model"), still);
   const open = (id) => page.evaluate((id) => document.querySelector(`#${id} > details`).open, id);
   const chart_of = (name) => page.evaluate((name) => window.ballbar.figures.get(name).chart() !== null, name);
-  assert.deepEqual([await open("drift"), await chart_of("drift")], [false, false]);
-  await page.locator("#drift > details > summary").focus();
+  assert.deepEqual([await open("signals"), await chart_of("temperatures")], [false, false]);
+  await page.locator("#signals > details > summary").focus();
   await page.keyboard.press("Enter");
-  await page.waitForFunction(() => window.ballbar.figures.get("drift").chart() !== null);
-  assert.ok(await open("drift"));
+  await page.waitForFunction(() => window.ballbar.figures.get("temperatures").chart() !== null);
+  assert.ok(await open("signals"));
   await page.keyboard.press("Space");
-  assert.ok(!(await open("drift")));
+  assert.ok(!(await open("signals")));
 
   await page.locator("nav").getByRole("link", { name: "Recordings" }).press("Enter");
   await page.waitForFunction(() => document.querySelector("#recordings > details").open);
@@ -176,7 +176,7 @@ test("unfolded by a key, by a link, and on paper", async () => {
 });
 
 test("what a caption leaves out: behind the button, closed by Escape, read out", async () => {
-  const { page, close } = await opened(browser, await pages.get("two arcs with a model"), { viewport: wide });
+  const { page, close } = await opened(browser, await pages.get("a hidden effect"), { viewport: wide });
   const of = figure(page, "with-without");
   const button = of.getByRole("button", { name: /^About/ });
   const note = of.locator(".about");
@@ -213,7 +213,7 @@ test("the verdict goes with what is chosen in the picture", async () => {
   const { page, close } = await opened(browser, await pages.get("ballbar tests"), { viewport: wide });
   const verdict = () => page.locator(".verdict").innerText();
   const first = await verdict();
-  await figure(page, "machine-errors").getByRole("combobox", { name: "Test" }).selectOption({ index: 3 });
+  await figure(page, "machine-errors").getByRole("combobox", { name: "Test" }).selectOption({ index: 1 });
   await drawn(page);
   assert.notEqual(await verdict(), first);
   await close();

@@ -58,6 +58,7 @@ const show_all = async (name) => {
 };
 
 test("hover: the values of the point, and a line in every picture over time", async () => {
+  await seen(page, "temperatures");
   await seen(page, "drift");
   const point = drift.points[6];
   const [x, y] = await at("drift", point.time_s / 60, point.y_um);

@@ -25,6 +25,8 @@ export interface Sample {
 
 export interface Engine {
   ready: Promise<void>;
+  // A report of the first sample, made to warm up: what is done with it makes the page quick too. Never: it has no such.
+  warmed: Promise<string>;
   samples: () => Promise<readonly Sample[]>;
   // "ballbar" is not among the words. Rejects with Stopped when stopped, and with Failed when the module gave up.
   run(words: readonly string[], watch?: Watch): Promise<Ran>;
@@ -95,6 +97,7 @@ class Link {
 
 class InWorker implements Engine {
   ready: Promise<void>;
+  readonly warmed: Promise<string>;
   private readonly files = new Map<string, Uint8Array | Blob>(); // as the worker has them, for the next one
   private link: Promise<Link>;
   private readonly start: () => Promise<Link>;
@@ -107,9 +110,11 @@ class InWorker implements Engine {
     const module = unpacked(block(page, "engine") ?? "").then((bytes) => WebAssembly.compile(bytes));
     this.start = async () => new Link(url, await module);
     this.link = this.start();
+    let warmed: (report: string) => void = () => undefined;
+    this.warmed = new Promise((done) => (warmed = done));
     this.ready = this.link.then(async (link) => {
       await link.ask({ kind: "wait" });
-      void this.warm(link).catch(() => undefined); // then the first answer takes longer
+      void this.warm(link, warmed).catch(() => undefined); // then the first answer takes longer
     });
   }
 
@@ -185,9 +190,15 @@ class InWorker implements Engine {
     return { used: this.heap, most: kMostMemory };
   }
 
-  private async warm(link: Link): Promise<void> {
+  // Twice: by the second time the browser has seen what is worth compiling well. One question each, so that a file that
+  // comes meanwhile waits for one of them at most.
+  private async warm(link: Link, warmed: (report: string) => void): Promise<void> {
     const test = (await this.samples()).flatMap(({ files }) => files).find(({ path }) => path.endsWith(".b5r"));
-    if (test) await link.ask({ kind: "warm", bytes: bytes_of(test.text) });
+    if (!test) return;
+    for (const time of [1, 2]) {
+      const answer = await link.ask({ kind: "warm", bytes: bytes_of(test.text) });
+      if (time === 1 && answer.kind === "warmed") warmed(answer.report);
+    }
   }
 
   // A large file goes over in pieces: no second copy of it is made here.

@@ -3,6 +3,8 @@ import { kept_view, shared_by_figures } from "./page/shared";
 import { one_sheet } from "./page/one_sheet";
 import { page_tools } from "./page/page_tools";
 import { details_of, element, text_in } from "./elements/elements";
+import { canvas_of } from "./figure/charts";
+import { drawn } from "./figure/still";
 import { first_screen, type Proved } from "./page/first_screen";
 import type { Section } from "./picture";
 import type { Report } from "./report";
@@ -55,10 +57,12 @@ const embedded_report = (): Report | null => {
 
 const voice = element("div", { class: "voice", role: "status", "aria-live": "polite" });
 
-// `by_hand`: of a live page, what stands on the first screen; `proves`: it does so in the place of the report's own.
+// `by_hand`: of a live page, what stands on the first screen; `proves`: it does so in the place of the report's own, but
+// for a drift, which is what its session was recorded for.
 const open: Open = (report, shared, tools, by_hand) => {
   const { first, all } = ranked_sections(report);
-  const own = !by_hand?.proves;
+  const drifts = report.drift !== undefined || report.five_probe !== undefined;
+  const own = !by_hand?.proves || (drifts && first[0]?.id === "drift");
   const made = all.map((section) => ({ section, ...section_of(section, own && first.includes(section), shared) }));
   const proved = made.flatMap(({ section, figure, proof }): Proved[] =>
     section.first && figure ? [{ first: section.first, figure, proof }] : [],
@@ -66,11 +70,11 @@ const open: Open = (report, shared, tools, by_hand) => {
   const main = element(
     "main",
     {},
-    ...(own ? first_screen(proved, report.summary, shared) : []),
+    ...(own ? first_screen(proved, by_hand?.proves ? [] : report.summary, shared) : []),
     ...(by_hand ? [by_hand.element] : []),
     ...made.map((one) => one.element),
   );
-  const sheet = one_sheet(report, shared);
+  const sheet = one_sheet(report, first[0], shared);
   return {
     parts: [
       ...(sheet ? [sheet.sheet] : []),
@@ -81,6 +85,20 @@ const open: Open = (report, shared, tools, by_hand) => {
     // What is on the screen is drawn at once; the rest when it comes near.
     draw: () => proved.forEach(({ figure }) => figure.draw_now()),
   };
+};
+
+// Browsers compile a function when it is first called: a first page is drawn before there is one to show, and let go.
+const warm_up = (report: Report): void => {
+  const shared = shared_by_figures(element("div"));
+  const { first, all } = ranked_sections(report);
+  const made = all.map((section) => ({ section, ...section_of(section, first.includes(section), shared) }));
+  for (const { section, figure, proof } of made) {
+    if (!section.first || !figure) continue;
+    first_screen([{ first: section.first, figure, proof }], report.summary, shared);
+    const state = figure.state();
+    const look = { ...state.look, width_px: 640, height_px: 520 };
+    canvas_of(drawn(figure.picture, { ...state, look }), look.width_px, look.height_px, 1);
+  }
 };
 
 // For reading values back, as the tests of the page do.
@@ -96,6 +114,7 @@ try {
   document.body.append(voice);
   if (engine) {
     const page = live_page(voice, given, open);
+    void engine.warmed.then((report) => requestIdleCallback(() => page.shown() || warm_up(JSON.parse(report) as Report)));
     void open_live(engine, page).then(() => ready(Object.assign(Object.create(page.shared), { engine })));
   } else {
     if (!given) throw new Error(t.page_no_data);

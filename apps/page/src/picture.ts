@@ -29,6 +29,15 @@ export interface Choice {
   label: string;
   values: readonly { value: string; label: string }[];
   initial: string;
+  slider?: Slider; // any number within it is a value too
+}
+
+// A choice of a number, in equal steps of its logarithm.
+export interface Slider {
+  least: number;
+  most: number;
+  now: (chosen: State["chosen"]) => number; // that is drawn, where none is chosen too
+  text: (value: number) => string;
 }
 
 // A curve that can be switched off; the legend.
@@ -55,6 +64,7 @@ export interface Picture {
   about?: string; // the rest, behind a button; also what a reader hears who does not see
   height_px: number;
   rows_of_text?: boolean; // as high on a narrow screen: it would not be readable lower
+  in_window?: boolean; // lower where the window is, so that it is seen whole below the head of the page
   // "time": x is time in minutes, and the window is shared by all such pictures; "own": zooms by itself.
   zoom: "time" | "own" | "none";
   choices?: readonly Choice[];
@@ -71,6 +81,8 @@ export interface TextTable {
   rows: readonly (readonly string[])[];
   // Rows that, hovered or focused, choose something in a picture of the same section.
   choose?: Choosing;
+  row_titles?: readonly string[]; // seen where the pointer rests on a row
+  at_first?: number; // rows; the others behind a button
   // Shares of the largest, 0 to 1, drawn below the text of a column's cells.
   bars?: { column: number; shares: readonly Num[] };
 }
@@ -92,7 +104,16 @@ export interface List {
 export interface Companion {
   picture: string;
   key: string; // of the choice that it tells of
+  above?: TextTable; // the same for all
   notes: (chosen: string) => Notes;
+  page?: (chosen: State["chosen"]) => Leaf | null; // below its table, of all that is chosen; null: nothing is
+}
+
+// What is known of a thing that is chosen: its name, and paragraphs, each under a word.
+export interface Leaf {
+  title: string;
+  summary: Sentence;
+  parts: readonly { name: string; text: Sentence }[];
 }
 
 export interface Notes {
@@ -119,6 +140,7 @@ export interface First {
 
 export interface Conclusion {
   verdict: Sentence;
+  also?: Sentence; // below it, in smaller letters
   concluded?: string; // the program's own sentence, where the verdict says it in the page's words
   next: Next;
 }

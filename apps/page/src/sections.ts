@@ -25,7 +25,7 @@ const kinds: readonly Kind[] = [
   { rank: 60, of: history_sections },
   { rank: 62, of: fleet_sections },
   { rank: 100, of: machine_errors_section },
-  { rank: 50, of: drift_section },
+  { rank: 95, of: drift_section },
   { rank: 10, of: signals_section },
   { rank: 45, of: comparison_section },
   { rank: 20, of: recordings_section },

@@ -2,7 +2,7 @@
 
 export type Question =
   | { kind: "wait" }
-  | { kind: "warm"; bytes: Uint8Array } // a ballbar test, of which nothing is answered
+  | { kind: "warm"; bytes: Uint8Array } // a ballbar test, whose report is answered
   | { kind: "run"; words: string[] } // a command
   | { kind: "call"; call: object } // of apps/report/page_calls.hpp
   | { kind: "put"; path: string; at: number; bytes: Uint8Array; size: number }
@@ -11,6 +11,7 @@ export type Question =
 export type Answer = { id: number } & (
   | { kind: "done" }
   | { kind: "progress"; line: string }
+  | { kind: "warmed"; report: string }
   | { kind: "failed"; why: string }
   | {
       kind: "ran";
@@ -93,25 +94,28 @@ const own_name = (path: string): string => path.slice(kHome.length + 1);
 const asked = (made: Module, name: "ballbar_run" | "ballbar_call", what: object): number =>
   made.ccall(name, "number", ["string", "string", "string"], [JSON.stringify(what), kOut, kErr]);
 
+const text_of = (fs: FileSystem, path: string): string => new TextDecoder().decode(fs.readFile(path));
+
 const run = (made: Module, id: number, name: "ballbar_run" | "ballbar_call", what: object): void => {
   const { FS } = made;
   const before = marks_of(FS, kHome);
   const status = asked(made, name, what);
-  const text = (path: string): string => new TextDecoder().decode(FS.readFile(path));
   const after = marks_of(FS, kHome);
   const changed = [...after]
     .filter(([path, mark]) => before.get(path) !== mark)
     .map(([path]) => ({ path: own_name(path), bytes: FS.readFile(path) }));
   const gone = [...before.keys()].filter((path) => !after.has(path)).map(own_name);
   const give = changed.map(({ bytes }) => bytes.buffer);
-  answer({ id, kind: "ran", status, out: text(kOut), err: text(kErr), changed, gone, heap: made.HEAP8.length }, give);
+  answer({ id, kind: "ran", status, out: text_of(FS, kOut), err: text_of(FS, kErr), changed, gone, heap: made.HEAP8.length }, give);
 };
 
 // Browsers compile a function of the module when it is first called: half a second of a first answer.
-const warm = (made: Module, bytes: Uint8Array): void => {
-  made.FS.writeFile("/tmp/warm.b5r", bytes, { canOwn: true });
-  asked(made, "ballbar_run", ["report", "/tmp/warm.b5r", "--json"]);
-  made.FS.unlink("/tmp/warm.b5r");
+const warm = (made: Module, id: number, bytes: Uint8Array): void => {
+  const path = "/tmp/warm.b5r";
+  made.FS.writeFile(path, bytes, { canOwn: true });
+  asked(made, "ballbar_call", { call: "report", words: [path] });
+  made.FS.unlink(path);
+  answer({ id, kind: "warmed", report: text_of(made.FS, kOut) });
 };
 
 const put = (fs: FileSystem, { path, at, bytes, size }: Question & { kind: "put" }): void => {
@@ -129,7 +133,7 @@ const done = (made: Module, question: Question & { id: number }): void => {
   const { id } = question;
   if (question.kind === "run") return run(made, id, "ballbar_run", question.words);
   if (question.kind === "call") return run(made, id, "ballbar_call", question.call);
-  if (question.kind === "warm") warm(made, question.bytes);
+  if (question.kind === "warm") return warm(made, id, question.bytes);
   if (question.kind === "put") put(made.FS, question);
   if (question.kind === "remove") made.FS.unlink(`${kHome}/${question.path}`);
   answer({ id, kind: "done" });

@@ -1,6 +1,6 @@
 // The drift of the spindle over time.
 import {
-  axes_of_points, axes_of_probes, axis_curve, type DriftAxis, largest_of, largest_table, points_table,
+  axes_of_points, axes_of_probes, axis_curve, type DriftAxis, largest_of_each, largest_table, points_table,
 } from "./drift_axes";
 import { data_files, report_command } from "../drawing/command";
 import type { First, Picture, Range, Section, TextTable } from "../picture";
@@ -10,6 +10,8 @@ import { capital, words } from "../drawing/text";
 import { minutes, shown } from "../drawing/theme";
 import { time_curves } from "./time_curves";
 import { english, type Sentence, t } from "../texts/texts";
+
+const kOf_compared = -60; // of a drift that was opened to be compared: its comparison says more
 
 const span_min = (axes: readonly DriftAxis[]): number => {
   const clock = axes[0]?.time_min ?? [];
@@ -63,14 +65,14 @@ const probe_pictures = (axes: readonly DriftAxis[], whole: Range): Picture[] => 
 };
 
 const result_of = (axes: readonly DriftAxis[]): string => {
-  const largest = largest_of(axes);
-  return largest === null ? "" : t.drift_result({ largest: largest.text, at: largest.at_text });
+  const [largest] = largest_of_each(axes);
+  return largest ? t.drift_result({ largest: largest.text, at: largest.at_text }) : "";
 };
 
 const first_of = (report: Report, axes: readonly DriftAxis[], picture: string): First => ({
   picture,
   conclusion: () => ({
-    verdict: t.drift_verdict({ largest: largest_of(axes)?.text ?? "–", at: largest_of(axes)?.at_text ?? "–" }),
+    verdict: t.drift_verdict({ each: largest_of_each(axes).map(({ said }) => said).join("; ") }),
     next: {
       label: t.drift_next,
       command: report_command(data_files(report).slice(0, 1)),
@@ -86,16 +88,17 @@ export const drift_section = (report: Report): Section[] => {
 
   const whole = whole_of(report);
   const main = points.length > 0 ? points : probes.filter(({ unit }) => unit === "um");
-  const tables: TextTable[] = [
-    ...(points.length > 0 ? [largest_table(t.drift_largest_title, points), points_table(points)] : []),
-    ...(probes.length > 0 ? [largest_table(t.drift_largest_probes_title, probes)] : []),
-  ];
+  const of_points = points.length > 0 ? [largest_table(t.drift_largest_title, points), points_table(points)] : [];
+  const of_probes = probes.length > 0 ? [largest_table(t.drift_largest_probes_title, probes)] : [];
+  // What belongs to the first picture stands beside it.
+  const [[above, table = above], tables]: [TextTable[], TextTable[]] = points.length > 0 ? [of_points, of_probes] : [of_probes, []];
   const pictures = [...(points.length > 0 ? [drift_picture(points, whole)] : []), ...probe_pictures(probes, whole)];
   return [
     {
       id: "drift",
       heading: t.drift,
       result: result_of(main),
+      says: report.compare && !drift ? kOf_compared : 0,
       ...(pictures[0] ? { first: first_of(report, main, pictures[0].name) } : {}),
       sentences: [
         ...(drift ? drift_sentences(drift, points) : []),
@@ -103,6 +106,16 @@ export const drift_section = (report: Report): Section[] => {
       ],
       tables,
       pictures,
+      ...(pictures[0] && above && table
+        ? {
+            companion: {
+              picture: pictures[0].name,
+              key: "",
+              ...(table === above ? {} : { above }),
+              notes: () => ({ table, sentences: [], lists: [], tables: [] }),
+            },
+          }
+        : {}),
     },
   ];
 };

@@ -86,24 +86,26 @@ const label = (axis: DriftAxis): string =>
 export interface Largest {
   text: string; // "31.72 ± 0.01 µm in y"
   at_text: string; // "124 min"
+  said: string; // "y 31.72 ± 0.01 µm at 124 min"
 }
 
-// Of the drift itself, in all axes of one unit.
-export const largest_of = (axes: readonly DriftAxis[]): Largest | null => {
-  let found: { axis: DriftAxis; row: number; size: number } | null = null;
-  for (const axis of axes.filter((one) => one.main)) {
-    axis.values.forEach((value, row) => {
-      if (number(value) && Math.abs(value) > (found?.size ?? -1)) found = { axis, row, size: Math.abs(value) };
+// Where each axis of the drift itself is farthest off, the one that is most first.
+export const largest_of_each = (axes: readonly DriftAxis[]): Largest[] =>
+  axes
+    .filter((axis) => axis.main)
+    .flatMap((axis) => {
+      let most = { row: -1, size: -1 };
+      axis.values.forEach((value, row) => {
+        if (number(value) && Math.abs(value) > most.size) most = { row, size: Math.abs(value) };
+      });
+      return most.row < 0 ? [] : [{ axis, ...most }];
+    })
+    .sort((a, b) => b.size - a.size)
+    .map(({ axis, row }) => {
+      const found = { value: text(axis, axis.values[row], row), unit: unit_shown(axis.unit), axis: words(axis.name) };
+      const at_text = `${shown(axis.time_min[row])} min`;
+      return { text: t.drift_in_axis(found), at_text, said: t.drift_at({ ...found, at: at_text }) };
     });
-  }
-  const largest = found as { axis: DriftAxis; row: number } | null;
-  if (!largest) return null;
-  const { axis, row } = largest;
-  return {
-    text: t.drift_in_axis({ value: text(axis, axis.values[row], row), unit: unit_shown(axis.unit), axis: words(axis.name) }),
-    at_text: `${shown(axis.time_min[row])} min`,
-  };
-};
 
 const largest_row = (axis: DriftAxis): string[] => {
   let at = -1;
@@ -131,7 +133,10 @@ export const largest_table = (title: string, axes: readonly DriftAxis[]): TextTa
   rows: axes.filter((axis) => axis.main).map(largest_row),
 });
 
+const kRows = 14;
+
 export const points_table = (axes: readonly DriftAxis[]): TextTable => ({
+  at_first: kRows,
   title: t.drift_points_title,
   heading: [t.time_axis, ...axes.map(label)],
   rows: (axes[0]?.time_min ?? []).map((time_min, row) => [

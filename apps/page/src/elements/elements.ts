@@ -1,6 +1,6 @@
 // Elements of the page. Text goes in as text nodes only: what a file says is never read as markup, nor can it turn the
 // direction of writing.
-import { micrometres, without_turns } from "../drawing/text";
+import { clamped, micrometres, without_turns } from "../drawing/text";
 import { language, type Sentence, sentence_text, t } from "../texts/texts";
 import type { TextTable } from "../picture";
 
@@ -92,7 +92,7 @@ export const explained = (id: string, of: string, about: string): Explained => {
 const kRows = 200; // at first; a longer table is a slow page
 
 // "12.01 ± 0.04", "0.27 → 0.08", "13 of 13", "0,016 (2 %)", "< 0.1 %", "1*"; not "8 min, XY CCW".
-const number = /^([<>] )?[-+−–]?\d[\d.,]*(e[-+]?\d+)?\*?( ?(±|→|->|of|von|\/) ?\S+)?( %| \(\d+ %\))?$|^–?$/;
+const number = /^([<>] )?[-+−–]?\d[\d.,]*(e[-+]?\d+)?\*?( ?(±|→|->|of|von|\/) ?\S+)?( %| \(\d+ %\)| µm(\/m)?| ms)?$|^–?$/;
 const numeric = (text: string): boolean => number.test(text) || text === t.drift_reference;
 
 // A column of numbers: no cell below the heading is anything else.
@@ -102,7 +102,7 @@ const numeric_columns = (rows: readonly (readonly string[])[], columns: number):
     (_, k) => rows.length > 0 && rows.slice(0, kRows).every((row) => numeric(row[k] ?? "")),
   );
 
-export interface TableOf extends Pick<TextTable, "title" | "about" | "heading" | "rows" | "bars"> {
+export interface TableOf extends Pick<TextTable, "title" | "about" | "heading" | "rows" | "row_titles" | "at_first" | "bars"> {
   row?: (made: HTMLTableRowElement, index: number) => void;
 }
 
@@ -122,9 +122,9 @@ const caption_of = (title: string, about: string): HTMLElement => {
   return element("caption", {}, element("div", { class: "stays" }, title, " ", more, note));
 };
 
-export const table_of = ({ title, about = "", heading, rows, bars, row }: TableOf): HTMLElement => {
+export const table_of = ({ title, about = "", heading, rows, row_titles, at_first = kRows, bars, row }: TableOf): HTMLElement => {
   const numbers = numeric_columns(rows, heading.length);
-  const kind = (k: number): Record<string, string> => (numbers[k] ? { class: "number" } : {});
+  const kind = (k: number): Record<string, string> => (numbers[k] || bars?.column === k ? { class: "number" } : {});
   const cell = (tag: "td" | "th", text: string, k: number): HTMLElement => {
     const made = text_in(tag, text);
     for (const [name, value] of Object.entries(kind(k))) made.setAttribute(name, value);
@@ -138,18 +138,19 @@ export const table_of = ({ title, about = "", heading, rows, bars, row }: TableO
       const made = element("tr", {}, ...(rows[k] ?? []).map((text, column) => cell("td", text, column)));
       const share = bars?.shares[k] ?? null;
       if (bars && share !== null) bar_in(made.children[bars.column], share);
+      if (row_titles) made.title = clamped(row_titles[k] ?? "", 100);
       row?.(made, k);
       body.append(made);
     }
   };
-  append(0, kRows);
+  append(0, at_first);
   const table = element("table", {}, caption_of(title, about), element("thead", {}, head), body);
   // Scrolled by its keys when it has the focus; where its rows can have it, that is no stop of its own.
   const stop: Record<string, string> = row && rows.length > 0 ? {} : { tabindex: "0" };
   const scroll = element("div", { class: "table", ...stop, role: "group", "aria-label": title }, table);
-  if (rows.length <= kRows) return scroll;
+  if (rows.length <= at_first) return scroll;
   const all = button(t.elements_all_rows({ rows: rows.length }), "", () => {
-    append(kRows, rows.length);
+    append(at_first, rows.length);
     all.remove();
   });
   return element("div", {}, scroll, all);

@@ -1,12 +1,12 @@
 // What of a picture can be chosen and switched off. The switches are its legend.
 import { button, element, select_of, svg_element } from "../elements/elements";
-import type { Picture, State, Toggle } from "../picture";
+import type { Choice, Picture, Slider, State, Toggle } from "../picture";
 import { clamped } from "../drawing/text";
 import { t } from "../texts/texts";
 
 export interface Controls {
   element: HTMLElement;
-  update(state: State): void;
+  update(state: State, drawn?: boolean): void; // not drawn yet: sliders wait
 }
 
 const switch_of = (toggle: Toggle, state: State, change: (on: boolean) => void): HTMLElement => {
@@ -49,6 +49,45 @@ const switches_of = (toggles: readonly Toggle[], state: State, change: Change): 
     : toggles.map((toggle) => switch_of(toggle, state, (on) => change([toggle.key], on)));
 };
 
+// A choice of a number: its slider, the number as it is drawn, and a button for that which fits by itself.
+const kSteps = 100; // of the slider, a decade
+
+interface Chooser {
+  label: HTMLElement;
+  update(state: State, drawn: boolean): void;
+}
+
+// Two digits: a number that is read.
+export const within_slider = ({ least, most }: Slider, value: number): string =>
+  String(Number(Math.min(most, Math.max(least, value)).toPrecision(2)));
+
+const slider_of = (choice: Choice, slider: Slider, choose: (value: string) => void): Chooser => {
+  const at = (value: number): number => Math.round(kSteps * Math.log10(value / slider.least));
+  const input = element("input", { type: "range", min: "0", max: String(at(slider.most)), step: "1" });
+  input.addEventListener("input", () => choose(within_slider(slider, slider.least * 10 ** (Number(input.value) / kSteps))));
+  const told = element("output", {});
+  const [by_itself] = choice.values;
+  const back = button(by_itself?.label ?? "", "", () => choose(choice.initial));
+  return {
+    label: element("span", { class: "choice magnify" }, element("label", {}, element("span", {}, choice.label), " ", input), told, back),
+    update({ chosen }, drawn) {
+      if (!drawn) return; // what is drawn may take long to find
+      const now = slider.now(chosen);
+      input.value = String(at(now));
+      told.textContent = slider.text(now);
+      input.setAttribute("aria-valuetext", slider.text(now));
+      back.disabled = (chosen[choice.key] ?? choice.initial) === choice.initial;
+    },
+  };
+};
+
+const chooser_of = (choice: Choice, choose: (value: string) => void): Chooser => {
+  if (choice.slider) return slider_of(choice, choice.slider, choose);
+  const values = choice.values.map(({ value, label }) => [value, clamped(label, 120)] as const);
+  const { label, select } = select_of(choice.label, values, choose);
+  return { label, update: ({ chosen }) => void (select.value = chosen[choice.key] ?? choice.initial) };
+};
+
 const used_by_key = (legend: HTMLElement): HTMLElement[] => [...legend.querySelectorAll<HTMLElement>("input, button")];
 
 export const controls_of = (
@@ -56,18 +95,11 @@ export const controls_of = (
   choose: (key: string, value: string) => void,
   change: Change,
 ): Controls => {
-  const choices = (picture.choices ?? []).map((choice) => ({
-    choice,
-    ...select_of(
-      choice.label,
-      choice.values.map(({ value, label }) => [value, clamped(label, 120)]),
-      (value) => choose(choice.key, value),
-    ),
-  }));
+  const choices = (picture.choices ?? []).map((choice) => chooser_of(choice, (value) => choose(choice.key, value)));
   const legend = element("div", { class: "legend", role: "group", "aria-label": t.figure_curves });
   let shown = "";
-  const update = (state: State): void => {
-    for (const { choice, select } of choices) select.value = state.chosen[choice.key] ?? choice.initial;
+  const update = (state: State, drawn = true): void => {
+    for (const choice of choices) choice.update(state, drawn);
     const toggles = picture.toggles(state);
     // Made anew only where they differ, for a switch in use must keep the focus.
     const now = JSON.stringify([state.look.dark, toggles, toggles.map((toggle) => state.hidden.has(toggle.key))]);
@@ -77,7 +109,7 @@ export const controls_of = (
     legend.replaceChildren(...switches_of(toggles, state, change));
     used_by_key(legend)[focused]?.focus();
   };
-  const all = element("div", { class: "controls" }, ...choices.map(({ label }) => label), legend);
+  const all = element("div", { class: "controls" }, element("div", { class: "choices" }, ...choices.map(({ label }) => label)), legend);
   return { element: all, update };
 };
 

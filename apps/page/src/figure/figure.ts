@@ -1,7 +1,7 @@
 // One picture on the page with all that belongs to it. It holds the state: any change draws the picture anew.
 import { canvas_of, type Chart, chart_in, px_at, x_at, x_extent } from "./charts";
-import { controls_of } from "./controls";
-import { listen_to_keys, listen_to_pointer, next_row, row_text } from "./input";
+import { controls_of, within_slider } from "./controls";
+import { listen_to_keys, listen_to_pointer, magnify_by, next_row, row_text } from "./input";
 import { button, element, explained } from "../elements/elements";
 import { save_csv, save_png, save_svg } from "./files";
 import { numbers_table, stretch_panel } from "./numbers";
@@ -13,10 +13,18 @@ import { t } from "../texts/texts";
 const kPaper_px = 680; // the width between the margins of a sheet
 const kPaper_pixels = 2; // of the canvas for one of the page, in print
 const kLowest_px = 300;
+const kLowest_in_window_px = 400;
+const kBelow_px = 8;
 
 // On a narrow screen a picture is hardly higher than wide: there the rest would be blank, or a curve all too steep.
-const height_at = ({ height_px, rows_of_text }: Picture, width_px: number): number =>
-  rows_of_text ? height_px : Math.min(height_px, Math.max(kLowest_px, width_px + 40));
+// One that is to be seen whole is no higher than the window below its place on the page.
+const height_at = ({ height_px, rows_of_text, in_window }: Picture, box: HTMLElement): number => {
+  if (rows_of_text) return height_px;
+  const width_px = box.clientWidth;
+  const from_px = Math.min(innerHeight / 2, box.getBoundingClientRect().top + scrollY);
+  const seen_px = in_window ? Math.max(kLowest_in_window_px, innerHeight - from_px - kBelow_px) : height_px;
+  return Math.min(height_px, seen_px, Math.max(kLowest_px, width_px + 40));
+};
 
 // On the page some curves wait until they are wanted.
 const off_at_first = ({ on, quiet }: Toggle): boolean => !on || quiet === true;
@@ -69,14 +77,15 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     return numbers.values;
   };
 
+  const slid = picture.choices?.find(({ slider }) => slider); // magnified by wheel and keys too
   const box = element("div", {
     class: "chart",
     tabindex: "0",
-    role: picture.zoom === "none" ? "img" : "application",
+    role: picture.zoom === "none" && !slid ? "img" : "application",
     "aria-label": `${picture.title}. ${picture.caption}`,
     "aria-describedby": [
       ...(picture.about ? [`${picture.name}-about`] : []),
-      ...(picture.zoom === "none" ? [] : [`${picture.name}-keys`]),
+      ...(picture.zoom === "none" && !slid ? [] : [`${picture.name}-keys`]),
     ].join(" "),
   });
   box.style.height = `${picture.height_px}px`;
@@ -107,7 +116,8 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
 
   const choose = (key: string, value: string): void => {
     const choice = picture.choices?.find((one) => one.key === key);
-    const offered = !choice || choice.values.some((one) => one.value === value);
+    const slid_to = choice?.slider && Number(value) >= choice.slider.least && Number(value) <= choice.slider.most;
+    const offered = !choice || slid_to || choice.values.some((one) => one.value === value);
     if (!offered || state.chosen[key] === value) return;
     const chosen = { ...state.chosen, [key]: value };
     const toggles = picture.toggles({ chosen });
@@ -163,7 +173,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     const width_px = box.clientWidth;
     if (width_px === 0) return;
     stale = false;
-    const height_px = height_at(picture, width_px);
+    const height_px = height_at(picture, box);
     state = {
       ...state,
       window: window_now(),
@@ -224,6 +234,10 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   };
   listen_to_pointer(view);
   listen_to_keys(view, step);
+  if (slid?.slider) {
+    const { key, slider, initial } = slid;
+    magnify_by(box, (factor) => choose(key, factor === null ? initial : within_slider(slider, slider.now(state.chosen) * factor)));
+  }
 
   const tools = element("div", { class: "tools" });
   if (picture.zoom !== "none") tools.append(mode, reset);
@@ -240,9 +254,9 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     heading.append(note);
   }
   const all = element("figure", { "data-picture": picture.name }, heading, tools, controls.element, box);
-  if (picture.zoom !== "none") {
-    all.append(element("p", { class: "hint", id: `${picture.name}-keys` }, t.figure_keys), panel.element);
-  }
+  const keys = (text: string): HTMLElement => element("p", { class: "hint", id: `${picture.name}-keys` }, text);
+  if (picture.zoom !== "none") all.append(keys(t.figure_keys), panel.element);
+  else if (slid) all.append(keys(t.figure_magnify_keys));
   all.append(table.element);
 
   const figure: Figure = {
@@ -299,6 +313,6 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   new ResizeObserver(() => {
     if (chart && chart.getWidth() !== box.clientWidth) figure.redraw();
   }).observe(box);
-  controls.update(state);
+  controls.update(state, false);
   return figure;
 };

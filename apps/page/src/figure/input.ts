@@ -92,6 +92,50 @@ export const listen_to_pointer = (view: View): void => {
   );
 };
 
+// A picture that is magnified about its middle: by the wheel with Ctrl held, or alone once the picture has the focus, by
+// two fingers, and by + and -; 0 or a double click gives it back (null).
+export const magnify_by = (box: HTMLElement, magnify: (factor: number | null) => void): void => {
+  box.addEventListener(
+    "wheel",
+    (event) => {
+      if (!event.ctrlKey && !event.metaKey && document.activeElement !== box) return;
+      event.preventDefault();
+      const lines = event.deltaMode === 1 ? 16 : 1;
+      magnify(Math.exp(-Math.max(-200, Math.min(200, event.deltaY * lines)) * 0.003));
+    },
+    { passive: false },
+  );
+  box.addEventListener("dblclick", () => magnify(null));
+  box.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === "+" || event.key === "=") magnify(1.25);
+    else if (event.key === "-" || event.key === "_") magnify(1 / 1.25);
+    else if (event.key === "0" || event.key === "Home") magnify(null);
+    else return;
+    event.preventDefault();
+  });
+  const fingers = new Map<number, [number, number]>();
+  let spread_px = 0;
+  const spread = (): number => {
+    const [a = [0, 0], b = [0, 0]] = [...fingers.values()];
+    return Math.max(20, Math.hypot(a[0] - b[0], a[1] - b[1]));
+  };
+  box.addEventListener("pointerdown", (event) => {
+    if (event.pointerType !== "touch") return;
+    fingers.set(event.pointerId, [event.clientX, event.clientY]);
+    spread_px = spread();
+  });
+  box.addEventListener("pointermove", (event) => {
+    if (!fingers.has(event.pointerId)) return;
+    fingers.set(event.pointerId, [event.clientX, event.clientY]);
+    const factor = spread() / spread_px;
+    if (fingers.size !== 2 || Math.abs(Math.log(factor)) < 0.08) return;
+    magnify(factor);
+    spread_px = spread();
+  });
+  for (const end of ["pointerup", "pointercancel"] as const) box.addEventListener(end, (event) => fingers.delete(event.pointerId));
+};
+
 // Keys on a focused chart. What they do is said in the hint below it.
 
 export const listen_to_keys = (view: View, step: (by: number) => void): void => {

@@ -38,6 +38,7 @@ export const drawn = (picture: Picture, state: State): EChartsCoreOption =>
 export const caption_of = (picture: Picture, state: State): string => {
   const chosen = (picture.choices ?? []).flatMap((choice) => {
     const value = choice.values.find((one) => one.value === state.chosen[choice.key]);
+    if (!value && choice.slider) return [choice.slider.text(choice.slider.now(state.chosen))];
     return value && value.value !== "" ? [value.label] : [];
   });
   return clamped([picture.title, ...chosen].join(", "), 110);

@@ -9,6 +9,7 @@ import { errors_picture } from "../machine_errors/errors_pictures";
 import { initial_state, svg_file } from "../figure/still";
 import { micrometres, plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
+import { iso_of, limit_text } from "../machine_errors/summary";
 import type { FitPart, Report, Result } from "../report";
 import { full_labels } from "../recordings/recording_tables";
 import { sentence_text, t } from "../texts/texts";
@@ -16,9 +17,9 @@ import { sentence_text, t } from "../texts/texts";
 export const kSheet_px = { width: 794, height: 1123 } as const; // A4 at 96 to the inch
 
 const kMargin = 42;
-const kLeft = kMargin;
-const kRight = kSheet_px.width - kMargin;
-const kAcross = kRight - kLeft;
+export const kLeft = kMargin;
+export const kRight = kSheet_px.width - kMargin;
+export const kAcross = kRight - kLeft;
 const kPicture_px = 400; // on the sheet
 const kDrawn_px = 540; // as it is drawn: its text is smaller than on a screen
 const kMost_rows = 26;
@@ -36,6 +37,15 @@ type Row = readonly [string, string];
 const started_of = (test: ErrorTest): number | undefined => {
   const started_s = test.part.file?.["started_s"];
   return typeof started_s === "number" ? started_s : undefined;
+};
+
+// When the tests were, where their files state it: the first, and the last of several.
+export const started_text = (report: Report): string => {
+  const all = error_tests(report).flatMap((test) => started_of(test) ?? []).sort((a, b) => a - b);
+  const said = [all[0], all[all.length - 1]].flatMap((started_s) =>
+    started_s === undefined ? [] : new Date(1000 * started_s).toISOString().slice(0, 16).replace("T", " "),
+  );
+  return [...new Set(said)].join(" – ");
 };
 
 // The calibration that ran out; empty where it holds, or is not stated.
@@ -93,19 +103,6 @@ const head_at = (report: Report, test: ErrorTest): { svg: string; below: number 
   };
 };
 
-const limit_text = ({ limits }: Result): string => {
-  const [lower, upper] = limits ?? [null, null];
-  if (lower === null && upper === null) return "–";
-  if (lower === null) return `≤ ${shown(upper)}`;
-  return upper === null ? `≥ ${shown(lower)}` : `${shown(lower)} … ${shown(upper)}`;
-};
-
-// Both directions of this test, else each direction's own.
-const iso_rows = (fit: FitPart): Result[] => {
-  const both = fit.results.find(({ of }) => of.startsWith("ISO 230-4"));
-  return [...(both ?? fit.results[0] ?? { rows: [] }).rows];
-};
-
 const uncertainty_text = (test: ErrorTest): string => {
   const each = test.recordings.map(({ direction, sigma_circularity_um }) => `${direction ?? ""} ± ${shown(sigma_circularity_um, 2)} µm`);
   return t.handover_uncertainty({ each: each.join(", ") });
@@ -114,7 +111,7 @@ const uncertainty_text = (test: ErrorTest): string => {
 const kJudgements = { pass: "#00662b", warning: "#8a5a00", fail: kRed } as const;
 
 const iso_at = (fit: FitPart, test: ErrorTest, x: number, y: number): { svg: string; below: number } => {
-  const rows = iso_rows(fit);
+  const { rows } = iso_of(fit, test);
   const labels = full_labels(rows).map((label) => label.replace(/ µm$/, ""));
   const any = rows.some(({ judgement }) => judgement);
   const judged = (row: Result): string[] => [limit_text(row), row.judgement ? t.judgements[row.judgement] : "–"];
@@ -167,7 +164,7 @@ const errors_at = (test: ErrorTest, y: number): { svg: string; below: number } =
   };
 };
 
-const foot_at = (report: Report): string => {
+export const foot_at = (report: Report): string => {
   const y = kSheet_px.height - 58;
   const third = kAcross / 3;
   const field = (k: number, name: string): string =>

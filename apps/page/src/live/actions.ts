@@ -1,5 +1,6 @@
 // What a button does that says a command: the page's own step. Where there is none, the button is left out.
 import { added_by, words_of } from "./runs";
+import type { Loop } from "./loop";
 import type { Opened } from "./opened";
 
 export interface ActionsOf {
@@ -17,13 +18,16 @@ const reveal = (id: string): void => {
   section.querySelector<HTMLElement>("summary")?.focus({ preventScroll: true });
 };
 
-
 // null: the page has no such step, for what is open now.
 export const action_of = (command: string, { opened, test_again, save_of }: ActionsOf): (() => void) | null => {
   const [verb, ...rest] = words_of(command);
   const [loop, subject, report] = [opened.loop(), opened.subject(), opened.report()];
   const can = verb === "add" ? loop !== null && added_by(command, loop.subject()).length > 0 : verb !== "report" || rest.includes("--diagnose");
-  const of_loop = loop && can ? () => void loop.act(command) : null;
+  const act = (of: Loop): void => {
+    of.act(command);
+    of.element.scrollIntoView({ block: "nearest" }); // it may lie below a drift
+  };
+  const of_loop = loop && can ? () => act(loop) : null;
   switch (verb) {
     case "errors":
       return report?.machine_errors ? () => reveal("machine-errors") : of_loop;

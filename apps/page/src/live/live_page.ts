@@ -13,6 +13,8 @@ export interface LivePage {
   // In the place of the one before; a loop stands for the first screen. `again`: of the same data, so that what a reader
   // unfolded, zoomed and chose stays.
   show(report: Report, loop: Loop | null, again: boolean): void;
+  made_with(options: string): void; // the report that is shown next
+  shown(): boolean; // whether a report is, or was
   clear(): void;
   // What a button does that says a command; null: nothing, and the button is left out.
   on_command(action_of: (command: string) => (() => void) | null): void;
@@ -38,11 +40,14 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
   const without_report = (on: boolean): void => void document.documentElement.classList.toggle("no-report", on);
   without_report(true);
 
+  let shown = false;
   return {
     state: shared,
     shared,
     given,
+    shown: () => shown,
     show(report, loop, again) {
+      shown = true;
       const bring_back = kept_view(shared);
       const focused = document.activeElement;
       const kept = loop?.figure();
@@ -54,6 +59,9 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
       if (again) bring_back();
       if (kept) shared.add(kept);
       if (focused instanceof HTMLElement && focused.isConnected) focused.focus({ preventScroll: true });
+    },
+    made_with(options) {
+      shared.asked = options;
     },
     on_command(action_of) {
       shared.action_of = action_of;

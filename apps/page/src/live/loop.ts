@@ -77,9 +77,9 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   // What the data did not support, and was not kept; or what the model holds all the same.
   const refusal = element("p", { class: "refusal", role: "status" });
   refusal.hidden = true;
-  const refuse = (text: string, effects: readonly string[]): void => {
+  const refuse = (text: Sentence, effects: readonly string[]): void => {
     const keep = button(t.live_keep, t.live_keep_title, () => void loop.add(effects, true));
-    refusal.replaceChildren(element("span", { lang: "en" }, micrometres(text)), " ", keep);
+    refusal.replaceChildren(element("span", { lang: typeof text === "string" ? language : "en" }, micrometres(sentence_text(text))), " ", keep);
     refusal.hidden = false;
   };
   const place = element("div", { class: "picture" });
@@ -357,7 +357,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
           );
         } catch (error) {
           if (!(error instanceof Unsupported)) throw error;
-          return refuse(sentence_of_it, effects);
+          return refuse(english(sentence_of_it), effects);
         }
         forth.length = 0;
         update();

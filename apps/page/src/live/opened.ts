@@ -1,7 +1,7 @@
 // What is looked at: a group of files, opened, with its report and its loop; what the program has against a file.
 import { catalogue_of } from "./model_list";
 import { type Columns, columns_with } from "./columns";
-import { answer_of, reason, Refused, type Runs, type Subject, type Work } from "./runs";
+import { answer_of, look_words, reason, Refused, type Runs, type Subject, type Work } from "./runs";
 import type { Engine, Sample } from "../engine";
 import { type Group, groups_of, type Held } from "./files";
 import type { Intake, Kept, Store } from "./intake";
@@ -95,6 +95,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
   };
 
   const keep_state = (): void => {
+    page.made_with(subject ? look_words({ ...subject, data: [] }).join(" ") : "");
     if (!subject) return;
     const { group, model, target, data, log, targets } = subject;
     store?.say({ when: Date.now(), title: group.title, data, model, target, log, targets, unsaved }).catch(() => undefined);

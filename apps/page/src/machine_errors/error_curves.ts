@@ -30,17 +30,25 @@ export const without_error = (test: ErrorTest, error: string, k: number): Num[] 
   return curve ? difference(measured, curve) : measured;
 };
 
+const extents = new WeakMap<ErrorTest, [number, number]>(); // asked for with every stroke of a slider
+
 // Of all that may be drawn, so that the scale is the same for each error, with it and without.
-export const extent_of_test = (test: ErrorTest): [number, number] =>
-  extent(
+export const extent_of_test = (test: ErrorTest): [number, number] => {
+  const known = extents.get(test);
+  if (known) return known;
+  const all = extent(
     test.recordings.flatMap((_, k) => [
       about_circle(test, k),
       ...Object.keys(test.part.curves).flatMap((error) => [error_curve(test, error, k) ?? [], without_error(test, error, k)]),
     ]),
     [0, 0],
   );
+  extents.set(test, all);
+  return all;
+};
 
-// The rows of a test in the order they are read: by rank, then what is not significant by the size of its curve.
+// The rows of a test in the order they are read: by rank, then what is significant without one, then what is not; each
+// by the size of its curve.
 
 export interface RankedError {
   effect: string;
@@ -52,6 +60,7 @@ const kUnranked = 1e9;
 
 const compared = ({ first: a }: RankedError, { first: b }: RankedError): number =>
   (a.rank ?? kUnranked) - (b.rank ?? kUnranked) ||
+  Number(b.significant === true) - Number(a.significant === true) ||
   (b.individual_circularity_um ?? 0) - (a.individual_circularity_um ?? 0);
 
 export const ranked_errors = ({ errors }: MachineErrorsPart): RankedError[] => {

@@ -1,19 +1,22 @@
-// Names of the errors as a machinist reads them: "backlash_a_pos" in the plane ZX is "backlash Z +", in the language of
-// the page. Of several in one text each.
+// Names of the errors as a machinist reads them: "backlash_a_pos" in the plane ZX is "backlash of Z, +", in the language
+// of the page. Of several in one text each.
 import { axes_of_plane } from "../drawing/angles";
 import { plain } from "../drawing/text";
 import { language, named, t } from "../texts/texts";
 
 export const error_name = (name: string, plane: string | undefined, most = 60): string => {
   const [a, b] = axes_of_plane(plane);
-  const places: Record<string, string> = { a, b, pos: "+", neg: "−", fwd: "→", rev: "←" };
+  const axes: Record<string, string> = { a, b };
+  const sides: Record<string, string> = { pos: "+", neg: "−", fwd: "→", rev: "←" };
   // What it is, and where: the axis, the side.
   const read = (one: string): string => {
     const [, whole = one, number] = /^(.*)_of_recording_(\d+)$/.exec(one) ?? [];
     const parts = whole.split("_");
-    const what = parts.filter((part) => !Object.hasOwn(places, part)).join("_");
-    const where = parts.flatMap((part) => (Object.hasOwn(places, part) ? [places[part] ?? ""] : []));
-    const read_name = [named(t.effects, what).replaceAll("_", " "), ...where].join(" ");
+    const those = (known: Record<string, string>): string[] => parts.flatMap((part) => (Object.hasOwn(known, part) ? [known[part] ?? ""] : []));
+    const what = parts.filter((part) => !Object.hasOwn(axes, part) && !Object.hasOwn(sides, part)).join("_");
+    const name = named(t.effects, what).replaceAll("_", " ");
+    const [axis] = those(axes);
+    const read_name = [axis === undefined ? name : t.errors_of_axis({ name, axis }), ...those(sides)].join(" ");
     return number === undefined ? read_name : t.errors_of_recording({ name: read_name, number });
   };
   const is_name = (word: string): boolean => word.includes("_") || Object.hasOwn(t.effects, word);

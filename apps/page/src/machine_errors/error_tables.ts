@@ -48,24 +48,57 @@ const cells_of = ({ first, rows }: RankedError, plane: string | undefined): stri
 
 const kShare = 4; // its column
 
+const choosing = (ranked: readonly RankedError[]): TextTable["choose"] => ({
+  picture: kErrors_picture,
+  key: "error",
+  values: ranked.flatMap(({ effect, rows }) => rows.map(() => effect)),
+  focus_keeps: true,
+  space: kWithout,
+});
+
+const program_names = (ranked: readonly RankedError[]): string[] => ranked.flatMap(({ rows }) => rows.map(({ name }) => name));
+
+// For the first screen: what each error is, and what mending it gains. What is not significant waits behind a button.
+export const gains_table = ({ part, recordings }: ErrorTest): TextTable => {
+  const ranked = ranked_errors(part);
+  const plane = recordings[0]?.plane;
+  const gain = ({ circularity_gain_um: um, circularity_gain_sigma_um: sigma }: MachineErrorRow): string =>
+    typeof sigma === "number" ? with_sigma(um, sigma, Math.min(2, decimals_for(um, sigma))) : shown(um, 2);
+  const most = Math.max(1e-9, ...ranked.map(({ first }) => first.circularity_gain_um ?? 0));
+  const shares = ranked.flatMap(({ first, rows }) =>
+    rows.map((_, k) => (k > 0 || first.rank === null || !((first.circularity_gain_um ?? 0) > 0) ? null : (first.circularity_gain_um ?? 0) / most)),
+  );
+  const significant = ranked.filter(({ first }) => first.rank !== null || first.significant === true);
+  return {
+    title: t.errors_table_title,
+    heading: [t.errors_one, t.value, t.errors_gain, t.errors_g_without],
+    rows: ranked.flatMap(({ first, rows }) =>
+      rows.map((row, k) => [
+        error_name(row.name, plane),
+        `${with_sigma(row.value, row.sigma, decimals_of(row))} ${unit_shown(row.unit)}`,
+        ...(k > 0 ? ["", ""] : [first.significant === true ? gain(first) : t.errors_not_significant, shown(first.circularity_without_um, 2)]),
+      ]),
+    ),
+    row_titles: program_names(ranked),
+    choose: choosing(ranked),
+    at_first: Math.max(1, significant.reduce((count, { rows }) => count + rows.length, 0)),
+    bars: { column: 2, shares },
+  };
+};
+
 export const errors_table = ({ part, recordings }: ErrorTest): TextTable => {
   const ranked = ranked_errors(part);
   const plane = recordings[0]?.plane;
   const most = Math.max(1e-9, ...ranked.map(({ first }) => first.share_percent ?? 0));
   return {
-    title: t.errors_table_title,
+    title: t.errors_whole_table,
     heading: [
       t.errors_one, t.value, t.unit, "IC µm", t.errors_share, t.errors_rank, t.errors_instrument_rank,
       t.errors_stored_rank, t.errors_predicts, t.errors_g_without,
     ],
     rows: ranked.flatMap((one) => cells_of(one, plane)),
-    choose: {
-      picture: kErrors_picture,
-      key: "error",
-      values: ranked.flatMap(({ effect, rows }) => rows.map(() => effect)),
-      focus_keeps: true,
-      space: kWithout,
-    },
+    row_titles: program_names(ranked),
+    choose: choosing(ranked),
     bars: {
       column: kShare,
       shares: ranked.flatMap(({ first, rows }) =>

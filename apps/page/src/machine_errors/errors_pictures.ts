@@ -8,7 +8,8 @@ import type { Choice, Numbers, Picture, State, Toggle } from "../picture";
 import { dash_of, direction_colour, effect_colour, stacked_numbers } from "../recordings/recording_curves";
 import { labels_of, once_each } from "../recordings/recording_groups";
 import type { Num, Recording } from "../report";
-import { round_curve, round_option, type RoundCurve } from "../recordings/round";
+import { magnification_choice, round_curve, round_option, type RoundCurve } from "../recordings/round";
+import { worst_of } from "./summary";
 import { plain } from "../drawing/text";
 import { curve_colour, shown, toggle } from "../drawing/theme";
 import { t } from "../texts/texts";
@@ -111,11 +112,12 @@ export const test_choice = (tests: readonly ErrorTest[]): Choice[] => {
   if (tests.length < 2) return [];
   const names = once_each(tests.map(({ recordings: [first] }) => plain(`${first?.test}, ${first?.plane}`, 60)));
   const values = tests.map(({ value }, k) => ({ value, label: names[k] ?? "" }));
-  return [{ key: "test", label: t.errors_test, values, initial: values[0]?.value ?? "" }];
+  return [{ key: "test", label: t.errors_test, values, initial: worst_of(tests)?.value ?? "" }];
 };
 
+// That which is out most at first.
 export const chosen_test = (tests: readonly ErrorTest[], chosen: State["chosen"]): ErrorTest | undefined =>
-  tests.find(({ value }) => value === chosen["test"]) ?? tests[0];
+  tests.find(({ value }) => value === chosen["test"]) ?? worst_of(tests);
 
 // Of all tests, in the order of the first that has it.
 const error_choice = (tests: readonly ErrorTest[]): Choice => {
@@ -123,32 +125,35 @@ const error_choice = (tests: readonly ErrorTest[]): Choice => {
   for (const test of tests) {
     for (const { effect } of ranked_errors(test.part)) if (!all.has(effect)) all.set(effect, label_of(test, effect));
   }
-  const largest = tests[0] ? ranked_errors(tests[0].part)[0] : undefined;
+  const worst = worst_of(tests);
+  const largest = worst ? ranked_errors(worst.part)[0] : undefined;
   return {
     key: "error",
     label: t.errors_error,
     values: [{ value: "", label: t.none }, ...[...all].map(([value, label]) => ({ value, label }))],
-    initial: largest && largest.first.rank !== null ? largest.effect : "",
+    initial: largest && (largest.first.rank !== null || largest.first.significant === true) ? largest.effect : "",
   };
 };
 
 export const errors_picture = (tests: readonly ErrorTest[]): Picture => {
   const test_of = (chosen: State["chosen"]): ErrorTest | undefined => chosen_test(tests, chosen);
   const error_of = (chosen: State["chosen"]): string => chosen["error"] ?? "";
-  const extents = new Map<ErrorTest, [number, number]>();
-  const extent_of = (test: ErrorTest): [number, number] => {
-    const known = extents.get(test) ?? extent_of_test(test);
-    extents.set(test, known);
-    return known;
-  };
   return {
     name: kErrors_picture,
     title: t.errors_picture_title,
     caption: t.errors_picture_caption,
     about: t.errors_picture_about,
-    height_px: 440,
+    height_px: 680,
+    in_window: true,
     zoom: "none",
-    choices: [...test_choice(tests), error_choice(tests)],
+    choices: [
+      ...test_choice(tests),
+      error_choice(tests),
+      magnification_choice((chosen) => {
+        const test = test_of(chosen);
+        return { first: test?.recordings[0], extent_um: test ? extent_of_test(test) : [0, 0] };
+      }),
+    ],
     toggles: ({ chosen }) => {
       const test = test_of(chosen);
       return test ? toggles_of(test, error_of(chosen)) : [];
@@ -159,7 +164,7 @@ export const errors_picture = (tests: readonly ErrorTest[]): Picture => {
       const error = error_of(state.chosen);
       return round_option(state, {
         first: test.recordings[0],
-        extent_um: extent_of(test),
+        extent_um: extent_of_test(test),
         curves: curves_of(test, error, state),
         toggles: toggles_of(test, error),
         note: circularity_note(test, error),
@@ -244,9 +249,15 @@ export const without_picture = (tests: readonly ErrorTest[]): Picture => {
     title: t.errors_off_title,
     caption: t.errors_off_caption,
     about: t.errors_off_about,
-    height_px: 440,
+    height_px: 560,
     zoom: "none",
-    choices: test_choice(tests),
+    choices: [
+      ...test_choice(tests),
+      magnification_choice((chosen) => {
+        const test = test_of(chosen);
+        return { first: test?.recordings[0], extent_um: test ? extent_of_test(test) : [0, 0] };
+      }),
+    ],
     toggles: ({ chosen }) => {
       const test = test_of(chosen);
       return test ? switches_of(test) : [];

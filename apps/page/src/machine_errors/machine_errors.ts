@@ -1,22 +1,22 @@
 // The errors of the machine, found from one test: the circle and the ranked table beside it.
 import { error_tests, type ErrorTest, ranked_errors } from "./error_curves";
 import { error_name, unit_shown } from "./error_names";
-import { circle_table, errors_table, stated_table } from "./error_tables";
+import { error_page, remedy_text } from "./error_page";
+import { circle_table, errors_table, gains_table, stated_table } from "./error_tables";
 import { errors_picture, kErrors_picture, without_picture } from "./errors_pictures";
+import { headline, summary_table, worst_of } from "./summary";
 import { command_of } from "../drawing/command";
 import { capital } from "../drawing/text";
 import type { Section, Notes, Conclusion } from "../picture";
 import type { Report } from "../report";
 import { decimals_for, range_text, shown } from "../drawing/theme";
-import { english, english_after, language, named, type Sentence, t } from "../texts/texts";
+import { english, english_after, language, type Sentence, t } from "../texts/texts";
 
 const kRemedies = 3;
 
-// Of "backlash_a" that of "backlash"; one that the language does not have stays as the program says it.
 const remedy_sentence = (error: string, effect: string, remedy: string): Sentence => {
-  const what = effect.replace(/_[ab]$/, "");
-  const known = language !== "en" && Object.hasOwn(t.remedies, what);
-  return known ? t.errors_remedy({ error, remedy: named(t.remedies, what) }) : english_after(`${error}:`, remedy);
+  const text = remedy_text(effect, remedy);
+  return typeof text === "string" ? t.errors_remedy({ error, remedy: text }) : english_after(`${error}:`, text.english);
 };
 
 // In English the program's own sentences.
@@ -42,7 +42,7 @@ const notes_of = (test: ErrorTest, alone: boolean): Notes => {
     .slice(0, kRemedies)
     .map(({ effect, first }) => remedy_sentence(error_name(effect, plane), effect, first.remedy ?? ""));
   return {
-    table: errors_table(test),
+    table: gains_table(test),
     sentences: [
       ...(alone || part.conclusion === "" ? [] : [verdict_of(test)]),
       ...(part.left_text === "" ? [] : [english(part.left_text)]),
@@ -60,21 +60,23 @@ const notes_of = (test: ErrorTest, alone: boolean): Notes => {
         ),
       },
     ],
-    tables: [...circle_table(test), ...stated_table(test)],
+    tables: [errors_table(test), ...circle_table(test), ...stated_table(test)],
   };
 };
 
+// "circularity 2.81 to 6.70 µm, 3 tests"
 const result_of = (tests: readonly ErrorTest[]): string => {
   const values = tests.flatMap(({ part }) => part.circularity_um ?? []);
   return t.errors_result({ circularity: range_text(values, 2), tests: tests.length });
 };
 
 // The error that gains most is mended, and the test made again.
-const conclusion_of = (test: ErrorTest): Conclusion => {
+const conclusion_of = (report: Report, tests: readonly ErrorTest[], test: ErrorTest): Conclusion => {
   const { part, recordings } = test;
   const largest = ranked_errors(part).find(({ first }) => first.rank !== null && first.remedy);
   return {
-    verdict: verdict_of(test),
+    verdict: headline(report, tests, test),
+    also: part.conclusion === "" ? "" : verdict_of(test),
     concluded: part.conclusion,
     next: {
       label: t.errors_next,
@@ -88,8 +90,10 @@ const conclusion_of = (test: ErrorTest): Conclusion => {
 
 export const machine_errors_section = (report: Report): Section[] => {
   const tests = error_tests(report);
-  const [first] = tests;
+  const first = worst_of(tests);
   if (!first) return [];
+  const above = summary_table(report, tests, kErrors_picture);
+  const test_of = (value: string | undefined): ErrorTest => tests.find((one) => one.value === value) ?? first;
   return [
     {
       id: "machine-errors",
@@ -97,13 +101,15 @@ export const machine_errors_section = (report: Report): Section[] => {
       result: result_of(tests),
       first: {
         picture: kErrors_picture,
-        conclusion: ({ test }) => conclusion_of(tests.find(({ value }) => value === test) ?? first),
+        conclusion: ({ test }) => conclusion_of(report, tests, test_of(test)),
       },
       pictures: [errors_picture(tests), without_picture(tests)],
       companion: {
         picture: kErrors_picture,
         key: "test",
-        notes: (chosen) => notes_of(tests.find(({ value }) => value === chosen) ?? first, tests.length === 1),
+        ...(above ? { above } : {}),
+        notes: (chosen) => notes_of(test_of(chosen), tests.length === 1),
+        page: ({ test, error = "" }) => error_page(test_of(test), error),
       },
     },
   ];

@@ -31,8 +31,13 @@ const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: 
     const now = first.conclusion(chosen);
     const text = sentence_text(now.verdict);
     const sentence = first_sentence(text);
-    if (text !== shown) verdict.replaceChildren(text_in("p", typeof now.verdict === "string" ? sentence : english(sentence)));
-    shown = text;
+    const also = sentence_text(now.also ?? "");
+    if (text + also !== shown) {
+      const below = text_in("p", typeof now.also === "object" ? english(first_sentence(also)) : first_sentence(also));
+      below.className = "also";
+      verdict.replaceChildren(text_in("p", typeof now.verdict === "string" ? sentence : english(sentence)), ...(also === "" ? [] : [below]));
+    }
+    shown = text + also;
     concluded = now.concluded ?? text;
     next.show(now.next);
   });

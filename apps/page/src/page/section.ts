@@ -4,9 +4,10 @@ import { choosing_rows } from "./choosing_rows";
 import { element, table_of, text_in } from "../elements/elements";
 import { type Figure, figure_of } from "../figure/figure";
 import { folded } from "./folded";
-import type { Companion, List, Section, TextTable } from "../picture";
+import type { Companion, Leaf, List, Section, TextTable } from "../picture";
 import type { Shared } from "./shared";
 import { micrometres } from "../drawing/text";
+import { language } from "../texts/texts";
 
 const text_table = (table: TextTable, shared: Shared): HTMLElement =>
   table_of(table.choose ? { ...table, row: choosing_rows(table.choose, shared) } : table);
@@ -78,13 +79,30 @@ export const lists_of = (lists: readonly List[]): HTMLElement[] =>
       : [element("h3", {}, title), element("ul", {}, ...items.map((item) => text_in("li", item)))],
   );
 
+// What is known of what is chosen, beside its picture.
+const leaf_of = ({ title, summary, parts }: Leaf): HTMLElement[] => [
+  element("h3", {}, title),
+  text_in("p", summary),
+  element(
+    "dl",
+    {},
+    ...parts.flatMap(({ name, text }) => {
+      const told = element("dd", {});
+      told.append(...text_in("p", text).childNodes);
+      if (typeof text !== "string" && language !== "en") told.lang = "en";
+      return [element("dt", {}, name), told];
+    }),
+  ),
+];
+
 export const figure_with_notes = (
   figure: Figure,
-  { key, notes }: Companion,
+  { key, above, notes, page }: Companion,
   made_table: (table: TextTable) => HTMLElement,
 ): [HTMLElement, HTMLElement] => {
-  const side = element("div");
+  const side = element("div", { class: "ranked" });
   const below = element("div");
+  const leaf = element("div", { class: "leaf", role: "region" });
   const made = new Map<string, { side: HTMLElement; below: HTMLElement }>();
   const make = (chosen: string): { side: HTMLElement; below: HTMLElement } => {
     const { table, sentences, lists, tables } = notes(chosen);
@@ -104,12 +122,22 @@ export const figure_with_notes = (
     return parts;
   };
   let shown: string | null = null;
+  let told = "";
   figure.watch(({ chosen }) => {
+    const of = page?.(chosen) ?? null;
+    const text = JSON.stringify(of);
+    leaf.hidden = of === null;
+    if (of && text !== told) {
+      leaf.replaceChildren(...leaf_of(of));
+      leaf.setAttribute("aria-label", of.title);
+    }
+    told = text;
     const now = chosen[key] ?? "";
     if (now === shown) return;
     shown = now;
     const parts = made.get(now) ?? make(now);
     for (const other of made.values()) other.side.hidden = other.below.hidden = other !== parts;
   });
-  return [element("div", { class: "side-by-side" }, figure.element, side), below];
+  const beside = [...(above ? [element("div", { class: "summary" }, made_table(above))] : []), side, ...(page ? [leaf] : [])];
+  return [element("div", { class: "side-by-side" }, figure.element, element("div", { class: "beside" }, ...beside)), below];
 };

@@ -11,6 +11,7 @@ export interface Shared extends PageState {
   look(dark: boolean): void;
   // What does a command's step on this page; null: nothing does. Where it is not there, commands are copied.
   action_of?: (command: string) => (() => void) | null;
+  asked?: string; // the options that the report was made with, where they are known
 }
 
 export const shared_by_figures = (voice: HTMLElement): Shared => {

@@ -22,7 +22,10 @@ export const all_round_picture = (groups: readonly Group[]): Picture => ({
   choices: [
     group_choice(groups, "group", t.recordings_figure),
     quantity_choice("deviation"),
-    magnification_choice(),
+    magnification_choice((chosen) => {
+      const tests = tests_of(groups, chosen);
+      return { first: tests[0]?.recording, extent_um: extent_of_tests(tests) };
+    }),
   ],
   toggles: ({ chosen }) => toggles_of_tests(tests_of(groups, chosen)),
   draw: (state) => {

@@ -108,7 +108,10 @@ export const circle_picture = (groups: readonly Group[]): Picture => {
         ],
         initial: "nominal",
       },
-      magnification_choice(),
+      magnification_choice((chosen) => {
+        const recordings = chosen_of(chosen);
+        return { first: recordings[0], extent_um: extent_of(recordings, chosen["from"] === "fitted") };
+      }),
     ],
     toggles: ({ chosen }) => toggles_of(chosen_of(chosen), chosen["from"] === "fitted"),
     draw: (state) => {

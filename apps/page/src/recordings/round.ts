@@ -85,7 +85,8 @@ export const round_curve = ({ trace }: Recording, values: readonly Num[], style:
   return { ...style, angle_deg: picked(trace?.angle_deg ?? [], kept), value_um: picked(values, kept) };
 };
 
-export const magnification_choice = (): Choice => ({
+// Of the nominal length and the deviations of what is drawn; "": as they need it.
+export const magnification_choice = (drawn: (chosen: State["chosen"]) => Pick<Round, "first" | "extent_um">): Choice => ({
   key: "magnification",
   label: t.recordings_magnification,
   values: [
@@ -93,7 +94,18 @@ export const magnification_choice = (): Choice => ({
     ...magnifications.map((m) => ({ value: String(m), label: t.recordings_times({ times: m }) })),
   ],
   initial: "",
+  slider: {
+    least: magnifications[0],
+    most: magnifications[magnifications.length - 1] ?? 1,
+    now: (chosen) => {
+      const { first, extent_um } = drawn(chosen);
+      return radial_scale(...extent_um, nominal_um(first), Number(chosen["magnification"]) || null).magnification;
+    },
+    text: (times) => t.recordings_times({ times }),
+  },
 });
+
+const nominal_um = (first: Recording | undefined): number => (first?.nominal_length_mm ?? 100) * 1000;
 
 export interface Round {
   first: Recording | undefined; // whose plane and length are those of all
@@ -158,8 +170,7 @@ const axis_name = (angle: number, plane: string | undefined, narrow: boolean): s
 export const round_option = (state: State, round: Round): Record<string, unknown> => {
   const { look } = state;
   const { first, curves } = round;
-  const nominal_um = (first?.nominal_length_mm ?? 100) * 1000;
-  const scale = radial_scale(...round.extent_um, nominal_um, Number(state.chosen["magnification"]) || null);
+  const scale = radial_scale(...round.extent_um, nominal_um(first), Number(state.chosen["magnification"]) || null);
   const c = colours(look.dark);
   const top = look.still ? 64 : 8;
   const narrow = look.width_px < kNarrow_px;
@@ -216,7 +227,7 @@ export const round_option = (state: State, round: Round): Record<string, unknown
     },
     legend: legend(state, round.toggles),
     graphic: [
-      { type: "text", left: 8, bottom: 8, silent: true, style: { ...text, text: scale_note, fill: c.faint } },
+      { type: "text", left: narrow ? 0 : 8, ...(narrow && round.note !== undefined ? { top: 0 } : { bottom: 8 }), silent: true, style: { ...text, text: scale_note, fill: c.faint } },
       ...(round.note === undefined
         ? []
         : [{ type: "text", right: 8, bottom: 8, silent: true, style: { ...text, text: round.note, fill: c.ink, textAlign: "right" } }]),

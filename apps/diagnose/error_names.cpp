@@ -1,0 +1,37 @@
+#include "diagnose/error_names.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace ballbar {
+namespace {
+
+bool is_letter(char sign) { return std::isalnum(static_cast<unsigned char>(sign)) != 0; }
+
+}  // namespace
+
+std::string plain_name(std::string_view effect, Plane plane) {
+  const std::string_view axes = name_of(plane);
+  std::string of;
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    if (!effect.ends_with(k == 0 ? "_a" : "_b")) continue;
+    effect.remove_suffix(2);
+    of = std::string(" of ") + axes[k];
+    break;
+  }
+  std::string name(effect);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name + of;
+}
+
+std::string with_axes(std::string_view summary, Plane plane) {
+  const std::string_view axes = name_of(plane);
+  std::string text(summary);
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const bool alone = (k == 0 || !is_letter(text[k - 1])) && (k + 1 == text.size() || !is_letter(text[k + 1]));
+    if (alone && (text[k] == 'A' || text[k] == 'B')) text[k] = axes[text[k] == 'A' ? 0 : 1];
+  }
+  return text;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,17 @@
+// Names of a machine's errors as a machinist reads them: the catalogue's axes a and b are X and Y in the plane XY, and
+// reversal_spike_a is "reversal spike of X".
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "ballbar/circle/recording.hpp"
+
+namespace ballbar {
+
+std::string plain_name(std::string_view effect, Plane plane);
+
+// "Axis A moves sideways, along B": the catalogue's summaries, where a word that is A or B is an axis.
+std::string with_axes(std::string_view summary, Plane plane);
+
+}  // namespace ballbar
