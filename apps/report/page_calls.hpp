@@ -22,6 +22,8 @@ namespace ballbar {
 //   add        the fit with "effects"; the model's file stays as it was
 //   revise     what was added last becomes a revision of the file "model": its sentence, and the ledger
 //   take_back  what was added last is gone
+//   tests      the ballbar tests among the files, without a fit
+//   history    machines over the tests of the files, as the page of `history`; "title": of that page
 //
 // The answers of fitted, search, add and revise are keys of the report, to put in the place of its own.
 class PageCalls {
