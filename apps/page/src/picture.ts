@@ -71,6 +71,8 @@ export interface TextTable {
   rows: readonly (readonly string[])[];
   // Rows that, hovered or focused, choose something in a picture of the same section.
   choose?: Choosing;
+  // A command a row, which its first cell does on a page that can.
+  acts?: { title: string; commands: readonly string[] };
   // Shares of the largest, 0 to 1, drawn below the text of a column's cells.
   bars?: { column: number; shares: readonly Num[] };
 }

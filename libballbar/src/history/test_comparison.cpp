@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "ballbar/error.hpp"
+#include "ballbar/history/trend.hpp"
 
 namespace ballbar {
 namespace {
@@ -22,6 +23,11 @@ const TestQuantity* quantity_of(const MachineTest& test, const TestQuantity& lik
   return found == test.quantities.end() ? nullptr : &*found;
 }
 
+// By its fit; of a stored value, which has no sigma, it is not known and taken to.
+bool shows(const TestQuantity& one) {
+  return one.significant && !(std::abs(one.value) <= kSignificantSigmas * one.sigma);
+}
+
 QuantityDifference difference_of(const TestQuantity* before, const TestQuantity* after) {
   const TestQuantity& known = before != nullptr ? *before : *after;
   QuantityDifference result{known.name, known.unit};
@@ -29,12 +35,12 @@ QuantityDifference difference_of(const TestQuantity* before, const TestQuantity*
   if (before != nullptr) {
     result.before = before->value;
     result.before_sigma = before->sigma;
-    result.shown = before->significant;
+    result.shown = shows(*before);
   }
   if (after != nullptr) {
     result.after = after->value;
     result.after_sigma = after->sigma;
-    result.shown = result.shown || after->significant;
+    result.shown = result.shown || shows(*after);
   }
   result.difference = result.after - result.before;
   result.sigma = std::hypot(result.before_sigma, result.after_sigma);
@@ -63,8 +69,11 @@ std::size_t judge(std::vector<QuantityDifference>& quantities) {
   return judged.size();
 }
 
-bool follows_from_others(std::string_view name) {
-  return name == "circularity" || name == "residual_rms" || (name.starts_with("scale_") && name.size() == 7);
+// The scales of the axes follow from these, where these are clear.
+bool is_scale_of_axis(std::string_view name) { return name.starts_with("scale_") && name.size() == 7; }
+bool is_clear(const TestComparison& comparison, std::string_view name) {
+  return std::any_of(comparison.quantities.begin(), comparison.quantities.end(),
+                     [&](const QuantityDifference& one) { return one.name == name && one.clear.value_or(false); });
 }
 
 // Of "backlash_a_pos" "backlash_a".
@@ -82,9 +91,11 @@ int place_of(const QuantityDifference& one) {
 }  // namespace
 
 std::vector<ClearChange> clear_changes(const TestComparison& comparison) {
+  const bool scales_follow = is_clear(comparison, "scale_mismatch") || is_clear(comparison, "global_scale");
   std::vector<ClearChange> changes;
   for (const QuantityDifference& one : comparison.quantities) {
-    if (!one.clear.value_or(false) || follows_from_others(one.name)) continue;
+    if (!one.clear.value_or(false) || one.name == "circularity") continue;
+    if (one.name == "residual_rms" || (scales_follow && is_scale_of_axis(one.name))) continue;
     const ClearChange change{without_end(one.name), one.unit, one.before, one.after};
     const auto known = std::find_if(changes.begin(), changes.end(),
                                     [&](const ClearChange& other) { return other.name == change.name; });

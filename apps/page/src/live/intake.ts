@@ -145,6 +145,8 @@ export interface KeptState {
   target: string;
   log?: readonly string[]; // of a subject; a page before this had none
   targets?: readonly string[];
+  compared?: readonly string[];
+  history?: boolean;
 }
 
 export interface Kept {

@@ -4,7 +4,7 @@ import { button, element } from "../elements/elements";
 import type { Engine, Sample } from "../engine";
 import { head_bar, type HeadBar, shelf_of } from "./head_bar";
 import { intake_of, type Kept, open_store } from "./intake";
-import { listen, start_of } from "./start";
+import { file_chooser, listen, start_of } from "./start";
 import type { LivePage } from "./live_page";
 import { opened_with } from "./opened";
 import { reason, runs_with, work_with } from "./runs";
@@ -12,6 +12,12 @@ import { type Saves, saves_of } from "./saves";
 import { ago_spoken } from "./spoken";
 import { tour, tour_steps } from "./tour";
 import { t, when_spoken } from "../texts/texts";
+
+const unfold = (id: string): void => {
+  const section = document.getElementById(id);
+  section?.querySelector(":scope > details")?.setAttribute("open", "");
+  section?.scrollIntoView({ block: "start" });
+};
 
 export const open_live = async (engine: Engine, page: LivePage): Promise<void> => {
   const place = element("div", { class: "live" });
@@ -55,6 +61,8 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
       shelf: shelf_of({ held, groups, faults: intake.faults(), open: subject?.group.key ?? "", choose: (group) => void opened.open(group) }),
       subject,
       compared: groups.filter(({ key, kind }) => key !== subject?.group.key && (kind === "session" || kind === "series")),
+      tests: subject ? opened.tests(subject.group) : [],
+      others: opened.others(),
       folder: subject ? folder_as_session(subject.group) : "",
       choose: (as) => subject && void opened.open(subject.group, { ...subject, ...as, target: "" }),
     });
@@ -151,9 +159,13 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
 
   write();
   listen({ take, undo: () => void opened.loop()?.undo(), redo: () => void opened.loop()?.redo(), stop: () => work.stop() });
+  // The file chooser must open while the click is handled.
+  const again = file_chooser((files) => take(files));
   page.on_command((command) => {
-    if (opened.loop()?.act(command)) return;
-    tell(command.startsWith("ballbar history ") ? t.live_test_again : t.live_for_terminal({ command }));
+    if (opened.loop()?.act(command) || opened.test_of(command)) return;
+    if (/ --show change$/.test(command)) return again();
+    if (command.startsWith("ballbar history ")) return unfold("history-1");
+    tell(t.live_for_terminal({ command }));
   });
   if (page.given) opened.show(page.given);
   when_spoken(() => {

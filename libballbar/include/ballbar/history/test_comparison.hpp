@@ -30,7 +30,7 @@ struct QuantityDifference {
   double sigma = std::numeric_limits<double>::quiet_NaN();
   double p_value = std::numeric_limits<double>::quiet_NaN();
   std::optional<bool> clear;  // nothing: not known
-  bool shown = false;         // an error that one of the tests shows
+  bool shown = false;         // one of the tests shows it: by its fit, and beyond kSignificantSigmas
   bool of_set_up = false;     // where the bar was put: never clear
 };
 
@@ -47,8 +47,8 @@ struct TestComparison {
   std::size_t judged = 0;                      // quantities that p values are corrected for
 };
 
-// The clearest first. Without the circularity, and without what follows from others: the scales of the axes follow from
-// scale_mismatch and global_scale.
+// The clearest first. Without the circularity, and without what follows from others, as the scales of the axes do where
+// scale_mismatch or global_scale is clear.
 std::vector<ClearChange> clear_changes(const TestComparison& comparison);
 
 // Throws Error for tests of two planes: these have no errors in common.
