@@ -1,4 +1,5 @@
-// `ballbar errors FILE...`: the errors of the axes in ballbar tests: ranked of one test, a row a test of many.
+// `ballbar errors FILE...`: the errors of the axes in ballbar tests: ranked of one test, a row a test of many, what
+// changed between two.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +13,8 @@
 #include "commands.hpp"
 #include "diagnose/machine_errors_report.hpp"
 #include "diagnose/machine_errors_result.hpp"
+#include "history/test_comparison_result.hpp"
+#include "history/test_comparison_text.hpp"
 #include "history/test_files.hpp"
 #include "history/test_result.hpp"
 #include "history/test_table.hpp"
@@ -25,7 +28,7 @@
 namespace ballbar::commands {
 namespace {
 
-enum class View { ranked, table };
+enum class View { ranked, table, change };
 
 struct ErrorsArguments {
   std::vector<Source> files;
@@ -68,16 +71,38 @@ void show_table(const ErrorsArguments& options) {
   for (const std::string& path : options.out) wrote_line(path);
 }
 
+// Of two tests, the first before the second.
+void show_change(const ErrorsArguments& options) {
+  if (!options.out.empty()) throw CLI::ValidationError("--out: expected no --show change with it");
+  TestFiles before, after;
+  if (options.files.size() == 2) {
+    before = read_tests({options.files[0].name()}, options.how.strict, options.how.circle);
+    after = read_tests({options.files[1].name()}, options.how.strict, options.how.circle);
+  }
+  if (before.tests.size() != 1 || after.tests.size() != 1) {
+    throw CLI::ValidationError(fmt::format("--show change: expected two tests, a file or folder each, found {}",
+                                           options.files.size() == 2
+                                               ? fmt::format("{} and {}", before.tests.size(), after.tests.size())
+                                               : fmt::format("{}", options.files.size())));
+  }
+  const TestComparison comparison = compared_tests(before.tests.front(), after.tests.front());
+  options.json ? print_json(json_of(comparison)) : fmt::print("{}", comparison_text(comparison, false));
+}
+
 void run(const ErrorsArguments& options, const std::vector<CLI::Option*>& of_a_ranking) {
   const auto found =
       std::find_if(of_a_ranking.begin(), of_a_ranking.end(), [](const auto* one) { return one->count() > 0; });
   if (found != of_a_ranking.end()) {
-    if (options.view == View::table || !options.out.empty()) {
-      throw CLI::ValidationError(fmt::format("{}: expected no {} with it, of a ranking", (*found)->get_name(),
-                                             options.out.empty() ? "--show table" : "--out"));
+    const bool is_other = options.view && *options.view != View::ranked;
+    if (is_other || !options.out.empty()) {
+      const char* const other = !options.out.empty()           ? "--out"
+                                : options.view == View::change ? "--show change"
+                                                               : "--show table";
+      throw CLI::ValidationError(fmt::format("{}: expected no {} with it, of a ranking", (*found)->get_name(), other));
     }
     return show_ranked(options);
   }
+  if (options.view == View::change) return show_change(options);
   const bool ranked = options.view ? *options.view == View::ranked : options.out.empty() && is_one_test(options.files);
   ranked ? show_ranked(options) : show_table(options);
 }
@@ -92,9 +117,10 @@ void add_errors(CLI::App& app) {
       ->required()
       ->type_name("");
   add_choice(
-      *command, "--show", {"ranked", "table"}, "",
+      *command, "--show", {"ranked", "table", "change"}, "",
       "ranked: all tests of a plane and a bar fitted as one, by what mending each error gains; table: a row a test; "
-      "default: ranked of one test, table of several and for --out",
+      "change: of two tests, what differs clearly, as before and after a repair; default: ranked of one test, table of "
+      "several and for --out",
       [options](std::size_t at) { options->view = static_cast<View>(at); });
   command->add_option("--tolerance", options->how.tolerance_um, "ranked: the largest circularity that passes")
       ->type_name("UM")
@@ -116,7 +142,8 @@ void add_errors(CLI::App& app) {
   command->footer(
       "Examples:\n"
       "  ballbar errors sample-runs/qc20-style-b5r/00.b5r --tolerance 6\n"
-      "  ballbar errors sample-runs/machine-history --out errors.csv");
+      "  ballbar errors sample-runs/machine-history --out errors.csv\n"
+      "  ballbar errors before.b5r after.b5r --show change");
   const std::vector<CLI::Option*> of_a_ranking{command->get_option("--tolerance"), command->get_option("--prior"),
                                                command->get_option("--model")};
   command->callback([options, of_a_ranking] { run(*options, of_a_ranking); });

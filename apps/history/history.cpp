@@ -5,11 +5,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -17,10 +15,9 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/history/machine_geometry.hpp"
-#include "ballbar/nearest_name.hpp"
 #include "commands.hpp"
 #include "history/dask_process.hpp"
+#include "history/found_history.hpp"
 #include "history/history_page.hpp"
 #include "history/history_result.hpp"
 #include "history/history_text.hpp"
@@ -93,56 +90,10 @@ Tolerance tolerance_of(const std::string& text) {
   return {text.substr(0, equals), -*value, *value};
 }
 
-// A tolerance on what no test has would never be met.
-void expect_known(const std::vector<Tolerance>& tolerances, const std::vector<MachineTest>& tests) {
-  if (tolerances.empty()) return;
-  std::vector<std::string_view> names;
-  for (const MachineTest& test : tests) {
-    for (const TestQuantity& quantity : test.quantities) {
-      if (!quantity.of_set_up) names.push_back(quantity.name);
-    }
-  }
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  for (const Tolerance& tolerance : tolerances) {
-    if (names.empty() || std::binary_search(names.begin(), names.end(), tolerance.quantity)) continue;
-    throw Error(fmt::format("--tolerance: expected a quantity of these tests, found {}; the nearest is {}.",
-                            in_quotes(tolerance.quantity), nearest_name(tolerance.quantity, names)));
-  }
-}
-
 std::string title_of(const std::vector<std::string>& folders) {
   std::error_code error;
   const std::string name = std::filesystem::weakly_canonical(folders.front(), error).filename().string();
   return folders.size() == 1 ? name : fmt::format("{} and {} more", name, folders.size() - 1);
-}
-
-// Of several folders each is a machine, where its tests name none.
-void name_by_folder(std::vector<MachineTest>& tests, const std::vector<std::string>& folders) {
-  if (folders.size() < 2) return;
-  std::error_code error;
-  const auto path_of = [](const std::string& folder) {
-    return (std::filesystem::path(folder) / "").lexically_normal().parent_path();
-  };
-  std::set<std::filesystem::path> names;
-  for (const std::string& folder : folders) names.insert(path_of(folder).filename());
-  for (const std::string& folder : folders) {
-    if (!std::filesystem::is_directory(folder, error)) continue;
-    const std::filesystem::path path = path_of(folder);
-    const std::string name = (names.size() == folders.size() ? path.filename() : path).string();
-    const std::string inside = folder.ends_with('/') ? folder : folder + '/';
-    for (MachineTest& test : tests) {
-      if (test.machine.empty() && test.file.starts_with(inside)) test.machine = name;
-    }
-  }
-}
-
-bool are_of_one_machine(const std::vector<MachineTest>& tests) {
-  std::set<std::string_view> names;
-  for (const MachineTest& test : tests) {
-    if (!test.machine.empty()) names.insert(test.machine);
-  }
-  return names.size() < 2;
 }
 
 void run(const HistoryArguments& options) {
@@ -152,17 +103,14 @@ void run(const HistoryArguments& options) {
   if (is_for_dask(options)) run_in_python(words_of(options));
   const auto is_page = [](const std::string& path) { return path.ends_with(".html"); };
   if (std::any_of(options.out.begin(), options.out.end(), is_page)) expect_page("--out");
-  TestFiles files = read_tests(options.folders, options.strict, options.circle);
-  expect_no_input(options.out, files.files);
-  expect_known(how.tolerances, files.tests);
-  name_by_folder(files.tests, options.folders);
-  how.every_quantity = are_of_one_machine(files.tests);
-  const History history = history_of(files.tests, how);
-  const MachineGeometry geometry = how.every_quantity ? machine_geometry(files.tests) : MachineGeometry{};
+  TestFiles read = read_tests(options.folders, options.strict, options.circle);
+  expect_no_input(options.out, read.files);
+  const FoundHistory found = found_history(std::move(read), options.folders, std::move(how));
+  const auto& [files, history, geometry] = found;
   HistoryResult result{history, {}, files.remarks, files.skipped};
   if (history.machines.size() == 1) result.geometry.value = geometry;
   for (const std::string& path : options.out) {
-    write_bytes(path, is_page(path)            ? history_page(title_of(options.folders), files, history, geometry)
+    write_bytes(path, is_page(path)            ? history_page(title_of(options.folders), found)
                       : path.ends_with(".csv") ? test_table_csv(files.tests)
                                                : json_of(result).dump(2) + '\n');
   }

@@ -9,6 +9,7 @@
 #include "history/page_parts.hpp"
 #include "history/quantity_text.hpp"
 #include "history/ranking_text.hpp"
+#include "history/test_table.hpp"
 #include "page/report_page.hpp"
 
 namespace ballbar {
@@ -128,23 +129,18 @@ ReportHead head_of(const std::string& title, const std::vector<std::filesystem::
   return head;
 }
 
-}  // namespace
-
-std::string history_page(const std::string& title, const TestFiles& files, const History& history,
-                         const MachineGeometry& geometry) {
-  if (history.machines.size() != 1) return ranking_page(title, files.files, history);
-  HistoryReport report{head_of(title, files.files, machine_conclusion(history)), {}};
-  HistoryPart& part = report.history;
-  const MachineHistory& machine = history.machines.front();
-  for (std::size_t i = 0; i < machine.groups.size(); ++i) part.groups.push_back(drawn_group(machine, i));
-  const GeometryTexts texts = geometry_texts(files, geometry);
-  part.geometry = texts.sentences;
-  part.geometry_rows = texts.rows;
-  for (const SkippedTest& test : files.skipped) part.skipped.push_back(test.sentence);
-  return page_of(json_of(report), nullptr);
+DrawnTest drawn_test(const MachineTest& test) {
+  DrawnTest drawn{test, std::nullopt, std::nullopt, ""};
+  for (const TestQuantity& one : test.quantities) {
+    if (one.name != "circularity") continue;
+    drawn.circularity_um = one.value;
+    drawn.circularity_sigma_um = one.sigma;
+  }
+  if (const TestQuantity* const first = first_to_mend(test)) drawn.first_to_mend = first->name;
+  return drawn;
 }
 
-std::string ranking_page(const std::string& title, const std::vector<std::filesystem::path>& files,
+FleetReport fleet_report(const std::string& title, const std::vector<std::filesystem::path>& files,
                          const History& history, const std::vector<std::string>& remarks) {
   FleetReport report{head_of(title, files, conclusion(history)), {ranking_heading(), {}, {}}};
   report.head.summary.insert(report.head.summary.end(), remarks.begin(), remarks.end());
@@ -153,7 +149,35 @@ std::string ranking_page(const std::string& title, const std::vector<std::filesy
     report.fleet.rows.push_back(ranking_row(machine));
     if (report.fleet.machines.size() < kPictures) report.fleet.machines.push_back(drawn_machine(machine));
   }
-  return page_of(json_of(report), nullptr);
+  return report;
 }
 
+}  // namespace
+
+std::variant<HistoryReport, FleetReport> history_report(const std::string& title, const FoundHistory& found) {
+  const auto& [files, history, geometry] = found;
+  if (history.machines.size() != 1) return fleet_report(title, files.files, history, {});
+  HistoryReport report{head_of(title, files.files, machine_conclusion(history)), {}};
+  HistoryPart& part = report.history;
+  const MachineHistory& machine = history.machines.front();
+  for (std::size_t i = 0; i < machine.groups.size(); ++i) part.groups.push_back(drawn_group(machine, i));
+  const GeometryTexts texts = geometry_texts(files, geometry);
+  part.geometry = texts.sentences;
+  part.geometry_rows = texts.rows;
+  for (const SkippedTest& test : files.skipped) part.skipped.push_back(test.sentence);
+  for (const MachineTest& test : files.tests) part.tests.push_back(drawn_test(test));
+  std::stable_sort(part.tests.begin(), part.tests.end(), [](const DrawnTest& left, const DrawnTest& right) {
+    return left.test.started_s < right.test.started_s;
+  });
+  return report;
+}
+
+std::string history_page(const std::string& title, const FoundHistory& found) {
+  return std::visit([](const auto& report) { return page_of(json_of(report), nullptr); }, history_report(title, found));
+}
+
+std::string ranking_page(const std::string& title, const std::vector<std::filesystem::path>& files,
+                         const History& history, const std::vector<std::string>& remarks) {
+  return page_of(json_of(fleet_report(title, files, history, remarks)), nullptr);
+}
 }  // namespace ballbar

@@ -3,17 +3,20 @@
 
 #include <filesystem>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "ballbar/history/history.hpp"
-#include "ballbar/history/machine_geometry.hpp"
-#include "history/test_files.hpp"
+#include "history/found_history.hpp"
+#include "history/page_parts.hpp"
 
 namespace ballbar {
 
+// `title`: of the folder. One machine with all its quantities; several ranked.
+std::variant<HistoryReport, FleetReport> history_report(const std::string& title, const FoundHistory& found);
+
 // Bytes of the .html. `title`: of the folder. One machine with all its quantities; several ranked.
-std::string history_page(const std::string& title, const TestFiles& files, const History& history,
-                         const MachineGeometry& geometry);
+std::string history_page(const std::string& title, const FoundHistory& found);
 
 // The ranking alone; `remarks`: sentences on what was not read, below the conclusion.
 std::string ranking_page(const std::string& title, const std::vector<std::filesystem::path>& files,

@@ -1,10 +1,12 @@
 // The parts of a page of a machine's history, and of a fleet.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ballbar/formats/results/result_type.hpp"
+#include "history/test_result.hpp"
 #include "page/report_head.hpp"
 
 namespace ballbar {
@@ -61,21 +63,40 @@ struct ResultType<DrawnGroup> {
       Field{"heading", &DrawnGroup::heading, "of the table"}, Field{"rows", &DrawnGroup::rows, ""}};
 };
 
+// A test as a row of the list.
+struct DrawnTest {
+  MachineTest test;
+  std::optional<double> circularity_um, circularity_sigma_um;
+  std::string first_to_mend;
+};
+
+template <>
+struct ResultType<DrawnTest> {
+  static constexpr std::string_view name = "DrawnTest";
+  static constexpr std::string_view meaning = "A test in the list of a machine's.";
+  static constexpr std::tuple fields =
+      std::tuple_cat(fields_through(&DrawnTest::test, ResultType<MachineTest>::made_with),
+                     std::tuple{Field{"circularity_um", &DrawnTest::circularity_um, "null: not stored"},
+                                Field{"circularity_sigma_um", &DrawnTest::circularity_sigma_um, "null: not known"},
+                                Field{"first_to_mend", &DrawnTest::first_to_mend, "empty: none"}});
+};
+
 struct HistoryPart {
   std::vector<DrawnGroup> groups;
   std::vector<std::string> geometry;
   std::vector<std::vector<std::string>> geometry_rows;
   std::vector<std::string> skipped;
+  std::vector<DrawnTest> tests;
 };
 
 template <>
 struct ResultType<HistoryPart> {
   static constexpr std::string_view name = "HistoryPart";
   static constexpr std::string_view meaning = "A machine over its tests, as it is drawn.";
-  static constexpr std::tuple fields{Field{"groups", &HistoryPart::groups, ""},
-                                     Field{"geometry", &HistoryPart::geometry, "sentences"},
-                                     Field{"geometry_rows", &HistoryPart::geometry_rows, "what, um/m, from"},
-                                     Field{"skipped", &HistoryPart::skipped, "sentences"}};
+  static constexpr std::tuple fields{
+      Field{"groups", &HistoryPart::groups, ""}, Field{"geometry", &HistoryPart::geometry, "sentences"},
+      Field{"geometry_rows", &HistoryPart::geometry_rows, "what, um/m, from"},
+      Field{"skipped", &HistoryPart::skipped, "sentences"}, Field{"tests", &HistoryPart::tests, "by date"}};
 };
 
 struct DrawnMachine {

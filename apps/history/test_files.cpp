@@ -77,17 +77,21 @@ void expect_two_axes(const Recording& recording) {
                                                           name_of(recording.motion)));
 }
 
-MachineTest fitted_test(std::span<const Recording> recordings, const MachineErrorOptions& options) {
+enum class Fits { all, none };
+
+MachineTest test_of(std::span<const Recording> recordings, const MachineErrorOptions& options, Fits fits) {
   for (const Recording& recording : recordings) expect_two_axes(recording);
+  if (fits == Fits::none) return test_head(recordings);
   MachineErrorOptions values = options;
   values.details = false;  // no table of tests has them
   return machine_test(machine_errors(recordings, values), recordings);
 }
 
-MachineTest test_of(const RecordingFile& file) {
+MachineTest test_of(const RecordingFile& file, Fits fits) {
   MachineTest test =
-      file.recordings.empty() ? stored_test(*file.b5r) : fitted_test(file.recordings, error_options(*file.b5r));
-  if (test.quantities.empty()) throw Error("expected readings or stored errors of the machine, found neither.");
+      file.recordings.empty() ? stored_test(*file.b5r) : test_of(file.recordings, error_options(*file.b5r), fits);
+  if (test.quantities.empty() && (fits == Fits::all || file.recordings.empty()))
+    throw Error("expected readings or stored errors of the machine, found neither.");
   test.machine = file.b5r->machine;
   test.bar = file.b5r->serial_number;
   test.tolerances = stated_tolerances(*file.b5r);
@@ -105,7 +109,7 @@ auto of_file(const fs::path& path, const Part& part) {
   }
 }
 
-void read(ReadFile& file, const StatedCircle& stated) {
+void read(ReadFile& file, const StatedCircle& stated, Fits fits) {
   if (!file.fault.empty()) return;
   try {
     const Source source(file.path);
@@ -114,9 +118,9 @@ void read(ReadFile& file, const StatedCircle& stated) {
     RecordingFile opened = open_recording(source, known_readers(), stated);
     file.remarks = std::move(opened.remarks);
     if (opened.b5r) {
-      file.test = of_file(file.path, [&] { return test_of(opened); });
+      file.test = of_file(file.path, [&] { return test_of(opened, fits); });
     } else if (opened.recordings.size() > 1) {  // both directions in a table
-      file.test = of_file(file.path, [&] { return fitted_test(opened.recordings, {}); });
+      file.test = of_file(file.path, [&] { return test_of(opened.recordings, {}, fits); });
     } else {
       of_file(file.path, [&] { expect_two_axes(opened.recordings.front()); });
       file.log = std::move(opened.recordings.front());
@@ -136,7 +140,7 @@ bool are_one_test(const ReadFile& first, const ReadFile& second) {
   return !one || std::abs(*one - *other) <= kPairGap_s;
 }
 
-void fit_logs(std::vector<ReadFile>& files) {
+void fit_logs(std::vector<ReadFile>& files, Fits fits) {
   struct Logs {
     std::size_t first = 0, count = 1;
   };
@@ -152,7 +156,8 @@ void fit_logs(std::vector<ReadFile>& files) {
     recordings.reserve(tests[k].count);
     for (std::size_t i = 0; i < tests[k].count; ++i) recordings.push_back(*std::move(files[tests[k].first + i].log));
     try {
-      file.test = of_file(file.path, [&] { return fitted_test(recordings, {}); });
+      file.test = of_file(file.path, [&] { return test_of(recordings, {}, fits); });
+      if (tests[k].count == 2) file.test->second_file = files[tests[k].first + 1].path.string();
     } catch (const Error& error) {
       file.fault = error.what();
     }
@@ -176,12 +181,10 @@ std::size_t hash_of(const MachineTest& test) {
   return hash;
 }
 
-}  // namespace
-
-TestFiles tests_below(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated) {
+TestFiles tests_of(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated, Fits fits) {
   std::vector<ReadFile> files = found_files(paths);
-  parallel_with_progress("reading file", files.size(), [&](std::size_t i) { read(files[i], stated); });
-  fit_logs(files);
+  parallel_with_progress("reading file", files.size(), [&](std::size_t i) { read(files[i], stated, fits); });
+  fit_logs(files, fits);
   TestFiles found;
   std::unordered_multimap<std::size_t, std::size_t> known;  // places in tests by hash
   for (ReadFile& file : files) {
@@ -208,6 +211,16 @@ TestFiles tests_below(const std::vector<std::string>& paths, bool strict, const 
     found.skipped.push_back({file.path.string(), file.fault, file.copy_of});
   }
   return found;
+}
+
+}  // namespace
+
+TestFiles tests_below(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated) {
+  return tests_of(paths, strict, stated, Fits::all);
+}
+
+TestFiles test_heads_below(const std::vector<std::string>& paths, const StatedCircle& stated) {
+  return tests_of(paths, false, stated, Fits::none);
 }
 
 TestFiles read_tests(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated) {

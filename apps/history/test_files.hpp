@@ -30,6 +30,9 @@ struct TestFiles {
 // first file that would be skipped.
 TestFiles tests_below(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated = {});
 
+// The same without a fit: what each test was made with. Of `.b5r` files without readings with what they store.
+TestFiles test_heads_below(const std::vector<std::string>& paths, const StatedCircle& stated = {});
+
 // The same, where no test at all is an Error.
 TestFiles read_tests(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated = {});
 

@@ -44,8 +44,9 @@ template <>
 struct ResultType<MachineTest> {
   static constexpr std::string_view name = "MachineTest";
   static constexpr std::string_view meaning = "A test of a machine.";
-  static constexpr std::tuple fields{
+  static constexpr std::tuple made_with{
       Field{"file", &MachineTest::file, ""},
+      Field{"second_file", &MachineTest::second_file, "log of the other direction; empty: none"},
       Field{"machine", &MachineTest::machine, "empty: not stated"},
       Field{"bar", &MachineTest::bar, "its serial number; empty: not stated"},
       Field{"date", [](const MachineTest& of) { return moment_of(of.started_s); }, "null: not stated"},
@@ -54,8 +55,10 @@ struct ResultType<MachineTest> {
       Field{"feed_mm_per_min", &MachineTest::feed_mm_per_min, "null: not stated"},
       Field{"start_deg", &MachineTest::start_deg, "of the readings, counter-clockwise"},
       Field{"arc_deg", &MachineTest::arc_deg, ""},
-      Field{"stored", &MachineTest::stored, "values of the file, without readings"},
-      Field{"errors", &MachineTest::quantities, ""}};
+      Field{"directions", &MachineTest::directions, "CCW, CW; empty: not stated"},
+      Field{"stored", &MachineTest::stored, "values of the file, without readings"}};
+  static constexpr std::tuple fields =
+      std::tuple_cat(made_with, std::tuple{Field{"errors", &MachineTest::quantities, ""}});
 };
 
 template <>

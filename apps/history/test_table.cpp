@@ -15,16 +15,6 @@ namespace {
 
 std::string optional_cell(const std::optional<double>& value) { return value ? csv_number(*value) : ""; }
 
-// The larger end of the error that is to be mended first; nullptr: none.
-const TestQuantity* first_to_mend(const MachineTest& test) {
-  const TestQuantity* found = nullptr;
-  for (const TestQuantity& one : test.quantities) {
-    if (one.rank != std::size_t{1}) continue;
-    if (found == nullptr || std::abs(one.value) > std::abs(found->value)) found = &one;
-  }
-  return found;
-}
-
 const TestQuantity* quantity_of(const MachineTest& test, std::string_view name) {
   const auto found =
       std::find_if(test.quantities.begin(), test.quantities.end(), [&](const auto& one) { return one.name == name; });
@@ -48,6 +38,15 @@ std::string heading_text(const TestFiles& files) {
 }
 
 }  // namespace
+
+const TestQuantity* first_to_mend(const MachineTest& test) {
+  const TestQuantity* found = nullptr;
+  for (const TestQuantity& one : test.quantities) {
+    if (one.rank != std::size_t{1}) continue;
+    if (found == nullptr || std::abs(one.value) > std::abs(found->value)) found = &one;
+  }
+  return found;
+}
 
 std::string column_name(const TestQuantity& quantity, bool of_sigma) {
   std::string unit = quantity.unit;

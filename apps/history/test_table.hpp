@@ -15,6 +15,9 @@ std::string test_table_csv(const std::vector<MachineTest>& tests);
 // "scale_mismatch_um", "squareness_um_per_m".
 std::string column_name(const TestQuantity& quantity, bool of_sigma = false);
 
+// The larger end of the error that is to be mended first; nullptr: none.
+const TestQuantity* first_to_mend(const MachineTest& test);
+
 // For the terminal.
 std::string test_table_text(const TestFiles& files);
 

@@ -5,8 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "ballbar/error.hpp"
+#include "history/found_history.hpp"
+#include "history/history_page.hpp"
+#include "history/test_comparison_result.hpp"
 #include "terminal/command_line.hpp"
 
 namespace ballbar {
@@ -28,6 +32,22 @@ ReportRequest request_of(Texts words) {
   return request;
 }
 
+TestHeads tests_of(const nlohmann::json& call) {
+  const ReportRequest request = request_of(call.at("words").get<Texts>());
+  TestFiles files = test_heads_below(names_of(request.model.data), request.model.circle);
+  TestHeads heads;
+  for (MachineTest& test : files.tests) heads.tests.push_back({std::move(test)});
+  return heads;
+}
+
+nlohmann::ordered_json history_of(const nlohmann::json& call) {
+  const ReportRequest request = request_of(call.at("words").get<Texts>());
+  const Texts names = names_of(request.model.data);
+  const FoundHistory found = found_history(read_tests(names, false, request.model.circle), {}, {});
+  return std::visit([](const auto& report) { return json_of(report); },
+                    history_report(call.at("title").get<std::string>(), found));
+}
+
 }  // namespace
 
 ReportSubject& PageCalls::subject_of(const nlohmann::json& call) {
@@ -43,6 +63,8 @@ ReportSubject& PageCalls::subject_of(const nlohmann::json& call) {
 
 nlohmann::ordered_json PageCalls::answer(const nlohmann::json& call) {
   const auto name = call.at("call").get<std::string>();
+  if (name == "tests") return json_of(tests_of(call));
+  if (name == "history") return history_of(call);
   ReportSubject& subject = subject_of(call);
   if (name == "report") return json_of(subject.report(false).page);
   if (name == "fitted") return json_of(subject.fitted());

@@ -25,6 +25,8 @@ namespace ballbar {
 //              and is taken back if not: its sentence, and the ledger
 //   take_back  what was added last is gone
 //   with_values  the text of the model's file with what is fitted as the start of the next fit
+//   tests      the ballbar tests among the files, without a fit
+//   history    machines over the tests of the files, as the page of `history`; "title": of that page
 //
 // The answers of fitted, search, add and revise are keys of the report, to put in the place of its own.
 class PageCalls {

@@ -158,7 +158,9 @@ void run(ReportArguments options) {
   options.format = format_of(options);
   expect_out(options);
   std::vector<fs::path> inputs = paths_of(options.of.model.data);
-  for (const Source& other : {options.of.model.model, options.of.compare}) {
+  std::vector<Source> others = options.of.compare;
+  others.push_back(options.of.model.model);
+  for (const Source& other : others) {
     if (other.is_path()) inputs.push_back(other.path());
   }
   if (!options.json) expect_no_input({options.out}, inputs);

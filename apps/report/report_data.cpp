@@ -15,6 +15,7 @@
 #include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/reader.hpp"
 #include "ballbar/series/runs.hpp"
+#include "history/test_comparison_text.hpp"
 #include "measure/compared_drifts.hpp"
 #include "measure/drift_text.hpp"
 #include "predict/predicted_job.hpp"
@@ -55,6 +56,24 @@ void add_skipped(Report& made, const std::vector<SkippedFile>& skipped) {
   made.skipped.insert(made.skipped.end(), skipped.begin(), skipped.end());
 }
 
+// Before and after: the errors of all tests, and those of a plane against each other.
+void add_test_comparisons(Report& made, const Fitted& fitted, const ReportRequest& options) {
+  MachineErrorsPart part = machine_errors_part(fitted, options.model.circle);
+  for (const std::string& remark : part.remarks) made.page.fit.value->remarks.push_back(remark);
+  std::vector<std::string> without;
+  std::vector<ComparedTests> compared = compared_tests_of(fitted, part.tests, names_of(options.compare), without);
+  for (const ComparedTests& one : compared) made.conclude(conclusion(one.comparison));
+  for (const std::string& sentence : without) made.conclude(sentence);
+  made.page.test_comparisons.value = std::move(compared);
+  if (!part.tests.empty()) made.page.machine_errors.value = std::move(part.tests);
+}
+
+std::string title_of(const std::vector<ComparedTests>& compared) {
+  const TestComparison& first = compared.front().comparison;
+  if (compared.size() > 1) return fmt::format("{} planes, before and after", compared.size());
+  return fmt::format("{}, before and after: {}, {}", name_of(first.before.plane), first.before.file, first.after.file);
+}
+
 // The name of the test where all recordings, or stored results, are of one.
 std::string test_name_of(const Fitted& fitted) {
   std::set<std::string> names;
@@ -64,13 +83,21 @@ std::string test_name_of(const Fitted& fitted) {
 }
 
 void add_recordings(Report& made, const ReportRequest& options) {
-  const Fitted fitted = fit_files(options.model.data, {}, Faults::skip, options.model.circle);
+  std::vector<Source> files = options.model.data;
+  files.insert(files.end(), options.compare.begin(), options.compare.end());
+  const Fitted fitted = fit_files(files, {}, Faults::skip, options.model.circle);
   made.page.fit.value = recordings_part(fitted);
-  add_machine_errors(made, fitted, options.model.circle);
-  add_results_alone(made, fitted);
+  if (options.compare.empty()) {
+    add_machine_errors(made, fitted, options.model.circle);
+    add_results_alone(made, fitted);
+  } else {
+    add_test_comparisons(made, fitted, options);
+  }
   add_skipped(made, fitted.skipped);
   const std::string test_name = test_name_of(fitted);
-  if (!test_name.empty()) {
+  if (made.page.test_comparisons.value) {
+    made.page.head.title = title_of(*made.page.test_comparisons.value);
+  } else if (!test_name.empty()) {
     made.page.head.title = test_name;
   } else if (options.model.data.size() > 1) {
     made.page.head.title =
@@ -78,7 +105,7 @@ void add_recordings(Report& made, const ReportRequest& options) {
   } else {
     made.page.head.title = file_name(options.model.data.front().path());
   }
-  for (const Source& source : options.model.data) {
+  for (const Source& source : files) {
     if (source.is_path()) made.files.push_back(file_on_disk(source.path()));
   }
 }
@@ -129,7 +156,10 @@ void add_runs(Report& made, const ModelData& data) {
 }
 
 void add_comparison(Report& made, const ReportRequest& options) {
-  ComparedDriftOptions drifts{.a = options.model.data.front(), .b = options.compare, .probes = options.probes};
+  if (options.compare.size() > 1) throw Error("--compare: expected one drift to compare with, found several files.");
+  ComparedDriftOptions drifts{.a = options.model.data.front(),
+                              .b = options.compare.empty() ? Source() : options.compare.front(),
+                              .probes = options.probes};
   const ComparedDrifts both = compared_drifts_of(drifts);
   made.files.insert(made.files.end(), both.files.begin(), both.files.end());
   const Comparison comparison = compare(both.a, both.b);
@@ -206,8 +236,7 @@ ReportData report_data(ReportRequest& options) {
   const bool of_recordings = !found.files.empty() || is_recording_file(options.model.data.front());
   expect_use(options, of_recordings, of_batches);
   if (of_recordings) {
-    if (!options.compare.empty())
-      throw Error("--compare: expected a session or a series to compare, found recordings.");
+    if (any_folder_of_tests(options.compare)) put_recordings_below(options.compare);
     if (of_batches) throw Error(options.model.model.name() + ": expected a series to predict, found recordings.");
     add_recordings(made, options);
     add_skipped(made, found.faults);
@@ -247,8 +276,10 @@ void add_report_options(CLI::App& command, ReportRequest& request) {
   add_model_options(command, request.model, false);
   add_also_input(command, request.model);
   add_fit_options(command, request.model);
-  add_data(command, "--compare", request.compare, "another drift, or five probes, to compare DATA with")
-      ->type_name("DATA");
+  add_data(command, "--compare", request.compare,
+           "another drift, or five probes, to compare DATA with; of ballbar tests those after; may be repeated")
+      ->type_name("DATA")
+      ->allow_extra_args(false);
   CLI::Option* diagnose =
       command.add_flag("--diagnose", request.diagnose, "which effect is missing, without a model as well");
   command.add_flag("--no-diagnosis", request.no_diagnosis, "with a model: where it fails, not what is missing")

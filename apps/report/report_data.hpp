@@ -18,7 +18,7 @@ namespace ballbar {
 // What a report is to be of.
 struct ReportRequest {
   ModelOptions model;
-  Source compare;  // another drift; empty: none
+  std::vector<Source> compare;  // another drift; or the tests after those of the data
   FiveProbeOptions probes;
   DiagnoseOptions how;
   bool diagnose = false;      // without a model too

@@ -36,6 +36,12 @@ struct MachineErrorsPart {
 };
 MachineErrorsPart machine_errors_part(const Fitted& fitted, const StatedCircle& stated);
 
+// The tests of a plane, those of `after`, by the names of their files, against the others; of several of a plane the
+// two that were made most alike. Sentences on those that have no other go to `without`. Throws Error where no two are
+// of one plane.
+std::vector<ComparedTests> compared_tests_of(const Fitted& fitted, const std::vector<MachineErrorsOfTest>& errors,
+                                             const std::vector<std::string>& after, std::vector<std::string>& without);
+
 SignalsPart signals_part(const std::string& source, const Series& series);
 CheckPart check_part(const ResidualReport& residual_report, const Model& model, const ModelData& data);
 DiagnosisPart diagnosis_part(const DiagnosisReport& diagnosis_report, const ModelData& data);

@@ -1,12 +1,15 @@
 // The data of a page, whole and in the parts that it asks for.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ballbar/drift/measured_drift.hpp"
 #include "ballbar/formats/results/drift_results.hpp"
 #include "diagnose/revision_results.hpp"
+#include "history/test_comparison_result.hpp"
 #include "measure/comparison_result.hpp"
 #include "report/model_parts.hpp"
 
@@ -35,10 +38,27 @@ struct ResultType<ModelPart> {
                      drawn);
 };
 
+// Two tests, before and after; of the errors of each the place in machine_errors.
+struct ComparedTests {
+  TestComparison comparison;
+  std::optional<std::size_t> before_place, after_place;
+};
+
+template <>
+struct ResultType<ComparedTests> {
+  static constexpr std::string_view name = "ComparedTests";
+  static constexpr std::string_view meaning = "Two tests of a plane, before and after, with their errors.";
+  static constexpr std::tuple fields = std::tuple_cat(
+      fields_through(&ComparedTests::comparison, ResultType<TestComparison>::fields),
+      std::tuple{Field{"before_place", &ComparedTests::before_place, "in machine_errors; null: stored results alone"},
+                 Field{"after_place", &ComparedTests::after_place, ""}});
+};
+
 struct PageReport {
   ReportHead head;
   MayLack<FitPart> fit;
   MayLack<std::vector<MachineErrorsOfTest>> machine_errors;
+  MayLack<std::vector<ComparedTests>> test_comparisons;
   MayLack<std::vector<SkippedFile>> skipped;
   MayLack<DriftSeries> drift;
   MayLack<MeasuredDrift> five_probe;
@@ -55,6 +75,7 @@ struct ResultType<PageReport> {
       fields_through(&PageReport::head, ResultType<ReportHead>::fields),
       std::tuple{Field{"fit", &PageReport::fit, "of recordings"},
                  Field{"machine_errors", &PageReport::machine_errors, "one a test"},
+                 Field{"test_comparisons", &PageReport::test_comparisons, "one a plane"},
                  Field{"skipped", &PageReport::skipped, "files that cannot be read, by their names"},
                  Field{"drift", &PageReport::drift, "of a session"}, Field{"five_probe", &PageReport::five_probe, ""},
                  Field{"compare", &PageReport::compare, "of two drifts"}},

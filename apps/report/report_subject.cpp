@@ -67,9 +67,11 @@ bool ReportSubject::is_of(const ReportRequest& request) const {
   const auto is_as = [](const Source& one, const Source& other) {
     return one.name() == other.name() && one.recipe() == other.recipe();
   };
-  const std::vector<Source>&data = request.model.data, &before = given_.model.data;
-  return std::equal(data.begin(), data.end(), before.begin(), before.end(), is_as) &&
-         is_as(request.compare, given_.compare) && has_model(request) == has_model(given_) && marks() == marks_;
+  const auto are_as = [&](const std::vector<Source>& some, const std::vector<Source>& others) {
+    return std::equal(some.begin(), some.end(), others.begin(), others.end(), is_as);
+  };
+  return are_as(request.model.data, given_.model.data) && are_as(request.compare, given_.compare) &&
+         has_model(request) == has_model(given_) && marks() == marks_;
 }
 
 void ReportSubject::open_model_file() {

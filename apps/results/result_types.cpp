@@ -30,6 +30,7 @@
 #include "diagnose/revision_results.hpp"
 #include "history/history_result.hpp"
 #include "history/page_parts.hpp"
+#include "history/test_comparison_result.hpp"
 #include "history/test_result.hpp"
 #include "logs/log_results.hpp"
 #include "measure/comparison_result.hpp"
@@ -111,12 +112,11 @@ std::string with_tables(std::string page, const std::vector<ResultSchema>& schem
 std::vector<ResultSchema> all_schemas() {
   return schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsReports, PosteriorSoFar, Looked, Followed,
                     CheckedTargets, PreflightTargets, EffectPages, ExplainedTerms, TestPlan, EffectTest, Added, Ledger,
-                    Undone, Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult,
-                    History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet, TrainedOnTemperatures,
-                    TrainedOnEffects, TrainedForJob, PredictedSeries, PredictedTarget, ReplayResult, MadeSets, NextRun,
-                    ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart, HeldPart, WithPart, RevisedPart,
-                    ModelText,
-                    HistoryReport, FleetReport, PageFiles>();
+                    Undone, Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, TestComparison,
+                    TestHeads, HistoryResult, History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet,
+                    TrainedOnTemperatures, TrainedOnEffects, TrainedForJob, PredictedSeries, PredictedTarget,
+                    ReplayResult, MadeSets, NextRun, ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart,
+                    HeldPart, WithPart, RevisedPart, ModelText, HistoryReport, FleetReport, PageFiles>();
 }
 
 int run_readmes(const std::filesystem::path& folder, bool update) {

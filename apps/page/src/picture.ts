@@ -83,6 +83,8 @@ export interface TextTable {
   choose?: Choosing;
   row_titles?: readonly string[]; // seen where the pointer rests on a row
   at_first?: number; // rows; the others behind a button
+  // A command a row, which its first cell does on a page that can.
+  acts?: { title: string; commands: readonly string[] };
   // Shares of the largest, 0 to 1, drawn below the text of a column's cells.
   bars?: { column: number; shares: readonly Num[] };
 }

@@ -22,6 +22,11 @@ export type StoredAlone = results.ResultsAlone;
 export type MachineErrorRow = results.MachineError;
 export type MachineErrorsPart = results.MachineErrorsPart;
 
+export type TestHead = results.TestHead;
+export type QuantityDifference = results.QuantityDifference;
+export type ComparedTests = results.ComparedTests;
+export type DrawnTest = results.DrawnTest;
+
 export type DriftPart = With<results.DriftOfTests, "points", (results.DriftPoint & Record<string, Num>)[]>;
 export type ProbesPart = results.ProbesPart;
 

@@ -1,5 +1,6 @@
 // The page's sections: in the order of their pictures, and in the order that a reader wants.
 import { batch_section } from "./batch/batch";
+import { change_section } from "./change/change";
 import { comparison_section } from "./comparison/comparison";
 import { diagnosis_sections } from "./diagnosis/diagnosis";
 import { drift_section } from "./drift/drift";
@@ -24,6 +25,7 @@ interface Kind {
 const kinds: readonly Kind[] = [
   { rank: 60, of: history_sections },
   { rank: 62, of: fleet_sections },
+  { rank: 110, of: change_section },
   { rank: 100, of: machine_errors_section },
   { rank: 95, of: drift_section },
   { rank: 10, of: signals_section },

@@ -1,6 +1,7 @@
 #include "ballbar/history/machine_test.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <tuple>
@@ -101,7 +102,7 @@ bool within(const Tolerance& tolerance, double value) {
 
 std::string scale_name(int axis) { return std::string("scale_") + "xyz"[axis]; }
 
-MachineTest machine_test(const MachineErrors& errors, std::span<const Recording> recordings) {
+MachineTest test_head(std::span<const Recording> recordings) {
   const Recording& first = recordings.front();
   MachineTest test;
   test.plane = first.plane;
@@ -111,10 +112,17 @@ MachineTest machine_test(const MachineErrors& errors, std::span<const Recording>
   double feeds = 0.0;
   for (const Recording& one : recordings) {
     if (one.started_s) test.started_s = std::min(*one.started_s, test.started_s.value_or(*one.started_s));
+    if (std::find(test.directions.begin(), test.directions.end(), one.direction) == test.directions.end()) {
+      test.directions.push_back(one.direction);
+    }
     feeds += one.feed_mm_per_min.value_or(kUnknown);
   }
   if (std::isfinite(feeds)) test.feed_mm_per_min = feeds / static_cast<double>(recordings.size());
+  return test;
+}
 
+MachineTest machine_test(const MachineErrors& errors, std::span<const Recording> recordings) {
+  MachineTest test = test_head(recordings);
   test.quantities.reserve(errors.errors.size() + 4);
   for (const MachineError& row : errors.errors) {
     const bool of_set_up = row.effect == nullptr && row.name.starts_with("centre_");
@@ -138,6 +146,42 @@ MachineTest machine_test(const MachineErrors& errors, std::span<const Recording>
   }
   test.squareness = squareness_of(errors);
   return test;
+}
+
+std::string_view name_of(TestCondition condition) {
+  constexpr std::array<std::string_view, 7> kNames{"nominal_length", "arc",   "feed", "directions", "bar",
+                                                   "machine",        "stored"};
+  return kNames[static_cast<std::size_t>(condition)];
+}
+
+std::vector<TestCondition> differing_conditions(const MachineTest& one, const MachineTest& other) {
+  std::vector<TestCondition> differing;
+  const auto add = [&](TestCondition condition, bool differs) {
+    if (differs) differing.push_back(condition);
+  };
+  const auto both_directions = [](const MachineTest& test) {
+    std::vector<Direction> directions = test.directions;
+    std::sort(directions.begin(), directions.end());
+    return directions;
+  };
+  const auto differ = [](const std::string& left, const std::string& right) {
+    return !left.empty() && !right.empty() && left != right;
+  };
+  const double turned_deg = std::abs(std::remainder(one.start_deg - other.start_deg, 360.0));
+  const bool both_full = is_full(one) && is_full(other);
+  add(TestCondition::nominal_length, std::abs(one.nominal_length_mm - other.nominal_length_mm) > kLengthGap_mm);
+  add(TestCondition::arc,
+      !both_full && (std::abs(one.arc_deg - other.arc_deg) > kArcGap_deg || turned_deg > kArcGap_deg));
+  if (one.feed_mm_per_min && other.feed_mm_per_min) {
+    const auto [slow, fast] = std::minmax(*one.feed_mm_per_min, *other.feed_mm_per_min);
+    add(TestCondition::feed, fast > (1.0 + kFeedGap) * slow);
+  }
+  add(TestCondition::directions,
+      !one.directions.empty() && !other.directions.empty() && both_directions(one) != both_directions(other));
+  add(TestCondition::bar, differ(one.bar, other.bar));
+  add(TestCondition::machine, differ(one.machine, other.machine));
+  add(TestCondition::stored, one.stored != other.stored);
+  return differing;
 }
 
 std::vector<TestGroup> groups_of(std::span<const MachineTest> tests, std::vector<std::size_t> places) {

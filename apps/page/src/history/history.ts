@@ -2,10 +2,11 @@
 import { history_picture, type Shown } from "./history_picture";
 import { command_of } from "../drawing/command";
 import type { Next, Section, State } from "../picture";
-import type { HistoryGroup, Report } from "../report";
+import type { DrawnTest, HistoryGroup, Report } from "../report";
 import { plain } from "../drawing/text";
+import { shown, with_sigma } from "../drawing/theme";
 import { english, named, t, with_decimal_sign } from "../texts/texts";
-import { typed_name } from "../machine_errors/error_names";
+import { error_name, typed_name } from "../machine_errors/error_names";
 
 const next = (): Next => ({ label: t.history_next, command: command_of("history", ["."], ["--all"]) });
 
@@ -31,7 +32,7 @@ const says_of = ({ rows, first }: HistoryGroup): number => {
   return (/\d{4}-/.test(met) ? 4 : 0) + (change.includes("*") ? 2 : 0) + (a_year.includes("*") ? 1 : 0);
 };
 
-const shown = (k: number): Shown => ({
+const shown_as = (k: number): Shown => ({
   name: `history-${k + 1}`,
   trend: t.history_trend,
   caption: t.history_caption,
@@ -60,14 +61,41 @@ const group_section = (group: HistoryGroup, k: number): Section => ({
       rows: group.rows.map(([quantity = "", ...rest]) => [typed(quantity), ...rest.map(table_text)]),
     },
   ],
-  pictures: group.quantities.length > 0 ? [history_picture(group, shown(k))] : [],
+  pictures: group.quantities.length > 0 ? [history_picture(group, shown_as(k))] : [],
 });
+
+const tests_section = (tests: readonly DrawnTest[]): Section[] =>
+  tests.length === 0
+    ? []
+    : [
+        {
+          id: "tests",
+          heading: t.history_list,
+          result: t.history_tests_count({ n: tests.length }),
+          tables: [
+            {
+              title: t.history_list,
+              heading: [t.history_file, t.history_date, t.history_plane, "mm/min", `${named(t.effects, "circularity")} µm`, t.history_first_to_mend],
+              rows: tests.map((test) => [
+                plain(test.file.split("/").slice(-2).join("/"), 80),
+                (test.date ?? "–").slice(0, 10),
+                test.plane,
+                shown(test.feed_mm_per_min, 0),
+                with_sigma(test.circularity_um, test.circularity_sigma_um, 2),
+                test.first_to_mend === "" ? t.none : error_name(test.first_to_mend, test.plane),
+              ]),
+              acts: { title: t.history_opens_test, commands: tests.map(({ file, second_file }) => command_of("errors", [file, second_file].filter((one) => one !== ""))) },
+            },
+          ],
+        },
+      ];
 
 export const history_sections = ({ history }: Report): Section[] => {
   if (!history) return [];
-  const { groups, geometry, geometry_rows, skipped } = history;
+  const { groups, geometry, geometry_rows, skipped, tests } = history;
   return [
     ...groups.map(group_section),
+    ...tests_section(tests),
     ...(geometry_rows.length > 0
       ? [
           {

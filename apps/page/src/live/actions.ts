@@ -28,6 +28,8 @@ export const action_of = (command: string, { opened, test_again, save_of }: Acti
     of.element.scrollIntoView({ block: "nearest" }); // it may lie below a drift
   };
   const of_loop = loop && can ? () => act(loop) : null;
+  const test = opened.test_of(command);
+  if (test) return test;
   switch (verb) {
     case "errors":
       return report?.machine_errors ? () => reveal("machine-errors") : of_loop;
@@ -35,13 +37,14 @@ export const action_of = (command: string, { opened, test_again, save_of }: Acti
       return report?.check ? () => reveal("model") : null;
     case "diagnose":
     case "report":
-      if (subject && subject.compared !== "") return () => void opened.open(subject.group, { ...subject, compared: "" }).then(() => opened.loop()?.search());
+      if (subject && subject.compared.length > 0) return () => void opened.open(subject.group, { ...subject, compared: [] }).then(() => opened.loop()?.search());
       return of_loop ?? (subject && subject.data.length > 0 ? () => void opened.diagnose() : null);
     case "add":
     case "plan":
       return of_loop;
     case "history":
-      return rest.includes("--all") || !subject ? null : test_again;
+      if (rest.at(-2) === "--show" && rest.at(-1) === "change") return test_again;
+      return report?.history ? () => reveal("history-1") : null;
     case "could": // nothing is measured: what the columns are taken for
       return opened.columns.button.hidden ? null : () => opened.columns.button.click();
     case "predict":

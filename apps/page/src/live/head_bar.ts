@@ -6,6 +6,10 @@ import { choosing } from "./start";
 import { plain } from "../drawing/text";
 import { t } from "../texts/texts";
 import { size_spoken } from "./spoken";
+import { by_date, files_of, is_history, type Other, test_label } from "./tests";
+import type { TestHead } from "../report";
+
+const kHistory = "\n"; // no path has it
 
 export interface HeadOf {
   take(files: readonly Dropped[]): void;
@@ -20,6 +24,8 @@ export interface Head {
   shelf: HTMLElement;
   subject: Subject | null;
   compared: readonly Group[]; // what it may be compared with
+  tests: readonly TestHead[]; // of the group, where it is one of ballbar tests
+  others: readonly Other[]; // tests that those looked at may be compared with
   folder: string; // the tests as a session; "": they are none
   choose(as: Partial<Subject>): void;
 }
@@ -62,7 +68,7 @@ export const head_bar = ({ take, close, saves, columns, work, message }: HeadOf)
       if (!head) return;
       shelf.replaceChildren(head.shelf);
       choices.replaceChildren();
-      const { subject, compared, folder, choose } = head;
+      const { subject, compared, tests, others: other_tests, folder, choose } = head;
       if (!subject) return;
       const { models } = subject.group;
       const own = subject.model !== "" && !models.some(({ path }) => path === subject.model) ? [subject.model] : [];
@@ -71,20 +77,39 @@ export const head_bar = ({ take, close, saves, columns, work, message }: HeadOf)
         const values = [["", t.live_no_model] as const, ...paths.map((path) => [path, last_part(path)] as const)];
         choices.append(choice(t.live_model_of, values, subject.model, (model) => choose({ model })));
       }
-      if (folder !== "") {
+      const alone_before = { compared: [], history: false, model: "" };
+      const one = tests.length > 1 ? tests.find((test) => files_of(test).join("\n") === subject.data.join("\n")) : undefined;
+      if (folder !== "" || (tests.length > 1 && is_history(tests))) {
         const as_session = subject.data[0] === folder;
-        const values = [["", t.live_as_tests], [folder, t.live_as_session]] as const;
-        choices.append(choice(t.live_view, values, as_session ? folder : "", (value) => choose({ data: value === "" ? subject.group.data : [value], model: "" })));
+        const values = [
+          ["", t.live_as_tests] as const,
+          ...(folder === "" ? [] : [[folder, t.live_as_session] as const]),
+          ...(is_history(tests) ? [[kHistory, t.change_history] as const] : []),
+        ];
+        choices.append(
+          choice(t.live_view, values, subject.history ? kHistory : as_session ? folder : "", (value) =>
+            choose({ ...alone_before, data: value === "" || value === kHistory ? subject.group.data : [value], history: value === kHistory }),
+          ),
+        );
+      }
+      if (tests.length > 1) {
+        const values = [["", t.change_all_tests] as const, ...by_date(tests).map((test) => [files_of(test).join("\n"), test_label(test, tests)] as const)];
+        const now = one ? files_of(one).join("\n") : "";
+        choices.append(choice(t.change_test_label, values, now, (value) => choose({ ...alone_before, data: value === "" ? subject.group.data : value.split("\n") })));
+      }
+      if (other_tests.length > 0) {
+        const values = [["", t.live_nothing] as const, ...other_tests.map(({ words, label }) => [words.join("\n"), label] as const)];
+        choices.append(choice(t.live_compare_with, values, subject.compared.join("\n"), (value) => choose({ model: "", compared: value === "" ? [] : value.split("\n") })));
       }
       const [alone, ...others] = subject.data;
       const runs = compared.filter((group) => group.kind === "series" && subject.group.kind === "series");
       if (runs.length > 0 && alone !== undefined) {
         const values = [["", t.live_nothing] as const, ...runs.map(({ data, title }) => [data[0] ?? "", title] as const)];
-        choices.append(choice(t.live_together_with, values, others[0] ?? "", (value) => choose({ data: value === "" ? [alone] : [alone, value], compared: "" })));
+        choices.append(choice(t.live_together_with, values, others[0] ?? "", (value) => choose({ data: value === "" ? [alone] : [alone, value], compared: [] })));
       }
       if (compared.length > 0 && others.length === 0 && (subject.group.kind === "session" || subject.group.kind === "series")) {
         const values = [["", t.live_nothing] as const, ...compared.map(({ data, title }) => [data[0] ?? "", title] as const)];
-        choices.append(choice(t.live_compare_with, values, subject.compared, (value) => choose({ compared: value })));
+        choices.append(choice(t.live_compare_with, values, subject.compared[0] ?? "", (value) => choose({ compared: value === "" ? [] : [value] })));
       }
     },
   };

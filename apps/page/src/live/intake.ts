@@ -158,6 +158,8 @@ export interface KeptState {
   log?: readonly string[]; // of a subject; a page before this had none
   targets?: readonly string[];
   unsaved?: boolean; // what is in no file that a person has
+  compared?: readonly string[];
+  history?: boolean;
 }
 
 export interface Kept {

@@ -7,7 +7,7 @@ import type { Engine, Sample } from "../engine";
 import { head_bar, type HeadBar, shelf_of } from "./head_bar";
 import { action_of } from "./actions";
 import { intake_of, type Kept, open_store } from "./intake";
-import { listen, start_of } from "./start";
+import { file_chooser, listen, start_of } from "./start";
 import type { LivePage } from "./live_page";
 import { opened_with } from "./opened";
 import { answer_of, reason, runs_with, work_with } from "./runs";
@@ -16,6 +16,7 @@ import { save } from "../figure/files";
 import { ago_spoken } from "./spoken";
 import { tour, tour_steps } from "./tour";
 import { t, when_spoken } from "../texts/texts";
+
 
 export const open_live = async (engine: Engine, page: LivePage): Promise<void> => {
   const place = element("div", { class: "live" });
@@ -60,6 +61,8 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
       shelf: shelf_of({ held, groups, faults: intake.faults(), open: subject?.group.key ?? "", choose: (group) => void opened.open(group) }),
       subject,
       compared: groups.filter(({ key, kind }) => key !== subject?.group.key && (kind === "session" || kind === "series")),
+      tests: subject ? opened.tests(subject.group) : [],
+      others: opened.others(),
       folder: subject ? folder_as_session(subject.group) : "",
       choose: (as) => subject && void opened.open(subject.group, { ...subject, ...as, target: "" }),
     });
@@ -179,10 +182,12 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
     if (opened.unsaved() && !intake.keeps()) event.preventDefault();
   });
   listen({ take, undo: () => void opened.loop()?.undo(), redo: () => void opened.loop()?.redo(), stop: () => work.stop() });
+  // The file chooser must open while the click is handled.
+  const again = file_chooser((files) => take(files));
   page.on_command((command) =>
     action_of(command, {
       opened,
-      test_again: () => tell(t.live_test_again),
+      test_again: again,
       save_of: (words, file) =>
         attempt(async () => {
           answer_of(await work.run([...words, "--json"], { what: t.live_reading }));

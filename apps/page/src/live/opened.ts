@@ -1,14 +1,15 @@
 // What is looked at: a group of files, opened, with its report and its loop; what the program has against a file.
 import { catalogue_of } from "./model_list";
 import { type Columns, columns_with } from "./columns";
-import { answer_of, look_words, reason, Refused, type Runs, type Subject, type Work } from "./runs";
+import { answer_of, look_words, reason, Refused, type Runs, type Subject, type Work, words_of } from "./runs";
 import type { Engine, Sample } from "../engine";
-import { type Group, groups_of, type Held } from "./files";
+import { type Group, groups_of, type Held, last_part } from "./files";
 import type { Intake, Kept, Store } from "./intake";
 import type { LivePage } from "./live_page";
 import { type Loop, loop_of } from "./loop";
 import { planned_with } from "./next_test";
-import type { Report } from "../report";
+import type { Report, TestHead } from "../report";
+import { files_of, look_at, type Other, others_of, relation_of } from "./tests";
 import { t } from "../texts/texts";
 import { extent } from "../drawing/columns";
 
@@ -30,6 +31,9 @@ export interface Opened {
   report(): Report | null;
   loop(): Loop | null;
   groups(): Group[];
+  tests(group: Group): readonly TestHead[]; // that are known
+  others(): Other[]; // what is looked at may be compared with
+  test_of(command: string): (() => void) | null; // opens the test that a command is of alone; null: it is of none
   open(group: Group, as?: Partial<Subject>): Promise<void>;
   diagnose(): Promise<void>; // without a model: what every model has before its first effect
   came(paths: readonly string[]): Promise<void>; // files that are new
@@ -87,6 +91,24 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     }
   };
 
+  const tests = new Map<string, readonly TestHead[]>(); // by group
+  const tests_of = async (group: Group): Promise<readonly TestHead[]> => {
+    if (group.kind !== "recordings") return [];
+    const known = tests.get(group.key);
+    if (known) return known;
+    try {
+      const found = await runs.tests(group.data);
+      tests.set(group.key, found);
+      return found;
+    } catch (error) {
+      if (error instanceof Refused) return []; // it is told when they are opened
+      throw error;
+    }
+  };
+  // Of these files, in whatever group.
+  const tests_in = (files: readonly string[]): TestHead[] =>
+    [...tests.values()].flat().filter((test) => files_of(test).some((file) => files.includes(file)));
+
   const group_of = (title: string, files: readonly Held[], data: readonly string[]): Group => {
     const models = files.filter(({ kind }) => kind === "model" || kind === "trained");
     const group = { key: data.join("\n"), title, kind: kind_of_data(files, data), data, files, models };
@@ -97,8 +119,10 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
   const keep_state = (): void => {
     page.made_with(subject ? look_words({ ...subject, data: [] }).join(" ") : "");
     if (!subject) return;
-    const { group, model, target, data, log, targets } = subject;
-    store?.say({ when: Date.now(), title: group.title, data, model, target, log, targets, unsaved }).catch(() => undefined);
+    const { group, model, target, data, log, targets, compared, history } = subject;
+    // Of one of several tests the group, from which it is chosen again.
+    const words = group.kind === "recordings" && compared.length === 0 ? group.data : data;
+    store?.say({ when: Date.now(), title: group.title, data: words, model, target, log, targets, compared, history, unsaved }).catch(() => undefined);
   };
 
   const text_of = async (model: string): Promise<string> => new TextDecoder().decode(await engine.get(model).catch(() => new Uint8Array()));
@@ -204,7 +228,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     try {
       const { read, held, data, model } = await intake.files_of_page(file);
       if (data.length > 0) return await open(group_of(group.title, held, data), { model, log: read.log });
-      show_alone({ group, data: [], model: "", target: "", compared: "", log: [], targets: [] }, read.report);
+      show_alone({ group, data: [], model: "", target: "", compared: [], history: false, log: [], targets: [] }, read.report);
     } catch (error) {
       intake.faults().set(file.path, reason(error));
       leave(reason(error));
@@ -219,7 +243,12 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
         return open_page(group);
       }
       const [model] = group.models.length === 1 ? group.models.map(({ path }) => path) : [""];
-      const next: Subject = { group, data: group.data, model: model ?? "", target: "", compared: "", log: [], targets: [], ...read_as.get(group.key), ...as };
+      const heads = await tests_of(group);
+      const look = as.data || as.compared || as.history !== undefined || model !== "" ? {} : look_at(heads);
+      const next: Subject = {
+        group, data: group.data, model: model ?? "", target: "", compared: [], history: false, log: [], targets: [],
+        ...read_as.get(group.key), ...look, ...as,
+      };
       if (last?.group.key === group.key && last.log.join("\n") !== next.log.join("\n")) unsaved = true; // columns, by hand
       last = next;
       if (next.model !== "" && !models.has(next.model)) models.set(next.model, await text_of(next.model));
@@ -266,6 +295,24 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     return { ...group, models: [...group.models, ...made] };
   };
 
+  // Of ballbar tests that come to others: before and after, or parts of one machine.
+  const open_beside = async (next: Group): Promise<void> => {
+    const before = subject;
+    if (!before || before.group.kind !== "recordings" || next.kind !== "recordings" || before.model !== "") return open(next);
+    const came = await tests_of(next).catch(() => []);
+    const seen = tests_in(before.compared.length > 0 ? before.compared : before.data);
+    const relation = relation_of(seen, came);
+    if (relation.kind === "pair") {
+      return open(before.group, { data: relation.before.flatMap(files_of), compared: relation.after.flatMap(files_of), history: false });
+    }
+    if (relation.kind === "apart") return open(next);
+    const files = [...before.group.files, ...next.files];
+    const data = [...before.group.data, ...next.data];
+    stated.delete(before.group.key);
+    await open(group_of(`${before.group.title} + ${next.files.length}`, files, data));
+    if (relation.planes.length > 0) tell(t.change_is_summary({ planes: relation.planes.join(", ") }));
+  };
+
   const groups = (): Group[] => {
     const of_stated = [...stated.values()].map(with_new_models);
     const files = new Set(of_stated.flatMap((group) => group.files.map(({ path }) => path)));
@@ -278,6 +325,17 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     report: () => report,
     loop: () => loop,
     groups,
+    tests: ({ key }) => tests.get(key) ?? [],
+    others: () => (subject ? others_of(subject, tests, groups()) : []),
+    test_of(command) {
+      const [verb, ...words] = words_of(command);
+      if (!subject || verb !== "errors" || words.length === 0 || words.some((word) => word.startsWith("--"))) return null;
+      const near = [...subject.compared, ...subject.data];
+      const files = words.map((word) => near.find((path) => path === word || last_part(path) === word) ?? "");
+      const { group } = subject;
+      if (files.includes("")) return null;
+      return () => void open(group, { data: files, compared: [], history: false, model: "" });
+    },
     open,
     diagnose,
     async came(paths) {
@@ -286,7 +344,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
         await sound_of([one.path]);
       }
       const next = groups().find(({ files }) => files.some(({ path }) => paths.includes(path)));
-      if (next) await open(next);
+      if (next) await open_beside(next);
       else if (subject) drawn();
       else leave("");
     },
@@ -300,9 +358,10 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       attempt(async () => {
         await intake.again(kept);
         unsaved = kept.state.unsaved ?? false;
-        const { data, model, target, title, log = [], targets = [] } = kept.state;
+        const { data, model, target, title, log = [], targets = [], compared = [], history } = kept.state;
         const found = groups_of(intake.held()).find(({ key }) => key === data.join("\n"));
-        await open(found ?? group_of(title, intake.held(), data), { model, target, log, targets });
+        const look = compared.length > 0 ? { data, compared, history: false } : history === undefined ? {} : { history };
+        await open(found ?? group_of(title, intake.held(), compared.length > 0 ? [...data, ...compared] : data), { model, target, log, targets, ...look });
       }),
     show: (given) => show_alone(null, given),
     async rewrite() {
@@ -314,6 +373,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     leave,
     forget() {
       stated.clear();
+      tests.clear();
       read_as.clear();
       last = null;
       models.clear();

@@ -6,7 +6,7 @@ import { duration_spoken } from "./spoken";
 import { t } from "../texts/texts";
 import type { Group } from "./files";
 import { answer_without_advice, type LogWords, without_advice } from "./log_words";
-import type { Report } from "../report";
+import type { Report, TestHead } from "../report";
 
 const kSoon_ms = 300;
 
@@ -148,7 +148,8 @@ export interface Subject {
   data: readonly string[]; // words: the group's own, or the folder it lies in
   model: string; // path; "": none
   target: string; // "": the model's own, or all
-  compared: string; // data to compare with; "": none
+  compared: readonly string[]; // data to compare with; none: it is not compared
+  history: boolean; // ballbar tests as the history of their machine
   log: LogWords; // how a log among them is read
   targets: readonly string[]; // its columns to explain, by their headers; none: all that are measured
 }
@@ -164,7 +165,7 @@ export const look_words = (subject: Subject): string[] => [
   ...subject.data,
   ...subject.log,
   ...of_model(subject),
-  ...(subject.compared === "" ? [] : ["--compare", subject.compared]),
+  ...subject.compared.flatMap((word) => ["--compare", word]),
 ];
 
 // The same with a model in any case: without a file what every model has before its first effect.
@@ -234,7 +235,8 @@ export const answer_of = <T>(ran: Ran): T => {
 export type Part = Partial<Report>;
 
 export interface Runs {
-  report(subject: Subject): Promise<Report>; // with the fit
+  report(subject: Subject): Promise<Report>; // with the fit; or the history
+  tests(data: readonly string[]): Promise<TestHead[]>; // the ballbar tests among files
   fitted(subject: Subject): Promise<Part>; // of another model
   search(subject: Subject, progress: (line: string) => void): Promise<Part>;
   set(subject: Subject, settings: readonly Setting[]): Promise<Part>;
@@ -253,7 +255,11 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
   const call = async <T>(name: string, words: string[], job: Job, more: object = {}): Promise<T> =>
     answer_of<T>(await work.call({ call: name, words, ...more }, job));
   return {
-    report: (subject) => call("report", look_words(subject), { what: t.live_reading }),
+    report: (subject) =>
+      subject.history
+        ? call("history", [...subject.data, ...subject.log], { what: t.live_reading }, { title: subject.group.title })
+        : call("report", look_words(subject), { what: t.live_reading }),
+    tests: async (data) => (await call<{ tests: TestHead[] }>("tests", [...data], { what: t.live_reading })).tests,
     fitted: (subject) => call("fitted", model_words(subject), { what: t.live_reading }),
     search: (subject, progress) => call("search", model_words(subject), { what: t.live_searching, progress }),
     set: (subject, settings) =>

@@ -24,6 +24,17 @@ export const choosing = (label: string, title: string, folder: boolean, take: (f
   return element("span", { class: "choosing" }, input, button(label, title, () => input.click()));
 };
 
+// The same of files, without a button of its own: called while a click is handled.
+export const file_chooser = (take: (files: readonly Dropped[]) => void): (() => void) => {
+  const input = element("input", { type: "file", multiple: "", hidden: "", "aria-label": t.change_choose_after });
+  input.addEventListener("change", () => {
+    take(chosen_of(input));
+    input.value = "";
+  });
+  document.body.append(input);
+  return () => input.click();
+};
+
 export const start_of = ({ samples, take, sample, tour }: StartOf): HTMLElement => {
   const zone = element(
     "div",

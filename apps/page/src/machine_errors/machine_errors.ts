@@ -83,7 +83,7 @@ const conclusion_of = (report: Report, tests: readonly ErrorTest[], test: ErrorT
       text: largest
         ? remedy_sentence(capital(error_name(largest.effect, recordings[0]?.plane)), largest.effect, largest.first.remedy ?? "")
         : "",
-      command: command_of("history", ["."], ["--out", "history.html"]),
+      command: command_of("errors", [...part.files.slice(0, 1), "again.b5r"], ["--show", "change"]),
     },
   };
 };

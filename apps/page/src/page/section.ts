@@ -1,7 +1,7 @@
 // A section of the page, folded: its heading and its result on one line, below them sentences, pictures, tables and
 // lists. What proves its verdict may stand on the first screen instead.
 import { choosing_rows } from "./choosing_rows";
-import { element, table_of, text_in } from "../elements/elements";
+import { button, element, table_of, text_in } from "../elements/elements";
 import { type Figure, figure_of } from "../figure/figure";
 import { folded } from "./folded";
 import type { Companion, Leaf, List, Section, TextTable } from "../picture";
@@ -9,8 +9,17 @@ import type { Shared } from "./shared";
 import { micrometres } from "../drawing/text";
 import { language } from "../texts/texts";
 
-const text_table = (table: TextTable, shared: Shared): HTMLElement =>
-  table_of(table.choose ? { ...table, row: choosing_rows(table.choose, shared) } : table);
+const acting_rows = ({ title, commands }: NonNullable<TextTable["acts"]>, act: (command: string) => void) =>
+  (made: HTMLTableRowElement, index: number): void => {
+    const [cell] = made.cells;
+    const command = commands[index];
+    if (cell && command !== undefined) cell.replaceChildren(button(cell.textContent ?? "", title, () => act(command)));
+  };
+
+const text_table = (table: TextTable, shared: Shared): HTMLElement => {
+  if (table.choose) return table_of({ ...table, row: choosing_rows(table.choose, shared) });
+  return table_of(table.acts && shared.act ? { ...table, row: acting_rows(table.acts, shared.act) } : table);
+};
 
 // A page that does the steps by itself shows no command.
 const sentences_of = ({ sentences = [], command }: Section, shared: Shared): HTMLElement[] => {

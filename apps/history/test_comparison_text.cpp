@@ -1,0 +1,154 @@
+#include "history/test_comparison_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "history/quantity_text.hpp"
+#include "terminal/terminal_table.hpp"
+
+namespace ballbar {
+namespace {
+
+std::string number_text(double value, const std::string& unit) { return fixed(value, decimals_of(unit)); }
+
+// "fell from 8.10 to 1.20 um"
+std::string change_text(double before, double after, const std::string& unit, bool with_verb) {
+  const bool turned = before * after < 0.0;
+  const std::string verb = !with_verb                           ? ""
+                           : turned                             ? "changed "
+                           : std::abs(after) < std::abs(before) ? "fell "
+                                                                : "grew ";
+  return fmt::format("{}from {} to {} {}", verb, number_text(before, unit), number_text(after, unit), unit);
+}
+
+const QuantityDifference* circularity_of(const TestComparison& comparison) {
+  if (comparison.quantities.empty()) return nullptr;
+  const QuantityDifference& first = comparison.quantities.front();
+  return first.name == "circularity" && std::isfinite(first.difference) ? &first : nullptr;
+}
+
+bool is_to_be_shown(const QuantityDifference& one) {
+  if (one.of_set_up) return false;
+  const bool is_error = one.name != "global_scale" && one.shown;
+  return one.name == "circularity" || one.clear.value_or(false) || is_error;
+}
+
+std::string directions_text(const MachineTest& test) {
+  std::vector<std::string_view> names;
+  for (const Direction direction : test.directions) names.push_back(name_of(direction));
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+std::string arc_text(const MachineTest& test) {
+  return fmt::format("{:.0f} deg from {:.0f}", test.arc_deg, test.start_deg);
+}
+
+std::string head_text(const MachineTest& test) {
+  std::string text = test.started_s ? date_text(static_cast<double>(*test.started_s)) : "-";
+  text += fmt::format(", {}, {:g} mm", name_of(test.plane), test.nominal_length_mm);
+  if (test.feed_mm_per_min) text += fmt::format(", {:.0f} mm/min", *test.feed_mm_per_min);
+  text += fmt::format(", {:.0f} deg", test.arc_deg);
+  if (!test.directions.empty()) text += ", " + directions_text(test);
+  return text;
+}
+
+}  // namespace
+
+std::string conclusion(const TestComparison& comparison) {
+  const QuantityDifference* const round = circularity_of(comparison);
+  if (comparison.judged == 0) {
+    std::string text = "A test of stored results has no uncertainty: what differs clearly is not known.";
+    if (round != nullptr)
+      text += fmt::format(" Circularity {}.", change_text(round->before, round->after, "um", false));
+    return text;
+  }
+  std::vector<std::string> parts;
+  for (const ClearChange& one : clear_changes(comparison)) {
+    parts.push_back(one.name + ' ' + change_text(one.before, one.after, one.unit, true));
+  }
+  const bool round_is_clear = round != nullptr && round->clear.value_or(false);
+  if (round_is_clear) parts.push_back("circularity " + change_text(round->before, round->after, "um", true));
+  if (!parts.empty()) return fmt::format("{}; nothing else differs clearly.", fmt::join(parts, ", "));
+  if (round == nullptr) return "Nothing differs clearly.";
+  return fmt::format("Nothing differs clearly: circularity {} and {} um.",
+                     with_sigma(round->before, round->before_sigma, 2),
+                     with_sigma(round->after, round->after_sigma, 2));
+}
+
+std::vector<std::string> condition_texts(const TestComparison& comparison) {
+  const MachineTest &before = comparison.before, &after = comparison.after;
+  std::vector<std::string> texts;
+  for (const TestCondition condition : comparison.differs) {
+    switch (condition) {
+      case TestCondition::nominal_length:
+        texts.push_back(fmt::format("The bars differ in length: {:g} and {:g} mm.", before.nominal_length_mm,
+                                    after.nominal_length_mm));
+        break;
+      case TestCondition::arc:
+        texts.push_back(fmt::format("The arcs differ: {} and {}.", arc_text(before), arc_text(after)));
+        break;
+      case TestCondition::feed:
+        texts.push_back(fmt::format("The feeds differ: {:.0f} and {:.0f} mm/min.", before.feed_mm_per_min.value_or(0.0),
+                                    after.feed_mm_per_min.value_or(0.0)));
+        break;
+      case TestCondition::directions:
+        texts.push_back(
+            fmt::format("The directions differ: {}, then {}.", directions_text(before), directions_text(after)));
+        break;
+      case TestCondition::bar:
+        texts.push_back(fmt::format("The bars differ: {} and {}.", one_line(before.bar), one_line(after.bar)));
+        break;
+      case TestCondition::machine:
+        texts.push_back(
+            fmt::format("The machines differ: {} and {}.", one_line(before.machine), one_line(after.machine)));
+        break;
+      case TestCondition::stored:
+        texts.emplace_back(
+            "One test has readings, the other the results of the instrument's software alone, which has other rules.");
+        break;
+    }
+  }
+  if (!texts.empty()) texts.emplace_back("What differs may be that, not the machine.");
+  return texts;
+}
+
+std::string comparison_text(const TestComparison& comparison, bool all) {
+  std::string text = fmt::format("before  {}  {}\nafter   {}  {}\n\n{}\n", one_line(comparison.before.file),
+                                 head_text(comparison.before), one_line(comparison.after.file),
+                                 head_text(comparison.after), wrapped(conclusion(comparison)));
+  std::string conditions;
+  for (const std::string& one : condition_texts(comparison)) conditions += (conditions.empty() ? "" : " ") + one;
+  if (!conditions.empty()) text += wrapped(conditions) + '\n';
+  Table table({"quantity", "before", "after", "difference", "unit", "sigmas", "clear"});
+  std::size_t left_out = 0;
+  for (const QuantityDifference& one : comparison.quantities) {
+    if (!all && !is_to_be_shown(one)) {
+      left_out += one.of_set_up ? 0 : 1;
+      continue;
+    }
+    const int decimals = decimals_of(one.unit);
+    const auto cell = [&](double value, double sigma) {
+      return std::isfinite(value) ? with_sigma(value, sigma, decimals) : std::string("-");
+    };
+    const double sigmas = std::abs(one.difference) / one.sigma;
+    table.add({one.name, cell(one.before, one.before_sigma), cell(one.after, one.after_sigma),
+               cell(one.difference, one.sigma), one.unit, std::isfinite(sigmas) ? fixed(sigmas, 1) : "-",
+               !one.clear   ? "-"
+               : *one.clear ? "yes"
+                            : "no"});
+  }
+  text += table.text();
+  if (left_out > 0)
+    text += fmt::format("{} more: neither test shows them, and they do not differ clearly.\n", left_out);
+  return text + '\n' +
+         wrapped(
+             fmt::format("± is one sigma, of the fits. Clear: by noise alone in at most 5 % of such pairs of tests, "
+                         "after {} quantities. A machine that is set up anew, or is warmer, differs by more than "
+                         "noise: `ballbar history` of several tests tells by how much.",
+                         comparison.judged));
+}
+
+}  // namespace ballbar
