@@ -20,10 +20,15 @@ namespace ballbar {
 //   search     what is missing: diagnose, summary, fit of recordings
 //   hold       the fit with "settings", EFFECT.PARAMETER=VALUE each, in the place of fitted values
 //   add        the fit with "effects"; the model's file stays as it was
-//   revise     what was added last becomes a revision of the file "model": its sentence, and the ledger
-//   take_back  what was added last is gone
+//   change     the fit without the effects "removed", with parameters "held" at EFFECT.PARAMETER=VALUE or "freed" from
+//              there; the model's file stays as it was
+//   revise     what was added or changed last becomes a revision of the file "model": its sentence, and the ledger
+//   take_back  what was added or changed last is gone
+//   choices    what could be added, with the columns that suit
+//   compare    the fits with each of "hypotheses", a list of effects each; the model stays
+//   text       the text of the model's file, with fitted values to start from
 //
-// The answers of fitted, search, add and revise are keys of the report, to put in the place of its own.
+// The answers of fitted, search, add, change and revise are keys of the report, to put in the place of its own.
 class PageCalls {
  public:
   // Throws Error as `ballbar report` does, and for a call that is none of these.

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/model/effect_argument.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "model/effect_options.hpp"
 #include "model/held_values.hpp"
@@ -68,7 +70,8 @@ bool ReportSubject::is_of(const ReportRequest& request) const {
     return one.name() == other.name() && one.recipe() == other.recipe();
   };
   const std::vector<Source>&data = request.model.data, &before = given_.model.data;
-  return std::equal(data.begin(), data.end(), before.begin(), before.end(), is_as) &&
+  return request.model.left_out == given_.model.left_out &&
+         std::equal(data.begin(), data.end(), before.begin(), before.end(), is_as) &&
          is_as(request.compare, given_.compare) && has_model(request) == has_model(given_) && marks() == marks_;
 }
 
@@ -204,13 +207,75 @@ ModelPart ReportSubject::add(const std::vector<std::string>& effects) {
 
 void ReportSubject::take_back() { only_one().take_back(); }
 
+ModelPart ReportSubject::change(const HandChange& change) {
+  RevisedModel& model = only_one();
+  if (!change.removed.empty()) model.remove(change.removed);
+  if (!change.held.empty() || !change.freed.empty())
+    model.set(with_free_values(with_held_values(model.model(), change.held), change.freed));
+  return fitted();
+}
+
 RevisedPart ReportSubject::revise(const std::string& file) {
   RevisedModel& model = only_one();
-  const EffectTest tried = model.revise();
+  RevisedPart part;
+  if (model.is_by_hand()) {
+    model.revise_by_hand();
+    part.supported = true;
+  } else {
+    const EffectTest tried = model.revise();
+    part.supported = tried.after.verdict == "supported";
+    part.sentence = conclusion(tried);
+  }
   write_bytes(file, model.text());
   request_.model.model = file;
-  const std::vector<LedgerRow> rows = read_ledger(model.text(), file);
-  return {conclusion(tried), tried.after.verdict == "supported", ledger_of(rows)};
+  part.ledger = ledger_of(read_ledger(model.text(), file));
+  if (part.sentence.empty()) part.sentence = part.ledger.rows.back().sentence;
+  return part;
 }
+
+EffectChoices ReportSubject::choices() {
+  const Model& model = only_one().model();
+  const ModelData& data = *data_.for_model;
+  EffectChoices all;
+  for (const auto& effect : request_.model.catalogue) {
+    if (effect->level != model.level || effect->rules.is_base) continue;
+    if (data.motion && !applies_to(*effect, *data.motion)) continue;
+    EffectChoice one{effect->name, choices_of(*effect, model, *data.series)};
+    if (model.level == Level::recording) {  // columns bind by themselves
+      for (BoundEffect& bound : one.choices) bound.columns.clear();
+    }
+    all.effects.push_back(std::move(one));
+  }
+  return all;
+}
+
+Hypotheses ReportSubject::compare(const std::vector<std::vector<std::string>>& hypotheses) {
+  RevisedModel& model = only_one();
+  const ModelData& data = *data_.for_model;
+  Hypotheses both;
+  std::vector<double> ratios;  // 2 ln B against the model as it is
+  for (const std::vector<std::string>& effects : hypotheses) {
+    for (const std::string& effect : effects) expect_known_effect(effect);
+    Hypothesis one{effects, {}, {}};
+    if (!effects.empty()) model.add(terms_of(effects, model.model(), data));
+    try {
+      one.check.targets.push_back(check_part(model.bench().check(), model.model(), data));
+      one.row.row = effects.empty() ? model.bench().row() : model.bench().added().after;
+    } catch (...) {
+      model.take_back();
+      throw;
+    }
+    model.take_back();
+    ratios.push_back(effects.empty() ? 0.0 : one.row.row.likelihood_ratio);
+    both.hypotheses.push_back(std::move(one));
+  }
+  double sum = 0.0;
+  const double largest = ratios.empty() ? 0.0 : *std::max_element(ratios.begin(), ratios.end());
+  for (const double ratio : ratios) sum += std::exp(0.5 * (ratio - largest));
+  for (const double ratio : ratios) both.p.push_back(std::exp(0.5 * (ratio - largest)) / sum);
+  return both;
+}
+
+ModelText ReportSubject::text_as_fitted() { return {only_one().text_as_fitted()}; }
 
 }  // namespace ballbar

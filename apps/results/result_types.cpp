@@ -115,7 +115,7 @@ std::vector<ResultSchema> all_schemas() {
                     History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet, TrainedOnTemperatures,
                     TrainedOnEffects, TrainedForJob, PredictedSeries, PredictedTarget, ReplayResult, MadeSets, NextRun,
                     ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart, HeldPart, RevisedPart,
-                    HistoryReport, FleetReport, PageFiles>();
+                    EffectChoices, Hypotheses, ModelText, HistoryReport, FleetReport, PageFiles>();
 }
 
 int run_readmes(const std::filesystem::path& folder, bool update) {

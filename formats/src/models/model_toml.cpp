@@ -14,6 +14,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/model/expression.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "models/model_text.hpp"
 #include "text/head.hpp"
 #include "text/located_text.hpp"
 #include "text/readers.hpp"
@@ -277,7 +278,8 @@ bool same_bounds(const Setting& setting, const Parameter& parameter) {
   return setting.lower == parameter.lower && setting.upper == parameter.upper;
 }
 
-// The value of a parameter's key; empty: the key may be left out.
+}  // namespace
+
 std::string setting_text(const Setting& setting, const Parameter& parameter, bool own) {
   const bool unit = own && parameter.unit != "1";
   if (setting.held && !own && parameter.held && setting.start == parameter.start) return "";
@@ -310,8 +312,6 @@ std::string effect_text(const Term& term) {
   }
   return out;
 }
-
-}  // namespace
 
 std::vector<KeyTable> model_keys() {
   return {{"", kRootKeys},

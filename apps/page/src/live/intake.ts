@@ -3,6 +3,7 @@
 import { type Dropped, head_of, type Held, kind_of, read_report_file, type ReportFile, safe_paths } from "./files";
 import { bytes_of, type Engine, type Sample } from "../engine";
 import { reason, type Work } from "./runs";
+import type { Stretch } from "./history_of_steps";
 import { plain } from "../drawing/text";
 import { size_spoken } from "./spoken";
 import { t } from "../texts/texts";
@@ -145,6 +146,7 @@ export interface KeptState {
   target: string;
   log?: readonly string[]; // of a subject; a page before this had none
   targets?: readonly string[];
+  left_out?: readonly Stretch[];
 }
 
 export interface Kept {

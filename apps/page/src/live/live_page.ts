@@ -2,6 +2,7 @@
 import { element } from "../elements/elements";
 import { type Inside, report_page } from "../shell";
 import type { Loop } from "./loop";
+import type { Figure } from "../figure/figure";
 import type { PageState } from "../figure/view";
 import type { Report } from "../report";
 import { kept_view, type Shared, shared_by_figures } from "../page/shared";
@@ -14,6 +15,7 @@ export interface LivePage {
   // unfolded, zoomed and chose stays.
   show(report: Report, loop: Loop | null, again: boolean): void;
   clear(): void;
+  add(figure: Figure): void; // one that the live part made
   on_command(act: (command: string) => void): void; // what a button does that says a command
   given: Report | null; // with which the page was made
   page_with(report: Report, inside: Inside | null): string; // a page of a report, as a file
@@ -41,15 +43,16 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
     show(report, loop, again) {
       const bring_back = kept_view(shared);
       const focused = document.activeElement;
-      const kept = loop?.figure();
+      const kept = loop?.figures() ?? [];
       shared.clear(kept);
       const { parts, draw } = open(report, shared, tools, loop && { element: loop.element, proves: loop.proves() });
       place.replaceChildren(...parts);
       draw();
       if (again) bring_back();
-      if (kept) shared.add(kept);
+      for (const figure of kept) shared.add(figure);
       if (focused instanceof HTMLElement && focused.isConnected) focused.focus({ preventScroll: true });
     },
+    add: (figure) => shared.add(figure),
     on_command(act) {
       shared.act = act;
     },

@@ -1,7 +1,11 @@
 // The loop with the hand: what a model leaves, its effects under sliders, what may be missing, and a step forth and back.
 import { candidate_list, fall_shown, posterior_bars } from "./candidates";
+import { effect_search } from "./effect_search";
+import { type ModelState, type Step, type Steps, steps_kept, type Stretch } from "./history_of_steps";
+import { left_out_bar } from "./left_out";
 import { type Catalogue, model_list } from "./model_list";
-import { added_by, Interrupted, type Part, reason, type Runs, type Subject, words_of, type Work } from "./runs";
+import { added_by, type HandChange, Interrupted, type Part, reason, type Runs, type Subject, words_of, type Work } from "./runs";
+import { two_hypotheses } from "./two_hypotheses";
 import { button, element, select_of } from "../elements/elements";
 import { fit_picture, type Now, slid } from "./fit_picture";
 import { type Figure, figure_of } from "../figure/figure";
@@ -25,18 +29,23 @@ export interface LoopOf {
   bytes_of(path: string): Promise<Uint8Array>;
   put(path: string, bytes: Uint8Array): Promise<void>;
   plan: NextTestOf["plan"];
+  steps?: Steps; // of a loop of the same data before this one
+  add_figure(figure: Figure): void;
   changed(report: Report, subject: Subject): void; // the page below is to be drawn anew
 }
 
 export interface Loop {
   element: HTMLElement;
   subject(): Subject;
-  figure(): Figure | null;
+  steps: Steps;
+  figures(): readonly Figure[]; // on the page
   proves(): boolean; // whether it has the picture that the first screen needs
   show(report: Report): void;
   search(): Promise<void>;
   add(effects: readonly string[]): Promise<void>;
-  undo(): Promise<void>;
+  change(change: HandChange): Promise<void>; // by hand: an effect taken out, a parameter held or freed
+  leave_out(left_out: readonly Stretch[]): Promise<void>; // the fit without these rows
+  undo(): Promise<void>; // of whatever was done last
   redo(): Promise<void>;
   act(command: string): boolean; // whether it did what the command line says
   diagnosed(): Diagnosed | null; // of the model as it is
@@ -59,7 +68,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   let took_ms = 0; // the last search
   let attempts = 0; // at work, of which one may have begun within another
   let made: { figure: Figure; rows: number } | null = null;
-  const forth: Uint8Array[] = []; // models that were taken back, the last one first to come again
+  const steps = of.steps ?? steps_kept();
 
   const sentence = element("p", { class: "said", role: "status", "aria-live": "polite" });
   const say = (text: Sentence): void => {
@@ -113,14 +122,24 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       await computed();
     }
   };
-  const list = model_list(catalogue, () => {
-    draw();
-    void computed();
+  const list = model_list({
+    catalogue,
+    begin: () => steps.record({ sliders: list.moved_values() }),
+    changed() {
+      draw();
+      update();
+      void computed();
+    },
+    hold: ({ effect = "", name }, value) => void loop.change({ held: [{ effect, parameter: name, value }] }),
+    free: ({ effect = "", name, value }) => void loop.change({ freed: [{ effect, parameter: name, value: value ?? 0 }] }),
+    remove: (effect) => void loop.change({ removed: [effect] }),
   });
   const to_optimum = (): void => {
+    if (list.moved()) steps.record({ sliders: list.moved_values() });
     list.back();
     base = fitted;
     draw();
+    update();
   };
   const back = button(t.live_to_optimum, t.live_to_optimum_title, to_optimum);
 
@@ -134,6 +153,27 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const undo = button(t.live_undo, t.live_undo_title, () => void loop.undo());
   const redo = button(t.live_redo, t.live_redo_title, () => void loop.redo());
   const search = button(t.live_search, t.live_search_title, () => void loop.search());
+  const two = two_hypotheses({
+    page,
+    add_figure: of.add_figure,
+    report: () => report,
+    async compare(hypotheses) {
+      let both = null;
+      await attempt(async () => {
+        work.stop(); // a search: it is made anew
+        both = await runs.compare(subject, hypotheses);
+      });
+      return both;
+    },
+    keep: (label) => void (label === "" ? say(t.hands_as_it_is) : loop.add([label])),
+  });
+  const effects = effect_search({ catalogue, add: (label) => void loop.add([label]), beside: (label) => two.beside(label) });
+  const rows = left_out_bar(
+    () => made?.figure.ask_stretch(),
+    (stretch) => void loop.leave_out([...subject.left_out, stretch].sort((a, b) => a.from_s - b.from_s)),
+    (stretch) => void loop.leave_out(subject.left_out.filter((one) => one !== stretch)),
+  );
+  const show_rows = (): void => rows.show(subject.left_out, made?.figure.state().stretch ?? null, fitted?.level === "series");
   const plan = next_test({ plan: of.plan, subject: () => subject, took_ms: () => took_ms });
 
   const target_list = targets.map((target) => [target, plain(target, 60)] as const);
@@ -154,23 +194,30 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     element("div", { class: "buttons" }, target_label, search, undo, redo, back),
     posterior.element,
     candidates.element,
+    effects.element,
+    two.element,
     element("h3", { class: "of-model" }, t.live_model),
     list.element,
     plan.element,
   );
-  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, sentence, next), element("div", { class: "by-hand" }, place, hand));
+  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, sentence, next), element("div", { class: "by-hand" }, element("div", {}, place, rows.element), hand));
 
   const now = (): Now => ({
     report: report as Report,
     checked: (drawn ?? fitted) as Checked,
     before: list.moved() ? fitted : before,
     candidate,
+    left_out: subject.left_out,
   });
   // The same picture as long as it has the same rows, so that its zoom and its switches stay.
   const figure_now = (checked: Checked): void => {
-    const rows = checked.series.time_s.length;
-    if (made?.rows === rows) return made.figure.renew();
-    made = { figure: figure_of(fit_picture(now), page), rows };
+    const count = checked.series.time_s.length;
+    if (made?.rows === count) return made.figure.renew();
+    const last = made?.figure;
+    made = { figure: figure_of(fit_picture(now), page), rows: count };
+    if (last) made.figure.take({ ...last.state(), stretch: null });
+    last?.leave();
+    made.figure.watch(show_rows);
     place.replaceChildren(made.figure.element);
     made.figure.redraw();
   };
@@ -191,8 +238,9 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const update = (): void => {
     const revisions = report?.ledger?.rows.filter(({ target }) => target === subject.target || subject.target === "").length ?? 0;
     all.dataset.revisions = String(revisions);
-    undo.disabled = revisions < 2;
-    redo.disabled = forth.length === 0;
+    all.dataset.steps = String(steps.count());
+    undo.disabled = steps.count() === 0 && revisions < 2;
+    redo.disabled = !steps.can_redo();
     search.disabled = work.busy();
   };
 
@@ -202,6 +250,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     next.hidden = effects.length === 0;
     next.textContent = t.live_add_named({ effects: effects.map((effect) => plain(effect, 60)).join(", ") });
     next.title = found?.command ?? "";
+    two.offer(found?.candidates ?? []);
     if (!found) return candidates.clear();
     candidates.show(found);
     plan.show(found);
@@ -246,13 +295,49 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     before = was && fitted && was.series.time_s.length === fitted.series.time_s.length ? was : null;
     draw();
     update();
+    void renew_choices();
     if (took_ms < kShort_ms) void loop.search();
   };
+
+  // What could be added to the model as it is now.
+  const renew_choices = async (): Promise<void> => {
+    const of_fit = fitted;
+    const choices = await runs.choices(subject).catch(() => null); // stopped, for another model
+    if (choices && of_fit && of_fit === fitted) effects.show(choices, of_fit.level);
+  };
+
+  const state_now = async (): Promise<ModelState> => ({
+    model: subject.model,
+    text: subject.model === "" ? null : await of.bytes_of(subject.model),
+    left_out: subject.left_out,
+  });
+  const step_now = async (): Promise<Step> => ({ sliders: list.moved_values(), state: await state_now() });
+
+  // Puts a step back: sliders at once, another model or other rows with their fit.
+  const put_back = async (step: Step): Promise<Step> => {
+    const was: Step = step.state ? await step_now() : { sliders: list.moved_values() };
+    const { state } = step;
+    if (state) {
+      await change_model(async () => {
+        if (state.text) await of.put(state.model, state.text);
+        else if (state.model !== "") await runs.undo(state.model);
+        subject = { ...subject, model: state.model, left_out: state.left_out };
+        return runs.fitted(subject);
+      });
+    }
+    list.put(step.sliders);
+    draw();
+    void computed();
+    return was;
+  };
+  // As `ballbar undo` takes back what an earlier day added.
+  const step_of_ledger = (): Step => ({ sliders: new Map(), state: { model: subject.model, text: null, left_out: subject.left_out } });
 
   const loop: Loop = {
     element: all,
     subject: () => subject,
-    figure: () => made?.figure ?? null,
+    steps,
+    figures: () => [...(made ? [made.figure] : []), ...two.figures()],
     proves: () => fitted !== null,
     show(next) {
       report = next;
@@ -267,6 +352,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         list.renew(checked);
         figure_now(checked);
         draw();
+        show_rows();
         if (sentence.textContent === "") say(verdict_of_check(checked));
       }
       show_diagnosis(of_target(next.diagnose?.targets, subject.target));
@@ -301,6 +387,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         candidate = null;
         const folder = (subject.data[0] ?? "").replace(/\/[^/]*$/, "");
         const model = subject.model || runs.free_name(folder, "model.toml");
+        const was = await step_now();
         let sentence_of_it = "";
         await change_model(
           () => runs.add(subject, effects),
@@ -311,33 +398,52 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
             return ledger ? { ledger } : {};
           },
         );
-        forth.length = 0;
+        steps.record({ ...was, state: { left_out: subject.left_out, text: null, ...was.state, model } });
         update();
         undo.focus({ preventScroll: true }); // the button that was pressed is gone
         say(english(sentence_of_it));
       });
     },
+    change: (change) =>
+      changing(async () => {
+        const was = await step_now();
+        let sentence_of_it = "";
+        await change_model(
+          () => runs.change(subject, change),
+          async () => {
+            const { sentence, ledger } = await runs.revise(subject, subject.model);
+            sentence_of_it = sentence;
+            return ledger ? { ledger } : {};
+          },
+        );
+        steps.record(was);
+        update();
+        say(english(sentence_of_it));
+      }),
+    leave_out: (left_out) =>
+      changing(async () => {
+        const was = await step_now();
+        await change_model(async () => {
+          subject = { ...subject, left_out };
+          return runs.fitted(subject);
+        });
+        made?.figure.select(null);
+        steps.record(was);
+        update();
+        const n = fitted?.series.time_s.length ?? 0;
+        say(left_out.length > 0 ? t.hands_left_out_now({ n }) : t.hands_all_in({ n }));
+      }),
     undo: () =>
       changing(async () => {
         if (undo.disabled) return;
-        const now_model = await of.bytes_of(subject.model);
-        await change_model(async () => {
-          await runs.undo(subject.model);
-          return runs.fitted(subject);
-        });
-        forth.push(now_model);
+        await steps.undo(put_back, step_of_ledger());
+        update();
         say(t.live_undone);
       }),
     redo: () =>
       changing(async () => {
-        const model = forth.at(-1);
-        if (!model) return;
-        await change_model(async () => {
-          await of.put(subject.model, model);
-          return runs.fitted(subject);
-        });
-        forth.pop();
-        say(t.live_redone);
+        if (await steps.redo(put_back)) say(t.live_redone);
+        update();
       }),
     act(command) {
       const [verb, ...rest] = words_of(command);

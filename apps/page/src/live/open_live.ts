@@ -128,6 +128,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
       report: () => opened.report(),
       page_with: page.page_with,
       bytes_of: (path) => engine.get(path),
+      model_text: (subject) => runs.model_text(subject),
       async table_of({ data, log }) {
         const ran = await work.run(["drift", ...data, ...log, "--out", "drift.csv"], { what: t.live_reading });
         return ran.status === 0 ? engine.get("drift.csv") : ran.err;

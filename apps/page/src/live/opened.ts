@@ -5,6 +5,7 @@ import { answer_of, reason, Refused, type Runs, type Subject, type Work } from "
 import type { Engine, Sample } from "../engine";
 import { type Group, groups_of, type Held } from "./files";
 import type { Intake, Kept, Store } from "./intake";
+import type { Steps } from "./history_of_steps";
 import type { LivePage } from "./live_page";
 import { type Loop, loop_of } from "./loop";
 import { planned_with } from "./next_test";
@@ -91,8 +92,8 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
 
   const keep_state = (): void => {
     if (!subject) return;
-    const { group, model, target, data, log, targets } = subject;
-    store?.say({ when: Date.now(), title: group.title, data, model, target, log, targets }).catch(() => undefined);
+    const { group, model, target, data, log, targets, left_out } = subject;
+    store?.say({ when: Date.now(), title: group.title, data, model, target, log, targets, left_out }).catch(() => undefined);
   };
 
   // What the program says of a file alone; "": nothing against it.
@@ -121,7 +122,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     await sound_of(paths.filter((path) => skipped.some(({ file }) => path.endsWith(`/${file}`))));
   };
 
-  const make_loop = async (of: Subject, first: Report): Promise<Loop | null> => {
+  const make_loop = async (of: Subject, first: Report, steps?: Steps): Promise<Loop | null> => {
     const checked = first.check?.targets.map(({ target }) => target) ?? [];
     const all = checked.length > 0 ? checked : of.group.kind === "recordings" ? [] : targets_in(first);
     const wanted = columns.targets(of).filter((target) => all.includes(target) || (checked.length === 0 && measured_in(first).some(({ name }) => name === target)));
@@ -138,6 +139,8 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       bytes_of: (path) => engine.get(path),
       put: (path, bytes) => engine.put(path, bytes),
       plan: planned_with(engine, work, runs),
+      ...(steps && { steps }),
+      add_figure: (figure) => page.add(figure),
       changed(now, next) {
         if (loop !== made) return; // an answer about what is no longer open
         if (next.model !== "" && report !== now && (report !== null || next.model !== subject?.model)) void intake.written(next.model);
@@ -190,7 +193,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     try {
       const { read, held, data, model } = await intake.files_of_page(file);
       if (data.length > 0) return await open(group_of(group.title, held, data), { model, log: read.log });
-      show_alone({ group, data: [], model: "", target: "", compared: "", log: [], targets: [] }, read.report);
+      show_alone({ group, data: [], model: "", target: "", compared: "", log: [], targets: [], left_out: [] }, read.report);
     } catch (error) {
       intake.faults().set(file.path, reason(error));
       leave(reason(error));
@@ -205,7 +208,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
         return open_page(group);
       }
       const [model] = group.models.length === 1 ? group.models.map(({ path }) => path) : [""];
-      const next: Subject = { group, data: group.data, model: model ?? "", target: "", compared: "", log: [], targets: [], ...read_as.get(group.key), ...as };
+      const next: Subject = { group, data: group.data, model: model ?? "", target: "", compared: "", log: [], targets: [], left_out: [], ...read_as.get(group.key), ...as };
       last = next;
       read_as.set(group.key, { log: next.log, targets: next.targets });
       try {
@@ -262,15 +265,15 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     again: (kept) =>
       attempt(async () => {
         await intake.again(kept);
-        const { data, model, target, title, log = [], targets = [] } = kept.state;
+        const { data, model, target, title, log = [], targets = [], left_out = [] } = kept.state;
         const found = groups_of(intake.held()).find(({ key }) => key === data.join("\n"));
-        await open(found ?? group_of(title, intake.held(), data), { model, target, log, targets });
+        await open(found ?? group_of(title, intake.held(), data), { model, target, log, targets, left_out });
       }),
     show: (given) => show_alone(null, given),
     async rewrite() {
       if (!report) return;
       if (!loop) return page.show(report, null, true);
-      loop = await make_loop(loop.subject(), report);
+      loop = await make_loop(loop.subject(), report, loop.steps);
       loop?.show(report);
     },
     leave,

@@ -5,7 +5,8 @@ import { button, element } from "../elements/elements";
 import { t } from "../texts/texts";
 import type { Group } from "./files";
 import type { LogWords } from "./log_words";
-import type { Report } from "../report";
+import type { HypothesesPart, Report } from "../report";
+import type { Stretch } from "./history_of_steps";
 
 const kSoon_ms = 300;
 
@@ -133,6 +134,7 @@ export interface Subject {
   compared: string; // data to compare with; "": none
   log: LogWords; // how a log among them is read
   targets: readonly string[]; // its columns to explain, by their headers; none: all that are measured
+  left_out: readonly Stretch[]; // readings that are not fitted
 }
 
 const targeted = ({ group, target }: Subject): string[] =>
@@ -141,10 +143,14 @@ const targeted = ({ group, target }: Subject): string[] =>
 const of_model = (subject: Subject): string[] =>
   subject.model === "" ? [] : ["--model", subject.model, ...targeted(subject)];
 
+const of_rows = ({ left_out }: Subject): string[] =>
+  left_out.map(({ from_s, to_s }) => `--leave-out-times=${from_s}..${to_s}`);
+
 // What is looked at, as behind `ballbar report`.
 export const look_words = (subject: Subject): string[] => [
   ...subject.data,
   ...subject.log,
+  ...of_rows(subject),
   ...of_model(subject),
   ...(subject.compared === "" ? [] : ["--compare", subject.compared]),
 ];
@@ -161,12 +167,27 @@ export interface Setting {
   value: number;
 }
 
+// What a hand does to a model, beside adding effects.
+export interface HandChange {
+  removed?: readonly string[]; // labels of effects
+  held?: readonly Setting[];
+  freed?: readonly Setting[]; // from these values on
+}
+
+// What could be added.
+export interface EffectChoice {
+  effect: string;
+  columns: readonly (readonly string[])[]; // each choice, in the order of the effect's inputs
+  labels: readonly string[]; // of each choice
+}
+
 // As --set has it.
 export const setting_text = ({ effect, parameter, value }: Setting): string => `${effect}.${parameter}=${value}`;
 
 const of_model_and_target = (subject: Subject): string[] => [
   ...subject.data,
   ...subject.log,
+  ...of_rows(subject),
   ...(subject.model === "" ? targeted(subject) : of_model(subject)),
 ];
 
@@ -222,7 +243,11 @@ export interface Runs {
   set(subject: Subject, settings: readonly Setting[]): Promise<Part>;
   add(subject: Subject, effects: readonly string[]): Promise<Part>; // the fit alone: no file is written
   revise(subject: Subject, model: string): Promise<Part & { sentence: string; supported: boolean }>; // the file too
-  take_back(subject: Subject): Promise<void>; // what was added, and is in no file
+  change(subject: Subject, change: HandChange): Promise<Part>; // the fit alone, as add
+  take_back(subject: Subject): Promise<void>; // what was added or changed, and is in no file
+  choices(subject: Subject): Promise<readonly EffectChoice[]>;
+  compare(subject: Subject, hypotheses: readonly (readonly string[])[]): Promise<HypothesesPart>;
+  model_text(subject: Subject): Promise<string>; // of its file, with fitted values
   try(subject: Subject, effect: string): Promise<string>; // what it would change
   undo(model: string): Promise<void>;
   free_name(folder: string, name: string): string;
@@ -240,6 +265,12 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
     add: (subject, effects) =>
       call("add", model_words(subject), { what: t.live_adding({ effect: effects.join(", ") }) }, { effects }),
     revise: (subject, model) => call("revise", model_words(subject), { what: t.live_testing }, { model }),
+    change: (subject, { removed = [], held = [], freed = [] }) =>
+      call("change", model_words(subject), { what: t.hands_fitting }, { removed, held: held.map(setting_text), freed: freed.map(setting_text) }),
+    choices: async (subject) =>
+      (await call<{ effects: EffectChoice[] }>("choices", model_words(subject), { what: t.live_reading })).effects,
+    compare: (subject, hypotheses) => call("compare", model_words(subject), { what: t.hands_comparing }, { hypotheses }),
+    model_text: async (subject) => (await call<{ text: string }>("text", model_words(subject), { what: t.live_reading })).text,
     take_back: (subject) => call("take_back", model_words(subject), { what: t.live_undoing }),
     try: async (subject, effect) =>
       answer_of<{ sentence: string }>(await work.run(try_words(subject, effect), { what: t.live_trying({ effect }) })).sentence,

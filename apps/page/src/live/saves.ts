@@ -13,6 +13,7 @@ export interface SavesOf {
   report(): Report | null;
   page_with(report: Report, inside: Inside | null): string;
   bytes_of(path: string): Promise<Uint8Array>;
+  model_text(subject: Subject): Promise<string>; // of its file, with fitted values
   table_of(subject: Subject): Promise<Uint8Array | string>; // of the drift, or why not
   fault(text: string): void;
 }
@@ -67,7 +68,7 @@ export const saves_of = (of: SavesOf): Saves => {
       if (subject && subject.model !== "") {
         const { model } = subject;
         entries.push(
-          entry(t.live_save_model, t.live_save_model_title, async () => save(last_part(model), new Blob([new Uint8Array(await of.bytes_of(model))]))),
+          entry(t.live_save_model, t.live_save_model_title, async () => save(last_part(model), new Blob([await of.model_text(subject)]))),
         );
       }
       if (subject && report.drift) {

@@ -22,6 +22,7 @@
 //   T_oil_degC = [20.5, 38.9]                # lowest and highest
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -41,5 +42,9 @@ std::string write_model(const Model& model);
 // comments, order and all else stay as they are. `name` stands in messages; throws Error as read_model.
 std::string with_effect(std::string_view bytes, std::string_view name, const Term& term,
                         const Catalogue& catalogue = built_in_catalogue());
+
+// The same with other settings: `terms`, one for each effect of the file, in its order, say how each parameter enters.
+std::string with_settings(std::string_view bytes, std::string_view name, std::span<const Term> terms,
+                          const Catalogue& catalogue = built_in_catalogue());
 
 }  // namespace ballbar
