@@ -194,13 +194,12 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     element("div", { class: "buttons" }, target_label, search, undo, redo, back),
     posterior.element,
     candidates.element,
-    effects.element,
-    two.element,
     element("h3", { class: "of-model" }, t.live_model),
     list.element,
+    effects.element,
     plan.element,
   );
-  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, sentence, next), element("div", { class: "by-hand" }, element("div", {}, place, rows.element), hand));
+  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, sentence, next), element("div", { class: "by-hand" }, element("div", {}, place, rows.element), hand), two.element);
 
   const now = (): Now => ({
     report: report as Report,
@@ -295,15 +294,15 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     before = was && fitted && was.series.time_s.length === fitted.series.time_s.length ? was : null;
     draw();
     update();
-    void renew_choices();
     if (took_ms < kShort_ms) void loop.search();
   };
 
   // What could be added to the model as it is now.
   const renew_choices = async (): Promise<void> => {
     const of_fit = fitted;
+    const level = of_fit?.level ?? (subject.group.kind === "recordings" ? "recording" : "series");
     const choices = await runs.choices(subject).catch(() => null); // stopped, for another model
-    if (choices && of_fit && of_fit === fitted) effects.show(choices, of_fit.level);
+    if (choices && of_fit === fitted) effects.show(choices, level);
   };
 
   const state_now = async (): Promise<ModelState> => ({
@@ -340,6 +339,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     figures: () => [...(made ? [made.figure] : []), ...two.figures()],
     proves: () => fitted !== null,
     show(next) {
+      const same_fit = report !== null && report.check === next.check;
       report = next;
       const checked = of_target(next.check?.targets, subject.target);
       all.classList.toggle("no-model", !checked);
@@ -358,6 +358,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       show_diagnosis(of_target(next.diagnose?.targets, subject.target));
       of.changed(next, subject);
       update();
+      if (!same_fit) void renew_choices();
     },
     search: () =>
       attempt(async () => {
