@@ -18,6 +18,7 @@ import { verdict_of } from "../diagnosis/verdict";
 import { verdict_of as verdict_of_check } from "../model/model";
 
 const kShort_ms = 60_000; // a search that is made anew by itself when the model is another
+const kUnseen_ms = 150;
 
 export interface LoopOf {
   subject: Subject;
@@ -52,6 +53,16 @@ export interface Loop {
   to_optimum(): void;
   first_slider(effect: string): ReturnType<ReturnType<typeof model_list>["slider"]>;
 }
+
+// Once the browser has shown what was drawn; in a tab that is not seen it shows nothing.
+const painted = (): Promise<void> =>
+  new Promise((done) => {
+    const late = setTimeout(done, kUnseen_ms);
+    requestAnimationFrame(() => {
+      clearTimeout(late);
+      setTimeout(done);
+    });
+  });
 
 const of_target = <T extends { target: string }>(targets: readonly T[] | undefined, target: string): T | undefined =>
   targets?.find((one) => one.target === target) ?? targets?.[0];
@@ -277,13 +288,41 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     return { ...rest, ...same, ...part };
   };
 
+  // The report here, without the page below.
+  const show_here = (next: Report): void => {
+    const same_fit = report !== null && report.check === next.check;
+    report = next;
+    const checked = of_target(next.check?.targets, subject.target);
+    all.classList.toggle("no-model", !checked);
+    all.classList.toggle("wide", checked !== undefined);
+    asked.hidden = checked !== undefined;
+    if (checked && checked !== fitted) {
+      if (subject.target === "" && targets.length > 1) subject = { ...subject, target: checked.target };
+      target_choice.value = checked.target;
+      fitted = base = drawn = checked;
+      list.renew(checked);
+      figure_now(checked);
+      draw();
+      show_rows();
+      if (sentence.textContent === "") say(verdict_of_check(checked));
+    }
+    show_diagnosis(of_target(next.diagnose?.targets, subject.target));
+    update();
+    if (!same_fit) void renew_choices();
+  };
+
   // Step by step, the fit first; where one is stopped, or cannot be made, the model is as it was.
   const change_model = async (...steps: (() => Promise<Part>)[]): Promise<void> => {
     work.stop(); // a search of the model before
     const [of_before, was, report_before] = [subject, fitted, report];
     const model = subject.model === "" ? null : await of.bytes_of(subject.model);
     try {
-      for (const step of steps) loop.show(with_part(await step(), false));
+      for (const step of steps) {
+        const next = with_part(await step(), false);
+        show_here(next);
+        await painted(); // the page below is long: first the new picture
+        of.changed(next, subject);
+      }
     } catch (error) {
       subject = of_before;
       if (model) await of.put(subject.model, model);
@@ -339,26 +378,8 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     figures: () => [...(made ? [made.figure] : []), ...two.figures()],
     proves: () => fitted !== null,
     show(next) {
-      const same_fit = report !== null && report.check === next.check;
-      report = next;
-      const checked = of_target(next.check?.targets, subject.target);
-      all.classList.toggle("no-model", !checked);
-      all.classList.toggle("wide", checked !== undefined);
-      asked.hidden = checked !== undefined;
-      if (checked) {
-        if (subject.target === "" && targets.length > 1) subject = { ...subject, target: checked.target };
-        target_choice.value = checked.target;
-        fitted = base = drawn = checked;
-        list.renew(checked);
-        figure_now(checked);
-        draw();
-        show_rows();
-        if (sentence.textContent === "") say(verdict_of_check(checked));
-      }
-      show_diagnosis(of_target(next.diagnose?.targets, subject.target));
+      show_here(next);
       of.changed(next, subject);
-      update();
-      if (!same_fit) void renew_choices();
     },
     search: () =>
       attempt(async () => {
