@@ -29,7 +29,14 @@ export const by_value = (first: OfValue, typed: (value: number) => void, hold: (
   const mark = element("span", { class: "held" }, t.hands_held);
   const all = element("div", { class: "by-value" }, field, hold_button, free_button, mark);
 
+  // While it is typed in, its keys are its own; then Ctrl+Z is the page's again.
+  const done = (is: boolean): void => {
+    field.toggleAttribute("data-done", is);
+  };
+  done(true);
+  field.addEventListener("input", () => done(false));
   field.addEventListener("change", () => {
+    done(true);
     const value = Number(field.value);
     if (field.value === "" || !Number.isFinite(value)) return show(now.value, false);
     if (field.checkValidity()) typed(value);

@@ -58,10 +58,13 @@ export interface Loop {
 const painted = (): Promise<void> =>
   new Promise((done) => {
     const late = setTimeout(done, kUnseen_ms);
-    requestAnimationFrame(() => {
-      clearTimeout(late);
-      setTimeout(done);
-    });
+    // In the first frame it is drawn, and seen when the next begins.
+    requestAnimationFrame(() =>
+      requestAnimationFrame(() => {
+        clearTimeout(late);
+        setTimeout(done);
+      }),
+    );
   });
 
 const of_target = <T extends { target: string }>(targets: readonly T[] | undefined, target: string): T | undefined =>
