@@ -129,23 +129,24 @@ struct ResultType<EffectChoices> {
 };
 
 // A model with effects that might be missing.
-struct Hypothesis {
+struct FittedHypothesis {
   std::vector<std::string> effects;
   CheckParts check;
   LedgerEntry row;
 };
 
 template <>
-struct ResultType<Hypothesis> {
-  static constexpr std::string_view name = "Hypothesis";
+struct ResultType<FittedHypothesis> {
+  static constexpr std::string_view name = "FittedHypothesis";
   static constexpr std::string_view meaning = "A model with effects that might be missing.";
-  static constexpr std::tuple fields{Field{"effects", &Hypothesis::effects, "that are added; none: the model as it is"},
-                                     Field{"check", &Hypothesis::check, "how it fits"},
-                                     Field{"row", &Hypothesis::row, "as the ledger would have it"}};
+  static constexpr std::tuple fields{
+      Field{"effects", &FittedHypothesis::effects, "that are added; none: the model as it is"},
+      Field{"check", &FittedHypothesis::check, "how it fits"},
+      Field{"row", &FittedHypothesis::row, "as the ledger would have it"}};
 };
 
 struct Hypotheses {
-  std::vector<Hypothesis> hypotheses;
+  std::vector<FittedHypothesis> hypotheses;
   std::vector<double> p;
 };
 

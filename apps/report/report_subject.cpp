@@ -256,7 +256,7 @@ Hypotheses ReportSubject::compare(const std::vector<std::vector<std::string>>& h
   std::vector<double> ratios;  // 2 ln B against the model as it is
   for (const std::vector<std::string>& effects : hypotheses) {
     for (const std::string& effect : effects) expect_known_effect(effect);
-    Hypothesis one{effects, {}, {}};
+    FittedHypothesis one{effects, {}, {}};
     if (!effects.empty()) model.add(terms_of(effects, model.model(), data));
     try {
       one.check.targets.push_back(check_part(model.bench().check(), model.model(), data));

@@ -315,7 +315,8 @@ std::vector<Term> set(std::string_view text, std::size_t parameter, bool held, d
 
 TEST(model_toml, settings_change_a_file_where_they_stand) {
   const std::string head =
-      "\xEF\xBB\xBFformat = \"ballbar-model 1\"\ntarget = \"z_um\"\n\n# the room\n[[effect]]\n"
+      "\xEF\xBB\xBF"
+      "format = \"ballbar-model 1\"\ntarget = \"z_um\"\n\n# the room\n[[effect]]\n"
       "name = \"lagged_expansion\"  # delayed\n";
   const std::string column = "temperature = \"T#1_degC\"\n";
   const std::string tail = "\n# the ledger\n[[history]]\na = 1\n";

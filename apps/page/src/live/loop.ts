@@ -174,9 +174,10 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     async compare(hypotheses) {
       let both = null;
       await attempt(async () => {
-        work.stop(); // a search: it is made anew
+        work.stop(); // a search may take minutes
         both = await runs.compare(subject, hypotheses);
       });
+      if (!found && took_ms > 0 && took_ms < kShort_ms) void loop.search();
       return both;
     },
     keep: (label) => void (label === "" ? say(t.hands_as_it_is) : loop.add([label])),
@@ -311,7 +312,9 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     }
     show_diagnosis(of_target(next.diagnose?.targets, subject.target));
     update();
-    if (!same_fit) void renew_choices();
+    if (same_fit) return;
+    two.forget();
+    void renew_choices();
   };
 
   // Step by step, the fit first; where one is stopped, or cannot be made, the model is as it was.

@@ -22,7 +22,8 @@ export interface TwoHypothesesOf {
 
 export interface TwoHypotheses {
   element: HTMLElement;
-  offer(candidates: readonly Candidate[]): void; // of the model as it is; what was compared is of another
+  offer(candidates: readonly Candidate[]): void; // of the model as it is
+  forget(): void; // what was compared is of another model
   beside(label: string): void; // as the other one
   figures(): readonly Figure[];
 }
@@ -107,8 +108,8 @@ export const two_hypotheses = ({ page, add_figure, report, compare, keep }: TwoH
 
   return {
     element: box,
+    forget,
     offer(candidates) {
-      forget();
       const kept = [one.value, other.value];
       const labels = ["", ...new Set(candidates.filter(({ columns }) => Object.values(columns).every((column) => !column.includes(","))).slice(0, kOffered).map(({ label }) => label))];
       for (const [k, select] of [one, other].entries()) {
