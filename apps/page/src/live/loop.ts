@@ -180,7 +180,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       if (!found && took_ms > 0 && took_ms < kShort_ms) void loop.search();
       return both;
     },
-    keep: (label) => void (label === "" ? say(t.hands_as_it_is) : loop.add([label])),
+    keep: (label) => void (label === "" ? two.forget() : loop.add([label])),
   });
   const effects = effect_search({ catalogue, add: (label) => void loop.add([label]), beside: (label) => two.beside(label) });
   const rows = left_out_bar(
@@ -318,13 +318,13 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   };
 
   // Step by step, the fit first; where one is stopped, or cannot be made, the model is as it was.
-  const change_model = async (...steps: (() => Promise<Part>)[]): Promise<void> => {
+  const change_model = async (...parts: (() => Promise<Part>)[]): Promise<void> => {
     work.stop(); // a search of the model before
     const [of_before, was, report_before] = [subject, fitted, report];
     const model = subject.model === "" ? null : await of.bytes_of(subject.model);
     try {
-      for (const step of steps) {
-        const next = with_part(await step(), false);
+      for (const part of parts) {
+        const next = with_part(await part(), false);
         show_here(next);
         await painted(); // the page below is long: first the new picture
         of.changed(next, subject);

@@ -40,12 +40,17 @@ export const two_hypotheses = ({ page, add_figure, report, compare, keep }: TwoH
     answer,
   );
   let made: readonly Figure[] = [];
+  let asked: readonly string[] = []; // that are no candidates
 
   const label_shown = (label: string): string => (label === "" ? t.hands_as_it_is : t.hands_with({ effect: plain(label, 60) }));
   const forget = (): void => {
     for (const figure of made) figure.leave();
     made = [];
     answer.replaceChildren();
+  };
+  const forget_all = (): void => {
+    asked = [];
+    forget();
   };
   const check = (): void => {
     start.disabled = one.value === other.value;
@@ -108,19 +113,20 @@ export const two_hypotheses = ({ page, add_figure, report, compare, keep }: TwoH
 
   return {
     element: box,
-    forget,
+    forget: forget_all,
     offer(candidates) {
       const kept = [one.value, other.value];
-      const labels = ["", ...new Set(candidates.filter(({ columns }) => Object.values(columns).every((column) => !column.includes(","))).slice(0, kOffered).map(({ label }) => label))];
+      const labels = ["", ...new Set([...candidates.filter(({ columns }) => Object.values(columns).every((column) => !column.includes(","))).slice(0, kOffered).map(({ label }) => label), ...asked])];
       for (const [k, select] of [one, other].entries()) {
         select.replaceChildren();
         for (const label of labels) offer(select, label);
         const before = kept[k] ?? "";
-        select.value = before !== "" && labels.includes(before) ? before : (labels[labels.length > 2 ? k + 1 : k] ?? "");
+        select.value = answer.hasChildNodes() || (before !== "" && labels.includes(before)) ? before : (labels[labels.length > 2 ? k + 1 : k] ?? "");
       }
       check();
     },
     beside(label) {
+      asked = [...asked, label];
       offer(one, label);
       offer(other, label);
       if (one.value === label) one.value = "";
