@@ -58,6 +58,8 @@ std::string command_of(const std::string& verb, const std::vector<std::string>& 
   words.insert(words.end(), {"--target", shell_word(target)});
   for (const std::string& column : options.also_input) words.insert(words.end(), {"--also-input", shell_word(column)});
   if (options.max_gap_s) words.insert(words.end(), {"--max-gap", fmt::format("{:g}s", *options.max_gap_s)});
+  for (const TimeRange& range : options.left_out)
+    words.insert(words.end(), {"--leave-out-times", fmt::format("{}s..{}s", range.from_s, range.to_s)});
   if (dry_run) words.emplace_back("--dry-run");
   const std::string command = fmt::format("{}", fmt::join(words, " "));
   return shortened(command, command.size()) == command ? command : "";  // a name that a terminal would obey

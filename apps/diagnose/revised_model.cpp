@@ -88,6 +88,81 @@ void RevisedModel::add(const std::vector<Term>& terms, const std::vector<std::st
   ++steps_;
 }
 
+void RevisedModel::remove(const std::vector<std::string>& labels) {
+  Model rest = bench_.model();
+  removed_ = taken_out(labels, rest);
+  with_source(options_.data.front().name(), [&] { expect_suits(rest, bench_.data()); });
+  bench_.replace(std::move(rest));
+  ++steps_;
+  for (const std::string& label : labels) by_hand_.push_back("- " + label);
+}
+
+void RevisedModel::set(Model model) {
+  with_source(options_.data.front().name(), [&] { expect_suits(model, bench_.data()); });
+  for (std::size_t t = not_in_file_; t < model.terms.size(); ++t) {
+    Term& term = model.terms[t];
+    const Term& before = bench_.model().terms[t];
+    for (std::size_t k = 0; k < term.settings.size(); ++k) {
+      Setting& now = term.settings[k];
+      const Setting& was = before.settings[k];
+      if (now.held == was.held && now.start == was.start) continue;
+      now.stated = true;
+      const std::string name = label_of(before) + "." + term.effect->parameters[k].name;
+      by_hand_.push_back(now.held ? fmt::format("= {} {:.6g} held", name, now.start) : fmt::format("= {} free", name));
+    }
+  }
+  bench_.replace(std::move(model));
+  ++steps_;
+}
+
+std::vector<Term> RevisedModel::terms_in_file() const {
+  const std::vector<Term>& terms = bench_.model().terms;
+  return {terms.begin() + static_cast<std::ptrdiff_t>(not_in_file_), terms.end()};
+}
+
+std::vector<std::string> RevisedModel::data_names() const {
+  std::vector<std::string> names = names_of(options_.data);
+  for (const TimeRange& range : options_.left_out) names.push_back("without " + text_of(range));
+  return names;
+}
+
+void RevisedModel::put_text(std::string text) {
+  revisions_.push_back({std::exchange(text_, std::move(text)), std::exchange(steps_, 0)});
+  replaced_.clear();
+  removed_.clear();
+  by_hand_.clear();
+}
+
+LedgerRow RevisedModel::revise_by_hand() {
+  if (by_hand_.empty()) throw Error("expected a change of the model, found none.");
+  LedgerRow before = bench_.row(steps_), row = bench_.row();
+  row.change = fmt::format("{}", fmt::join(by_hand_, ", "));
+  row.verdict = "by hand";
+  before.data = row.data = data_names();
+  std::string text = with_revision(text_, options_.model.name(), {}, removed_, before, row);
+  put_text(with_settings(text, options_.model.name(), terms_in_file()));
+  return read_ledger(text_, options_.model.name()).back();
+}
+
+std::string RevisedModel::text_as_fitted() {
+  const Model file = read_model(text_, options_.model.name(), options_.catalogue);
+  if (file.targets.size() != 1) return text_;  // each has values of its own
+  std::vector<Term> terms = terms_in_file();
+  const Fit& fit = with_source(
+      options_.data.front().name(), [&]() -> auto& { return bench_.check().fit; });
+  std::size_t at = 1;  // after the constant
+  for (std::size_t t = 0; t < not_in_file_; ++t) at += bench_.model().terms[t].settings.size();
+  for (Term& term : terms) {
+    for (Setting& setting : term.settings) {
+      const FittedParameter& fitted = fit.parameters.at(at++);
+      if (setting.held || fitted.state == ParameterState::undetermined || !std::isfinite(fitted.value)) continue;
+      setting.start = fitted.value;
+      setting.stated = true;
+    }
+  }
+  return with_settings(text_, options_.model.name(), terms);
+}
+
 EffectTest RevisedModel::revise(const Choice& choice) {
   EffectTest tried = with_source(options_.data.front().name(), [&] { return bench_.added(); });
   const std::size_t added = tried.added.size();
@@ -107,14 +182,12 @@ EffectTest RevisedModel::revise(const Choice& choice) {
     }
   }
   if (choice.named) tried.after.verdict = name_of(Verdict::named);
-  tried.before.data = tried.after.data = names_of(options_.data);
+  tried.before.data = tried.after.data = data_names();
   // With their shapes begun where they were found: a fit of the file is the fit that is told here.
   const std::vector<Term> begun(tried.model.terms.end() - static_cast<std::ptrdiff_t>(added), tried.model.terms.end());
   std::string text = with_revision(text_, options_.model.name(), begun, removed, tried.before, tried.after);
-  revisions_.push_back({std::exchange(text_, std::move(text)), std::exchange(steps_, 0)});
+  put_text(std::move(text));
   tried.after.revision = read_ledger(text_, options_.model.name()).size() - 1;
-  replaced_.clear();
-  removed_.clear();
   return tried;
 }
 
@@ -122,6 +195,7 @@ void RevisedModel::take_back() {
   for (; steps_ > 0; --steps_) bench_.undo();
   replaced_.clear();
   removed_.clear();
+  by_hand_.clear();
 }
 
 bool RevisedModel::go_back_to(const std::string& text) {
@@ -136,27 +210,6 @@ bool RevisedModel::go_back_to(const std::string& text) {
   revisions_.erase(had, revisions_.end());
   text_ = text;
   return true;
-}
-
-std::string RevisedModel::text_with_values() {
-  if (read_model(text_, options_.model.name(), options_.catalogue).targets.size() > 1) return text_;
-  const std::vector<FittedParameter>& fitted =
-      with_source(
-          options_.data.front().name(), [&]() -> auto& { return bench_.check(); })
-          .fit.parameters;
-  std::vector<Term> terms = bench_.model().terms;
-  std::size_t parameters = 0;
-  for (const Term& term : terms) parameters += term.settings.size();
-  std::size_t at = fitted.size() - parameters;  // after the constant, where there is one
-  for (Term& term : terms) {
-    for (Setting& setting : term.settings) {
-      const double value = fitted[at++].value;
-      if (setting.held || !std::isfinite(value)) continue;
-      setting.start = std::clamp(value, setting.lower, setting.upper);
-      setting.stated = true;
-    }
-  }
-  return with_settings(text_, options_.model.name(), std::span(terms).subspan(not_in_file_), options_.catalogue);
 }
 
 }  // namespace ballbar

@@ -31,6 +31,19 @@ class RevisedModel {
   // Throws Error where a label is none of the file's.
   void add(const std::vector<Term>& terms, const std::vector<std::string>& replaced = {});
 
+  // The model without the effects of these labels, and with these settings, one for each parameter of each term, in
+  // the place of its own; its file stays until revise(). Throws as add().
+  void remove(const std::vector<std::string>& labels);
+  void set(Model model);
+
+  // What was changed becomes a revision of the file, without a test of it. Returns the row.
+  LedgerRow revise_by_hand();
+  bool is_by_hand() const { return !by_hand_.empty(); }  // else an effect was added, which revise() tests
+
+  // The text of the file with fitted values to start from; those that are not determined stay, and of several targets
+  // all do.
+  std::string text_as_fitted();
+
   // What was added becomes a revision of the file, its row with the test. prune: earlier effects that are no longer
   // needed are taken out. named: they were found by a diagnosis, not chosen.
   struct Choice {
@@ -46,15 +59,14 @@ class RevisedModel {
   // The revision that had this text, with all that was computed of it; false: none had.
   bool go_back_to(const std::string& text);
 
-  // The text with what is fitted as the start of each free parameter: a fit of it is this fit. Of several targets a
-  // file has room for the values of none, and stays as it is.
-  std::string text_with_values();
-
   // Another text, with the same model, such as one of a model that was grown.
   void set_text(std::string text) { text_ = std::move(text); }
 
  private:
   std::vector<std::size_t> taken_out(const std::vector<std::string>& labels, Model& model) const;
+  std::vector<Term> terms_in_file() const;
+  std::vector<std::string> data_names() const;
+  void put_text(std::string text);
 
   struct Revision {
     std::string text;       // before it
@@ -68,6 +80,7 @@ class RevisedModel {
   std::size_t not_in_file_ = 0;  // terms at the front of the model that the file does not name
   std::vector<std::string> replaced_;
   std::vector<std::size_t> removed_;  // effects of the file that were replaced
+  std::vector<std::string> by_hand_;  // changes without a test, as a row of the ledger has them
   std::size_t steps_ = 0;             // of the workbench since the last revision
   std::vector<Revision> revisions_;
 };

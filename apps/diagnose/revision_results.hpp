@@ -42,7 +42,7 @@ struct ResultType<LedgerEntry> {
   static constexpr std::string_view meaning = "A revision of a model: what it changed, and what that bought.";
   static constexpr std::tuple change{
       Field{"revision", &LedgerRow::revision, "0: the model as it started"},
-      Field{"change", &LedgerRow::change, "+ what was added, - what was taken out; start"}};
+      Field{"change", &LedgerRow::change, "+ what was added, - what was taken out, = what was set; start"}};
   static constexpr std::tuple evidence{
       Field{"likelihood_ratio", &LedgerRow::likelihood_ratio, "2 ln B of the change, of errors of axes chi^2"},
       Field{"threshold", &LedgerRow::threshold, "from which that counts"},
@@ -50,7 +50,7 @@ struct ResultType<LedgerEntry> {
             "share by which the best of 200 surrogates lowers the RMSE"}};
   static constexpr std::tuple judged{
       Field{"verdict", &LedgerRow::verdict,
-            "start, named, supported, time only, not supported, driver known, empirical"},
+            "start, named, supported, time only, not supported, driver known, empirical, by hand"},
       Field{"target", &LedgerRow::target, "which the figures are of"},
       Field{"data", &LedgerRow::data, "files, as they were named"}};
   static constexpr std::tuple grown{

@@ -32,42 +32,48 @@ HeldValue held_value_of(const std::string& setting) {
   return {setting.substr(0, point), setting.substr(point + 1, equals - point - 1), *value};
 }
 
-void hold(Model& model, const HeldValue& held) {
+void set(Model& model, const HeldValue& value, bool held) {
   std::vector<std::string> labels, names;
   if (model.level == Level::series) labels.emplace_back(kConstant);
   for (Term& term : model.terms) {
     labels.push_back(label_of(term));
-    if (labels.back() != held.effect) continue;
+    if (labels.back() != value.effect) continue;
     for (std::size_t k = 0; k < term.settings.size(); ++k) {
       names.emplace_back(term.effect->parameters[k].name);
-      if (names.back() != held.parameter) continue;
-      term.settings[k].held = true;
-      term.settings[k].start = held.value;
+      if (names.back() != value.parameter) continue;
+      term.settings[k].held = held;
+      term.settings[k].start = value.value;
       return;
     }
     break;
   }
-  if (held.effect == kConstant && model.level == Level::series) {
-    if (held.parameter == kConstantParameter) {
-      model.constant_um = held.value;
+  if (value.effect == kConstant && model.level == Level::series) {
+    if (value.parameter == kConstantParameter) {
+      if (!held) throw Error("--set: expected a parameter of an effect to be free, found the constant.");
+      model.constant_um = value.value;
       return;
     }
     names.emplace_back(kConstantParameter);
   }
   if (labels.empty()) throw Error("--set: expected an effect of the model, found a model of none.");
   const bool known = !names.empty();
-  const std::string& found = known ? held.parameter : held.effect;
+  const std::string& found = known ? value.parameter : value.effect;
   const std::vector<std::string>& all = known ? names : labels;
   const std::vector<std::string_view> choices(all.begin(), all.end());
   throw Error(fmt::format("--set: expected {} of the model, found {}; the nearest is {}.",
-                          known ? "a parameter of " + held.effect : "an effect", in_quotes(found),
+                          known ? "a parameter of " + value.effect : "an effect", in_quotes(found),
                           nearest_name(found, choices)));
 }
 
 }  // namespace
 
 Model with_held_values(Model model, const std::vector<std::string>& settings) {
-  for (const std::string& setting : settings) hold(model, held_value_of(setting));
+  for (const std::string& setting : settings) set(model, held_value_of(setting), true);
+  return model;
+}
+
+Model with_free_values(Model model, const std::vector<std::string>& settings) {
+  for (const std::string& setting : settings) set(model, held_value_of(setting), false);
   return model;
 }
 

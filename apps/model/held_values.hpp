@@ -12,4 +12,7 @@ namespace ballbar {
 // it. Throws Error for text of another form, and for an effect or a parameter that the model has not, with the nearest.
 Model with_held_values(Model model, const std::vector<std::string>& settings);
 
+// Likewise with parameters that are free, from the values on. Throws Error for the constant too, which has no start.
+Model with_free_values(Model model, const std::vector<std::string>& settings);
+
 }  // namespace ballbar

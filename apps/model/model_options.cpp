@@ -114,6 +114,7 @@ void add_model_options(CLI::App& command, ModelOptions& options, bool model_requ
       ->type_name("COLUMN")
       ->allow_extra_args(false);
   add_max_gap(command, options.max_gap_s);
+  add_left_out_times(command, options.left_out);
   add_radius(command, options.circle);
 }
 
@@ -145,7 +146,9 @@ ModelData open_data(const ModelOptions& options) {
         "no clock: the rows are numbered, effects with a time constant are not searched, and a second in the "
         "results is a row; --every 10s states how far apart the rows are");
   }
-  return data;
+  return options.left_out.empty()
+             ? data
+             : *without_times(std::make_shared<const ModelData>(std::move(data)), options.left_out);
 }
 
 ModelData open_drift(const Source& data, const std::optional<double>& max_gap_s) {

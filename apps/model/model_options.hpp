@@ -11,6 +11,7 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/sessions/data_file.hpp"
 #include "ballbar/model/model.hpp"
+#include "model/left_out_times.hpp"
 
 namespace CLI {
 class App;
@@ -25,6 +26,7 @@ struct ModelOptions {
   std::vector<std::string> also_input;  // targets that effects may read
   std::vector<std::string> set;         // parameters held: with_held_values()
   std::optional<double> max_gap_s;
+  std::vector<TimeRange> left_out;  // readings that are not explained
   StatedCircle circle;
   bool robust = false;
   bool white = false;

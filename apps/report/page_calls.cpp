@@ -72,8 +72,14 @@ nlohmann::ordered_json PageCalls::answer(const nlohmann::json& call) {
   if (name == "hold") return json_of(subject.held(call.at("settings").get<Texts>()));
   if (name == "add") return json_of(subject.add(call.at("effects").get<Texts>()));
   if (name == "with") return json_of(subject.with(call.at("effects").get<Texts>()));
+  if (name == "change") {
+    return json_of(
+        subject.change({call.value("removed", Texts()), call.value("held", Texts()), call.value("freed", Texts())}));
+  }
+  if (name == "choices") return json_of(subject.choices());
+  if (name == "compare") return json_of(subject.compare(call.at("hypotheses").get<std::vector<Texts>>()));
+  if (name == "text") return json_of(subject.text_as_fitted());
   if (name == "revise") return json_of(subject.revise(call.at("model").get<std::string>(), call.value("keep", false)));
-  if (name == "with_values") return json_of(subject.with_values());
   if (name != "take_back") throw Error(fmt::format("expected a call of a page, found {}.", name));
   subject.take_back();
   return nlohmann::ordered_json::object();

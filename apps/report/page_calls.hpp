@@ -21,14 +21,18 @@ namespace ballbar {
 //   hold       the fit with "settings", EFFECT.PARAMETER=VALUE each, in the place of fitted values
 //   add        the fit with "effects"; the model's file stays as it was
 //   with       the RMSE that "effects" would leave; the model stays
-//   revise     what was added last becomes a revision of the file "model", if the data support it or "keep" is true,
-//              and is taken back if not: its sentence, and the ledger
-//   take_back  what was added last is gone
-//   with_values  the text of the model's file with what is fitted as the start of the next fit
+//   change     the fit without the effects "removed", with parameters "held" at EFFECT.PARAMETER=VALUE or "freed" from
+//              there; the model's file stays as it was
+//   revise     what was added or changed last becomes a revision of the file "model", its sentence, and the ledger; an
+//              addition that the data do not support is taken back, but where "keep" is true
+//   take_back  what was added or changed last is gone
+//   choices    what could be added, with the columns that suit
+//   compare    the fits with each of "hypotheses", a list of effects each; the model stays
+//   text       the text of the model's file, with fitted values to start from
 //   tests      the ballbar tests among the files, without a fit
 //   history    machines over the tests of the files, as the page of `history`; "title": of that page
 //
-// The answers of fitted, search, add and revise are keys of the report, to put in the place of its own.
+// The answers of fitted, search, add, change and revise are keys of the report, to put in the place of its own.
 class PageCalls {
  public:
   // Throws Error as `ballbar report` does, and for a call that is none of these.

@@ -122,6 +122,76 @@ struct ResultType<RevisedPart> {
                                      Field{"ledger", &RevisedPart::ledger, ""}};
 };
 
+// What could be added to a model: an effect with each choice of columns.
+struct EffectChoice {
+  std::string name;
+  std::vector<BoundEffect> choices;  // none: no column suits
+};
+
+template <>
+struct ResultType<EffectChoice> {
+  static constexpr std::string_view name = "EffectChoice";
+  static constexpr std::string_view meaning = "An effect that may be added to a model, with the columns that suit.";
+  static constexpr std::tuple fields{
+      Field{"effect", &EffectChoice::name, ""},
+      Field{"columns",
+            [](const EffectChoice& of) {
+              std::vector<std::vector<std::string>> columns;
+              for (const BoundEffect& one : of.choices) columns.push_back(one.columns);
+              return columns;
+            },
+            "each choice, in the order of the effect's inputs; on recordings, and of time alone, an empty one"},
+      Field{"labels",
+            [](const EffectChoice& of) {
+              std::vector<std::string> labels;
+              for (const BoundEffect& one : of.choices) labels.push_back(label_of(one));
+              return labels;
+            },
+            "as add takes them, choice by choice"}};
+};
+
+struct EffectChoices {
+  std::vector<EffectChoice> effects;
+};
+
+template <>
+struct ResultType<EffectChoices> {
+  static constexpr std::string_view name = "EffectChoices";
+  static constexpr std::string_view meaning = "What may be added to a model.";
+  static constexpr std::tuple fields{Field{"effects", &EffectChoices::effects, "of the catalogue"}};
+};
+
+// A model with effects that might be missing.
+struct FittedHypothesis {
+  std::vector<std::string> effects;
+  CheckParts check;
+  LedgerEntry row;
+};
+
+template <>
+struct ResultType<FittedHypothesis> {
+  static constexpr std::string_view name = "FittedHypothesis";
+  static constexpr std::string_view meaning = "A model with effects that might be missing.";
+  static constexpr std::tuple fields{
+      Field{"effects", &FittedHypothesis::effects, "that are added; none: the model as it is"},
+      Field{"check", &FittedHypothesis::check, "how it fits"},
+      Field{"row", &FittedHypothesis::row, "as the ledger would have it"}};
+};
+
+struct Hypotheses {
+  std::vector<FittedHypothesis> hypotheses;
+  std::vector<double> p;
+};
+
+template <>
+struct ResultType<Hypotheses> {
+  static constexpr std::string_view name = "Hypotheses";
+  static constexpr std::string_view meaning = "Models side by side.";
+  static constexpr std::tuple fields{
+      Field{"hypotheses", &Hypotheses::hypotheses, ""},
+      Field{"p", &Hypotheses::p, "of each against the others, alike before the readings; null: not known"}};
+};
+
 struct ModelText {
   std::string text;
 };
@@ -129,8 +199,8 @@ struct ModelText {
 template <>
 struct ResultType<ModelText> {
   static constexpr std::string_view name = "ModelText";
-  static constexpr std::string_view meaning = "A model's file.";
-  static constexpr std::tuple fields{Field{"text", &ModelText::text, "of the file"}};
+  static constexpr std::string_view meaning = "The file of a model.";
+  static constexpr std::tuple fields{Field{"text", &ModelText::text, "with fitted values to start from"}};
 };
 
 }  // namespace ballbar

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/model/effect_argument.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "model/effect_options.hpp"
 #include "model/held_values.hpp"
@@ -71,7 +73,8 @@ bool ReportSubject::is_of(const ReportRequest& request) const {
     return std::equal(some.begin(), some.end(), others.begin(), others.end(), is_as);
   };
   return are_as(request.model.data, given_.model.data) && are_as(request.compare, given_.compare) &&
-         has_model(request) == has_model(given_) && marks() == marks_;
+         request.model.left_out == given_.model.left_out && has_model(request) == has_model(given_) &&
+         marks() == marks_;
 }
 
 void ReportSubject::open_model_file() {
@@ -204,8 +207,6 @@ ModelPart ReportSubject::add(const std::vector<std::string>& effects) {
   return fitted();
 }
 
-ModelText ReportSubject::with_values() { return {only_one().text_with_values()}; }
-
 void ReportSubject::take_back() { only_one().take_back(); }
 
 WithPart ReportSubject::with(const std::vector<std::string>& effects) {
@@ -214,18 +215,78 @@ WithPart ReportSubject::with(const std::vector<std::string>& effects) {
   return {model.bench().rmse_um_with(terms_of(effects, model.model(), *data_.for_model))};
 }
 
+ModelPart ReportSubject::change(const HandChange& change) {
+  RevisedModel& model = only_one();
+  if (!change.removed.empty()) model.remove(change.removed);
+  if (!change.held.empty() || !change.freed.empty())
+    model.set(with_free_values(with_held_values(model.model(), change.held), change.freed));
+  return fitted();
+}
+
 RevisedPart ReportSubject::revise(const std::string& file, bool keep) {
   RevisedModel& model = only_one();
-  const auto ledger = [&] { return ledger_of(read_ledger(model.text(), file)); };
-  if (const EffectTest& tried = model.bench().added(); !keep && tried.after.verdict == kNotSupported) {
-    const std::string sentence = conclusion(tried);
+  RevisedPart part{{}, true, true, {}};
+  if (model.is_by_hand()) {
+    model.revise_by_hand();
+  } else if (const EffectTest& tried = model.bench().added(); !keep && tried.after.verdict == kNotSupported) {
+    part = {conclusion(tried), false, false, ledger_of(read_ledger(model.text(), file))};
     model.take_back();
-    return {sentence, false, false, ledger()};
+    return part;
+  } else {
+    const EffectTest revised = model.revise();
+    part.supported = revised.after.verdict == "supported";
+    part.sentence = conclusion(revised);
   }
-  const EffectTest tried = model.revise();
   write_bytes(file, model.text());
   request_.model.model = file;
-  return {conclusion(tried), tried.after.verdict == "supported", true, ledger()};
+  part.ledger = ledger_of(read_ledger(model.text(), file));
+  if (part.sentence.empty()) part.sentence = part.ledger.rows.back().sentence;
+  return part;
 }
+
+EffectChoices ReportSubject::choices() {
+  const Model& model = only_one().model();
+  const ModelData& data = *data_.for_model;
+  EffectChoices all;
+  for (const auto& effect : request_.model.catalogue) {
+    if (effect->level != model.level || effect->rules.is_base) continue;
+    if (data.motion && !applies_to(*effect, *data.motion)) continue;
+    EffectChoice one{effect->name, choices_of(*effect, model, *data.series)};
+    if (model.level == Level::recording) {  // columns bind by themselves
+      for (BoundEffect& bound : one.choices) bound.columns.clear();
+    }
+    all.effects.push_back(std::move(one));
+  }
+  return all;
+}
+
+Hypotheses ReportSubject::compare(const std::vector<std::vector<std::string>>& hypotheses) {
+  RevisedModel& model = only_one();
+  const ModelData& data = *data_.for_model;
+  Hypotheses both;
+  std::vector<double> ratios;  // 2 ln B against the model as it is
+  for (const std::vector<std::string>& effects : hypotheses) {
+    for (const std::string& effect : effects) expect_known_effect(effect);
+    FittedHypothesis one{effects, {}, {}};
+    if (!effects.empty()) model.add(terms_of(effects, model.model(), data));
+    try {
+      one.check.targets.push_back(check_part(model.bench().check(), model.model(), data));
+      one.row.row = effects.empty() ? model.bench().row() : model.bench().added().after;
+    } catch (...) {
+      model.take_back();
+      throw;
+    }
+    model.take_back();
+    ratios.push_back(effects.empty() ? 0.0 : one.row.row.likelihood_ratio);
+    both.hypotheses.push_back(std::move(one));
+  }
+  double sum = 0.0;
+  const double largest = ratios.empty() ? 0.0 : *std::max_element(ratios.begin(), ratios.end());
+  for (const double ratio : ratios) sum += std::exp(0.5 * (ratio - largest));
+  for (const double ratio : ratios) both.p.push_back(std::exp(0.5 * (ratio - largest)) / sum);
+  return both;
+}
+
+ModelText ReportSubject::text_as_fitted() { return {only_one().text_as_fitted()}; }
 
 }  // namespace ballbar

@@ -13,6 +13,12 @@
 
 namespace ballbar {
 
+// A change of a model that nobody proposed.
+struct HandChange {
+  std::vector<std::string> removed;      // labels of effects
+  std::vector<std::string> held, freed;  // EFFECT.PARAMETER=VALUE: held there; free from there
+};
+
 class ReportSubject {
  public:
   explicit ReportSubject(ReportRequest request);
@@ -26,10 +32,14 @@ class ReportSubject {
   HeldPart held(const std::vector<std::string>& settings);  // the fit with these values, as --set has them
   ModelPart add(const std::vector<std::string>& effects);   // the fit with them; its file stays as it was
   WithPart with(const std::vector<std::string>& effects);   // what add() would leave
-  // What add() changed, written to the file; what the data do not support is taken back, but for keep.
+  ModelPart change(const HandChange& change);               // the fit after it; its file stays as it was
+  // What add() or change() changed, written to the file; an addition that the data do not support is taken back, but
+  // for keep.
   RevisedPart revise(const std::string& file, bool keep);
-  void take_back();         // what add() changed
-  ModelText with_values();  // the model's file, beginning with what is fitted
+  void take_back();                                                             // what add() or change() changed
+  EffectChoices choices();                                                      // what could be added
+  Hypotheses compare(const std::vector<std::vector<std::string>>& hypotheses);  // effects of each; the model stays
+  ModelText text_as_fitted();                                                   // of the model's file
 
   // Whether the request is of these data, read as they were, none of whose files has changed since.
   bool is_of(const ReportRequest& request) const;

@@ -116,7 +116,8 @@ std::vector<ResultSchema> all_schemas() {
                     TestHeads, HistoryResult, History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet,
                     TrainedOnTemperatures, TrainedOnEffects, TrainedForJob, PredictedSeries, PredictedTarget,
                     ReplayResult, MadeSets, NextRun, ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart,
-                    HeldPart, WithPart, RevisedPart, ModelText, HistoryReport, FleetReport, PageFiles>();
+                    HeldPart, WithPart, RevisedPart, EffectChoices, Hypotheses, ModelText, HistoryReport, FleetReport,
+                    PageFiles>();
 }
 
 int run_readmes(const std::filesystem::path& folder, bool update) {

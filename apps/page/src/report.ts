@@ -46,6 +46,8 @@ export interface Diagnosed extends results.DiagnosisPart {
   not_diagnosed?: string; // why; then nothing else is there
 }
 
+export type HypothesesPart = results.Hypotheses;
+
 export type LedgerRow = results.LedgerRow;
 export type LedgerPart = results.Ledger;
 export type BatchPart = results.BatchPart;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr Key kKeys[] = {
     {"revision", "number", "0 is the model as it started; rises by one"},
-    {"change", "text", "\"start\", \"+ effect\" or \"- effect\""},
+    {"change", "text", "\"start\", \"+ effect\", \"- effect\" or \"= parameter\""},
     {"target", "text", "column that the figures are of"},
     {"data", "texts", "files, as they were named on the command line"},
     {"parameters", "number", "how many parameters are free"},
@@ -33,7 +33,8 @@ constexpr Key kKeys[] = {
     {"surrogate_forecast_um", "um", "the same with as many surrogates in place of the effects"},
     {"discrepancy_um", "um", "standard deviation of the slow curve that is left"},
     {"verdict", "text",
-     "\"start\", \"named\", \"supported\", \"time only\", \"not supported\", \"driver known\" or \"empirical\""},
+     "\"start\", \"named\", \"supported\", \"time only\", \"not supported\", \"driver known\", \"empirical\" or \"by "
+     "hand\""},
     {"still_needed", "texts", "earlier effects that are needed beside the new one"},
     {"no_longer_needed", "texts", "earlier effects that are not"},
     {"effects_before", "text", "the effects as they stood before, to the letter: `undo` puts them back"},
@@ -98,11 +99,12 @@ LedgerRow row_at(const TomlTable& table, std::size_t place) {
   }
   row.revision = place;
   row.change = required(string, table, "change");
-  const bool is_change = row.change.starts_with("+ ") || row.change.starts_with("- ");
+  const bool is_change = row.change.starts_with("+ ") || row.change.starts_with("- ") || row.change.starts_with("= ");
   if (place == 0 ? row.change != "start" : !is_change) {
-    fail_at_key(table, "change",
-                fmt::format("expected {}, found {}.", place == 0 ? "\"start\"" : "\"+ effect\" or \"- effect\"",
-                            in_quotes(row.change)));
+    fail_at_key(
+        table, "change",
+        fmt::format("expected {}, found {}.",
+                    place == 0 ? "\"start\"" : "\"+ effect\", \"- effect\" or \"= parameter\"", in_quotes(row.change)));
   }
   row.target = required(string, table, "target");
   row.data = required(strings, table, "data");

@@ -14,6 +14,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/model/expression.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "models/model_text.hpp"
 #include "text/head.hpp"
 #include "text/located_text.hpp"
 #include "text/readers.hpp"
@@ -277,7 +278,8 @@ bool same_bounds(const Setting& setting, const Parameter& parameter) {
   return setting.lower == parameter.lower && setting.upper == parameter.upper;
 }
 
-// The value of a parameter's key; empty: the key may be left out.
+}  // namespace
+
 std::string setting_text(const Setting& setting, const Parameter& parameter, bool own) {
   const bool unit = own && parameter.unit != "1";
   if (setting.held && !own && parameter.held && setting.start == parameter.start) return "";
@@ -310,8 +312,6 @@ std::string effect_text(const Term& term) {
   }
   return out;
 }
-
-}  // namespace
 
 std::vector<KeyTable> model_keys() {
   return {{"", kRootKeys},
@@ -372,34 +372,6 @@ std::string with_effect(std::string_view bytes, std::string_view name, const Ter
   result += effect_text(term);
   if (at < text.bytes.size()) result += '\n';
   return result.append(text.bytes.substr(at));
-}
-
-std::string with_settings(std::string_view bytes, std::string_view name, std::span<const Term> terms,
-                          const Catalogue& catalogue) {
-  const SourceText text = source_text(bytes, name);
-  const TomlSource source = parse_toml(text.bytes, name);
-  const TomlTable root = root_of(source);
-  static_cast<void>(model_of(root, catalogue));
-  const std::vector<TomlTable> effects = subtables(root, "effect");
-  if (effects.size() != terms.size()) {
-    throw Error(fmt::format("{}: expected settings for {} effects, found {}.", name, effects.size(), terms.size()));
-  }
-  if (!effects.empty() && !has_header(text.bytes, effects[0])) {
-    fail_at_table(effects[0], "expected effects as tables [[effect]], found an array.");
-  }
-  const std::vector<TomlTable> history = subtables(root, "history");
-  std::string result(text.bytes);
-  for (std::size_t k = effects.size(); k-- > 0;) {
-    const std::size_t begin = line_start(text.bytes, effects[k]);
-    std::size_t end = text.bytes.size();
-    if (k + 1 < effects.size()) {
-      end = start_with_comments(text.bytes, effects[k + 1]);
-    } else if (!history.empty() && is_before(effects[k], history[0])) {
-      end = start_with_comments(text.bytes, history[0]);
-    }
-    result.replace(begin, end - begin, effect_text(terms[k]) + (end < text.bytes.size() ? "\n" : ""));
-  }
-  return std::string(bytes.substr(0, bytes.size() - text.bytes.size())) + result;
 }
 
 }  // namespace ballbar

@@ -89,4 +89,13 @@ Term term_from_text(std::string_view text, const Model& model, const Series& dat
   return term;
 }
 
+std::vector<BoundEffect> choices_of(const Effect& effect, const Model& model, const Series& data) {
+  std::vector<BoundEffect> choices;
+  if (needs_clock(effect) && !data.has_clock) return choices;
+  for (std::vector<std::string>& columns : bindings_of(effect, model, data)) {
+    if (!has_term(model, effect, columns)) choices.push_back({&effect, std::move(columns)});
+  }
+  return choices;
+}
+
 }  // namespace ballbar

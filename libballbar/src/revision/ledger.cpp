@@ -34,21 +34,23 @@ std::string needed_text(const std::vector<std::string>& labels, std::string_view
   return fmt::format("; {} {} {}", fmt::join(labels, ", "), labels.size() == 1 ? "is" : "are", what);
 }
 
-// "added A, B and took out C"
+// "added A, B and took out C", "set D to 3.2, held"
 std::string done_text(const std::string& change) {
-  std::vector<std::string> added, removed;
+  std::vector<std::string> added, removed, set;
   std::size_t begin = 0;
   while (begin < change.size()) {
     std::size_t end = change.size();
-    for (const std::string_view next : {", + ", ", - "}) end = std::min(end, change.find(next, begin));
+    for (const std::string_view next : {", + ", ", - ", ", = "}) end = std::min(end, change.find(next, begin));
     const std::string part = change.substr(begin, end - begin);
     if (part.starts_with("+ ")) added.push_back(part.substr(2));
     if (part.starts_with("- ")) removed.push_back(part.substr(2));
+    if (part.starts_with("= ")) set.push_back(part.substr(2));
     begin = end + 2;
   }
   std::vector<std::string> done;
   if (!added.empty()) done.push_back(fmt::format("added {}", fmt::join(added, ", ")));
   if (!removed.empty()) done.push_back(fmt::format("took out {}", fmt::join(removed, ", ")));
+  if (!set.empty()) done.push_back(fmt::format("set {}", fmt::join(set, ", ")));
   return done.empty() ? change : fmt::format("{}", fmt::join(done, " and "));
 }
 

@@ -162,6 +162,12 @@ const EffectTest& Workbench::added() {
   return *step.test;
 }
 
+LedgerRow Workbench::row(std::size_t back) {
+  Step& step = *steps_.at(steps_.size() - 1 - back);
+  if (is_of_machine_errors(step.model, *data_)) return row_of(step.model, *data_);
+  return fitted(step).row;
+}
+
 EffectTest Workbench::effect_test(const std::vector<Term>& terms) {
   add(terms);
   const auto back = [this] { steps_.pop_back(); };

@@ -61,8 +61,10 @@ TEST(NextCommand, what_the_user_typed_comes_again) {
   typed.data = {"-a.csv"};
   typed.also_input = {"z_um"};
   typed.max_gap_s = 90.0;
+  typed.left_out = {{3600.0, 7200.5}};
   EXPECT_EQ(next_command(typed, diagnosis),
-            "ballbar add linear_drift ./-a.csv --model model.toml --target y_um --also-input z_um --max-gap 90s");
+            "ballbar add linear_drift ./-a.csv --model model.toml --target y_um --also-input z_um --max-gap 90s "
+            "--leave-out-times 3600s..7200.5s");
 }
 
 TEST(NextCommand, there_is_none_where_nothing_is_to_be_added) {

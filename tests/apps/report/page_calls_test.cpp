@@ -165,6 +165,137 @@ TEST(PageCalls, data_without_a_model_have_a_report_and_are_searched_when_asked) 
   EXPECT_EQ(found["diagnose"]["targets"].size(), 1U);
 }
 
+TEST(PageCalls, an_effect_is_removed_and_the_file_without_it_is_a_revision) {
+  const Desk desk;
+  PageCalls calls;
+  calls.answer(desk.call("add", {{"effects", {"expansion(T_room_degC)"}}}));
+  const Json added = calls.answer(desk.call("revise", {{"model", desk.model}}));
+  const std::string with_both = read_bytes(desk.model, 1U << 20);
+  const Json removed = calls.answer(desk.call("change", {{"removed", {"expansion(T_housing_degC)"}}}));
+  EXPECT_EQ(read_bytes(desk.model, 1U << 20), with_both);
+  const Json revised = calls.answer(desk.call("revise", {{"model", desk.model}}));
+  const Json row = revised["ledger"]["rows"].back();
+  EXPECT_EQ(row["change"], "- expansion(T_housing_degC)");
+  EXPECT_EQ(row["verdict"], "by hand");
+  EXPECT_EQ(row["rmse_um"], removed["check"]["targets"][0]["rmse_um"]);
+  EXPECT_EQ(row["sentence"].get<std::string>().substr(0, 52), "Revision 2 took out expansion(T_housing_degC): RMSE ");
+  EXPECT_EQ(PageCalls().answer(desk.call("fitted")), calls.answer(desk.call("fitted")));
+  // As a page takes it back.
+  write_bytes(desk.model, with_both);
+  EXPECT_EQ(calls.answer(desk.call("fitted"))["ledger"], added["ledger"]);
+  EXPECT_THROW(calls.answer(desk.call("change", {{"removed", {"expansion(T_absent_degC)"}}})), std::exception);
+}
+
+TEST(PageCalls, a_parameter_is_held_in_the_file_and_freed_from_its_value) {
+  const Desk desk;
+  write_bytes(desk.model, read_bytes(desk.model, 1U << 20) + "gain_um_per_K = { start = 1.0 }  # the housing\n");
+  PageCalls calls;
+  const double best_um = rmse_um(calls.answer(desk.call("fitted")));
+  const Json held = calls.answer(desk.call("change", {{"held", {"expansion(T_housing_degC).gain_um_per_K=3"}}}));
+  EXPECT_GT(rmse_um(held), best_um);
+  EXPECT_EQ(held["check"]["targets"][0]["parameters"][1]["state"], "held");
+  const Json revised = calls.answer(desk.call("revise", {{"model", desk.model}}));
+  EXPECT_EQ(revised["ledger"]["rows"][1]["change"], "= expansion(T_housing_degC).gain_um_per_K 3 held");
+  EXPECT_NE(read_bytes(desk.model, 1U << 20).find("\ngain_um_per_K = 3.0  # the housing\n"), std::string::npos);
+  EXPECT_EQ(PageCalls().answer(desk.call("fitted"))["check"], held["check"]);
+  const Json freed = calls.answer(desk.call("change", {{"freed", {"expansion(T_housing_degC).gain_um_per_K=3"}}}));
+  EXPECT_NEAR(rmse_um(freed), best_um, 1e-9);
+  calls.answer(desk.call("revise", {{"model", desk.model}}));
+  EXPECT_NE(read_bytes(desk.model, 1U << 20).find("gain_um_per_K = { start = 3.0 }"), std::string::npos);
+  EXPECT_THROW(calls.answer(desk.call("change", {{"held", {"expansion(T_housing_degC).gain_um_per_K=1e9"}}})), Error);
+  EXPECT_NEAR(rmse_um(calls.answer(desk.call("fitted"))), best_um, 1e-9);
+}
+
+TEST(PageCalls, the_text_of_a_model_has_its_fitted_values) {
+  const Desk desk;
+  PageCalls calls;
+  const Json fitted = calls.answer(desk.call("fitted"));
+  const std::string before = read_bytes(desk.model, 1U << 20);
+  const auto text = calls.answer(desk.call("text"))["text"].get<std::string>();
+  EXPECT_EQ(read_bytes(desk.model, 1U << 20), before);
+  const double gain = fitted["check"]["targets"][0]["parameters"][1]["value"].get<double>();
+  EXPECT_EQ(text, before + fmt::format("gain_um_per_K = {{ start = {} }}\n", gain));
+  write_bytes(desk.model, text);
+  EXPECT_NEAR(rmse_um(calls.answer(desk.call("fitted"))), rmse_um(fitted), 1e-9);
+}
+
+TEST(PageCalls, choices_are_the_columns_that_suit_and_are_not_in_the_model_yet) {
+  const Desk desk;
+  PageCalls calls;
+  const Json effects = calls.answer(desk.call("choices"))["effects"];
+  const auto labels = [&](const std::string& name) -> Json {
+    for (const Json& one : effects) {
+      if (one["effect"] == name) return one["labels"];
+    }
+    return nullptr;
+  };
+  EXPECT_EQ(labels("expansion"), Json({"expansion(T_room_degC)"}));
+  EXPECT_EQ(labels("lagged_expansion").size(), 2U);
+  EXPECT_EQ(labels("gradient_bending").size(), 1U);  // the warmer first
+  EXPECT_EQ(labels("speed_heating"), Json::array());
+  EXPECT_EQ(labels("linear_drift"), Json({"linear_drift"}));
+  EXPECT_EQ(labels("circle"), nullptr);
+  for (const Json& one : effects) {
+    for (const Json& label : one["labels"]) {
+      EXPECT_NO_THROW(calls.answer(desk.call("add", {{"effects", {label}}}))) << label;
+      calls.answer(desk.call("take_back"));
+    }
+  }
+}
+
+TEST(PageCalls, two_hypotheses_are_fitted_side_by_side_and_the_model_stays) {
+  const Desk desk;
+  PageCalls calls;
+  const Json before = calls.answer(desk.call("fitted"));
+  const Json both = calls.answer(
+      desk.call("compare", {{"hypotheses", {Json::array(), {"expansion(T_room_degC)"}, {"linear_drift"}}}}));
+  EXPECT_EQ(both["hypotheses"][0]["check"], before["check"]);
+  EXPECT_LT(rmse_um(both["hypotheses"][1]), 0.1 * rmse_um(before));
+  EXPECT_EQ(both["hypotheses"][1]["row"]["verdict"], "supported");
+  EXPECT_EQ(both["hypotheses"][1]["row"]["rmse_um"], both["hypotheses"][1]["check"]["targets"][0]["rmse_um"]);
+  EXPECT_GT(both["p"][1].get<double>(), 0.999);
+  EXPECT_NEAR(both["p"][0].get<double>() + both["p"][1].get<double>() + both["p"][2].get<double>(), 1.0, 1e-12);
+  EXPECT_EQ(calls.answer(desk.call("fitted")), before);
+}
+
+TEST(PageCalls, times_that_are_left_out_are_left_out_of_every_fit) {
+  const Desk desk;
+  // The door stood open from row 60 to row 70.
+  std::string text = read_bytes(desk.data, 1U << 20);
+  std::size_t line = text.find("\n3600,");
+  for (int i = 60; i <= 70; ++i) {
+    const std::size_t comma = text.rfind(',', text.find('\n', line + 1));
+    text.replace(comma, text.find('\n', comma) - comma, ",50");
+    line = text.find('\n', line + 1);
+  }
+  write_bytes(desk.data, text);
+  PageCalls calls;
+  const Json spoilt = calls.answer(desk.call("fitted"));
+  const Json words = {desk.data, "--model", desk.model, "--leave-out-times", "1h..70min"};
+  const auto call = [&](const std::string& name, const Json& more = Json::object()) {
+    Json one{{"call", name}, {"words", words}};
+    one.update(more);
+    return calls.answer(one);
+  };
+  const Json rest = call("report");
+  EXPECT_LT(rmse_um(rest), 0.3 * rmse_um(spoilt));
+  EXPECT_EQ(rest["check"]["targets"][0]["n"], 109);
+  EXPECT_EQ(rest["signals"][0]["time_s"].size(), 120U);
+  EXPECT_EQ(rest["check"]["targets"][0]["curve"]["time_s"].size(), 120U);  // the model goes on
+  EXPECT_EQ(call("fitted")["check"]["targets"][0]["n"], 109);
+  EXPECT_EQ(call("search")["diagnose"]["targets"][0]["n"], 109);
+  const Json settings = {{"settings", {"expansion(T_housing_degC).gain_um_per_K=1"}}};
+  EXPECT_EQ(call("hold", settings)["check"]["targets"][0]["n"], 109);
+  EXPECT_LT(rmse_um(call("add", {{"effects", {"expansion(T_room_degC)"}}})), 0.1);
+  const Json ledger = call("revise", {{"model", desk.model}})["ledger"];
+  EXPECT_EQ(ledger["rows"][1]["data"], Json({desk.data, "without 3600 s to 4200 s"}));
+  EXPECT_EQ(calls.answer(desk.call("fitted"))["check"]["targets"][0]["n"], 120);
+  EXPECT_THROW(
+      calls.answer({{"call", "fitted"}, {"words", {desk.data, "--model", desk.model, "--leave-out-times", "9h..10h"}}}),
+      Error);
+  EXPECT_THROW(calls.answer({{"call", "fitted"}, {"words", {desk.data, "--leave-out-times", "2h..1h"}}}), Error);
+}
+
 TEST(PageCalls, a_call_of_another_name_is_refused) {
   const Desk desk;
   PageCalls calls;

@@ -193,7 +193,7 @@ TEST(model_history, edited_by_hand) {
        "effects_before in "
        "[[history]] 2, found \"revison\"; the nearest is revision."},
       {"\"+ expansion(T_air_degC)\"", "\"start\"",
-       "file:29:10: expected \"+ effect\" or \"- effect\", found \"start\"."},
+       "file:29:10: expected \"+ effect\", \"- effect\" or \"= parameter\", found \"start\"."},
       {"change = \"start\"", "change = \"begin\"", "file:20:10: expected \"start\", found \"begin\"."},
       {"parameters = 4", "parameters = -4", "file:23:14: expected parameters of at least 0, found -4."},
       {"rmse_um = 12.3", "rmse_um = -1.0", "file:24:11: expected rmse_um of at least 0, found -1."},

@@ -281,28 +281,6 @@ TEST(model_toml, written_and_read_again_is_the_same) {
   EXPECT_TRUE(passed);
 }
 
-TEST(model_toml, other_settings_leave_the_rest_as_it_is) {
-  const std::string text =
-      "\xEF\xBB\xBF# mine\nformat = \"ballbar-model 1\"\ntarget = 'z_um'\n\n# the oil\n[[effect]]\nname = "
-      "\"expansion\"\ntemperature = \"T_oil_degC\"\n\n# later\n[[effect]] # two\nname = "
-      "\"lagged_expansion\"\ntemperature = 'T_air_degC'\ntime_constant_s = 600 # held\n\n# the ledger\n[[history]]\na "
-      "= 1\n";
-  std::vector<Term> terms = read_model(text, "file").terms;
-  terms[0].settings[0].start = 2.5;
-  terms[0].settings[0].stated = true;
-  terms[1].settings[0].start = -1.25;
-  terms[1].settings[0].stated = true;
-  EXPECT_EQ(
-      with_settings(text, "file", terms),
-      "\xEF\xBB\xBF# mine\nformat = \"ballbar-model 1\"\ntarget = 'z_um'\n\n# the oil\n[[effect]]\nname = "
-      "\"expansion\"\ntemperature = \"T_oil_degC\"\ngain_um_per_K = { start = 2.5 }\n\n# later\n[[effect]]\nname = "
-      "\"lagged_expansion\"\ntemperature = \"T_air_degC\"\ngain_um_per_K = { start = -1.25 }\ntime_constant_s = "
-      "600.0\n\n# the ledger\n[[history]]\na = 1\n");
-  EXPECT_THROW(with_settings(text, "file", std::span(terms).first(1)), Error);
-  EXPECT_EQ(with_settings("format = \"ballbar-model 1\"\ntarget = 'z_um'", "file", {}),
-            "format = \"ballbar-model 1\"\ntarget = 'z_um'");
-}
-
 TEST(model_toml, an_effect_more_leaves_the_rest_as_it_is) {
   const Term term = term_of("expansion", {"T_oil_degC"});
   const std::string added = "[[effect]]\nname = \"expansion\"\ntemperature = \"T_oil_degC\"\n";
@@ -323,6 +301,55 @@ TEST(model_toml, an_effect_more_leaves_the_rest_as_it_is) {
     EXPECT_STREQ(error.what(),
                  "file:4:11: expected effects as tables [[effect]], to which one can be added, found an array.");
   }
+}
+
+// The first effect's parameters, in the order of the catalogue: gain_um_per_K, time_constant_s.
+std::vector<Term> set(std::string_view text, std::size_t parameter, bool held, double value) {
+  std::vector<Term> terms = read_model(text, "file").terms;
+  Setting& setting = terms[0].settings[parameter];
+  setting.held = held;
+  setting.start = value;
+  setting.stated = true;
+  return terms;
+}
+
+TEST(model_toml, settings_change_a_file_where_they_stand) {
+  const std::string head =
+      "\xEF\xBB\xBF"
+      "format = \"ballbar-model 1\"\ntarget = \"z_um\"\n\n# the room\n[[effect]]\n"
+      "name = \"lagged_expansion\"  # delayed\n";
+  const std::string column = "temperature = \"T#1_degC\"\n";
+  const std::string tail = "\n# the ledger\n[[history]]\na = 1\n";
+  const std::string gain = "gain_um_per_K = { start = 2.0, lower = -5 } # as in May\n";
+  const std::string text = head + column + gain + tail;
+  EXPECT_EQ(with_settings(text, "file", read_model(text, "file").terms), text);
+  EXPECT_EQ(with_settings(text, "file", set(text, 0, true, 3.0)),
+            head + column + "gain_um_per_K = 3.0 # as in May\n" + tail);
+  EXPECT_EQ(with_settings(text, "file", set(text, 0, false, 3.0)),
+            head + column + "gain_um_per_K = { start = 3.0, lower = -5.0, upper = 1000.0 } # as in May\n" + tail);
+  // A key that is not there yet stands behind the others.
+  EXPECT_EQ(with_settings(text, "file", set(text, 1, true, 600.0)),
+            head + column + gain + "time_constant_s = 600.0\n" + tail);
+  // Free again from there.
+  const std::string held = head + column + "gain_um_per_K = 3.0";
+  EXPECT_EQ(with_settings(held, "file", set(held, 0, false, 3.0)), head + column + "gain_um_per_K = { start = 3.0 }");
+}
+
+TEST(model_toml, settings_in_tables_of_their_own_are_written_anew) {
+  const std::string text =
+      "format = \"ballbar-model 1\"\ntarget = \"z_um\"\n[[effect]]\nname = \"expansion\"\n"
+      "temperature = \"T_degC\"\n[effect.gain_um_per_K]\nstart = 2.0\n\n[[effect]]\nname = \"expression\"\n"
+      "formula = \"k * t\"\nk = { start = 1.0, unit = \"um/s\" }\n";
+  const std::string changed = with_settings(text, "file", set(text, 0, true, 3.0));
+  EXPECT_TRUE(read_model(changed, "file").terms[0].settings[0].held);
+  EXPECT_EQ(read_model(changed, "file").terms[0].settings[0].start, 3.0);
+  EXPECT_NE(changed.find("k = { start = 1.0, unit = \"um/s\" }"), std::string::npos);
+  std::vector<Term> terms = read_model(text, "file").terms;
+  terms[1].settings[0].held = true;
+  EXPECT_NE(with_settings(text, "file", terms).find("k = { start = 1.0, unit = \"um/s\", held = true }"),
+            std::string::npos);
+  terms[0].settings[0].start = 1e9;  // above its bound
+  EXPECT_THROW(with_settings(text, "file", terms), Error);
 }
 
 struct BadText {

@@ -41,6 +41,7 @@ export interface Figure {
   watch(changed: (state: State) => void): void; // at once, and with every change
   see(window: Range | null): void;
   select(stretch: Range | null): void;
+  ask_stretch(): void; // the next drag selects one
   point(x: number | null): void; // a line at this place
   renew(): void; // what it draws is another by now
   redraw(): void; // with the next frame, or once it is near the screen
@@ -278,6 +279,11 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     },
     see,
     select,
+    ask_stretch() {
+      selecting = true;
+      box.scrollIntoView({ block: "nearest" });
+      figure.redraw();
+    },
     point,
     renew() {
       numbers = null;

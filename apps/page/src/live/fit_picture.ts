@@ -2,6 +2,8 @@
 // last change, and a candidate over it.
 import { curve } from "../drawing/curve";
 import { model_fit_picture } from "../model/model_fit_picture";
+import type { Stretch } from "./history_of_steps";
+import { with_left_out } from "./left_out";
 import type { Picture, State, Toggle } from "../picture";
 import { chosen_strands } from "../recordings/recording_groups";
 import type { Candidate, Checked, Num, Parameter, Report } from "../report";
@@ -15,6 +17,7 @@ export interface Now {
   checked: Checked;
   before: Checked | null; // of the same rows
   candidate: Candidate | null;
+  left_out: readonly Stretch[];
 }
 
 export const kFit_picture = "live-fit";
@@ -71,7 +74,8 @@ export const fit_picture = (now: () => Now): Picture => {
         }),
       );
     const series = drawn["series"];
-    return { ...drawn, series: [...(Array.isArray(series) ? series : []), ...lines] };
+    const all = { ...drawn, series: [...(Array.isArray(series) ? series : []), ...lines] };
+    return with_left_out(all, now().left_out, state.look.dark, state.window === null);
   };
   const { title, caption, about, zoom, choices } = picture();
   return {

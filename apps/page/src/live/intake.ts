@@ -3,6 +3,7 @@
 import { type Dropped, head_of, type Held, kind_of, read_report_file, type ReportFile, safe_paths } from "./files";
 import { bytes_of, type Engine, type Sample } from "../engine";
 import { reason, type Work } from "./runs";
+import type { Stretch } from "./history_of_steps";
 import { plain } from "../drawing/text";
 import { size_spoken } from "./spoken";
 import { t } from "../texts/texts";
@@ -160,6 +161,7 @@ export interface KeptState {
   unsaved?: boolean; // what is in no file that a person has
   compared?: readonly string[];
   history?: boolean;
+  left_out?: readonly Stretch[];
 }
 
 export interface Kept {

@@ -2,6 +2,7 @@
 import { element } from "../elements/elements";
 import { type Inside, report_page } from "../shell";
 import type { Loop } from "./loop";
+import type { Figure } from "../figure/figure";
 import type { PageState } from "../figure/view";
 import type { Report } from "../report";
 import { kept_view, type Shared, shared_by_figures } from "../page/shared";
@@ -18,6 +19,7 @@ export interface LivePage {
   clear(): void;
   // What a button does that says a command; null: nothing, and the button is left out.
   on_command(action_of: (command: string) => (() => void) | null): void;
+  add(figure: Figure): void; // one that the live part made
   given: Report | null; // with which the page was made
   page_with(report: Report, inside: Inside | null): string; // a page of a report, as a file
 }
@@ -50,19 +52,20 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
       shown = true;
       const bring_back = kept_view(shared);
       const focused = document.activeElement;
-      const kept = loop?.figure();
+      const kept = loop?.figures() ?? [];
       shared.clear(kept);
       const { parts, draw } = open(report, shared, tools, loop && { element: loop.element, proves: loop.proves() });
       without_report(false);
       place.replaceChildren(...parts);
       draw();
       if (again) bring_back();
-      if (kept) shared.add(kept);
+      for (const figure of kept) shared.add(figure);
       if (focused instanceof HTMLElement && focused.isConnected) focused.focus({ preventScroll: true });
     },
     made_with(options) {
       shared.asked = options;
     },
+    add: (figure) => shared.add(figure),
     on_command(action_of) {
       shared.action_of = action_of;
     },

@@ -1,7 +1,11 @@
 // The loop with the hand: what a model leaves, its effects under sliders, what may be missing, and a step forth and back.
 import { candidate_list, fall_shown, posterior_bars, type Promised } from "./candidates";
+import { effect_search } from "./effect_search";
+import { type ModelState, type Step, type Steps, steps_kept, type Stretch } from "./history_of_steps";
+import { left_out_bar } from "./left_out";
 import { type Catalogue, model_list } from "./model_list";
-import { added_by, Interrupted, type Part, reason, type Runs, type Subject, words_of, type Work } from "./runs";
+import { added_by, type HandChange, Interrupted, type Part, reason, type Runs, type Subject, words_of, type Work } from "./runs";
+import { two_hypotheses } from "./two_hypotheses";
 import { button, element, select_of } from "../elements/elements";
 import { fit_picture, type Now, slid } from "./fit_picture";
 import { type Figure, figure_of } from "../figure/figure";
@@ -15,6 +19,7 @@ import { verdict_of } from "../diagnosis/verdict";
 import { verdict_of as verdict_of_check } from "../model/model";
 
 const kShort_ms = 60_000; // a search that is made anew by itself when the model is another
+const kUnseen_ms = 150;
 
 export interface LoopOf {
   subject: Subject;
@@ -26,19 +31,24 @@ export interface LoopOf {
   bytes_of(path: string): Promise<Uint8Array>;
   put(path: string, bytes: Uint8Array): Promise<void>;
   plan: NextTestOf["plan"];
+  steps?: Steps; // of a loop of the same data before this one
+  add_figure(figure: Figure): void;
   changed(report: Report, subject: Subject): void; // the page below is to be drawn anew
 }
 
 export interface Loop {
   element: HTMLElement;
   subject(): Subject;
-  figure(): Figure | null;
+  steps: Steps;
+  figures(): readonly Figure[]; // on the page
   proves(): boolean; // whether it has the picture that the first screen needs
   show(report: Report): void;
   search(): Promise<void>;
   // What the data do not support is shown and taken back, but for keep.
   add(effects: readonly string[], keep?: boolean): Promise<void>;
-  undo(): Promise<void>;
+  change(change: HandChange): Promise<void>; // by hand: an effect taken out, a parameter held or freed
+  leave_out(left_out: readonly Stretch[]): Promise<void>; // the fit without these rows
+  undo(): Promise<void>; // of whatever was done last
   redo(): Promise<void>;
   act(command: string): boolean; // whether it did what the command line says
   diagnosed(): Diagnosed | null; // of the model as it is
@@ -47,6 +57,18 @@ export interface Loop {
 }
 
 class Unsupported extends Error {}
+// Once the browser has shown what was drawn; in a tab that is not seen it shows nothing.
+const painted = (): Promise<void> =>
+  new Promise((done) => {
+    const late = setTimeout(done, kUnseen_ms);
+    // In the first frame it is drawn, and seen when the next begins.
+    requestAnimationFrame(() =>
+      requestAnimationFrame(() => {
+        clearTimeout(late);
+        setTimeout(done);
+      }),
+    );
+  });
 
 const of_target = <T extends { target: string }>(targets: readonly T[] | undefined, target: string): T | undefined =>
   targets?.find((one) => one.target === target) ?? targets?.[0];
@@ -63,7 +85,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   let took_ms = 0; // the last search
   let attempts = 0; // at work, of which one may have begun within another
   let made: { figure: Figure; rows: number } | null = null;
-  const forth: Uint8Array[] = []; // models that were taken back, the last one first to come again
+  const steps = of.steps ?? steps_kept();
 
   const sentence = element("p", { class: "said", role: "status", "aria-live": "polite" });
   const say = (text: Sentence): void => {
@@ -125,14 +147,24 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       await computed();
     }
   };
-  const list = model_list(catalogue, () => {
-    draw();
-    void computed();
+  const list = model_list({
+    catalogue,
+    begin: () => steps.record({ sliders: list.moved_values() }),
+    changed() {
+      draw();
+      update();
+      void computed();
+    },
+    hold: ({ effect = "", name }, value) => void loop.change({ held: [{ effect, parameter: name, value }] }),
+    free: ({ effect = "", name, value }) => void loop.change({ freed: [{ effect, parameter: name, value: value ?? 0 }] }),
+    remove: (effect) => void loop.change({ removed: [effect] }),
   });
   const to_optimum = (): void => {
+    if (list.moved()) steps.record({ sliders: list.moved_values() });
     list.back();
     base = fitted;
     draw();
+    update();
   };
   const back = button(t.live_to_optimum, t.live_to_optimum_title, to_optimum);
 
@@ -163,6 +195,28 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const undo = button(t.live_undo, t.live_undo_title, () => void loop.undo());
   const redo = button(t.live_redo, t.live_redo_title, () => void loop.redo());
   const search = button(t.live_search, t.live_search_title, () => void loop.search());
+  const two = two_hypotheses({
+    page,
+    add_figure: of.add_figure,
+    report: () => report,
+    async compare(hypotheses) {
+      let both = null;
+      await attempt(async () => {
+        work.stop(); // a search may take minutes
+        both = await runs.compare(subject, hypotheses);
+      });
+      if (!found && took_ms > 0 && took_ms < kShort_ms) void loop.search();
+      return both;
+    },
+    keep: (label) => void (label === "" ? two.forget() : loop.add([label])),
+  });
+  const effects = effect_search({ catalogue, add: (label) => void loop.add([label]), beside: (label) => two.beside(label) });
+  const rows = left_out_bar(
+    () => made?.figure.ask_stretch(),
+    (stretch) => void loop.leave_out([...subject.left_out, stretch].sort((a, b) => a.from_s - b.from_s)),
+    (stretch) => void loop.leave_out(subject.left_out.filter((one) => one !== stretch)),
+  );
+  const show_rows = (): void => rows.show(subject.left_out, made?.figure.state().stretch ?? null, fitted?.level === "series");
   const plan = next_test({ plan: of.plan, subject: () => subject, took_ms: () => took_ms });
 
   const target_list = targets.map((target) => [target, plain(target, 60)] as const);
@@ -185,24 +239,30 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     candidates.element,
     element("h3", { class: "of-model" }, t.live_model),
     list.element,
+    effects.element,
     plan.element,
   );
   const all_promised = (): void => {
     all.dataset.promised = "true";
   };
-  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, refusal, sentence, next), element("div", { class: "by-hand" }, place, hand));
+  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, refusal, sentence, next), element("div", { class: "by-hand" }, element("div", {}, place, rows.element), hand), two.element);
 
   const now = (): Now => ({
     report: report as Report,
     checked: (drawn ?? fitted) as Checked,
     before: list.moved() ? fitted : before,
     candidate,
+    left_out: subject.left_out,
   });
   // The same picture as long as it has the same rows, so that its zoom and its switches stay.
   const figure_now = (checked: Checked): void => {
-    const rows = checked.series.time_s.length;
-    if (made?.rows === rows) return made.figure.renew();
-    made = { figure: figure_of(fit_picture(now), page), rows };
+    const count = checked.series.time_s.length;
+    if (made?.rows === count) return made.figure.renew();
+    const last = made?.figure;
+    made = { figure: figure_of(fit_picture(now), page), rows: count };
+    if (last) made.figure.take({ ...last.state(), stretch: null });
+    last?.leave();
+    made.figure.watch(show_rows);
     place.replaceChildren(made.figure.element);
     made.figure.redraw();
   };
@@ -223,8 +283,9 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const update = (): void => {
     const revisions = report?.ledger?.rows.filter(({ target }) => target === subject.target || subject.target === "").length ?? 0;
     all.dataset.revisions = String(revisions);
-    undo.disabled = revisions < 2;
-    redo.disabled = forth.length === 0;
+    all.dataset.steps = String(steps.count());
+    undo.disabled = steps.count() === 0 && revisions < 2;
+    redo.disabled = !steps.can_redo();
     search.disabled = work.busy();
   };
 
@@ -236,6 +297,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     next.title = effects.join(", ");
     delete all.dataset.promised;
     ++promising;
+    two.offer(found?.candidates ?? []);
     if (!found) return candidates.clear();
     const held = found.unsupported.map((effect) => plain_name(effect, 60)).join(", ");
     refusal.hidden = held === "";
@@ -268,14 +330,44 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     return { ...rest, ...same, ...part };
   };
 
+  // The report here, without the page below.
+  const show_here = (next: Report): void => {
+    const same_fit = report !== null && report.check === next.check;
+    report = next;
+    const checked = of_target(next.check?.targets, subject.target);
+    all.classList.toggle("no-model", !checked);
+    all.classList.toggle("wide", checked !== undefined);
+    asked.hidden = checked !== undefined;
+    if (checked && checked !== fitted) {
+      if (subject.target === "" && targets.length > 1) subject = { ...subject, target: checked.target };
+      target_choice.value = checked.target;
+      fitted = base = drawn = checked;
+      list.renew(checked);
+      figure_now(checked);
+      draw();
+      show_rows();
+      if (sentence.textContent === "") say(verdict_of_check(checked));
+    }
+    show_diagnosis(of_target(next.diagnose?.targets, subject.target));
+    update();
+    if (same_fit) return;
+    two.forget();
+    void renew_choices();
+  };
+
   // Step by step, the fit first; where one is stopped, or cannot be made, the model is as it was.
-  const change_model = async (...steps: (() => Promise<Part>)[]): Promise<void> => {
+  const change_model = async (...parts: (() => Promise<Part>)[]): Promise<void> => {
     ++promising;
     if (all.dataset.search === "running") work.stop(); // of the model before
     const [of_before, was, report_before] = [subject, fitted, report];
     const model = subject.model === "" ? null : await of.bytes_of(subject.model);
     try {
-      for (const step of steps) loop.show(with_part(await step(), false));
+      for (const part of parts) {
+        const next = with_part(await part(), false);
+        show_here(next);
+        await painted(); // the page below is long: first the new picture
+        of.changed(next, subject);
+      }
     } catch (error) {
       subject = of_before;
       if (model) await of.put(subject.model, model);
@@ -289,29 +381,50 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     if (took_ms < kShort_ms) void loop.search();
   };
 
+  // What could be added to the model as it is now.
+  const renew_choices = async (): Promise<void> => {
+    const of_fit = fitted;
+    const level = of_fit?.level ?? (subject.group.kind === "recordings" ? "recording" : "series");
+    const choices = await runs.choices(subject).catch(() => null); // stopped, for another model
+    if (choices && of_fit === fitted) effects.show(choices, level);
+  };
+
+  const state_now = async (): Promise<ModelState> => ({
+    model: subject.model,
+    text: subject.model === "" ? null : await of.bytes_of(subject.model),
+    left_out: subject.left_out,
+  });
+  const step_now = async (): Promise<Step> => ({ sliders: list.moved_values(), state: await state_now() });
+
+  // Puts a step back: sliders at once, another model or other rows with their fit.
+  const put_back = async (step: Step): Promise<Step> => {
+    const was: Step = step.state ? await step_now() : { sliders: list.moved_values() };
+    const { state } = step;
+    if (state) {
+      await change_model(async () => {
+        if (state.text) await of.put(state.model, state.text);
+        else if (state.model !== "") await runs.undo(state.model);
+        subject = { ...subject, model: state.model, left_out: state.left_out };
+        return runs.fitted(subject);
+      });
+    }
+    list.put(step.sliders);
+    draw();
+    void computed();
+    return was;
+  };
+  // As `ballbar undo` takes back what an earlier day added.
+  const step_of_ledger = (): Step => ({ sliders: new Map(), state: { model: subject.model, text: null, left_out: subject.left_out } });
+
   const loop: Loop = {
     element: all,
     subject: () => subject,
-    figure: () => made?.figure ?? null,
+    steps,
+    figures: () => [...(made ? [made.figure] : []), ...two.figures()],
     proves: () => fitted !== null,
     show(next) {
-      report = next;
-      const checked = of_target(next.check?.targets, subject.target);
-      all.classList.toggle("no-model", !checked);
-      all.classList.toggle("wide", checked !== undefined);
-      asked.hidden = checked !== undefined;
-      if (checked) {
-        if (subject.target === "" && targets.length > 1) subject = { ...subject, target: checked.target };
-        target_choice.value = checked.target;
-        fitted = base = drawn = checked;
-        list.renew(checked);
-        figure_now(checked);
-        draw();
-        if (sentence.textContent === "") say(verdict_of_check(checked));
-      }
-      show_diagnosis(of_target(next.diagnose?.targets, subject.target));
+      show_here(next);
       of.changed(next, subject);
-      update();
     },
     search: () =>
       attempt(async () => {
@@ -343,6 +456,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         candidate = null;
         const folder = (subject.data[0] ?? "").replace(/\/[^/]*$/, "");
         const model = subject.model || runs.free_name(folder, "model.toml");
+        const was = await step_now();
         let sentence_of_it = "";
         try {
           await change_model(
@@ -359,33 +473,52 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
           if (!(error instanceof Unsupported)) throw error;
           return refuse(english(sentence_of_it), effects);
         }
-        forth.length = 0;
+        steps.record({ ...was, state: { left_out: subject.left_out, text: null, ...was.state, model } });
         update();
         undo.focus({ preventScroll: true }); // the button that was pressed is gone
         say(english(sentence_of_it));
       });
     },
+    change: (change) =>
+      changing(async () => {
+        const was = await step_now();
+        let sentence_of_it = "";
+        await change_model(
+          () => runs.change(subject, change),
+          async () => {
+            const { sentence, ledger } = await runs.revise(subject, subject.model);
+            sentence_of_it = sentence;
+            return ledger ? { ledger } : {};
+          },
+        );
+        steps.record(was);
+        update();
+        say(english(sentence_of_it));
+      }),
+    leave_out: (left_out) =>
+      changing(async () => {
+        const was = await step_now();
+        await change_model(async () => {
+          subject = { ...subject, left_out };
+          return runs.fitted(subject);
+        });
+        made?.figure.select(null);
+        steps.record(was);
+        update();
+        const n = fitted?.series.time_s.length ?? 0;
+        say(left_out.length > 0 ? t.hands_left_out_now({ n }) : t.hands_all_in({ n }));
+      }),
     undo: () =>
       changing(async () => {
         if (undo.disabled) return;
-        const now_model = await of.bytes_of(subject.model);
-        await change_model(async () => {
-          await runs.undo(subject.model);
-          return runs.fitted(subject);
-        });
-        forth.push(now_model);
+        await steps.undo(put_back, step_of_ledger());
+        update();
         say(t.live_undone);
       }),
     redo: () =>
       changing(async () => {
-        const model = forth.at(-1);
-        if (!model) return;
-        await change_model(async () => {
-          await of.put(subject.model, model);
-          return runs.fitted(subject);
-        });
-        forth.pop();
-        say(t.live_redone);
+        if (await steps.redo(put_back)) say(t.live_redone);
+        update();
       }),
     act(command) {
       const [verb, ...rest] = words_of(command);

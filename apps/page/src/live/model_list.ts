@@ -1,7 +1,7 @@
 // The model as a list: each effect with its curve, and each of its parameters under a slider.
 import type { Setting } from "./runs";
 import { decimated, extent } from "../drawing/columns";
-import { element, svg_element } from "../elements/elements";
+import { button, element, svg_element } from "../elements/elements";
 import type { Checked, Num, Parameter } from "../report";
 import { is_scaled, kConstant, key_of } from "./fit_picture";
 import { parameter_name, plain_name } from "../machine_errors/error_names";
@@ -9,6 +9,8 @@ import { plain, unit_shown } from "../drawing/text";
 import { t } from "../texts/texts";
 import { decimals_for, shown, with_sigma } from "../drawing/theme";
 import type { Engine } from "../engine";
+import { type ByValue, by_value } from "./by_value";
+import type { Values } from "./history_of_steps";
 
 export interface ModelList {
   element: HTMLElement;
@@ -18,15 +20,27 @@ export interface ModelList {
   gains(): ReadonlySet<string>;
   settings(): Setting[]; // all of them, where one whose curve does not scale was moved
   moved(): boolean;
+  moved_values(): Values;
+  put(values: Values): void; // these are moved, the others where the fit has them
   back(): void;
   slider(effect: string): Slider | undefined; // the first of it
 }
 
 const unit_of = (unit: string): string => unit_shown(plain(unit, 20)).replace(/\bum\b/g, "µm");
 
-export const model_list = (catalogue: Catalogue, changed: (key: string) => void): ModelList => {
+// What is done with it.
+export interface ModelListOf {
+  catalogue: Catalogue;
+  begin(): void; // a slider will be moved, or a value typed
+  changed(): void;
+  hold(one: Parameter, value: number): void;
+  free(one: Parameter): void;
+  remove(effect: string): void;
+}
+
+export const model_list = ({ catalogue, begin, changed, ...of }: ModelListOf): ModelList => {
   const list = element("ul", { class: "live-model" });
-  const sliders = new Map<string, { one: Parameter; slider: Slider }>();
+  const sliders = new Map<string, { one: Parameter; slider: Slider; number: ByValue }>();
   const curves = new Map<string, HTMLElement>();
   let fitted: Checked | null = null;
   let shape = ""; // of the list: which effects and parameters it has
@@ -44,7 +58,40 @@ export const model_list = (catalogue: Catalogue, changed: (key: string) => void)
       upper: known?.upper ?? null,
     };
   };
+  const value_of = (one: Parameter, optimum: Optimum): Parameters<ByValue["renew"]>[0] => ({
+    ...optimum,
+    held: one.state === "held",
+    can_hold: one.name !== kConstant,
+  });
+  const show_numbers = (): void => {
+    for (const { one, slider, number } of sliders.values()) number.show(slider.value(), slider.value() !== one.value);
+  };
+  const begin_with = (slider: Slider): void => {
+    for (const other of sliders.values()) if (other.slider !== slider) other.slider.rest();
+    begin();
+  };
+  // A slider with its number; `one` is what the list has of it when it is used.
+  const row_of = (one: Parameter): HTMLElement => {
+    const key = key_of(one);
+    const optimum = optimum_of(one, one.value ?? 0);
+    const now = (): Parameter => sliders.get(key)?.one ?? one;
+    const slider: Slider = slider_of(optimum, () => begin_with(slider), changed);
+    const number = by_value(value_of(one, optimum), (value) => slider.move(value), () => of.hold(now(), slider.value()), () => of.free(now()));
+    sliders.set(key, { one, slider, number });
+    return element("div", { class: "parameter" }, slider.element, number.element);
+  };
+  const head_of = (effect: string, curve: HTMLElement): HTMLElement => {
+    const name = plain_name(effect, 80) || t.live_model;
+    const head = element("div", { class: "effect" }, element("bdi", { title: plain(effect, 200) }, name), curve);
+    if (effect === "" || effect === kConstant_effect) return head;
+    const remove = button("×", t.hands_remove_title({ effect: name }), () => of.remove(effect));
+    remove.className = "remove";
+    remove.setAttribute("aria-label", t.hands_remove_title({ effect: name }));
+    head.append(remove);
+    return head;
+  };
   const draw = (checked: Checked): void => {
+    show_numbers();
     const { contributions } = checked.series;
     const [least, largest] = extent(contributions.map(({ values_um }) => values_um));
     const ends = least <= largest ? ([least, largest] as const) : ([0, 1] as const);
@@ -67,6 +114,7 @@ export const model_list = (catalogue: Catalogue, changed: (key: string) => void)
           if (!known || one.value === null) continue;
           known.one = one;
           known.slider.renew(optimum_of(one, one.value));
+          known.number.renew(value_of(one, optimum_of(one, one.value)));
         }
       } else {
         shape = now;
@@ -78,13 +126,7 @@ export const model_list = (catalogue: Catalogue, changed: (key: string) => void)
           ...[...by_effect].map(([effect, parameters]) => {
             const curve = element("span", { class: "curve" });
             curves.set(effect, curve);
-            const rows = parameters.map((one) => {
-              const slider = slider_of(optimum_of(one, one.value ?? 0), () => changed(key_of(one)));
-              sliders.set(key_of(one), { one, slider });
-              return slider.element;
-            });
-            const head = element("div", { class: "effect" }, element("bdi", { title: plain(effect, 200) }, plain_name(effect, 80) || t.live_model), curve);
-            return element("li", {}, head, ...rows);
+            return element("li", {}, head_of(effect, curve), ...parameters.map(row_of));
           }),
         );
       }
@@ -115,6 +157,11 @@ export const model_list = (catalogue: Catalogue, changed: (key: string) => void)
       }));
     },
     moved,
+    moved_values: () =>
+      new Map([...sliders].flatMap(([key, { one, slider }]) => (slider.value() === one.value ? [] : [[key, slider.value()] as const]))),
+    put(values) {
+      for (const [key, { slider }] of sliders) slider.put(values.get(key) ?? null);
+    },
     back() {
       for (const { slider } of sliders.values()) slider.back();
       if (fitted) draw(fitted);
@@ -125,7 +172,9 @@ export const model_list = (catalogue: Catalogue, changed: (key: string) => void)
 
 // A parameter to move by hand: where the optimum is, how wide a sigma, and how far it was moved.
 
+const kConstant_effect = "constant";
 const kSteps = 400;
+const kPause_ms = 1000; // keys that are pressed sooner after one another are one step
 const kSigmas = 6; // to either side at least
 
 export interface Optimum {
@@ -143,7 +192,9 @@ export interface Slider {
   element: HTMLElement;
   value(): number;
   move(value: number): void; // as a hand does
+  put(value: number | null): void; // there, and nobody is told; null: to the optimum
   back(): void; // to the optimum
+  rest(): void; // what is moved next is another step
   renew(optimum: Optimum): void;
 }
 
@@ -152,9 +203,13 @@ const range_of = ({ value, sigma, lower, upper }: Optimum): [number, number] => 
   return [Math.max(lower ?? -Infinity, value - half), Math.min(upper ?? Infinity, value + half)];
 };
 
-export const slider_of = (first: Optimum, changed: () => void): Slider => {
+// begin: before each step, which is one drag, one typed value, or keys soon after one another.
+export const slider_of = (first: Optimum, begin: () => void, changed: () => void): Slider => {
   let optimum = first;
-  let exact = true; // at the optimum, between two steps
+  let at: number | null = null; // where it was moved to; null: at the optimum, between two steps
+  let in_step = false;
+  let is_down = false;
+  let last_ms = 0;
   const input = element("input", { type: "range" });
   const band = element("span", { class: "band" });
   const mark = element("span", { class: "optimum" });
@@ -162,20 +217,21 @@ export const slider_of = (first: Optimum, changed: () => void): Slider => {
   const name = element("span", { class: "name" });
   const track = element("span", { class: "track" }, band, mark, input);
 
-  const value = (): number => (exact ? optimum.value : Number(input.value));
+  const value = (): number => at ?? optimum.value;
   const text = (): string => {
-    const decimals = Math.min(9, decimals_for(optimum.value, optimum.sigma) + (exact ? 0 : 1));
-    const number = exact && optimum.sigma !== null ? with_sigma(value(), optimum.sigma, decimals) : shown(value(), decimals);
+    const decimals = Math.min(9, decimals_for(optimum.value, optimum.sigma) + (at === null ? 0 : 1));
+    const number = at === null && optimum.sigma !== null ? with_sigma(value(), optimum.sigma, decimals) : shown(value(), decimals);
     return optimum.unit === "1" ? number : `${number} ${optimum.unit}`;
   };
   const tell = (): void => {
     output.textContent = text();
-    input.setAttribute("aria-valuetext", exact ? t.live_at_optimum({ value: text() }) : text());
-    track.classList.toggle("moved", !exact);
+    input.setAttribute("aria-valuetext", at === null ? t.live_at_optimum({ value: text() }) : text());
+    track.classList.toggle("moved", at !== null);
   };
   const renew = (now: Optimum): void => {
     optimum = now;
-    exact = true;
+    at = null;
+    in_step = false;
     const [from, to] = range_of(now);
     const share = (at: number): number => Math.min(1, Math.max(0, to > from ? (at - from) / (to - from) : 0.5));
     input.min = String(from);
@@ -192,10 +248,29 @@ export const slider_of = (first: Optimum, changed: () => void): Slider => {
     band.hidden = now.sigma === null;
     tell();
   };
-  input.addEventListener("input", () => {
-    exact = false;
+  const go = (to: number, as_one: boolean): void => {
+    if (!as_one || !in_step) begin();
+    in_step = as_one;
+    at = to;
     tell();
     changed();
+  };
+  const put = (to: number | null): void => {
+    at = to;
+    in_step = false;
+    input.value = String(to ?? optimum.value);
+    tell();
+  };
+  input.addEventListener("pointerdown", () => {
+    is_down = true;
+    in_step = false;
+  });
+  for (const up of ["pointerup", "pointercancel"]) input.addEventListener(up, () => (is_down = false));
+  input.addEventListener("input", () => {
+    const now_ms = performance.now();
+    if (!is_down && now_ms - last_ms > kPause_ms) in_step = false;
+    last_ms = now_ms;
+    go(Number(input.value), true);
   });
   renew(first);
   return {
@@ -203,14 +278,12 @@ export const slider_of = (first: Optimum, changed: () => void): Slider => {
     value,
     move(to) {
       input.value = String(to);
-      exact = false;
-      tell();
-      changed();
+      go(to, false);
     },
-    back() {
-      exact = true;
-      input.value = String(optimum.value);
-      tell();
+    put,
+    back: () => put(null),
+    rest() {
+      in_step = false;
     },
     renew,
   };
@@ -246,24 +319,30 @@ export const small_curve = (values: readonly Num[], extent: readonly [number, nu
 
 // What the catalogue says of the parameters of an effect.
 
-interface Entry {
+export interface CatalogueEntry {
   name: string;
+  level: string;
+  summary: string; // in a line
+  inputs: { role: string; units: string[]; meaning: string }[];
   parameters: { name: string; kind: "gain" | "shape"; lower: Num; upper: Num; meaning: string }[];
 }
 
-export type Known = Entry["parameters"][number];
+export type Known = CatalogueEntry["parameters"][number];
 
 export interface Catalogue {
   parameter(label: string, name: string): Known | undefined; // label: "lagged_expansion(T_room_degC)"
+  entry(name: string, level: string): CatalogueEntry | undefined; // some are of both levels
 }
 
 const name_in = (label: string): string => /^[A-Za-z_0-9]+/.exec(label)?.[0] ?? label;
 
 export const catalogue_of = async (engine: Engine): Promise<Catalogue> => {
   const { out } = await engine.run(["effects", "--json"]);
-  const all = JSON.parse(out) as Entry[] | { effects: Entry[] };
-  const by_name = new Map((Array.isArray(all) ? all : all.effects).map((entry) => [entry.name, entry]));
+  const read = JSON.parse(out) as CatalogueEntry[] | { effects: CatalogueEntry[] };
+  const all = Array.isArray(read) ? read : read.effects;
+  const by_name = new Map(all.map((entry) => [entry.name, entry]));
   return {
+    entry: (name, level) => all.find((entry) => entry.name === name && entry.level === level),
     parameter: (label, name) => by_name.get(name_in(label))?.parameters.find((one) => one.name === name),
   };
 };

@@ -5,6 +5,7 @@ import { answer_of, look_words, reason, Refused, type Runs, type Subject, type W
 import type { Engine, Sample } from "../engine";
 import { type Group, groups_of, type Held, last_part } from "./files";
 import type { Intake, Kept, Store } from "./intake";
+import type { Steps } from "./history_of_steps";
 import type { LivePage } from "./live_page";
 import { type Loop, loop_of } from "./loop";
 import { planned_with } from "./next_test";
@@ -119,10 +120,10 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
   const keep_state = (): void => {
     page.made_with(subject ? look_words({ ...subject, data: [] }).join(" ") : "");
     if (!subject) return;
-    const { group, model, target, data, log, targets, compared, history } = subject;
+    const { group, model, target, data, log, targets, compared, history, left_out } = subject;
     // Of one of several tests the group, from which it is chosen again.
     const words = group.kind === "recordings" && compared.length === 0 ? group.data : data;
-    store?.say({ when: Date.now(), title: group.title, data: words, model, target, log, targets, compared, history, unsaved }).catch(() => undefined);
+    store?.say({ when: Date.now(), title: group.title, data: words, model, target, log, targets, compared, history, left_out, unsaved }).catch(() => undefined);
   };
 
   const text_of = async (model: string): Promise<string> => new TextDecoder().decode(await engine.get(model).catch(() => new Uint8Array()));
@@ -159,7 +160,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     await sound_of(paths.filter((path) => skipped.some(({ file }) => path.endsWith(`/${file}`))));
   };
 
-  const make_loop = async (of: Subject, first: Report): Promise<Loop | null> => {
+  const make_loop = async (of: Subject, first: Report, steps?: Steps): Promise<Loop | null> => {
     const checked = first.check?.targets.map(({ target }) => target) ?? [];
     const all = checked.length > 0 ? checked : of.group.kind === "recordings" ? [] : targets_in(first);
     const wanted = columns.targets(of).filter((target) => all.includes(target) || (checked.length === 0 && measured_in(first).some(({ name }) => name === target)));
@@ -176,6 +177,8 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       bytes_of: (path) => engine.get(path),
       put: (path, bytes) => engine.put(path, bytes),
       plan: planned_with(engine, work, runs),
+      ...(steps && { steps }),
+      add_figure: (figure) => page.add(figure),
       changed(now, next) {
         if (loop !== made) return; // an answer about what is no longer open
         if (next.model !== "" && report !== now && (report !== null || next.model !== subject?.model)) void note_change(next.model);
@@ -228,7 +231,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     try {
       const { read, held, data, model } = await intake.files_of_page(file);
       if (data.length > 0) return await open(group_of(group.title, held, data), { model, log: read.log });
-      show_alone({ group, data: [], model: "", target: "", compared: [], history: false, log: [], targets: [] }, read.report);
+      show_alone({ group, data: [], model: "", target: "", compared: [], history: false, log: [], targets: [], left_out: [] }, read.report);
     } catch (error) {
       intake.faults().set(file.path, reason(error));
       leave(reason(error));
@@ -246,7 +249,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       const heads = await tests_of(group);
       const look = as.data || as.compared || as.history !== undefined || model !== "" ? {} : look_at(heads);
       const next: Subject = {
-        group, data: group.data, model: model ?? "", target: "", compared: [], history: false, log: [], targets: [],
+        group, data: group.data, model: model ?? "", target: "", compared: [], history: false, log: [], targets: [], left_out: [],
         ...read_as.get(group.key), ...look, ...as,
       };
       if (last?.group.key === group.key && last.log.join("\n") !== next.log.join("\n")) unsaved = true; // columns, by hand
@@ -358,16 +361,16 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       attempt(async () => {
         await intake.again(kept);
         unsaved = kept.state.unsaved ?? false;
-        const { data, model, target, title, log = [], targets = [], compared = [], history } = kept.state;
+        const { data, model, target, title, log = [], targets = [], compared = [], history, left_out = [] } = kept.state;
         const found = groups_of(intake.held()).find(({ key }) => key === data.join("\n"));
         const look = compared.length > 0 ? { data, compared, history: false } : history === undefined ? {} : { history };
-        await open(found ?? group_of(title, intake.held(), compared.length > 0 ? [...data, ...compared] : data), { model, target, log, targets, ...look });
+        await open(found ?? group_of(title, intake.held(), compared.length > 0 ? [...data, ...compared] : data), { model, target, log, targets, left_out, ...look });
       }),
     show: (given) => show_alone(null, given),
     async rewrite() {
       if (!report) return;
       if (!loop) return page.show(report, null, true);
-      loop = await make_loop(loop.subject(), report);
+      loop = await make_loop(loop.subject(), report, loop.steps);
       loop?.show(report);
     },
     leave,

@@ -6,7 +6,8 @@ import { duration_spoken } from "./spoken";
 import { t } from "../texts/texts";
 import type { Group } from "./files";
 import { answer_without_advice, type LogWords, without_advice } from "./log_words";
-import type { Report, TestHead } from "../report";
+import type { HypothesesPart, Report, TestHead } from "../report";
+import type { Stretch } from "./history_of_steps";
 
 const kSoon_ms = 300;
 
@@ -152,6 +153,7 @@ export interface Subject {
   history: boolean; // ballbar tests as the history of their machine
   log: LogWords; // how a log among them is read
   targets: readonly string[]; // its columns to explain, by their headers; none: all that are measured
+  left_out: readonly Stretch[]; // readings that are not fitted
 }
 
 const targeted = ({ group, target }: Subject): string[] =>
@@ -160,10 +162,14 @@ const targeted = ({ group, target }: Subject): string[] =>
 const of_model = (subject: Subject): string[] =>
   subject.model === "" ? [] : ["--model", subject.model, ...targeted(subject)];
 
+const of_rows = ({ left_out }: Subject): string[] =>
+  left_out.map(({ from_s, to_s }) => `--leave-out-times=${from_s}..${to_s}`);
+
 // What is looked at, as behind `ballbar report`.
 export const look_words = (subject: Subject): string[] => [
   ...subject.data,
   ...subject.log,
+  ...of_rows(subject),
   ...of_model(subject),
   ...subject.compared.flatMap((word) => ["--compare", word]),
 ];
@@ -180,12 +186,27 @@ export interface Setting {
   value: number;
 }
 
+// What a hand does to a model, beside adding effects.
+export interface HandChange {
+  removed?: readonly string[]; // labels of effects
+  held?: readonly Setting[];
+  freed?: readonly Setting[]; // from these values on
+}
+
+// What could be added.
+export interface EffectChoice {
+  effect: string;
+  columns: readonly (readonly string[])[]; // each choice, in the order of the effect's inputs
+  labels: readonly string[]; // of each choice
+}
+
 // As --set has it.
 export const setting_text = ({ effect, parameter, value }: Setting): string => `${effect}.${parameter}=${value}`;
 
 const of_model_and_target = (subject: Subject): string[] => [
   ...subject.data,
   ...subject.log,
+  ...of_rows(subject),
   ...(subject.model === "" ? targeted(subject) : of_model(subject)),
 ];
 
@@ -244,7 +265,10 @@ export interface Runs {
   // Into the file, if the data support it, or keep is true.
   revise(subject: Subject, model: string, keep: boolean): Promise<Part & { sentence: string; kept: boolean }>;
   rmse_with(subject: Subject, effects: readonly string[]): Promise<number>; // that add would leave, um
-  take_back(subject: Subject): Promise<void>; // what was added, and is in no file
+  change(subject: Subject, change: HandChange): Promise<Part>; // the fit alone, as add
+  take_back(subject: Subject): Promise<void>; // what was added or changed, and is in no file
+  choices(subject: Subject): Promise<readonly EffectChoice[]>;
+  compare(subject: Subject, hypotheses: readonly (readonly string[])[]): Promise<HypothesesPart>;
   try(subject: Subject, effect: string): Promise<string>; // what it would change
   undo(model: string): Promise<void>;
   model_text(subject: Subject): Promise<string>; // its file, beginning with the values that are fitted
@@ -269,10 +293,15 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
     revise: (subject, model, keep) => call("revise", model_words(subject), { what: t.live_testing }, { model, keep }),
     rmse_with: async (subject, effects) =>
       (await call<{ rmse_um: number }>("with", model_words(subject), { what: t.live_promising }, { effects })).rmse_um,
+    change: (subject, { removed = [], held = [], freed = [] }) =>
+      call("change", model_words(subject), { what: t.hands_fitting }, { removed, held: held.map(setting_text), freed: freed.map(setting_text) }),
+    choices: async (subject) =>
+      (await call<{ effects: EffectChoice[] }>("choices", model_words(subject), { what: t.live_reading })).effects,
+    compare: (subject, hypotheses) => call("compare", model_words(subject), { what: t.hands_comparing }, { hypotheses }),
     take_back: (subject) => call("take_back", model_words(subject), { what: t.live_undoing }),
     try: async (subject, effect) =>
       answer_of<{ sentence: string }>(await work.run(try_words(subject, effect), { what: t.live_trying({ effect }) })).sentence,
-    model_text: async (subject) => (await call<{ text: string }>("with_values", model_words(subject), { what: t.live_reading })).text,
+    model_text: async (subject) => (await call<{ text: string }>("text", model_words(subject), { what: t.live_reading })).text,
     async undo(model) {
       const ran = await work.run(["undo", "--model", model], { what: t.live_undoing });
       if (ran.status !== 0) throw new Refused(sentence_of(ran));

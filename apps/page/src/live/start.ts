@@ -66,8 +66,8 @@ export const start_of = ({ samples, take, sample, tour }: StartOf): HTMLElement 
 
 // What the whole page hears: files that are dropped anywhere, and the keys of the loop.
 
-// A key typed into a field is the field's.
-const is_typed = ({ target }: Event): boolean => target instanceof HTMLElement && target.matches("input:not([type=range]):not([type=checkbox]), textarea");
+// A key typed into a field is the field's, until it says that it is done.
+const is_typed = ({ target }: Event): boolean => target instanceof HTMLElement && target.matches("input:not([type=range]):not([type=checkbox]):not([data-done]), textarea");
 
 export interface Heard {
   take(files: readonly Dropped[]): void;

@@ -7,7 +7,7 @@ import type { Range } from "../picture";
 export interface Shared extends PageState {
   readonly figures: ReadonlyMap<string, Figure>;
   add(figure: Figure): void;
-  clear(but?: Figure | null): void; // the page goes on without its figures, or with one of them
+  clear(but?: readonly Figure[]): void; // the page goes on without its figures, or with some of them
   look(dark: boolean): void;
   // What does a command's step on this page; null: nothing does. Where it is not there, commands are copied.
   action_of?: (command: string) => (() => void) | null;
@@ -38,8 +38,8 @@ export const shared_by_figures = (voice: HTMLElement): Shared => {
     hover_time(x) {
       for (const figure of over_time()) figure.point(x);
     },
-    clear(but) {
-      for (const figure of figures.values()) if (figure !== but) figure.leave();
+    clear(but = []) {
+      for (const figure of figures.values()) if (!but.includes(figure)) figure.leave();
       figures.clear();
       time_window = null;
     },

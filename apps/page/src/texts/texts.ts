@@ -19,6 +19,9 @@ export const languages: readonly { language: Language; name: string }[] = [
 export let language: Language = "en";
 export let t: Texts = en;
 
+// Of each language, as where a word of any of them is looked for.
+export const in_all_languages = <T>(of: (texts: Texts) => T): T[] => Object.values(spoken).map(of);
+
 const changed: (() => void)[] = [];
 
 // What is done when another language is chosen: whoever has written something writes it anew.

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "ballbar/model/bound_effect.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/series/series.hpp"
 
@@ -40,5 +41,9 @@ EffectText effect_text(std::string_view text, Level level, const Series* data = 
 // on recordings, which bind by themselves.
 Term term_from_text(std::string_view text, const Model& model, const Series& data,
                     const Catalogue& catalogue = built_in_catalogue());
+
+// An effect with each choice of columns that suits it and is not in the model yet; none: no column suits, or data
+// without a clock cannot show it.
+std::vector<BoundEffect> choices_of(const Effect& effect, const Model& model, const Series& data);
 
 }  // namespace ballbar

@@ -20,8 +20,9 @@ inline constexpr std::string_view kNotSupported = "not supported";
 
 struct LedgerRow {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  std::size_t revision = 0;                 // 0: the model as it started
-  std::string change = "start";             // "+ lagged_expansion(T_air_degC), - speed_heating(speed_rpm)"
+  std::size_t revision = 0;  // 0: the model as it started
+  // "+ lagged_expansion(T_air_degC), - speed_heating(speed_rpm)"; "= expansion(T_air_degC).gain_um_per_K 3.2 held"
+  std::string change = "start";
   Level level = Level::series;              // of the model
   std::string target;                       // which the figures are of
   std::vector<std::string> data;            // files, as they were named
@@ -36,7 +37,8 @@ struct LedgerRow {
   double surrogate_forecast_um = kUnknown;  // the same with as many surrogates in place of the effects
   double discrepancy_um = kUnknown;         // standard deviation of the slow curve that is left, of grown models
   // "start", "named", "supported", "time only", "not supported"; of grown models "driver known": what drives it is, its
-  // form is not; "empirical": it predicts, no cause is claimed
+  // form is not; "empirical": it predicts, no cause is claimed; "by hand": who keeps the model wants it so, no test of
+  // it
   std::string verdict = "start";
   std::vector<std::string> still_needed, no_longer_needed;  // labels of earlier effects, tested anew
 };

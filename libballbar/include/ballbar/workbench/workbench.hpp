@@ -61,6 +61,8 @@ class Workbench {
   void add(const std::vector<Term>& terms);
   // What was added last.
   const EffectTest& added();
+  // The figures of the model as the ledger has them; back: of the model so many steps before.
+  LedgerRow row(std::size_t back = 0);
   // Another model, such as one with effects taken out.
   void replace(Model model);
   // The model before the last add() or replace(); false: there is none.

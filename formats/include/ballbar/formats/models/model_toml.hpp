@@ -43,9 +43,7 @@ std::string write_model(const Model& model);
 std::string with_effect(std::string_view bytes, std::string_view name, const Term& term,
                         const Catalogue& catalogue = built_in_catalogue());
 
-// Its text with each of its effects as in `terms`, which are those of the file in its order, with other settings: what
-// was fitted, as the start of the next fit. Comments within an effect's table go; all else stays as it is. Throws Error
-// as with_effect.
+// The same with other settings: `terms`, one for each effect of the file, in its order, say how each parameter enters.
 std::string with_settings(std::string_view bytes, std::string_view name, std::span<const Term> terms,
                           const Catalogue& catalogue = built_in_catalogue());
 

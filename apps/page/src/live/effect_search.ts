@@ -1,0 +1,123 @@
+// Any effect of the catalogue, found by its name or a word of it in any language of the page, with the columns that suit.
+import { button, element } from "../elements/elements";
+import type { Catalogue, CatalogueEntry } from "./model_list";
+import { details_of } from "../elements/elements";
+import { plain } from "../drawing/text";
+import type { EffectChoice } from "./runs";
+import { in_all_languages, named, t } from "../texts/texts";
+
+export interface EffectSearchOf {
+  catalogue: Catalogue;
+  add(label: string): void;
+  beside(label: string): void; // as a hypothesis
+}
+
+export interface EffectSearch {
+  element: HTMLElement;
+  show(choices: readonly EffectChoice[], level: string): void; // of the model as it is
+}
+
+// "expansion with a temperature, delayed"
+export const effect_name = (name: string): string => named(t.hands_effects, name);
+
+// Everything by which an effect is found: its names and words, what the program says of it in a line.
+const words_of_effect = ({ name, summary, inputs }: CatalogueEntry): string =>
+  [
+    name,
+    name.replaceAll("_", " "),
+    summary,
+    ...inputs.flatMap(({ role, meaning }) => [role, meaning]),
+    ...in_all_languages((texts) => `${named(texts.hands_effects, name)} ${named(texts.hands_words, name)}`),
+  ]
+    .join(" ")
+    .toLowerCase();
+
+const in_words = (entry: CatalogueEntry): string => entry.inputs.map(({ role }) => named(t.hands_inputs, role)).join(", ");
+
+// A choice that holds a comma within a column's name could not be typed.
+const can_be_typed = (columns: readonly string[]): boolean => columns.every((column) => !column.includes(","));
+
+// One list an input; each offers what goes with those before it. `chosen` is the number of the choice.
+const columns_chosen = (entry: CatalogueEntry, { columns }: EffectChoice): { element: HTMLElement; chosen(): number } => {
+  const can = columns.map((_, k) => k).filter((k) => can_be_typed(columns[k] ?? []));
+  const selects = entry.inputs.map(({ role }) =>
+    element("select", { "aria-label": t.hands_column_of({ effect: effect_name(entry.name), input: named(t.hands_inputs, role) }) }),
+  );
+  const left = (before: number): number[] =>
+    can.filter((k) => selects.slice(0, before).every((select, i) => columns[k]?.[i] === select.value));
+  const renew = (from: number): void => {
+    for (const [i, select] of selects.entries()) {
+      if (i < from) continue;
+      const offered = [...new Set(left(i).map((k) => columns[k]?.[i] ?? ""))];
+      const kept = select.value;
+      select.replaceChildren(...offered.map((column) => new Option(plain(column, 40), column)));
+      if (offered.includes(kept)) select.value = kept;
+    }
+  };
+  selects.forEach((select, i) => select.addEventListener("change", () => renew(i + 1)));
+  renew(0);
+  const lists = (columns[0]?.length ?? 0) > 0 ? selects : []; // on recordings columns bind by themselves
+  return { element: element("span", { class: "columns" }, ...lists), chosen: () => left(lists.length)[0] ?? can[0] ?? -1 };
+};
+
+export const effect_search = ({ catalogue, add, beside }: EffectSearchOf): EffectSearch => {
+  let choices: readonly EffectChoice[] = [];
+  let level = "";
+  const field = element("input", { type: "search", placeholder: t.hands_find_example, "aria-label": t.hands_find, autocomplete: "off" });
+  const list = element("ul", { class: "effects" });
+  const note = element("p", { class: "note" }, t.hands_read);
+  const box = details_of("live-effects", t.hands_add, field, note, list);
+
+  const row_of = (entry: CatalogueEntry, choice: EffectChoice): HTMLElement => {
+    const shown_name = effect_name(entry.name);
+    const name = element("span", { class: "effect-name" }, shown_name);
+    name.title = entry.summary;
+    const program = element("bdi", { class: "program" }, entry.name);
+    const columns = columns_chosen(entry, choice);
+    const needs = in_words(entry);
+    const can = columns.chosen() >= 0;
+    const label = (): string => choice.labels[columns.chosen()] ?? entry.name;
+    const plus = button("+", t.live_add_title({ effect: shown_name }), () => add(label()));
+    plus.className = "plus";
+    plus.setAttribute("aria-label", t.live_add_title({ effect: shown_name }));
+    plus.disabled = !can;
+    const compare = button(t.hands_beside, t.hands_set_beside({ effect: shown_name }), () => beside(label()));
+    compare.setAttribute("aria-label", t.hands_set_beside({ effect: shown_name }));
+    compare.hidden = !can;
+    const asked = can
+      ? needs === "" || choice.columns[0]?.length === 0 ? "" : t.hands_needs({ inputs: needs })
+      : needs === "" || entry.level === "recording" ? t.hands_in_model : t.hands_no_column({ inputs: needs });
+    const row = element("li", { class: can ? "" : "cannot" }, plus, element("span", { class: "line" }, name, " ", program), element("span", { class: "line" }, element("span", { class: "note" }, asked), columns.element, compare));
+    row.dataset.effect = entry.name;
+    return row;
+  };
+
+  const draw = (): void => {
+    const asked = field.value.toLowerCase().split(/[\s,()]+/).filter((word) => word !== "");
+    const found = choices.flatMap((choice) => {
+      const entry = catalogue.entry(choice.effect, level);
+      if (!entry) return [];
+      const words = words_of_effect(entry);
+      return asked.every((word) => words.includes(word)) ? [{ entry, choice }] : [];
+    });
+    // A name that begins so before one that only mentions it; what can be added before what cannot.
+    const rank = ({ entry, choice }: (typeof found)[number]): number =>
+      (choice.labels.length > 0 ? 0 : 4) + (asked[0] !== undefined && !effect_name(entry.name).toLowerCase().startsWith(asked[0]) ? 1 : 0);
+    found.sort((a, b) => rank(a) - rank(b));
+    note.hidden = choices.length > 0 && found.length > 0;
+    note.textContent = choices.length === 0 ? t.hands_read : t.hands_none_found;
+    list.replaceChildren(...found.map(({ entry, choice }) => row_of(entry, choice)));
+  };
+  field.addEventListener("input", draw);
+  box.addEventListener("toggle", () => {
+    if (box.open) field.focus({ preventScroll: true });
+  });
+  return {
+    element: box,
+    show(now, level_now) {
+      choices = now;
+      level = level_now;
+      draw();
+    },
+  };
+};
