@@ -17,11 +17,15 @@ constexpr double kRises = 0.01;         // of the bound: less is no rise
 constexpr double kSameScatter = 0.005;  // ln of its variance
 constexpr double kSettled = 0.1;        // the same: the line is taken off anew
 constexpr int kMostSweeps = 40;
-constexpr double kHardlyThere = 0.2;    // P of a further single effect beside the others as they are
-constexpr double kNegligible = 1e-5;    // P of a shape that adds nothing to the mean
-constexpr std::size_t kRivals = 6;      // of a single effect, that are put in its place
-constexpr double kLeastRival = 1e-3;    // P of one
-constexpr std::size_t kMostRounds = 3;  // of such changes
+constexpr double kHardlyThere = 0.2;       // P of a further single effect beside the others as they are
+constexpr double kNegligible = 1e-5;       // P of a shape that adds nothing to the mean
+constexpr double kLeftOut = 1e-12;         // P of an identity that is looked at again at the end alone
+constexpr double kNoticed = 1e-4;          // P of what was left out together, from which all is looked at again
+constexpr int kMostChecks = 3;             // at all
+constexpr double kNothingToDouble = 40.0;  // ln: a weight so far below another one is nothing beside it
+constexpr std::size_t kRivals = 6;         // of a single effect, that are put in its place
+constexpr double kLeastRival = 1e-3;       // P of one
+constexpr std::size_t kMostRounds = 3;     // of such changes
 
 // ln of the ratio of evidence of one shape against none, and the posterior of its gains where it is that shape.
 struct OfShape {
@@ -29,30 +33,47 @@ struct OfShape {
   double along = 0.0, square = 0.0;  // mean of r' b and of |X b|^2
 };
 
-OfShape of_column(double r, double left) {
-  OfShape result;
-  if (!(left > 0.0)) return result;
-  static const std::array<double, kGainSizes.size()> log_widths = [] {
-    std::array<double, kGainSizes.size()> all;
-    for (std::size_t k = 0; k < all.size(); ++k) all[k] = std::log1p(kGainSizes[k] * kGainSizes[k]);
-    return all;
-  }();
-  const double z2 = r * r / left;
+// ln of the weights of the gains of a column.
+struct OfGains {
+  double z2 = 0.0, most = kLogZero;
   std::array<double, kGainSizes.size()> weight;
-  double most = kLogZero;
-  for (std::size_t k = 0; k < kGainSizes.size(); ++k) {
+};
+
+struct GainSize {
+  double shrink = 0.0, half_log_width = 0.0;
+};
+
+const std::array<GainSize, kGainSizes.size()> kGains = [] {
+  std::array<GainSize, kGainSizes.size()> all;
+  for (std::size_t k = 0; k < all.size(); ++k) {
     const double g = kGainSizes[k] * kGainSizes[k];
-    weight[k] = 0.5 * (z2 * g / (1.0 + g) - log_widths[k]);
-    most = std::max(most, weight[k]);
+    all[k] = {g / (1.0 + g), 0.5 * std::log1p(g)};
   }
+  return all;
+}();
+
+// r' x with a column over the root of the scatter's variance, and |x|^2.
+OfGains gains_of_column(double r, double left) {
+  OfGains result;
+  result.z2 = r * r / left;
+  for (std::size_t k = 0; k < kGains.size(); ++k) {
+    result.weight[k] = 0.5 * result.z2 * kGains[k].shrink - kGains[k].half_log_width;
+    result.most = std::max(result.most, result.weight[k]);
+  }
+  return result;
+}
+
+OfShape of_column(const OfGains& gains) {
+  OfShape result;
   double sum = 0.0, along = 0.0, square = 0.0;
-  for (std::size_t k = 0; k < kGainSizes.size(); ++k) {
-    const double g = kGainSizes[k] * kGainSizes[k], shrink = g / (1.0 + g), w = std::exp(weight[k] - most);
+  for (std::size_t k = 0; k < kGains.size(); ++k) {
+    if (gains.weight[k] < gains.most - kNothingToDouble) continue;
+    const double shrink = kGains[k].shrink, w = std::exp(gains.weight[k] - gains.most);
     sum += w;
-    along += w * shrink * z2;
-    square += w * (shrink * shrink * z2 + shrink);
+    along += w * shrink * gains.z2;
+    square += w * (shrink * shrink * gains.z2 + shrink);
   }
-  result.log_ratio = most + std::log(sum / static_cast<double>(kGainSizes.size()));
+  result.log_ratio = gains.most + std::log(sum / static_cast<double>(kGains.size()));
   result.along = along / sum;
   result.square = square / sum;
   return result;
@@ -94,29 +115,87 @@ OfBlock of_block(const BlockProduct& block, const Eigen::VectorXd& r, double var
   return result;
 }
 
+// Some identities: their shapes, and the columns of these.
+struct Chosen {
+  std::vector<char> identity;
+  std::vector<std::size_t> shapes;
+  std::vector<ColumnSpan> columns;
+};
+
+Chosen chosen(const Identities& identities, const auto& is_chosen) {
+  Chosen result;
+  const Eigen::Index c = identities.columns.cols();
+  for (std::size_t i = 0; i < identities.log_prior.size(); ++i) {
+    result.identity.push_back(is_chosen(i) ? 1 : 0);
+    if (!result.identity.back()) continue;
+    for (std::size_t s = identities.first[i]; s < identities.first[i] + identities.count[i]; ++s) {
+      result.shapes.push_back(s);
+      if (identities.jump == i) continue;
+      const Shape& shape = identities.shapes[s];
+      std::vector<ColumnSpan>& columns = result.columns;
+      if (!columns.empty() && columns.back().first + columns.back().count == shape.first) {
+        columns.back().count += shape.width;
+      } else {
+        columns.push_back({shape.first, shape.width});
+      }
+    }
+  }
+  if (identities.jump && result.identity[*identities.jump]) result.columns.push_back({c, identities.size() - c});
+  return result;
+}
+
 // Fits one single effect to r = X' (what the others leave).
-SingleEffect fitted_to(const ColumnsAt& at, const Identities& identities, const SinglePrior& prior,
+SingleEffect fitted_to(ColumnsAt& at, const Identities& identities, const Chosen& among, const SinglePrior& prior,
                        const Eigen::VectorXd& r, double variance) {
-  const std::size_t shapes = identities.shapes.size();
-  std::vector<OfShape> of(shapes);
-  std::vector<double> weight(shapes, kLogZero);
-  std::vector<OfBlock> of_blocks(at.blocks.size());
-  std::size_t b = 0;
-  double most = prior.log_none;
-  for (std::size_t s = 0; s < shapes; ++s) {
+  struct Weighed {
+    std::size_t shape = 0;
+    OfGains gains;          // of a column
+    std::size_t block = 0;  // else its place
+    double log_prior = kLogZero, log_weight = kLogZero;
+    OfShape of;
+  };
+  std::vector<Weighed> all;
+  all.reserve(among.shapes.size());
+  std::vector<OfBlock> of_blocks;
+  const double over_sigma = 1.0 / std::sqrt(variance);
+  // ln of the sum of the weights of the gains is between that of the heaviest over their number and itself.
+  static const double log_gains = std::log(static_cast<double>(kGains.size()));
+  std::vector<double> least_of_identity(identities.log_prior.size(), kLogZero);
+  double least = prior.log_none;
+  for (const std::size_t s : among.shapes) {
     const Shape& shape = identities.shapes[s];
     const double log_prior = prior.log_identity[shape.identity] + shape.log_prior;
-    const bool is_block = shape.width > 1;
-    const std::size_t place = is_block ? b++ : 0;
-    if (log_prior == kLogZero || !(at.left.segment(shape.first, shape.width).maxCoeff() > 0.0)) continue;
-    if (is_block) {
-      of_blocks[place] = of_block(at.blocks[place], r.segment(shape.first, shape.width), variance);
-      of[s] = of_blocks[place].of_shape;
+    if (log_prior == kLogZero) continue;
+    Weighed one{s, {}, 0, log_prior, kLogZero, {}};
+    if (shape.width > 1) {
+      if (!(at.left.segment(shape.first, shape.width).maxCoeff() > 0.0)) continue;
+      one.block = of_blocks.size();
+      of_blocks.push_back(of_block(at.block(s), r.segment(shape.first, shape.width), variance));
+      one.of = of_blocks.back().of_shape;
+      one.log_weight = one.log_prior + one.of.log_ratio;
+      least = std::max(least, one.log_weight);
+      double& of_identity = least_of_identity[shape.identity];
+      of_identity = std::max(of_identity, one.log_weight);
     } else {
-      of[s] = of_column(r[shape.first] / std::sqrt(variance), at.left[shape.first]);
+      if (!(at.left[shape.first] > 0.0)) continue;
+      one.gains = gains_of_column(r[shape.first] * over_sigma, at.left[shape.first]);
+      const double at_least = one.log_prior + one.gains.most - log_gains;
+      least = std::max(least, at_least);
+      double& of_identity = least_of_identity[shape.identity];
+      of_identity = std::max(of_identity, at_least);
     }
-    weight[s] = log_prior + of[s].log_ratio;
-    most = std::max(most, weight[s]);
+    all.push_back(one);
+  }
+  double most = prior.log_none;
+  for (Weighed& one : all) {
+    const Shape& shape = identities.shapes[one.shape];
+    if (shape.width == 1) {
+      const double at_most = one.log_prior + one.gains.most;
+      if (at_most < least - kNothingToDouble && at_most < least_of_identity[shape.identity]) continue;
+      one.of = of_column(one.gains);
+      one.log_weight = one.log_prior + one.of.log_ratio;
+    }
+    most = std::max(most, one.log_weight);
   }
   SingleEffect result;
   result.p.assign(identities.log_prior.size(), 0.0);
@@ -128,30 +207,32 @@ SingleEffect fitted_to(const ColumnsAt& at, const Identities& identities, const 
     return result;
   }
   double any = 0.0;
-  for (std::size_t s = 0; s < shapes; ++s) {
-    if (weight[s] != kLogZero) any += std::exp(weight[s] - most);
+  for (const Weighed& one : all) {
+    if (one.log_weight > most - kNothingToDouble) any += std::exp(one.log_weight - most);
   }
   const double none = prior.log_none == kLogZero ? 0.0 : std::exp(prior.log_none - most), total = any + none;
+  // Where none of them is near, any of them are so much less than nothing.
   result.log_weight = std::log(any) - std::log(none);
   double expected = 0.0;
-  b = 0;
-  for (std::size_t s = 0; s < shapes; ++s) {
-    const Shape& shape = identities.shapes[s];
-    const std::size_t place = shape.width > 1 ? b++ : 0;
-    if (weight[s] == kLogZero) continue;
-    const double p = std::exp(weight[s] - most) / total;
-    result.p[shape.identity] += p;
+  for (const Weighed& one : all) {
+    if (one.log_weight == kLogZero) continue;
+    const Shape& shape = identities.shapes[one.shape];
     std::size_t& likeliest = result.likeliest[shape.identity];
-    if (likeliest == kNoSignature || weight[s] > weight[likeliest]) likeliest = s;
-    result.strength[shape.identity] = weight[likeliest];
+    double& strength = result.strength[shape.identity];
+    if (likeliest == kNoSignature || one.log_weight > strength) {
+      likeliest = one.shape;
+      strength = one.log_weight;
+    }
+    const double p = std::exp(one.log_weight - most) / total;
+    result.p[shape.identity] += p;
     if (p < kNegligible) continue;
-    expected += p * (of[s].along - 0.5 * of[s].square);
-    result.spread += p * of[s].square;
+    expected += p * (one.of.along - 0.5 * one.of.square);
+    result.spread += p * one.of.square;
     if (shape.width > 1) {
       for (Eigen::Index k = 0; k < shape.width; ++k)
-        result.mean.emplace_back(shape.first + k, p * of_blocks[place].mean[k]);
+        result.mean.emplace_back(shape.first + k, p * of_blocks[one.block].mean[k]);
     } else if (r[shape.first] != 0.0) {
-      result.mean.emplace_back(shape.first, p * of[s].along * variance / r[shape.first]);
+      result.mean.emplace_back(shape.first, p * one.of.along * variance / r[shape.first]);
     }
   }
   result.divergence = expected - (most + std::log(total));
@@ -197,10 +278,11 @@ const SinglePrior& prior_of(const AscentOptions& options, std::size_t l) {
   return options.priors[std::min(l, options.priors.size() - 1)];
 }
 
-void fit_again(ColumnsAt& at, const Identities& identities, const SinglePrior& prior, Ascent& ascent, std::size_t l) {
+void fit_again(ColumnsAt& at, const Identities& identities, const Chosen& among, const SinglePrior& prior,
+               Ascent& ascent, std::size_t l) {
   Eigen::VectorXd r = at.along;
-  if (ascent.effects.size() > 1) r -= at.products(sum_of(ascent.effects, at, l));
-  ascent.effects[l] = fitted_to(at, identities, prior, r, ascent.variance);
+  if (ascent.effects.size() > 1) r -= at.products(sum_of(ascent.effects, at, l), among.columns);
+  ascent.effects[l] = fitted_to(at, identities, among, prior, r, ascent.variance);
 }
 
 // Variance of the scatter by what the single effects leave.
@@ -216,17 +298,38 @@ void settle(ColumnsAt& at, Ascent& ascent, double variance) {
   for (SingleEffect& one : ascent.effects) one.curve = at.curve_of(one.mean);
 }
 
-void sweep(ColumnsAt& at, const Identities& identities, const AscentOptions& options, Ascent& ascent) {
-  for (std::size_t l = 0; l < ascent.effects.size(); ++l) fit_again(at, identities, prior_of(options, l), ascent, l);
+void sweep(ColumnsAt& at, const Identities& identities, const Chosen& among, const AscentOptions& options,
+           Ascent& ascent) {
+  for (std::size_t l = 0; l < ascent.effects.size(); ++l)
+    fit_again(at, identities, among, prior_of(options, l), ascent, l);
 }
 
-// Sweeps until the bound rises no more, the scatter with it. What is known of the line is about nearly the same
-// scatter.
-void converge(ColumnsAt& at, const Identities& identities, const AscentOptions& options, Ascent& ascent) {
+// Identities that no prior of a single effect forbids.
+Chosen all_of(const Identities& identities, const AscentOptions& options) {
+  return chosen(identities, [&](std::size_t i) {
+    return std::any_of(options.priors.begin(), options.priors.end(),
+                       [&](const SinglePrior& one) { return one.log_identity[i] > kLogZero; });
+  });
+}
+
+// Those of them that any of the single effects may be.
+Chosen likely_of(const Identities& identities, const Ascent& ascent) {
+  return chosen(identities, [&](std::size_t i) {
+    return std::any_of(ascent.effects.begin(), ascent.effects.end(),
+                       [&](const SingleEffect& one) { return one.p[i] > kLeftOut; });
+  });
+}
+
+// Sweeps until the bound rises no more, the scatter with it: the first one over all identities, the others over those
+// that are likely after it, which are returned. What is known of the line is about nearly the same scatter.
+Chosen converge(ColumnsAt& at, const Identities& identities, const Chosen& all, const AscentOptions& options,
+                Ascent& ascent) {
   const KnownScatter& known = options.known;
   double last = kLogZero;
+  Chosen likely;
   for (int n = 0; n < kMostSweeps; ++n) {
-    sweep(at, identities, options, ascent);
+    sweep(at, identities, n == 0 ? all : likely, options, ascent);
+    if (n == 0) likely = likely_of(identities, ascent);
     const double next = scatter_of(at, options, ascent);
     const bool same = std::abs(std::log(next / ascent.variance)) < kSameScatter;
     ascent.variance = next;
@@ -239,6 +342,23 @@ void converge(ColumnsAt& at, const Identities& identities, const AscentOptions& 
     if (same && ascent.bound - last < kRises) break;
     last = ascent.bound;
   }
+  return likely;
+}
+
+void add_empty(const ColumnsAt& at, Ascent& ascent) {
+  ascent.effects.emplace_back();
+  ascent.effects.back().curve = at.curve_of({});
+}
+
+// P of what is not among these, of the single effect where it is largest.
+double largest_beside(const Chosen& likely, const Ascent& ascent) {
+  double largest = 0.0;
+  for (const SingleEffect& one : ascent.effects) {
+    double beside = 0.0;
+    for (std::size_t i = 0; i < one.p.size(); ++i) beside += likely.identity[i] ? 0.0 : one.p[i];
+    largest = std::max(largest, beside);
+  }
+  return largest;
 }
 
 }  // namespace
@@ -254,21 +374,22 @@ Ascent ascended(ColumnsAt& at, const Identities& identities, const AscentOptions
         (at.square + options.known.readings * options.known.variance) / (at.degrees + options.known.readings);
   }
   settle(at, ascent, std::max(ascent.variance, options.least_variance));
-  while (ascent.effects.size() < options.least) {
-    ascent.effects.emplace_back();
-    ascent.effects.back().curve = at.curve_of({});
+  while (ascent.effects.size() < options.least) add_empty(at, ascent);
+  const Chosen all = all_of(identities, options);
+  for (int look = 0; look < kMostChecks; ++look) {
+    Chosen likely = converge(at, identities, all, options, ascent);
+    while (ascent.effects.size() < options.largest) {
+      if (ascent.effects.size() > options.least && ascent.effects.back().p_any() < 0.5) break;
+      add_empty(at, ascent);
+      const std::size_t next = ascent.effects.size() - 1;
+      fit_again(at, identities, all, prior_of(options, next), ascent, next);
+      if (ascent.effects.size() > options.least && ascent.effects.back().p_any() < kHardlyThere) break;
+      likely = converge(at, identities, all, options, ascent);
+    }
+    settle(at, ascent, ascent.variance);
+    sweep(at, identities, all, options, ascent);
+    if (largest_beside(likely, ascent) < kNoticed) break;
   }
-  converge(at, identities, options, ascent);
-  while (ascent.effects.size() < options.largest) {
-    if (ascent.effects.size() > options.least && ascent.effects.back().p_any() < 0.5) break;
-    ascent.effects.emplace_back();
-    ascent.effects.back().curve = at.curve_of({});
-    fit_again(at, identities, prior_of(options, ascent.effects.size() - 1), ascent, ascent.effects.size() - 1);
-    if (ascent.effects.size() > options.least && ascent.effects.back().p_any() < kHardlyThere) break;
-    converge(at, identities, options, ascent);
-  }
-  settle(at, ascent, ascent.variance);
-  sweep(at, identities, options, ascent);
   ascent.bound = bound_of(ascent, at, options.known);
   return ascent;
 }
@@ -284,9 +405,11 @@ Ascent ascended_with(ColumnsAt& at, const Identities& identities, const AscentOp
   alone.log_identity.assign(alone.log_identity.size(), kLogZero);
   alone.log_identity[identity] = log_prior;
   alone.log_none = kLogZero;
-  fit_again(at, identities, alone, start, l);
+  const auto is_it = [&](std::size_t i) { return i == identity; };
+  fit_again(at, identities, chosen(identities, is_it), alone, start, l);
+  const Chosen all = all_of(identities, options);
   for (std::size_t j = 0; j < start.effects.size(); ++j) {
-    if (j != l) fit_again(at, identities, prior_of(options, j), start, j);
+    if (j != l) fit_again(at, identities, all, prior_of(options, j), start, j);
   }
   start.variance = scatter_of(at, options, start);  // that of the forced effect, else the next sweep undoes it
   return ascended(at, identities, options, std::move(start));

@@ -57,16 +57,20 @@ ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const
     const Shape& shape = identities.shapes[s];
     if (shape.width == 1) continue;
     const RowMajorMatrix white = whitened_rows(filter_, identities.columns.middleCols(shape.first, shape.width));
-    blocks.push_back({s, {}, {}, {}, white.transpose() * white});
+    blocks_.push_back({s, -1.0, {}, {}, {}, white.transpose() * white});
   }
   // About the scatter that nothing at all leaves.
   double variance = pool_(0, 0) / degrees;
   precision_ = Eigen::VectorXd::Constant(dense, std::numeric_limits<double>::infinity());
+  solve_line();
   for (int round = 0; round < 3; ++round) {
     settle_line(variance);
     variance = (square + problem.known.readings * problem.known.variance) / (degrees + problem.known.readings);
   }
-  if (dense == 0) return;
+  if (dense == 0) {
+    solve_columns();
+    return;
+  }
   // Each of the background's columns shows alike.
   const Eigen::MatrixXd cross = pool_.block(1, 1 + line_, line_, dense);
   Eigen::MatrixXd a = pool_.block(1, 1, line_, line_);
@@ -78,87 +82,125 @@ ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const
     if (surviving > kSurviving * whole)
       precision_[k] = static_cast<double>(dense) * surviving / (background_d_ * background_d_);
   }
+  solve_line();
   settle_line(variance);
+  solve_columns();
+}
+
+void ColumnsAt::solve_line() {
+  fixed_.clear();
+  open_.clear();
+  for (Eigen::Index k = 0; k < line_; ++k) (is_free_[static_cast<std::size_t>(k)] ? fixed_ : open_).push_back(1 + k);
+  for (Eigen::Index k = 0; k < precision_.size(); ++k) {
+    if (std::isfinite(precision_[k])) fixed_.push_back(1 + line_ + k);
+  }
+  Eigen::MatrixXd a = pool_(fixed_, fixed_);
+  scale_.resize(a.rows());
+  for (Eigen::Index i = 0; i < a.rows(); ++i) {
+    const Eigen::Index k = fixed_[static_cast<std::size_t>(i)];
+    if (k > line_) a(i, i) += precision_[k - 1 - line_];
+    scale_[i] = 1.0 / std::sqrt(std::max(a(i, i), 1e-300));
+  }
+  a = scale_.asDiagonal() * a * scale_.asDiagonal();
+  a.diagonal().array() += kJitter;
+  factor_.compute(a);
+  between_ = scale_.asDiagonal() * pool_(fixed_, open_);
+  factor_.matrixL().solveInPlace(between_);
+  Eigen::MatrixXd b = pool_(open_, open_);
+  b.diagonal() *= 1.0 + kJitter;
+  b -= between_.transpose() * between_;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(b);
+  turn_ = eigen.eigenvectors();
+  values_ = eigen.eigenvalues().cwiseMax(0.0);
+  solved_y_ = solved_beside(pool_.col(0));
+}
+
+// Of columns by their products with the pool: with the fixed columns of the line, and with the open ones.
+Eigen::MatrixXd ColumnsAt::solved_beside(const Eigen::Ref<const Eigen::MatrixXd>& products) const {
+  const auto fixed = static_cast<Eigen::Index>(fixed_.size()), open = static_cast<Eigen::Index>(open_.size());
+  Eigen::MatrixXd solved(fixed + open, products.cols());
+  solved.topRows(fixed) = scale_.asDiagonal() * products(fixed_, Eigen::all);
+  factor_.matrixL().solveInPlace(solved.topRows(fixed));
+  const Eigen::MatrixXd freed = products(open_, Eigen::all) - between_.transpose() * solved.topRows(fixed);
+  solved.bottomRows(open).noalias() = turn_.transpose() * freed;
+  return solved;
+}
+
+void ColumnsAt::solve_columns() {
+  along_fixed_ = left_fixed_ = squares_;
+  if (cross_.cols() == 0) return;
+  const auto fixed = static_cast<Eigen::Index>(fixed_.size());
+  solved_ = solved_beside(cross_);
+  along_fixed_ = cross_.row(0).transpose() - solved_.topRows(fixed).transpose() * solved_y_.head(fixed);
+  left_fixed_ = squares_ - solved_.topRows(fixed).colwise().squaredNorm().transpose();
 }
 
 void ColumnsAt::settle_line(double variance) {
-  std::vector<Eigen::Index> used;
-  for (Eigen::Index k = 0; k < line_; ++k) used.push_back(k);
-  for (Eigen::Index k = 0; k < precision_.size(); ++k) {
-    if (std::isfinite(precision_[k])) used.push_back(line_ + k);
-  }
-  const auto p = static_cast<Eigen::Index>(used.size());
-  Eigen::MatrixXd a(p, p);
-  Eigen::VectorXd scale(p);
-  double half_log = 0.0;
-  for (Eigen::Index i = 0; i < p; ++i) {
-    for (Eigen::Index j = 0; j < p; ++j)
-      a(i, j) = pool_(1 + used[static_cast<std::size_t>(i)], 1 + used[static_cast<std::size_t>(j)]);
-  }
-  for (Eigen::Index i = 0; i < p; ++i) {
-    const Eigen::Index k = used[static_cast<std::size_t>(i)];
-    if (k >= line_) {
-      a(i, i) += precision_[k - line_];
-      half_log -= 0.5 * std::log(precision_[k - line_]);
-    } else if (!is_free_[static_cast<std::size_t>(k)]) {
-      a(i, i) += variance;
-      half_log -= 0.5 * std::log(variance);
-    }
-    scale[i] = 1.0 / std::sqrt(std::max(a(i, i), 1e-300));
-  }
-  a = scale.asDiagonal() * a * scale.asDiagonal();
-  a.diagonal().array() += kJitter;
-  factor_.compute(a);
+  const auto fixed = static_cast<Eigen::Index>(fixed_.size()), open = static_cast<Eigen::Index>(open_.size());
+  double half_log = -0.5 * static_cast<double>(open) * std::log(variance);
   const Eigen::MatrixXd lower = factor_.matrixL();
-  for (Eigen::Index i = 0; i < p; ++i) half_log += std::log(lower(i, i)) - std::log(scale[i]);
+  for (Eigen::Index i = 0; i < fixed; ++i) half_log += std::log(lower(i, i)) - std::log(scale_[i]);
+  for (Eigen::Index k = 0; k < precision_.size(); ++k) {
+    if (std::isfinite(precision_[k])) half_log -= 0.5 * std::log(precision_[k]);
+  }
+  half_log += 0.5 * (values_.array() + variance).log().sum();
   constant = -0.5 * log_determinant_ - half_log;
-  for (Eigen::Index& k : used) ++k;  // of the pool, behind y
-  solved_y_ = scale.asDiagonal() * pool_(used, 0);
-  factor_.matrixL().solveInPlace(solved_y_);
-  square = std::max(pool_(0, 0) - solved_y_.squaredNorm(), 1e-300);
-  used_ = std::move(used);
-  scale_ = std::move(scale);
+  length_ = Eigen::VectorXd::Ones(fixed + open);
+  length_.tail(open) = (values_.array() + variance).rsqrt();
+  square = std::max(pool_(0, 0) - length_.cwiseProduct(solved_y_).squaredNorm(), 1e-300);
 }
 
 void ColumnsAt::settle(double variance) {
   if (variance == settled) return;
   settle_line(variance);
-  along = left = squares_;
-  if (cross_.cols() > 0) {
-    solved_ = scale_.asDiagonal() * cross_(used_, Eigen::all);
-    factor_.matrixL().solveInPlace(solved_);
-    along = cross_.row(0).transpose() - solved_.transpose() * solved_y_;
-    left = squares_ - solved_.colwise().squaredNorm().transpose();
+  const auto open = static_cast<Eigen::Index>(open_.size());
+  along = along_fixed_;
+  left = left_fixed_;
+  if (cross_.cols() > 0 && open > 0) {
+    const Eigen::VectorXd squares = length_.tail(open).cwiseAbs2();
+    const Eigen::VectorXd of_y = squares.cwiseProduct(solved_y_.tail(open));
+    for (Eigen::Index j = 0; j < left.size(); ++j) {
+      const auto column = solved_.col(j).tail(open);
+      along[j] -= column.dot(of_y);
+      left[j] -= column.cwiseAbs2().dot(squares);
+    }
   }
   for (Eigen::Index j = 0; j < left.size(); ++j) {
     if (!(left[j] > kSurviving * squares_[j])) left[j] = 0.0;
   }
-  settle_blocks();
   settled = variance;
 }
 
-void ColumnsAt::settle_blocks() {
-  for (BlockProduct& block : blocks) {
-    const Shape& shape = identities_.shapes[block.shape];
-    const auto line = solved_.middleCols(shape.first, shape.width);
-    const Eigen::MatrixXd product = block.white - line.transpose() * line;
-    block.length = product.diagonal().cwiseMax(1e-300).cwiseSqrt();
-    for (Eigen::Index k = 0; k < shape.width; ++k) {
-      if (left[shape.first + k] > 0.0) continue;
-      block.length[k] = std::numeric_limits<double>::infinity();  // the line has it
-    }
-    const Eigen::VectorXd inverse = block.length.cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(inverse.asDiagonal() * product * inverse.asDiagonal());
-    block.vectors = eigen.eigenvectors();
-    block.values = eigen.eigenvalues().cwiseMax(0.0);
+const BlockProduct& ColumnsAt::block(std::size_t shape) {
+  const auto place = std::lower_bound(blocks_.begin(), blocks_.end(), shape,
+                                      [](const BlockProduct& one, std::size_t s) { return one.shape < s; });
+  BlockProduct& block = *place;
+  if (block.settled == settled) return block;
+  const Shape& of = identities_.shapes[shape];
+  const Eigen::MatrixXd line = length_.asDiagonal() * solved_.middleCols(of.first, of.width);
+  const Eigen::MatrixXd product = block.white - line.transpose() * line;
+  block.length = product.diagonal().cwiseMax(1e-300).cwiseSqrt();
+  for (Eigen::Index k = 0; k < of.width; ++k) {
+    if (left[of.first + k] > 0.0) continue;
+    block.length[k] = std::numeric_limits<double>::infinity();  // the line has it
   }
+  const Eigen::VectorXd inverse = block.length.cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(inverse.asDiagonal() * product * inverse.asDiagonal());
+  block.vectors = eigen.eigenvectors();
+  block.values = eigen.eigenvalues().cwiseMax(0.0);
+  block.settled = settled;
+  return block;
 }
 
 std::vector<std::pair<std::size_t, double>> ColumnsAt::background_shares(const Eigen::VectorXd& line) const {
-  const Eigen::VectorXd coefficients = scale_.asDiagonal() * factor_.matrixU().solve(solved_y_ - line);
+  const auto fixed = static_cast<Eigen::Index>(fixed_.size()), open = static_cast<Eigen::Index>(open_.size());
+  const Eigen::VectorXd left_of_y = length_.cwiseProduct(solved_y_) - line;
+  const Eigen::VectorXd of_open = turn_ * length_.tail(open).cwiseProduct(left_of_y.tail(open));
+  const Eigen::VectorXd coefficients =
+      scale_.asDiagonal() * factor_.matrixU().solve(left_of_y.head(fixed) - between_ * of_open);
   Eigen::VectorXd background = Eigen::VectorXd::Zero(precision_.size());
-  for (std::size_t i = 0; i < used_.size(); ++i) {
-    if (used_[i] > line_) background[used_[i] - 1 - line_] = coefficients[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < fixed_.size(); ++i) {
+    if (fixed_[i] > line_) background[fixed_[i] - 1 - line_] = coefficients[static_cast<Eigen::Index>(i)];
   }
   std::map<std::size_t, std::vector<Eigen::Index>> columns;
   for (std::size_t k = 0; k < family_of_background_.size(); ++k)
@@ -178,7 +220,7 @@ std::vector<std::pair<std::size_t, double>> ColumnsAt::background_shares(const E
 
 ColumnsAt::Curve ColumnsAt::curve_of(const std::vector<std::pair<Eigen::Index, double>>& coefficients) const {
   const Eigen::Index n = identities_.columns.rows(), c = identities_.columns.cols();
-  Curve curve{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(scale_.size())};
+  Curve curve{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(length_.size())};
   if (coefficients.empty()) return curve;
   Eigen::VectorXd jumps = Eigen::VectorXd::Zero(n);
   for (const auto& [column, coefficient] : coefficients) {
@@ -189,17 +231,26 @@ ColumnsAt::Curve ColumnsAt::curve_of(const std::vector<std::pair<Eigen::Index, d
       jumps[column - c] += coefficient;
     }
   }
+  curve.line.array() *= length_.array();
   std::partial_sum(jumps.begin(), jumps.end(), jumps.begin());
-  curve.white = whitened_rows(filter_, curve.white + jumps);
+  curve.white += jumps;
+  filter_.apply(curve.white.data(), 1, curve.white.data(), 1);
   return curve;
 }
 
-Eigen::VectorXd ColumnsAt::products(const Curve& curve) const {
+Eigen::VectorXd ColumnsAt::products(const Curve& curve, const std::vector<ColumnSpan>& columns) const {
   const Eigen::Index n = identities_.columns.rows(), c = identities_.columns.cols();
   const RowMajorMatrix back = filter_.transposed(curve.white);
-  Eigen::VectorXd result = -(solved_.transpose() * curve.line);
-  result.head(c) += identities_.columns.transpose() * back.col(0);
-  if (identities_.jump) result.tail(n) += sums_from_each_row(back).col(0);
+  const Eigen::VectorXd line = length_.cwiseProduct(curve.line);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(identities_.size());
+  for (const auto& [first, count] : columns) {
+    if (first == c && count == n) {  // of jumps
+      result.tail(n) = sums_from_each_row(back).col(0);
+    } else {
+      result.segment(first, count).noalias() = identities_.columns.middleCols(first, count).transpose() * back.col(0);
+    }
+    result.segment(first, count).noalias() -= solved_.middleCols(first, count).transpose() * line;
+  }
   return result;
 }
 

@@ -26,10 +26,15 @@ struct DenseBackground {
 // Columns of a shape of several gains, or of one identity of several, turned so that they are independent.
 struct BlockProduct {
   std::size_t shape = 0;    // of Identities::shapes
+  double settled = -1.0;    // variance of the scatter that the three below are about
   Eigen::MatrixXd vectors;  // w by w
   Eigen::VectorXd values;   // w: square of each direction, of columns of length 1
   Eigen::VectorXd length;   // w: of each column
   Eigen::MatrixXd white;    // w by w: products of the columns before the line is taken off
+};
+
+struct ColumnSpan {
+  Eigen::Index first = 0, count = 0;
 };
 
 class ColumnsAt {
@@ -42,12 +47,12 @@ class ColumnsAt {
   // `constant` alone are there, about the scatter that nothing at all leaves.
   void settle(double variance);
 
-  double settled = 0.0;              // variance of the scatter
-  double square = 0.0;               // of what is left of the readings
-  double degrees = 0.0;              // n less the columns that are free
-  double constant = 0.0;             // of ln of the evidence, without the scatter
-  Eigen::VectorXd along, left;       // of all columns; left: 0 where too little is left of one
-  std::vector<BlockProduct> blocks;  // by their shape, rising
+  double settled = 0.0;         // variance of the scatter
+  double square = 0.0;          // of what is left of the readings
+  double degrees = 0.0;         // n less the columns that are free
+  double constant = 0.0;        // of ln of the evidence, without the scatter
+  Eigen::VectorXd along, left;  // of all columns; left: 0 where too little is left of one
+  const BlockProduct& block(std::size_t shape);
 
   // Of what the background makes of the readings, the share of each family of its columns. line: of the curve of all
   // single effects, which is taken off before.
@@ -58,27 +63,38 @@ class ColumnsAt {
     Eigen::VectorXd white, line;
   };
   Curve curve_of(const std::vector<std::pair<Eigen::Index, double>>& coefficients) const;
-  Eigen::VectorXd products(const Curve& curve) const;  // with what is left of all columns
+  // With what is left of some columns: of the others 0.
+  Eigen::VectorXd products(const Curve& curve, const std::vector<ColumnSpan>& columns) const;
   double product(const Curve& a, const Curve& b) const { return a.white.dot(b.white) - a.line.dot(b.line); }
 
  private:
+  void solve_line();
+  Eigen::MatrixXd solved_beside(const Eigen::Ref<const Eigen::MatrixXd>& products) const;
+  void solve_columns();
   void settle_line(double variance);
-  void settle_blocks();
 
   const Identities& identities_;
   const Whitening& filter_;
   double log_determinant_ = 0.0, background_d_ = 0.0;
-  Eigen::Index line_ = 0;         // columns of the line, the background's behind them
-  std::vector<char> is_free_;     // of the line's
-  Eigen::MatrixXd pool_, cross_;  // products of y and the line, and of these with all columns
-  Eigen::VectorXd squares_;       // of all columns
+  Eigen::Index line_ = 0;             // columns of the line, the background's behind them
+  std::vector<char> is_free_;         // of the line's
+  Eigen::MatrixXd pool_, cross_;      // products of y and the line, and of these with all columns
+  Eigen::VectorXd squares_;           // of all columns
+  std::vector<BlockProduct> blocks_;  // by their shape, rising
   std::vector<std::size_t> family_of_background_;
-  std::vector<Eigen::Index> used_;  // of pool_, the columns of the line and the background that are solved for
-  Eigen::VectorXd scale_;           // of these
-  Eigen::LLT<Eigen::MatrixXd> factor_;
   Eigen::VectorXd precision_;  // of the background's columns, in units of the scatter
-  Eigen::MatrixXd solved_;     // line by all columns: `line` of each column
+
+  // The line's columns that no scatter changes, `fixed`, and behind them the open ones, freed of these and turned so
+  // that each is by itself: of another scatter they only have another length.
+  std::vector<Eigen::Index> fixed_, open_;  // of pool_
+  Eigen::VectorXd scale_;                   // of the fixed ones
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+  Eigen::MatrixXd between_, turn_;  // fixed by open; of the open ones
+  Eigen::VectorXd values_;          // squares of the open ones
   Eigen::VectorXd solved_y_;
+  Eigen::MatrixXd solved_;                    // line by all columns
+  Eigen::VectorXd along_fixed_, left_fixed_;  // freed of the fixed ones
+  Eigen::VectorXd length_;                    // of `line` over that of solved_
 };
 
 }  // namespace ballbar
