@@ -170,6 +170,8 @@ struct ResultType<MachineErrorsOfTest> {
 
 // Of each row.
 Bulk sigmas_of(const DriftAxis& axis);
+// Its values at these rows.
+std::vector<double> at_rows(const std::vector<double>& values, const std::vector<std::size_t>& rows);
 
 template <>
 struct ResultType<DriftAxis> {

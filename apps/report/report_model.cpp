@@ -18,13 +18,6 @@
 namespace ballbar {
 namespace {
 
-std::vector<double> at_rows(const std::vector<double>& values, const std::vector<std::size_t>& rows) {
-  std::vector<double> chosen;
-  chosen.reserve(rows.size());
-  for (const std::size_t row : rows) chosen.push_back(values[row]);
-  return chosen;
-}
-
 // What the residual can be plotted against.
 std::vector<PageColumn> inputs_of(const Fit& fit, const ModelData& data) {
   std::vector<PageColumn> inputs;

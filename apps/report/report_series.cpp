@@ -40,14 +40,14 @@ std::vector<std::size_t> outline_rows(const Series& series) {
   return chosen;
 }
 
+}  // namespace
+
 std::vector<double> at_rows(const std::vector<double>& values, const std::vector<std::size_t>& rows) {
   std::vector<double> chosen;
   chosen.reserve(rows.size());
   for (const std::size_t row : rows) chosen.push_back(values[row]);
   return chosen;
 }
-
-}  // namespace
 
 Bulk sigmas_of(const DriftAxis& axis) {
   Bulk sigmas{std::vector<double>(axis.value.size())};

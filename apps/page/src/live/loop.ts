@@ -486,7 +486,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         await change_model(
           () => runs.change(subject, change),
           async () => {
-            const { sentence, ledger } = await runs.revise(subject, subject.model);
+            const { sentence, ledger } = await runs.revise(subject, subject.model, true);
             sentence_of_it = sentence;
             return ledger ? { ledger } : {};
           },

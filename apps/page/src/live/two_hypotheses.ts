@@ -6,7 +6,7 @@ import { model_fit_picture } from "../model/model_fit_picture";
 import { strands_of } from "../drawing/strands";
 import type { PageState } from "../figure/view";
 import type { Candidate, HypothesesPart, Report } from "../report";
-import { plain } from "../drawing/text";
+import { plain_name } from "../machine_errors/error_names";
 import { shown } from "../drawing/theme";
 import { named, t } from "../texts/texts";
 
@@ -42,7 +42,7 @@ export const two_hypotheses = ({ page, add_figure, report, compare, keep }: TwoH
   let made: readonly Figure[] = [];
   let asked: readonly string[] = []; // that are no candidates
 
-  const label_shown = (label: string): string => (label === "" ? t.hands_as_it_is : t.hands_with({ effect: plain(label, 60) }));
+  const label_shown = (label: string): string => (label === "" ? t.hands_as_it_is : t.hands_with({ effect: plain_name(label, 60) }));
   const forget = (): void => {
     for (const figure of made) figure.leave();
     made = [];

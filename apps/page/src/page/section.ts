@@ -9,16 +9,16 @@ import type { Shared } from "./shared";
 import { micrometres } from "../drawing/text";
 import { language } from "../texts/texts";
 
-const acting_rows = ({ title, commands }: NonNullable<TextTable["acts"]>, act: (command: string) => void) =>
+const acting_rows = ({ title, commands }: NonNullable<TextTable["acts"]>, action_of: NonNullable<Shared["action_of"]>) =>
   (made: HTMLTableRowElement, index: number): void => {
     const [cell] = made.cells;
-    const command = commands[index];
-    if (cell && command !== undefined) cell.replaceChildren(button(cell.textContent ?? "", title, () => act(command)));
+    const action = action_of(commands[index] ?? "");
+    if (cell && action) cell.replaceChildren(button(cell.textContent ?? "", title, action));
   };
 
 const text_table = (table: TextTable, shared: Shared): HTMLElement => {
   if (table.choose) return table_of({ ...table, row: choosing_rows(table.choose, shared) });
-  return table_of(table.acts && shared.act ? { ...table, row: acting_rows(table.acts, shared.act) } : table);
+  return table_of(table.acts && shared.action_of ? { ...table, row: acting_rows(table.acts, shared.action_of) } : table);
 };
 
 // A page that does the steps by itself shows no command.
