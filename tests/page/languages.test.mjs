@@ -33,7 +33,8 @@ const english = /\b(the|and|with|without|less|each|below|above|measured|recordin
 // marked as English is a sentence that the page does not have: these too.
 const names = [
   /^Five probes, 25 mm from plane 1/, // a source, as files name it
-  /^[AB]: (five probes, 25 mm from plane 1|ballbar, two_arcs)/,
+  /^SIMULATED by ballbar/, // what a test is called by its file
+  /^[AB](: |：)(five probes, 25 mm from plane 1|ballbar, two_arcs)/,
 ];
 const english_on = (page) =>
   page.evaluate(
