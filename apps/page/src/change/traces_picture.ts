@@ -3,7 +3,7 @@ import { about_circle, type ErrorTest } from "../machine_errors/error_curves";
 import type { Choice, Numbers, Picture, State, Toggle } from "../picture";
 import { dash_of, stacked_numbers } from "../recordings/recording_curves";
 import type { ComparedTests, Recording } from "../report";
-import { magnification_choice, round_curve, round_option, type RoundCurve } from "../recordings/round";
+import { magnification_choice, type Round, round_curve, round_option, type RoundCurve } from "../recordings/round";
 import { curve_colour, shown, toggle } from "../drawing/theme";
 import { extent } from "../drawing/columns";
 import { t } from "../texts/texts";
@@ -60,6 +60,10 @@ export const traces_picture = (all: readonly Traced[]): Picture => {
     const traced = traced_of(chosen);
     return traced ? traces_of(traced) : [];
   };
+  const round_of = (drawn: readonly Trace[]): Pick<Round, "first" | "extent_um"> => ({
+    first: drawn[0]?.recording,
+    extent_um: extent(drawn.map(({ test, place }) => about_circle(test, place))),
+  });
   return {
     name: kTraces_picture,
     title: t.change_picture_title,
@@ -67,7 +71,7 @@ export const traces_picture = (all: readonly Traced[]): Picture => {
     about: t.change_picture_about,
     height_px: 440,
     zoom: "none",
-    choices: [...pair_choice(all.map(({ pair }) => pair)), magnification_choice()],
+    choices: [...pair_choice(all.map(({ pair }) => pair)), magnification_choice((chosen) => round_of(traces(chosen)))],
     toggles: ({ chosen }) => traces(chosen).map(toggle_of),
     draw: (state) => {
       const drawn = traces(state.chosen);
@@ -84,8 +88,7 @@ export const traces_picture = (all: readonly Traced[]): Picture => {
       const pair = traced_of(state.chosen)?.pair;
       const round = pair?.quantities.find(({ name }) => name === "circularity");
       return round_option(state, {
-        first: drawn[0]?.recording,
-        extent_um: extent(drawn.map(({ test, place }) => about_circle(test, place))),
+        ...round_of(drawn),
         curves,
         toggles: drawn.map(toggle_of),
         ...(round ? { note: t.change_circularity_note({ before: shown(round.before, 2), after: shown(round.after, 2) }) } : {}),

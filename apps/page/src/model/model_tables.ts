@@ -4,7 +4,7 @@ import type { Checked, Parameter, Report } from "../report";
 import { plain, unit_shown } from "../drawing/text";
 import { decimals_for, minutes, shown, with_sigma } from "../drawing/theme";
 import { named, t, with_decimal_sign } from "../texts/texts";
-import { typed_name, typed_parameter } from "../machine_errors/error_names";
+import { plain_name, typed_name, typed_parameter } from "../machine_errors/error_names";
 
 const kMost_rows = 20;
 
@@ -14,7 +14,7 @@ const percent = (share: number | null): string => (share === null ? "–" : show
 
 // "angle, CCW", or a column; a regime, or from where to where: "30 deg".
 export const place_name = (what: string): string => what.split(", ").map((part) => named(t.places, part)).join(", ");
-export const end_name = (end: string): string => with_decimal_sign(named(t.regimes, end).replace(/ deg$/, "°"));
+export const end_name = (end: string): string => with_decimal_sign(named(t.regimes, end).replace(/ deg$/, "°").replace(/ degC$/, " °C"));
 
 const misfit_row = (misfit: Misfit): string[] => [
   plain(place_name(misfit.what), 50),
@@ -55,7 +55,7 @@ const parameter_row = (one: Parameter): string[] => {
   const decimals = decimals_for(one.value, one.sigma);
   const held = one.state !== undefined && one.state !== "free";
   return [
-    typed_name(one.effect ?? "–", 90),
+    one.effect === "constant" ? plain_name(one.effect, 90) : typed_name(one.effect ?? "–", 90),
     typed_parameter(one.name),
     held && one.sigma === null ? shown(one.value) : with_sigma(one.value, one.sigma, decimals),
     unit_shown(plain(one.unit, 20)).replace(/\bum\b/g, "µm"),

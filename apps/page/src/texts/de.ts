@@ -882,6 +882,7 @@ export const de: Texts = {
     bar: "Stab",
   },
   effects: {
+    constant: "Konstante",
     expansion: "Ausdehnung",
     lagged_expansion: "verzögerte Ausdehnung",
     speed_heating: "Reibungswärme der Drehzahl",

@@ -897,6 +897,7 @@ export const en = {
     bar: "bar",
   },
   effects: {
+    constant: "constant",
     expansion: "expansion",
     lagged_expansion: "lagged expansion",
     speed_heating: "speed heating",

@@ -12,8 +12,11 @@ interface Row {
 
 const escaped = (text: string): string => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
 
+// Within one sentence.
+const kAnything = "((?:(?![.!?]\\s+[\\p{Lu}\\d]).)+?)";
+
 const rows_of = (sentences: ProgramSentences): Row[] =>
-  sentences.map(([written, said]) => ({ pattern: new RegExp(`^${escaped(written).replaceAll("\\{\\}", "(.+?)")}$`, "s"), said }));
+  sentences.map(([written, said]) => ({ pattern: new RegExp(`^${escaped(written).replaceAll("\\{\\}", kAnything)}$`, "su"), said }));
 
 const rows: Readonly<Record<string, readonly Row[]>> = { de: rows_of(program_de), zh: rows_of(program_zh) };
 
@@ -31,7 +34,8 @@ const part_of = (text: string, words: Words): string => {
   const phrase = one_of(text, words);
   if (phrase !== null) return phrase;
   const [, name = "", columns = ""] = kLabel.exec(text) ?? [];
-  if (Object.hasOwn(words.effects, name)) return `${words.effects[name] ?? name}${columns === "" ? "" : ` ${columns.trim()}`}`;
+  const [, stem = name, axis = ""] = /^(.*)_([ab])$/.exec(name) ?? []; // "backlash_a"
+  if (Object.hasOwn(words.effects, stem)) return [words.effects[stem] ?? stem, axis, columns.trim()].filter((part) => part !== "").join(" ");
   return words.numbers(text);
 };
 
@@ -47,7 +51,7 @@ const one_of = (text: string, words: Words): string | null => {
 export const program_sentence = (text: string, words: Words): string | null => {
   const whole = one_of(text, words);
   if (whole !== null || rows[words.language] === undefined) return whole;
-  const all = text.split(/(?<=[.!?])\s+(?=\p{Lu})/u);
+  const all = text.split(/(?<=[.!?])\s+(?=[\p{Lu}\d])/u);
   if (all.length < 2) return null;
   const said = all.map((one) => one_of(one, words));
   return said.every((one) => one !== null) ? said.join(words.language === "zh" ? "" : " ") : null;

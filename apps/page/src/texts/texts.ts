@@ -54,7 +54,7 @@ export interface Quoted {
 export type Sentence = string | Quoted;
 
 const in_the_language = (text: string): string | null =>
-  program_sentence(text, { language, effects: t.effects, numbers: with_decimal_sign });
+  program_sentence(text, { language, effects: t.effects, numbers: (part) => with_decimal_sign(part).replace(/(?<=\d )degC\b/g, "°C") });
 export const english = (text: string): Sentence => in_the_language(text) ?? { before: "", english: text };
 export const english_after = (before: string, text: string): Sentence => {
   const said = in_the_language(text);

@@ -837,6 +837,7 @@ export const zh: Texts = {
     bar: "球杆",
   },
   effects: {
+    constant: "常数",
     expansion: "热膨胀",
     lagged_expansion: "滞后热膨胀",
     speed_heating: "转速摩擦热",

@@ -1,0 +1,104 @@
+// Nothing that is in no file is deleted without a question, and a saved model holds what was fitted.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { launched, opened } from "./browser.mjs";
+import { folder, json_of, of_run } from "./reports.mjs";
+
+const tool = process.env.BALLBAR_HTML;
+if (!tool) throw new Error("expected BALLBAR_HTML in the environment: the page with the program in it");
+
+let browser;
+before(async () => {
+  browser = await launched();
+});
+after(() => browser.close());
+
+const kLong = 180_000;
+const live = () => opened(browser, tool, { viewport: { width: 1400, height: 900 }, acceptDownloads: true });
+const at_rest = async (page) => {
+  for (let k = 0; k < 3; ++k) {
+    await page.waitForFunction(
+      () => document.querySelector(".live-work").dataset.waiting === "0" && !document.querySelector(".live-loop[aria-busy]"),
+      null,
+      { timeout: kLong },
+    );
+    await page.waitForTimeout(300);
+  }
+};
+// The sample run with what it lacks added.
+const changed = async () => {
+  const opened_page = await live();
+  const { page } = opened_page;
+  await page.getByRole("button", { name: "hidden-effect", exact: true }).click();
+  await page.waitForSelector(".live-candidates .plus", { timeout: kLong });
+  await page.locator(".live-candidates .plus").first().click();
+  await page.waitForSelector('.live-loop[data-revisions="2"]', { timeout: kLong });
+  await at_rest(page);
+  return opened_page;
+};
+const close_button = (page) => page.getByRole("button", { name: "Close", exact: true });
+const parameters = (page) => page.locator(".live-model .slider output").allInnerTexts();
+
+test("Close asks where something is in no file, by keyboard too; else it closes", async () => {
+  const { page, wrong, close } = await changed();
+  await close_button(page).click();
+  const question = page.locator("dialog.live-question");
+  await question.waitFor();
+  assert.match(await question.innerText(), /in no file yet/);
+  await page.keyboard.press("Escape");
+  assert.equal(await question.count(), 0);
+  assert.ok(await page.locator(".live-report main").count(), "it is still open");
+  await close_button(page).focus();
+  await page.keyboard.press("Enter");
+  await question.waitFor();
+  await page.keyboard.press("Tab"); // "Delete it"
+  await page.keyboard.press("Enter");
+  await page.waitForSelector(".samples button:visible");
+  await page.getByRole("button", { name: "hidden-effect", exact: true }).click();
+  await page.waitForSelector(".live-report main", { timeout: kLong });
+  await close_button(page).click(); // nothing was changed
+  await page.waitForSelector(".samples button:visible");
+  assert.equal(await question.count(), 0);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("after a reload, other files do not delete what was kept without a question", async () => {
+  const { page, wrong, close } = await changed();
+  await page.reload();
+  await page.waitForSelector("html[data-ready]", { state: "attached" });
+  await page.getByRole("button", { name: "qc20-style-b5r", exact: true }).click();
+  await page.locator("dialog.live-question").waitFor();
+  await page.getByRole("button", { name: "Cancel", exact: true }).click();
+  await page.getByRole("button", { name: /^Continue where you were/ }).click();
+  await page.waitForSelector(".live-fall .rmse:not(:empty)", { timeout: kLong });
+  assert.match(await page.textContent(".live-model"), /lagged_expansion\(T_room_degC\)/);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("a saved model has every fitted value: opened, it is the same fit", async () => {
+  const { page, wrong, close } = await changed();
+  const [rmse, values] = [await page.textContent(".live-fall .rmse"), await parameters(page)];
+  await page.click(".live-saves > summary");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Model (.toml)", exact: true }).click()]);
+  const path = join(folder, "saved.toml");
+  await download.saveAs(path);
+  const text = readFileSync(path, "utf8");
+  const fitted = await page.evaluate(() => [...document.querySelectorAll(".live-model .slider")].length);
+  const starts = text.slice(0, text.indexOf("[[history]]")).match(/start = /g) ?? [];
+  assert.equal(starts.length, fitted - 1, text); // all but the constant, which is no effect's
+  const checked = json_of("check", of_run("hidden-effect", "01", "data.csv"), "--model", path);
+  assert.equal(`RMSE ${checked.rmse_um.toFixed(3)} µm`, rmse);
+  await close_button(page).click(); // it is in a file
+  await page.waitForSelector(".samples button:visible");
+  await page.locator("input[type=file]:not([webkitdirectory])").first().setInputFiles([of_run("hidden-effect", "01", "data.csv"), path]);
+  await page.waitForSelector(".live-fall .rmse:not(:empty)", { timeout: kLong });
+  await at_rest(page);
+  assert.equal(await page.textContent(".live-fall .rmse"), rmse);
+  assert.deepEqual((await parameters(page)).sort(), values.sort());
+  assert.deepEqual(wrong, []);
+  await close();
+});
