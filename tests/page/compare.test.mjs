@@ -130,9 +130,8 @@ test("stored results without readings: both values, and that what is clear is no
     const features = { CIRCULARITY: 5 + play, BACKLASH_A_POS: play, BACKLASH_A_NEG: play };
     const lines = Object.entries(features).map(([key, value]) => `<FEATURE NAME="AF_${key}" DT="UT_LENGTH_UM">${value}</FEATURE>`);
     const text = readFileSync(made(name, { ...kBefore, started: `2025-0${play}-03T08:00:00` }), "utf8")
-      .replace(/<READINGS>[^]*?<\/READINGS>/g, "")
-      .replace(/<ANALYSIS NAME="[^"]*"/, (start) => start.replace(/"[^"]*"/, '"RENISHAW_DIAGNOSTICS"'))
-      .replace(/<FEATURE NAME=/, `${lines.join("")}<FEATURE NAME=`);
+      .replace(/<READINGS>.*\n/g, "")
+      .replace('<ANALYSIS NAME="ISO230_4"', (start) => `<ANALYSIS NAME="RENISHAW_DIAGNOSTICS" version="2.1">${lines.join("")}</ANALYSIS>\n  ${start}`);
     const file = join(folder, "compare", `${name}-stored.b5r`);
     writeFileSync(file, text);
     return file;
