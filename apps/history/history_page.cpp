@@ -106,6 +106,7 @@ int weight_of(const MachineHistory& machine, std::size_t place) {
 DrawnGroup drawn_group(const MachineHistory& machine, std::size_t place) {
   DrawnGroup group{(machine.name.empty() ? "" : machine.name + ": ") + group_text(machine.groups[place]),
                    "",
+                   machine.groups[place].plane,
                    {},
                    {"quantity", "unit", "last", "change", "sigmas", "a year", "tolerance", "met"},
                    {}};

@@ -48,6 +48,7 @@ struct ResultType<DrawnQuantity> {
 
 struct DrawnGroup {
   std::string label, first;
+  Plane plane = Plane::XY;
   std::vector<DrawnQuantity> quantities;
   std::vector<std::string> heading;
   std::vector<std::vector<std::string>> rows;
@@ -57,10 +58,12 @@ template <>
 struct ResultType<DrawnGroup> {
   static constexpr std::string_view name = "HistoryGroup";
   static constexpr std::string_view meaning = "Tests that can be compared.";
-  static constexpr std::tuple fields{
-      Field{"label", &DrawnGroup::label, "XY, 100 mm, 1000 mm/min, 360 deg"},
-      Field{"first", &DrawnGroup::first, "quantity to look at first"}, Field{"quantities", &DrawnGroup::quantities, ""},
-      Field{"heading", &DrawnGroup::heading, "of the table"}, Field{"rows", &DrawnGroup::rows, ""}};
+  static constexpr std::tuple fields{Field{"label", &DrawnGroup::label, "XY, 100 mm, 1000 mm/min, 360 deg"},
+                                     Field{"first", &DrawnGroup::first, "quantity to look at first"},
+                                     Field{"plane", &DrawnGroup::plane, "XY, YZ, ZX"},
+                                     Field{"quantities", &DrawnGroup::quantities, ""},
+                                     Field{"heading", &DrawnGroup::heading, "of the table"},
+                                     Field{"rows", &DrawnGroup::rows, ""}};
 };
 
 // A test as a row of the list.

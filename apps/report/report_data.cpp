@@ -68,10 +68,15 @@ void add_test_comparisons(Report& made, const Fitted& fitted, const ReportReques
   if (!part.tests.empty()) made.page.machine_errors.value = std::move(part.tests);
 }
 
+// "XY: before.b5r → after.b5r"
 std::string title_of(const std::vector<ComparedTests>& compared) {
-  const TestComparison& first = compared.front().comparison;
-  if (compared.size() > 1) return fmt::format("{} planes, before and after", compared.size());
-  return fmt::format("{}, before and after: {}, {}", name_of(first.before.plane), first.before.file, first.after.file);
+  std::string title;
+  for (const ComparedTests& one : compared) {
+    const TestComparison& pair = one.comparison;
+    title += fmt::format("{}{}: {} → {}", title.empty() ? "" : "; ", name_of(pair.before.plane), pair.before.file,
+                         pair.after.file);
+  }
+  return title;
 }
 
 // The name of the test where all recordings, or stored results, are of one.

@@ -3,21 +3,22 @@ import { history_picture, type Shown } from "./history_picture";
 import { command_of } from "../drawing/command";
 import type { Next, Section, State } from "../picture";
 import type { DrawnTest, HistoryGroup, Report } from "../report";
-import { plain } from "../drawing/text";
+import { capital, plain } from "../drawing/text";
 import { shown, with_sigma } from "../drawing/theme";
 import { english, named, t, with_decimal_sign } from "../texts/texts";
-import { error_name, typed_name } from "../machine_errors/error_names";
+import { error_name, typed_name, unit_shown } from "../machine_errors/error_names";
+import { quantity_name } from "../change/quantities";
 
 const next = (): Next => ({ label: t.history_next, command: command_of("history", ["."], ["--all"]) });
 
 // The columns of the table: quantity, unit, last, change, sigmas, a year, tolerance, met.
-const quantity_sentence = ({ rows }: HistoryGroup, name: string): string => {
+const quantity_sentence = ({ rows, plane }: HistoryGroup, name: string): string => {
   const row = rows.find(([quantity]) => quantity === name);
   if (!row) return t.history_count({ n: rows.length });
   const [, unit = "", last = "", change = "", sigmas = "", a_year = "", tolerance = "", met = ""] = row.map(table_text);
   const is_stated = (text: string): boolean => text !== "" && text !== "-";
   return t.history_says({
-    name: typed(name),
+    name: capital(quantity_name(name, plane)),
     last,
     unit,
     changed: is_stated(change) ? t.history_says_changed({ change: change.replace(" *", ""), sigmas }) : "",
@@ -58,10 +59,10 @@ const group_section = (group: HistoryGroup, k: number): Section => ({
     {
       title: t.history_quantities,
       heading: group.heading.map(heading_of),
-      rows: group.rows.map(([quantity = "", ...rest]) => [typed(quantity), ...rest.map(table_text)]),
+      rows: group.rows.map(([quantity = "", unit = "", ...rest]) => [quantity_name(quantity, group.plane), unit_shown(unit), ...rest.map(table_text)]),
     },
   ],
-  pictures: group.quantities.length > 0 ? [history_picture(group, shown_as(k))] : [],
+  pictures: group.quantities.length > 0 ? [history_picture(group, shown_as(k), (name) => quantity_name(name, group.plane))] : [],
 });
 
 const tests_section = (tests: readonly DrawnTest[]): Section[] =>

@@ -4,7 +4,7 @@ import { curves_base } from "../drawing/hover";
 import type { Numbers, Picture, State, Toggle } from "../picture";
 import { kBottom_px, kLeft_px, kRight_px, top_px, x_axis } from "../drawing/axes";
 import type { HistoryGroup, HistoryQuantity, Num } from "../report";
-import { plain } from "../drawing/text";
+import { plain, unit_shown } from "../drawing/text";
 import { axis, colours, toggle } from "../drawing/theme";
 import { t } from "../texts/texts";
 import { typed_name } from "../machine_errors/error_names";
@@ -20,6 +20,12 @@ const date_of = (year: number): string => {
   const [from, to] = [Date.UTC(whole, 0), Date.UTC(whole + 1, 0)];
   return new Date(from + (year - whole) * (to - from)).toISOString().slice(0, 10);
 };
+
+// "2025-07" at its ticks.
+const dated = (of_years: Record<string, unknown>): Record<string, unknown> => ({
+  ...of_years,
+  axisLabel: { ...(of_years["axisLabel"] as object), formatter: (year: number) => date_of(year).slice(0, 7) },
+});
 
 const tolerance = (limits: readonly number[], color: string): Series =>
   lines_across(
@@ -62,7 +68,11 @@ export interface Shown {
   about: string;
 }
 
-export const history_picture = (group: Pick<HistoryGroup, "label" | "first" | "quantities">, shown: Shown): Picture => {
+export const history_picture = (
+  group: Pick<HistoryGroup, "label" | "first" | "quantities">,
+  shown: Shown,
+  name_of: (quantity: string) => string = (quantity) => typed_name(quantity, 120),
+): Picture => {
   const { quantities } = group;
   const { trend: called, ...head } = shown;
   const kTests = toggle("tests", t.history_tests, 0, "dot");
@@ -97,11 +107,11 @@ export const history_picture = (group: Pick<HistoryGroup, "label" | "first" | "q
     ];
     const limits = limits_near(quantity);
     return {
-      ...curves_base(state, toggles(state), { drawn, head: date_of, unit }),
+      ...curves_base(state, toggles(state), { drawn, head: date_of, unit: unit_shown(unit) }),
       grid: { left: kLeft_px, right: kRight_px, top: top_px(look, toggles(state).map(({ label }) => label)), bottom: kBottom_px },
-      xAxis: x_axis(look, t.history_year_axis, window, ends_of(quantity)),
+      xAxis: dated(x_axis(look, t.history_date, window, ends_of(quantity))),
       yAxis: {
-        ...axis(look, t.model_in_unit({ name: typed_name(quantity.name, 60), unit }), "y"),
+        ...axis(look, t.model_in_unit({ name: plain(name_of(quantity.name), 60), unit: unit_shown(unit) }), "y"),
         min: ({ min }: { min: number }) => (limits.some((limit) => limit < min) ? Math.min(...limits) * 1.05 : null),
         max: ({ max }: { max: number }) => (limits.some((limit) => limit > max) ? Math.max(...limits) * 1.05 : null),
       },
@@ -139,7 +149,7 @@ export const history_picture = (group: Pick<HistoryGroup, "label" | "first" | "q
       {
         key: "quantity",
         label: t.history_quantity,
-        values: quantities.map(({ name }) => ({ value: name, label: typed_name(name, 120) })),
+        values: quantities.map(({ name }) => ({ value: name, label: name_of(name) })),
         initial: group.first,
       },
     ],

@@ -99,7 +99,13 @@ export const head_bar = ({ take, close, saves, columns, work, message }: HeadOf)
       }
       if (other_tests.length > 0) {
         const values = [["", t.live_nothing] as const, ...other_tests.map(({ words, label }) => [words.join("\n"), label] as const)];
-        choices.append(choice(t.live_compare_with, values, subject.compared.join("\n"), (value) => choose({ model: "", compared: value === "" ? [] : value.split("\n") })));
+        choices.append(
+          choice(t.live_compare_with, values, subject.compared.join("\n"), (value) => {
+            const other = other_tests.find(({ words }) => words.join("\n") === value);
+            const words = other?.words ?? [];
+            choose({ model: "", ...(other?.older ? { data: words, compared: subject.data } : { compared: words }) });
+          }),
+        );
       }
       const [alone, ...others] = subject.data;
       const runs = compared.filter((group) => group.kind === "series" && subject.group.kind === "series");

@@ -58,6 +58,7 @@ export const test_label = (test: TestHead, among: readonly TestHead[]): string =
 export interface Other {
   words: readonly string[];
   label: string;
+  older: boolean; // than what is looked at: then it is the one before
 }
 
 export const others_of = (subject: Subject, tests: ReadonlyMap<string, readonly TestHead[]>, groups: readonly Group[]): Other[] => {
@@ -69,7 +70,7 @@ export const others_of = (subject: Subject, tests: ReadonlyMap<string, readonly 
   if (looked_at.length === 1) {
     return by_date(all)
       .filter((test) => test !== one && test.plane === one.plane)
-      .map((test) => ({ words: files_of(test), label: test_label(test, all) }));
+      .map((test) => ({ words: files_of(test), label: test_label(test, all), older: test.date !== null && one.date !== null && test.date < one.date }));
   }
   return groups
     .filter(({ key, kind }) => kind === "recordings" && key !== subject.group.key && once_a_plane(looked_at))
@@ -77,5 +78,5 @@ export const others_of = (subject: Subject, tests: ReadonlyMap<string, readonly 
       const its = tests.get(key) ?? [];
       return once_a_plane(its) && its.some(({ plane }) => planes_of(looked_at).includes(plane));
     })
-    .map(({ data, title }) => ({ words: data, label: plain(title, 60) }));
+    .map(({ data, title }) => ({ words: data, label: plain(title, 60), older: false }));
 };

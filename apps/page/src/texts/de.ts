@@ -717,7 +717,7 @@ export const de: Texts = {
   change_picture_caption: "Jede Prüfung um ihren eigenen Ausgleichskreis, beide gleich vergrößert.",
   change_picture_about: "Mittelpunkt und Radius jeder Prüfung sind abgezogen, sodass nicht stört, wo der Stab stand. Durchgezogen: gegen den Uhrzeigersinn; gestrichelt: im Uhrzeigersinn.",
   change_trace: ({ which, direction }) => `${which} ${direction}`.trim(),
-  change_circularity_note: ({ before, after }) => `Kreisformabweichung ${before} → ${after} µm`,
+  change_circularity_note: ({ before, after }) => `Kreisformabweichung\n${before} → ${after} µm`,
   change_sizes_title: "Fehler vorher und nachher",
   change_sizes_caption: "Eine Zeile je Fehler, mit ± einem Sigma; durchgezogen, was sich deutlich unterscheidet.",
   change_sizes_about: "Fehler, die eine der Prüfungen zeigt, und solche, die sich deutlich unterscheiden.",
@@ -738,7 +738,6 @@ export const de: Texts = {
   history_tests: "Prüfungen",
   history_trend: "Trend",
   history_tolerance: "Toleranz",
-  history_year_axis: "Jahr",
   history_quantity: "Größe",
   history_quantities: "Größen",
   history_caption: "Eine Größe über den Prüfungen, mit Trend und Toleranz; ± ein Sigma.",
@@ -1180,7 +1179,6 @@ export const de: Texts = {
   live_unsupported: ({ effects }: { effects: string }) => `Das Modell enthält ${effects}, was die Daten nicht stützten: Ein Befund gilt nur, wenn es wirklich da ist.`,
   live_add_named: ({ effects }: { effects: string }) => `${effects} hinzufügen`,
   live_add_title: ({ effect }: { effect: string }) => `${effect} zum Modell hinzufügen`,
-  live_test_again: "Wenn die Maschine wieder geprüft ist, die neue Datei auch hier ablegen.",
 
   // live: next test
   live_next_test: "Der nächste Versuch",

@@ -729,7 +729,7 @@ export const en = {
   change_picture_caption: "Each test about its own fitted circle, both in the same magnification.",
   change_picture_about: "Centre and radius of each test are taken off, so that where the bar was set up does not show. Solid: counter-clockwise; dashed: clockwise.",
   change_trace: ({ which, direction }: { which: string; direction: string }) => `${which} ${direction}`.trim(),
-  change_circularity_note: ({ before, after }: { before: string; after: string }) => `circularity ${before} → ${after} µm`,
+  change_circularity_note: ({ before, after }: { before: string; after: string }) => `circularity\n${before} → ${after} µm`,
   change_sizes_title: "Errors before and after",
   change_sizes_caption: "One line an error, with ± one sigma; solid, what differs clearly.",
   change_sizes_about: "Errors that one of the tests shows, and those that differ clearly.",
@@ -750,7 +750,6 @@ export const en = {
   history_tests: "tests",
   history_trend: "trend",
   history_tolerance: "tolerance",
-  history_year_axis: "year",
   history_quantity: "Quantity",
   history_quantities: "Quantities",
   history_caption: "One quantity over the tests, with its trend and its tolerance; ± one sigma.",
@@ -1195,7 +1194,6 @@ export const en = {
   live_unsupported: ({ effects }: { effects: string }) => `The model holds ${effects}, which the data did not support: a verdict holds only if it is real.`,
   live_add_named: ({ effects }: { effects: string }) => `Add ${effects}`,
   live_add_title: ({ effect }: { effect: string }) => `Add ${effect} to the model`,
-  live_test_again: "When the machine was tested again, drop the new file here too.",
 
   // live: next test
   live_next_test: "The next test",

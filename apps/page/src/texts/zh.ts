@@ -674,7 +674,7 @@ export const zh: Texts = {
   change_picture_caption: "各自以其拟合圆为基准，放大倍数相同。",
   change_picture_about: "已去除各测试的圆心和半径，因此杆的安装位置不影响。实线：逆时针；虚线：顺时针。",
   change_trace: ({ which, direction }) => `${which} ${direction}`.trim(),
-  change_circularity_note: ({ before, after }) => `圆度 ${before} → ${after} µm`,
+  change_circularity_note: ({ before, after }) => `圆度\n${before} → ${after} µm`,
   change_sizes_title: "误差的前后对比",
   change_sizes_caption: "每行一项误差，± 一倍标准差；实线表示差异明显。",
   change_sizes_about: "任一测试显示的误差，以及差异明显的误差。",
@@ -695,7 +695,6 @@ export const zh: Texts = {
   history_tests: "测试",
   history_trend: "趋势",
   history_tolerance: "公差",
-  history_year_axis: "年",
   history_quantity: "量",
   history_quantities: "各量",
   history_caption: "某一量随测试的变化，附趋势与公差；± 1 sigma。",
@@ -1135,7 +1134,6 @@ export const zh: Texts = {
   live_unsupported: ({ effects }: { effects: string }) => `模型中含有 ${effects}，数据并不支持：只有它确实存在，结论才成立。`,
   live_add_named: ({ effects }: { effects: string }) => `加入 ${effects}`,
   live_add_title: ({ effect }: { effect: string }) => `将 ${effect} 加入模型`,
-  live_test_again: "再次测试机床后，将新文件也拖到这里。",
 
   // live: next test
   live_next_test: "下一次测试",
