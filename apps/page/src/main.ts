@@ -87,6 +87,8 @@ const open: Open = (report, shared, tools, by_hand) => {
   };
 };
 
+const kSoon_ms = 200; // the first screen is drawn by then
+
 // Browsers compile a function when it is first called: a first page is drawn before there is one to show, and let go.
 const warm_up = (report: Report): void => {
   const shared = shared_by_figures(element("div"));
@@ -114,7 +116,10 @@ try {
   document.body.append(voice);
   if (engine) {
     const page = live_page(voice, given, open);
-    void engine.warmed.then((report) => requestIdleCallback(() => page.shown() || warm_up(JSON.parse(report) as Report)));
+    const warm = (report: string): void => {
+      if (!page.shown()) warm_up(JSON.parse(report) as Report);
+    };
+    void engine.warmed.then((report) => setTimeout(warm, kSoon_ms, report));
     void open_live(engine, page).then(() => ready(Object.assign(Object.create(page.shared), { engine })));
   } else {
     if (!given) throw new Error(t.page_no_data);
