@@ -74,6 +74,8 @@ const open: Open = (report, shared, tools, by_hand) => {
     ...(by_hand ? [by_hand.element] : []),
     ...made.map((one) => one.element),
   );
+  // Where there is no picture, as of a file that stores results alone, the only section is what there is to see.
+  if (proved.length === 0 && made.length === 1) made[0]?.element.querySelector("details")?.setAttribute("open", "");
   const sheet = one_sheet(report, first[0], shared);
   return {
     parts: [
