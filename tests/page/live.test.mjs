@@ -86,6 +86,23 @@ test("a .b5r that is dropped: the ranked table, equal to the program's", async (
   await close();
 });
 
+test("a session with a model: its drift first, the loop below it; the sheet alone is one page with the options", async () => {
+  const { page, wrong, close } = await live();
+  await sample(page, "two-arcs-he2015");
+  await page.waitForSelector('.first figure[data-picture="drift"] canvas', { timeout: kLong });
+  assert.match(await page.textContent(".first .verdict"), /^Largest drift: y 31\.7\d+ ± 0\.0\d+ µm at 124 min; x 5\.08\d ± 0\.0\d+ µm at 124 min; z 4\.6/);
+  await page.waitForSelector(".live-loop", { timeout: kLong });
+  const top = (selector) => page.$eval(selector, (one) => one.getBoundingClientRect().top);
+  assert.ok((await top(".first")) < (await top(".live-loop")));
+  await page.waitForFunction(() => decodeURIComponent(document.querySelector(".handover img")?.src ?? "").includes("Largest drift"), null, { timeout: kLong });
+  assert.match(decodeURIComponent(await page.$eval(".handover img", ({ src }) => src)), /model\.toml/);
+  await page.evaluate(() => (document.documentElement.dataset.print = "handover"));
+  const pdf = await page.pdf({ preferCSSPageSize: true });
+  assert.equal((pdf.toString("latin1").match(/\/Type\s*\/Page\b/g) ?? []).length, 1);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
 test("add, the error falls; undo, redo: as the program does it", async () => {
   const { page, wrong, close } = await live();
   await sample(page, "hidden-effect");
