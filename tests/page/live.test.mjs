@@ -80,8 +80,25 @@ test("a .b5r that is dropped: the ranked table, equal to the program's", async (
   await dropped(page, file);
   await page.waitForSelector('figure[data-picture="machine-errors"]', { timeout: kLong });
   const first = json_of("report", file).machine_errors[0].errors.filter(({ rank }) => rank === 1)[0];
-  const row = await page.locator(".side-by-side tbody tr").first().innerText();
+  const row = await page.locator(".ranked tbody tr").first().innerText();
   assert.match(row, new RegExp(first.value.toFixed(3).replace(".", "\\.")));
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("a session with a model: its drift first, the loop below it; the sheet alone is one page with the options", async () => {
+  const { page, wrong, close } = await live();
+  await sample(page, "two-arcs-he2015");
+  await page.waitForSelector('.first figure[data-picture="drift"] canvas', { timeout: kLong });
+  assert.match(await page.textContent(".first .verdict"), /^Largest drift: y 31\.7\d+ ± 0\.0\d+ µm at 124 min; x 5\.08\d ± 0\.0\d+ µm at 124 min; z 4\.6/);
+  await page.waitForSelector(".live-loop", { timeout: kLong });
+  const top = (selector) => page.$eval(selector, (one) => one.getBoundingClientRect().top);
+  assert.ok((await top(".first")) < (await top(".live-loop")));
+  await page.waitForFunction(() => decodeURIComponent(document.querySelector(".handover img")?.src ?? "").includes("Largest drift"), null, { timeout: kLong });
+  assert.match(decodeURIComponent(await page.$eval(".handover img", ({ src }) => src)), /model\.toml/);
+  await page.evaluate(() => (document.documentElement.dataset.print = "handover"));
+  const pdf = await page.pdf({ preferCSSPageSize: true });
+  assert.equal((pdf.toString("latin1").match(/\/Type\s*\/Page\b/g) ?? []).length, 1);
   assert.deepEqual(wrong, []);
   await close();
 });
@@ -220,7 +237,7 @@ test("hostile names are text, and stay below their folder", async () => {
   await drop(page, Object.fromEntries(names.map((name) => [name, text])));
   await page.waitForSelector('figure[data-picture="machine-errors"]', { timeout: kLong });
   assert.equal(await page.locator(".live-files li").count(), names.length);
-  assert.equal(await page.locator("img").count(), 0);
+  assert.equal(await page.locator(":not(.handover) > img").count(), 0);
   assert.equal(await told(page), "");
   assert.deepEqual(wrong, []);
   await close();

@@ -74,6 +74,8 @@ const open: Open = (report, shared, tools, by_hand) => {
     ...(by_hand ? [by_hand.element] : []),
     ...made.map((one) => one.element),
   );
+  // Where there is no picture, as of a file that stores results alone, the only section is what there is to see.
+  if (proved.length === 0 && made.length === 1) made[0]?.element.querySelector("details")?.setAttribute("open", "");
   const sheet = one_sheet(report, first[0], shared);
   return {
     parts: [
@@ -86,6 +88,8 @@ const open: Open = (report, shared, tools, by_hand) => {
     draw: () => proved.forEach(({ figure }) => figure.draw_now()),
   };
 };
+
+const kSoon_ms = 200; // the first screen is drawn by then
 
 // Browsers compile a function when it is first called: a first page is drawn before there is one to show, and let go.
 const warm_up = (report: Report): void => {
@@ -114,7 +118,10 @@ try {
   document.body.append(voice);
   if (engine) {
     const page = live_page(voice, given, open);
-    void engine.warmed.then((report) => requestIdleCallback(() => page.shown() || warm_up(JSON.parse(report) as Report)));
+    const warm = (report: string): void => {
+      if (!page.shown()) warm_up(JSON.parse(report) as Report);
+    };
+    void engine.warmed.then((report) => setTimeout(warm, kSoon_ms, report));
     void open_live(engine, page).then(() => ready(Object.assign(Object.create(page.shared), { engine })));
   } else {
     if (!given) throw new Error(t.page_no_data);

@@ -58,6 +58,8 @@ const choosing = (ranked: readonly RankedError[]): TextTable["choose"] => ({
 
 const program_names = (ranked: readonly RankedError[]): string[] => ranked.flatMap(({ rows }) => rows.map(({ name }) => name));
 
+const kRows = 8; // so that the page of an error is seen below them
+
 // For the first screen: what each error is, and what mending it gains. What is not significant waits behind a button.
 export const gains_table = ({ part, recordings }: ErrorTest): TextTable => {
   const ranked = ranked_errors(part);
@@ -81,7 +83,7 @@ export const gains_table = ({ part, recordings }: ErrorTest): TextTable => {
     ),
     row_titles: program_names(ranked),
     choose: choosing(ranked),
-    at_first: Math.max(1, significant.reduce((count, { rows }) => count + rows.length, 0)),
+    at_first: Math.min(kRows, Math.max(1, significant.reduce((count, { rows }) => count + rows.length, 0))),
     bars: { column: 2, shares },
   };
 };
