@@ -3,6 +3,7 @@ import { button, element } from "../elements/elements";
 import type { Catalogue, CatalogueEntry } from "./model_list";
 import { details_of } from "../elements/elements";
 import { plain } from "../drawing/text";
+import { error_name } from "../machine_errors/error_names";
 import type { EffectChoice } from "./runs";
 import { in_all_languages, named, t } from "../texts/texts";
 
@@ -17,8 +18,7 @@ export interface EffectSearch {
   show(choices: readonly EffectChoice[], level: string): void; // of the model as it is
 }
 
-// "expansion with a temperature, delayed"
-export const effect_name = (name: string): string => named(t.hands_effects, name);
+const effect_name = (name: string): string => error_name(name, undefined);
 
 // Everything by which an effect is found: its names and words, what the program says of it in a line.
 const words_of_effect = ({ name, summary, inputs }: CatalogueEntry): string =>
@@ -27,7 +27,7 @@ const words_of_effect = ({ name, summary, inputs }: CatalogueEntry): string =>
     name.replaceAll("_", " "),
     summary,
     ...inputs.flatMap(({ role, meaning }) => [role, meaning]),
-    ...in_all_languages((texts) => `${named(texts.hands_effects, name)} ${named(texts.hands_words, name)}`),
+    ...in_all_languages((texts) => `${named(texts.effects, name)} ${named(texts.hands_words, name)}`),
   ]
     .join(" ")
     .toLowerCase();

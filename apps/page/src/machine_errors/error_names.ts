@@ -38,11 +38,11 @@ export const typed_name = (typed: string, most: number): string => {
   return plain(typed === id ? `${name} (${typed})` : `${name}, ${typed}`, most);
 };
 
-// An effect in the page's language, without the name that is typed: "verzögerte Ausdehnung (T_room_degC)". In English
-// the program's own; an element that shows it says the typed one in its title.
+// An effect in the page's language, without the name that is typed: "delayed expansion (T_room_degC)". An element that
+// shows it says the typed one in its title.
 export const plain_name = (label: string, most: number): string => {
   const [, id = "", columns = ""] = /^(\w+)\s*(\(.*)?$/s.exec(label) ?? [];
-  if (language === "en" || !Object.hasOwn(t.effects, id)) return language === "en" ? plain(label, most) : typed_name(label, most);
+  if (!Object.hasOwn(t.effects, id)) return typed_name(label, most);
   return plain(`${named(t.effects, id)}${columns === "" ? "" : ` ${columns}`}`, most);
 };
 
