@@ -57,7 +57,7 @@ ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const
     const Shape& shape = identities.shapes[s];
     if (shape.width == 1) continue;
     const RowMajorMatrix white = whitened_rows(filter_, identities.columns.middleCols(shape.first, shape.width));
-    blocks_.push_back({s, -1.0, {}, {}, {}, white.transpose() * white});
+    blocks_.push_back({s, -1.0, {}, {}, {}, {}, white.transpose() * white});
   }
   // About the scatter that nothing at all leaves.
   double variance = pool_(0, 0) / degrees;
@@ -188,6 +188,10 @@ const BlockProduct& ColumnsAt::block(std::size_t shape) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(inverse.asDiagonal() * product * inverse.asDiagonal());
   block.vectors = eigen.eigenvectors();
   block.values = eigen.eigenvalues().cwiseMax(0.0);
+  for (std::size_t k = 0; k < kGainSizes.size(); ++k) {
+    const double g = kGainSizes[k] * kGainSizes[k] / static_cast<double>(of.width);
+    block.half_log_width[k] = 0.5 * (g * block.values.array()).log1p().sum();
+  }
   block.settled = settled;
   return block;
 }
