@@ -109,9 +109,13 @@ void ColumnsAt::solve_line() {
   Eigen::MatrixXd b = pool_(open_, open_);
   b.diagonal() *= 1.0 + kJitter;
   b -= between_.transpose() * between_;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(b);
-  turn_ = eigen.eigenvectors();
-  values_ = eigen.eigenvalues().cwiseMax(0.0);
+  turn_ = b;
+  values_.resize(b.rows());
+  if (!open_.empty()) {  // the solver takes no matrix of no rows
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(b);
+    turn_ = eigen.eigenvectors();
+    values_ = eigen.eigenvalues().cwiseMax(0.0);
+  }
   solved_y_ = solved_beside(pool_.col(0));
 }
 
