@@ -19,7 +19,7 @@ constexpr double kSettled = 0.1;        // the same: the line is taken off anew
 constexpr int kMostSweeps = 40;
 constexpr double kHardlyThere = 0.2;       // P of a further single effect beside the others as they are
 constexpr double kNegligible = 1e-5;       // P of a shape that adds nothing to the mean
-constexpr double kLeftOut = 1e-12;         // P of an identity that is looked at again at the end alone
+constexpr double kLeftOut = 1e-12;         // P of an identity of a single effect that later sweeps leave out
 constexpr double kNoticed = 1e-4;          // P of what was left out together, from which all is looked at again
 constexpr int kMostChecks = 3;             // at all
 constexpr double kNothingToDouble = 40.0;  // ln: a weight so far below another one is nothing beside it
@@ -92,8 +92,8 @@ OfBlock of_block(const BlockProduct& block, const Eigen::VectorXd& r, double var
   double most = kLogZero;
   for (std::size_t k = 0; k < kGainSizes.size(); ++k) {
     const double g = kGainSizes[k] * kGainSizes[k] / w;
-    const Eigen::ArrayXd v = g * block.values.array();
-    weight[k] = 0.5 * ((turned.array().square() * g / (1.0 + v)).sum() - v.log1p().sum());
+    const auto v = g * block.values.array();
+    weight[k] = 0.5 * (turned.array().square() * g / (1.0 + v)).sum() - block.half_log_width[k];
     most = std::max(most, weight[k]);
   }
   double sum = 0.0;
@@ -312,24 +312,29 @@ Chosen all_of(const Identities& identities, const AscentOptions& options) {
   });
 }
 
-// Those of them that any of the single effects may be.
-Chosen likely_of(const Identities& identities, const Ascent& ascent) {
-  return chosen(identities, [&](std::size_t i) {
-    return std::any_of(ascent.effects.begin(), ascent.effects.end(),
-                       [&](const SingleEffect& one) { return one.p[i] > kLeftOut; });
-  });
+// Of each single effect what it may well be.
+std::vector<Chosen> likely_of(const Identities& identities, const Ascent& ascent) {
+  std::vector<Chosen> likely;
+  for (const SingleEffect& one : ascent.effects)
+    likely.push_back(chosen(identities, [&](std::size_t i) { return one.p[i] > kLeftOut; }));
+  return likely;
 }
 
 // Sweeps until the bound rises no more, the scatter with it: the first one over all identities, the others over those
 // that are likely after it, which are returned. What is known of the line is about nearly the same scatter.
-Chosen converge(ColumnsAt& at, const Identities& identities, const Chosen& all, const AscentOptions& options,
-                Ascent& ascent) {
+std::vector<Chosen> converge(ColumnsAt& at, const Identities& identities, const Chosen& all,
+                             const AscentOptions& options, Ascent& ascent) {
   const KnownScatter& known = options.known;
   double last = kLogZero;
-  Chosen likely;
+  std::vector<Chosen> likely;
   for (int n = 0; n < kMostSweeps; ++n) {
-    sweep(at, identities, n == 0 ? all : likely, options, ascent);
-    if (n == 0) likely = likely_of(identities, ascent);
+    if (n == 0) {
+      sweep(at, identities, all, options, ascent);
+      likely = likely_of(identities, ascent);
+    } else {
+      for (std::size_t l = 0; l < likely.size(); ++l)
+        fit_again(at, identities, likely[l], prior_of(options, l), ascent, l);
+    }
     const double next = scatter_of(at, options, ascent);
     const bool same = std::abs(std::log(next / ascent.variance)) < kSameScatter;
     ascent.variance = next;
@@ -350,12 +355,13 @@ void add_empty(const ColumnsAt& at, Ascent& ascent) {
   ascent.effects.back().curve = at.curve_of({});
 }
 
-// P of what is not among these, of the single effect where it is largest.
-double largest_beside(const Chosen& likely, const Ascent& ascent) {
+// P of what was left out of a single effect, of the one where it is largest.
+double largest_beside(const std::vector<Chosen>& likely, const Ascent& ascent) {
   double largest = 0.0;
-  for (const SingleEffect& one : ascent.effects) {
+  for (std::size_t l = 0; l < likely.size(); ++l) {
+    const SingleEffect& one = ascent.effects[l];
     double beside = 0.0;
-    for (std::size_t i = 0; i < one.p.size(); ++i) beside += likely.identity[i] ? 0.0 : one.p[i];
+    for (std::size_t i = 0; i < one.p.size(); ++i) beside += likely[l].identity[i] ? 0.0 : one.p[i];
     largest = std::max(largest, beside);
   }
   return largest;
@@ -377,7 +383,7 @@ Ascent ascended(ColumnsAt& at, const Identities& identities, const AscentOptions
   while (ascent.effects.size() < options.least) add_empty(at, ascent);
   const Chosen all = all_of(identities, options);
   for (int look = 0; look < kMostChecks; ++look) {
-    Chosen likely = converge(at, identities, all, options, ascent);
+    std::vector<Chosen> likely = converge(at, identities, all, options, ascent);
     while (ascent.effects.size() < options.largest) {
       if (ascent.effects.size() > options.least && ascent.effects.back().p_any() < 0.5) break;
       add_empty(at, ascent);

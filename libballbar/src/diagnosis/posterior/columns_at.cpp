@@ -57,7 +57,7 @@ ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const
     const Shape& shape = identities.shapes[s];
     if (shape.width == 1) continue;
     const RowMajorMatrix white = whitened_rows(filter_, identities.columns.middleCols(shape.first, shape.width));
-    blocks_.push_back({s, -1.0, {}, {}, {}, white.transpose() * white});
+    blocks_.push_back({s, -1.0, {}, {}, {}, {}, white.transpose() * white});
   }
   // About the scatter that nothing at all leaves.
   double variance = pool_(0, 0) / degrees;
@@ -109,9 +109,13 @@ void ColumnsAt::solve_line() {
   Eigen::MatrixXd b = pool_(open_, open_);
   b.diagonal() *= 1.0 + kJitter;
   b -= between_.transpose() * between_;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(b);
-  turn_ = eigen.eigenvectors();
-  values_ = eigen.eigenvalues().cwiseMax(0.0);
+  turn_ = b;
+  values_.resize(b.rows());
+  if (!open_.empty()) {  // the solver takes no matrix of no rows
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(b);
+    turn_ = eigen.eigenvectors();
+    values_ = eigen.eigenvalues().cwiseMax(0.0);
+  }
   solved_y_ = solved_beside(pool_.col(0));
 }
 
@@ -188,6 +192,10 @@ const BlockProduct& ColumnsAt::block(std::size_t shape) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(inverse.asDiagonal() * product * inverse.asDiagonal());
   block.vectors = eigen.eigenvectors();
   block.values = eigen.eigenvalues().cwiseMax(0.0);
+  for (std::size_t k = 0; k < kGainSizes.size(); ++k) {
+    const double g = kGainSizes[k] * kGainSizes[k] / static_cast<double>(of.width);
+    block.half_log_width[k] = 0.5 * (g * block.values.array()).log1p().sum();
+  }
   block.settled = settled;
   return block;
 }

@@ -7,11 +7,13 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 #include "diagnosis/posterior/identities.hpp"
+#include "diagnosis/thresholds.hpp"
 #include "noise/whitening.hpp"
 
 namespace ballbar {
@@ -25,12 +27,13 @@ struct DenseBackground {
 
 // Columns of a shape of several gains, or of one identity of several, turned so that they are independent.
 struct BlockProduct {
-  std::size_t shape = 0;    // of Identities::shapes
-  double settled = -1.0;    // variance of the scatter that the three below are about
-  Eigen::MatrixXd vectors;  // w by w
-  Eigen::VectorXd values;   // w: square of each direction, of columns of length 1
-  Eigen::VectorXd length;   // w: of each column
-  Eigen::MatrixXd white;    // w by w: products of the columns before the line is taken off
+  std::size_t shape = 0;                                   // of Identities::shapes
+  double settled = -1.0;                                   // variance of the scatter that the four below are about
+  Eigen::MatrixXd vectors;                                 // w by w
+  Eigen::VectorXd values;                                  // w: square of each direction, of columns of length 1
+  Eigen::VectorXd length;                                  // w: of each column
+  std::array<double, kGainSizes.size()> half_log_width{};  // of each size of gains
+  Eigen::MatrixXd white;  // w by w: products of the columns before the line is taken off
 };
 
 struct ColumnSpan {
