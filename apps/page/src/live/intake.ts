@@ -8,7 +8,7 @@ import { plain } from "../drawing/text";
 import { size_spoken } from "./spoken";
 import { t } from "../texts/texts";
 
-const kNeed = 4; // times its size that a file takes, at most, once it is read and drawn
+const kNeed = 8; // times its size that a file takes: three to read and draw it, more to fit a model to all of it
 const kSmall = 1e6; // bytes that always fit
 
 interface Incoming {

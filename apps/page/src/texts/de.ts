@@ -1094,7 +1094,7 @@ export const de: Texts = {
     report: "Berichtsseite",
     other: "wird nicht für sich geöffnet",
   },
-  live_too_big: ({ name, size, left }: { name: string; size: string; left: string }) => `${name} (${size}) wurde nicht geladen: von diesem Tab sind etwa ${left} Speicher frei, gebraucht wird etwa das Vierfache der Datei.`,
+  live_too_big: ({ name, size, left }: { name: string; size: string; left: string }) => `${name} (${size}) wurde nicht geladen: von diesem Tab sind etwa ${left} Speicher frei, gebraucht wird etwa das Achtfache der Datei.`,
   live_nothing_in_it: "Es wurde keine Datei abgelegt.",
   live_no_report: "Diese Seite enthält keinen Bericht.",
   live_bad_page: "Der Bericht dieser Seite ist nicht lesbar.",

@@ -1109,7 +1109,7 @@ export const en = {
     report: "report page",
     other: "not opened by itself",
   },
-  live_too_big: ({ name, size, left }: { name: string; size: string; left: string }) => `${name} (${size}) was not loaded: about ${left} of this tab's memory are left, and it needs about four times its size.`,
+  live_too_big: ({ name, size, left }: { name: string; size: string; left: string }) => `${name} (${size}) was not loaded: about ${left} of this tab's memory are left, and it needs about eight times its size.`,
   live_nothing_in_it: "No file was dropped.",
   live_no_report: "This page holds no report.",
   live_bad_page: "This page's report cannot be read.",

@@ -1049,7 +1049,7 @@ export const zh: Texts = {
     report: "报告页",
     other: "不单独打开",
   },
-  live_too_big: ({ name, size, left }: { name: string; size: string; left: string }) => `${name}（${size}）未载入：本标签页约剩 ${left} 内存，而它约需自身大小的四倍。`,
+  live_too_big: ({ name, size, left }: { name: string; size: string; left: string }) => `${name}（${size}）未载入：本标签页约剩 ${left} 内存，而它约需自身大小的八倍。`,
   live_nothing_in_it: "没有拖入文件。",
   live_no_report: "此页面不含报告。",
   live_bad_page: "此页面的报告无法读取。",
