@@ -12,8 +12,10 @@
 namespace ballbar {
 namespace {
 
+// What is held has no bounds.
 bool same(const Setting& left, const Setting& right) {
-  return left.held == right.held && left.start == right.start && left.lower == right.lower && left.upper == right.upper;
+  if (left.held != right.held || left.start != right.start) return false;
+  return left.held || (left.lower == right.lower && left.upper == right.upper);
 }
 
 // Offset of a line, counted from 1.

@@ -71,9 +71,9 @@ std::size_t judge(std::vector<QuantityDifference>& quantities) {
 
 // The scales of the axes follow from these, where these are clear.
 bool is_scale_of_axis(std::string_view name) { return name.starts_with("scale_") && name.size() == 7; }
-bool is_clear(const TestComparison& comparison, std::string_view name) {
-  return std::any_of(comparison.quantities.begin(), comparison.quantities.end(),
-                     [&](const QuantityDifference& one) { return one.name == name && one.clear.value_or(false); });
+// Follows from others: the size of the circle, what is left, the scales of the axes where another error is clear.
+bool is_error(std::string_view name) {
+  return name != "circularity" && name != "residual_rms" && !is_scale_of_axis(name);
 }
 
 // Of "backlash_a_pos" "backlash_a".
@@ -91,11 +91,13 @@ int place_of(const QuantityDifference& one) {
 }  // namespace
 
 std::vector<ClearChange> clear_changes(const TestComparison& comparison) {
-  const bool scales_follow = is_clear(comparison, "scale_mismatch") || is_clear(comparison, "global_scale");
+  const bool any_error =
+      std::any_of(comparison.quantities.begin(), comparison.quantities.end(),
+                  [](const QuantityDifference& one) { return one.clear.value_or(false) && is_error(one.name); });
   std::vector<ClearChange> changes;
   for (const QuantityDifference& one : comparison.quantities) {
-    if (!one.clear.value_or(false) || one.name == "circularity") continue;
-    if (one.name == "residual_rms" || (scales_follow && is_scale_of_axis(one.name))) continue;
+    if (!one.clear.value_or(false)) continue;
+    if (!is_error(one.name) && (any_error || !is_scale_of_axis(one.name))) continue;
     const ClearChange change{without_end(one.name), one.unit, one.before, one.after};
     const auto known = std::find_if(changes.begin(), changes.end(),
                                     [&](const ClearChange& other) { return other.name == change.name; });

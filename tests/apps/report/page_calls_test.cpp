@@ -124,19 +124,19 @@ TEST(PageCalls, what_the_data_do_not_support_is_kept_only_if_asked) {
   PageCalls calls;
   const std::string first = read_bytes(desk.model, 1U << 20);
   const Json before = calls.answer(desk.call("fitted"));
-  const Json cycle{{"effects", {"thermostat_cycle"}}};
-  calls.answer(desk.call("add", cycle));
+  const Json drift{{"effects", {"linear_drift"}}};
+  calls.answer(desk.call("add", drift));
   const Json refused = calls.answer(desk.call("revise", {{"model", desk.model}}));
   EXPECT_FALSE(refused["kept"].get<bool>());
   EXPECT_FALSE(refused["sentence"].get<std::string>().empty());
   EXPECT_EQ(read_bytes(desk.model, 1U << 20), first);
   EXPECT_EQ(calls.answer(desk.call("fitted")), before);
-  calls.answer(desk.call("add", cycle));
+  calls.answer(desk.call("add", drift));
   const Json kept = calls.answer(desk.call("revise", {{"model", desk.model}, {"keep", true}}));
   EXPECT_TRUE(kept["kept"].get<bool>());
   EXPECT_FALSE(kept["supported"].get<bool>());
   const Json found = calls.answer(desk.call("search"));
-  EXPECT_EQ(found["diagnose"]["targets"][0]["unsupported"], Json({"thermostat_cycle"}));
+  EXPECT_EQ(found["diagnose"]["targets"][0]["unsupported"], Json({"linear_drift"}));
 }
 
 TEST(PageCalls, values_are_held_and_the_model_stays) {

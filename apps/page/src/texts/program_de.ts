@@ -1,6 +1,4 @@
-import type { ProgramSentences } from "./program";
-
-export const program_de: ProgramSentences = [
+export const program_de: readonly (readonly [string, string])[] = [
   ["The model leaves {} um, as little as any model could.", "Das Modell lässt {1} µm übrig, so wenig, wie ein Modell kann."],
   ["The model leaves {} um, {} times what no model could explain.", "Das Modell lässt {1} µm übrig, das {2}-Fache dessen, was kein Modell erklären könnte."],
   ["The model leaves {} um; what a true model could leave at least is not known.", "Das Modell lässt {1} µm übrig; was ein wahres Modell mindestens übrig ließe, ist nicht bekannt."],

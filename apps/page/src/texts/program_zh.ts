@@ -1,6 +1,4 @@
-import type { ProgramSentences } from "./program";
-
-export const program_zh: ProgramSentences = [
+export const program_zh: readonly (readonly [string, string])[] = [
   ["The model leaves {} um, as little as any model could.", "模型残余 {1} µm，已是任何模型所能达到的最小值。"],
   ["The model leaves {} um, {} times what no model could explain.", "模型残余 {1} µm，是任何模型都无法解释部分的 {2} 倍。"],
   ["The model leaves {} um; what a true model could leave at least is not known.", "模型残余 {1} µm；真实模型至少残余多少未知。"],
