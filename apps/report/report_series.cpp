@@ -1,6 +1,7 @@
 // Parts of a report that are columns over time.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "report/report_parts.hpp"
 
@@ -16,10 +17,13 @@ constexpr std::size_t kMostRows = 200'000;
 std::vector<std::size_t> outline_rows(const Series& series) {
   const std::size_t rows = series.time_s.size();
   const std::size_t stretches = std::max<std::size_t>(1, kMostRows / (2 * series.columns.size() + 1));
+  const auto begin_of = [&](std::uint64_t stretch) {  // a page's std::size_t has 32 bits
+    return static_cast<std::size_t>(stretch * rows / stretches);
+  };
   std::vector<std::size_t> chosen;
   chosen.reserve(kMostRows + 1);
   for (std::size_t k = 0; k < stretches; ++k) {
-    const std::size_t from = k * rows / stretches, to = (k + 1) * rows / stretches;
+    const std::size_t from = begin_of(k), to = begin_of(k + 1);
     const std::size_t before = chosen.size();
     chosen.push_back(from);
     for (const Column& column : series.columns) {
