@@ -59,12 +59,12 @@ std::vector<std::string> unsupported_of(const ModelOptions& options, const Model
   if (options.model.empty()) return {};
   const std::string& file = options.model.name();
   std::string bytes = options.model.bytes(kLargestText);
-  const std::vector<LedgerRow> rows = read_ledger(bytes, file);
+  const std::vector<LedgerRow> rows = read_ledger(bytes, file, options.catalogue);
   if (std::none_of(rows.begin(), rows.end(), [](const LedgerRow& row) { return row.verdict == kNotSupported; }))
     return {};
   std::set<std::string> after = labels_of(read_model(bytes, file, options.catalogue)), added;
   for (auto row = rows.rbegin(); row != rows.rend() && std::next(row) != rows.rend(); ++row) {
-    bytes = without_last_revision(bytes, file);
+    bytes = without_last_revision(bytes, file, options.catalogue);
     std::set<std::string> before = labels_of(read_model(bytes, file, options.catalogue));
     if (row->verdict == kNotSupported)
       std::set_difference(after.begin(), after.end(), before.begin(), before.end(), std::inserter(added, added.end()));
