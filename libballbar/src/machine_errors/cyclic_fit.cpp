@@ -1,11 +1,14 @@
 #include "machine_errors/cyclic_fit.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/SVD>
+#include <utility>
 
 namespace ballbar {
 namespace {
 
 constexpr double kFromOwnReversal_deg[2] = {12.0, 63.0};  // where cyclic errors are read
+constexpr double kTold = 0.05;  // singular value, of curves that nothing else takes all are near 1
 
 }  // namespace
 
@@ -27,13 +30,23 @@ Part part_of(const std::vector<std::pair<FittedEffect, ErrorColumns>>& own, cons
 
 void with_first(CyclicPart& cyclic, const Block& first) {
   cyclic.shared = first.weighted.transpose() * cyclic.part.columns.values;
-  cyclic.block.inverse = cyclic_inverse(cyclic, first.inverse);
+  CyclicInverse solved = cyclic_inverse(cyclic, first.inverse);
+  cyclic.block.inverse = std::move(solved.inverse);
+  cyclic.untold = std::move(solved.untold);
 }
 
-Eigen::MatrixXd cyclic_inverse(const CyclicPart& cyclic, const Eigen::MatrixXd& of_first) {
+CyclicInverse cyclic_inverse(const CyclicPart& cyclic, const Eigen::MatrixXd& of_first) {
   Eigen::MatrixXd equations = cyclic.own - cyclic.of_together * (of_first * cyclic.shared);
   equations.diagonal() *= 1.0 + kRidge;
-  return equations.partialPivLu().inverse();
+  const Eigen::VectorXd scale = cyclic.own.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> solved(scale.asDiagonal() * equations * scale.asDiagonal(),
+                                                 Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::VectorXd& values = solved.singularValues();
+  const Eigen::Index told = (values.array() >= kTold).count();
+  if (told == values.size()) return {equations.partialPivLu().inverse(), {}};
+  return {scale.asDiagonal() * solved.matrixV().leftCols(told) * values.head(told).cwiseInverse().asDiagonal() *
+              solved.matrixU().leftCols(told).transpose() * scale.asDiagonal(),
+          solved.matrixV().rightCols(values.size() - told)};
 }
 
 CyclicPart cyclic_part(const std::vector<const Effect*>& effects, const ErrorRows& rows, const ErrorSetUp& set_up,

@@ -291,7 +291,7 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
 
   // As the instrument: with its prior, and the cyclic errors taken off first.
   const Block damped{stages.first.weighted, inverse_of(stages.first.normal, usual)};
-  const Block damped_waves{stages.cyclic.block.weighted, cyclic_inverse(stages.cyclic, damped.inverse)};
+  const Block damped_waves{stages.cyclic.block.weighted, cyclic_inverse(stages.cyclic, damped.inverse).inverse};
   const Eigen::VectorXd waves = damped_waves.solve(measured - columns * damped.solve(measured));
   const Eigen::VectorXd gains = damped.solve(measured - stages.cyclic.part.columns.values * waves);
 
@@ -334,7 +334,10 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
   }
   std::vector<ErrorColumn> names = stages.together.columns.columns;
   names.insert(names.end(), stages.extra.columns.columns.begin(), stages.extra.columns.columns.end());
-  const std::vector<std::string> phrases = undetermined(fitted.normal, names);
+  std::vector<std::string> phrases = undetermined(fitted.normal, names);
+  if (stages.cyclic.untold.cols() > 0) {
+    phrases.push_back(undetermined_names(stages.cyclic.untold.rowwise().norm(), stages.cyclic.part.columns.columns));
+  }
   fitted.undetermined.insert(fitted.undetermined.begin(), phrases.begin(), phrases.end());
   fitted.as_instrument = Eigen::VectorXd::Constant(fitted.gains.size(), kUnknown);
   fitted.as_instrument.head(gains.size()) = gains;

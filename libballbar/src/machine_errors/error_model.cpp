@@ -208,31 +208,33 @@ Eigen::MatrixXd precision_of(const std::vector<PriorStatement>& prior, Eigen::In
   return precision;
 }
 
+std::string undetermined_names(const Eigen::VectorXd& direction, const std::vector<ErrorColumn>& columns) {
+  std::vector<std::size_t> order(columns.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto loading = [&](std::size_t i) { return std::abs(direction[static_cast<Eigen::Index>(i)]); };
+  // What is alike but for rounding stays in the order of the columns, whatever computer rounds.
+  const auto place = [&](std::size_t i) { return std::llround(1e6 * loading(i)); };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place(a) > place(b); });
+  std::vector<std::string> names;
+  for (const std::size_t i : order) {
+    if (loading(i) < kLoading * loading(order.front())) break;
+    const ErrorColumn& column = columns[i];
+    const std::string& name = column.effect == nullptr ? column.name : column.effect->name;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  if (names.size() < 2) return names.empty() ? "" : names.front();
+  return fmt::format("{} with {}", names.front(),
+                     fmt::join(std::vector<std::string>(names.begin() + 1, names.end()), ", "));
+}
+
 std::vector<std::string> undetermined(const Eigen::MatrixXd& normal, const std::vector<ErrorColumn>& columns) {
   const Eigen::VectorXd size = normal.diagonal().cwiseMax(1e-300).cwiseSqrt();
   const Eigen::MatrixXd scaled = size.cwiseInverse().asDiagonal() * normal * size.cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(scaled);
   std::vector<std::string> phrases;
   for (Eigen::Index k = 0; k < scaled.cols() && solved.eigenvalues()[k] < kLeftOfNormal; ++k) {
-    const Eigen::VectorXd direction = solved.eigenvectors().col(k);
-    std::vector<std::size_t> order(columns.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto loading = [&](std::size_t i) { return std::abs(direction[static_cast<Eigen::Index>(i)]); };
-    // What is alike but for rounding stays in the order of the columns, whatever computer rounds.
-    const auto place = [&](std::size_t i) { return std::llround(1e6 * loading(i)); };
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place(a) > place(b); });
-    std::vector<std::string> names;
-    for (const std::size_t i : order) {
-      if (loading(i) < kLoading * loading(order.front())) break;
-      const ErrorColumn& column = columns[i];
-      const std::string& name = column.effect == nullptr ? column.name : column.effect->name;
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    }
-    if (names.empty()) continue;
-    const std::string phrase =
-        names.size() == 1 ? names.front()
-                          : fmt::format("{} with {}", names.front(),
-                                        fmt::join(std::vector<std::string>(names.begin() + 1, names.end()), ", "));
+    const std::string phrase = undetermined_names(solved.eigenvectors().col(k), columns);
+    if (phrase.empty()) continue;
     if (std::find(phrases.begin(), phrases.end(), phrase) == phrases.end()) phrases.push_back(phrase);
   }
   return phrases;

@@ -57,4 +57,7 @@ Eigen::MatrixXd precision_of(const std::vector<PriorStatement>& prior, Eigen::In
 // Combinations of columns that these readings do not tell apart, as phrases: of the undamped X' X.
 std::vector<std::string> undetermined(const Eigen::MatrixXd& normal, const std::vector<ErrorColumn>& columns);
 
+// The same of one combination, by the share of each column in it.
+std::string undetermined_names(const Eigen::VectorXd& direction, const std::vector<ErrorColumn>& columns);
+
 }  // namespace ballbar
