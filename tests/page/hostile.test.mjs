@@ -106,10 +106,18 @@ const texts = (page, name) =>
     name,
   );
 
+// The sheet for paper is an image of the page's own, which runs nothing; there is nothing to run in it all the same.
 const elements = (page) =>
   page.evaluate(() => {
-    const found = [...document.querySelectorAll("img, iframe, object, embed, b, base, form, meta[http-equiv=refresh]")].map((one) => one.outerHTML.slice(0, 100));
+    const sheets = [...document.querySelectorAll("img")].filter(({ src }) => src.startsWith("data:image/svg+xml;charset=utf-8,"));
+    const found = [...document.querySelectorAll("img, iframe, object, embed, b, base, form, meta[http-equiv=refresh]")].filter((one) => !sheets.includes(one)).map((one) => one.outerHTML.slice(0, 100));
+    for (const { src } of sheets) {
+      const sheet = new DOMParser().parseFromString(decodeURIComponent(src.slice(src.indexOf(",") + 1)), "image/svg+xml");
+      for (const one of sheet.querySelectorAll("parsererror, script, image, a, foreignObject")) found.push(`sheet: ${one.localName}`);
+      for (const one of sheet.querySelectorAll("*")) for (const { name } of one.attributes) if (/^on/.test(name)) found.push(`sheet: ${name}`);
+    }
     for (const one of document.querySelectorAll("*")) {
+      if (sheets.includes(one)) continue;
       for (const { name, value } of one.attributes) {
         if (/^on|^srcdoc$/.test(name) || (/^(href|src|action)$/.test(name) && !value.startsWith("#"))) found.push(`${one.localName} ${name}=${value.slice(0, 100)}`);
       }

@@ -133,7 +133,8 @@ const faults = async (name) => {
 
   let before = await look("at first", figure.redraw);
   const selects = [...element.querySelectorAll(".choice select")];
-  if (selects.length !== (picture.choices ?? []).length) found.push(`${selects.length} lists for ${(picture.choices ?? []).length} choices`);
+  const lists = (picture.choices ?? []).filter(({ slider }) => !slider).length;
+  if (selects.length !== lists) found.push(`${selects.length} lists for ${lists} choices`);
   for (const [k, select] of selects.entries()) {
     const values = [...select.options].map((option) => option.value);
     const at_first = select.value;

@@ -1227,7 +1227,6 @@ export const de: Texts = {
   hands_in_model: "mit allen passenden Spalten im Modell",
   hands_read: "Welche Spalten passen, steht hier, sobald das Programm frei ist.",
   hands_remove_title: ({ effect }: { effect: string }) => `${effect} aus dem Modell nehmen`,
-  hands_removing: ({ effect }: { effect: string }) => `${effect} herausnehmen`,
   hands_needs: ({ inputs }: { inputs: string }) => `braucht ${inputs}`,
   hands_no_column: ({ inputs }: { inputs: string }) => `braucht ${inputs}: keine Spalte dieser Daten passt`,
   hands_column_of: ({ input, effect }: { input: string; effect: string }) => `${effect}: ${input}`,

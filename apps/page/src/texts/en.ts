@@ -1242,7 +1242,6 @@ export const en = {
   hands_in_model: "in the model with every column that suits",
   hands_read: "Which columns suit is known when the program is free.",
   hands_remove_title: ({ effect }: { effect: string }) => `Take ${effect} out of the model`,
-  hands_removing: ({ effect }: { effect: string }) => `Taking out ${effect}`,
   hands_needs: ({ inputs }: { inputs: string }) => `needs ${inputs}`,
   hands_no_column: ({ inputs }: { inputs: string }) => `needs ${inputs}: no column of these data suits`,
   hands_column_of: ({ input, effect }: { input: string; effect: string }) => `${effect}: ${input}`,
