@@ -25,7 +25,7 @@ const at_rest = async (page) => {
   }
 };
 const rmse = async (page) => Number(/RMSE ([\d.]+)/.exec(await page.textContent(".live-fall .rmse"))?.[1]);
-const effects_of = (page) => page.$$eval(".live-model .effect bdi", (all) => all.map((one) => one.textContent));
+const effects_of = (page) => page.$$eval(".live-model .effect bdi", (all) => all.map((one) => one.title));
 const hidden = async (options = {}) => {
   const made = await opened(browser, tool, { viewport: { width: 1400, height: 900 }, acceptDownloads: true, ...options });
   await made.page.getByRole("button", { name: "hidden-effect", exact: true }).click();
@@ -243,7 +243,7 @@ test("in German and on a phone the same stands there", async () => {
   await page.waitForSelector("html[lang=de]");
   await at_rest(page);
   assert.ok((await find(page, "Reibung")).includes("speed_heating"));
-  assert.match(await page.textContent('.live-effects li[data-effect="speed_heating"]'), /Erwärmung durch die Drehzahl/);
+  assert.match(await page.textContent('.live-effects li[data-effect="speed_heating"]'), /Reibungswärme der Drehzahl/);
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   assert.ok(wide <= 390, `${wide} px wide`);
   assert.deepEqual(wrong, []);
