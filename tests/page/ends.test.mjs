@@ -120,7 +120,7 @@ test("a series with a long gap is shown, with why it is not fitted and a step ac
   await drop(page, { "data.csv": data, "model.toml": readFileSync(of_run("hidden-effect", "01", "model.toml"), "utf8") });
   const across = page.getByRole("button", { name: "Fit across gaps up to 41 min" });
   await across.waitFor({ timeout: kLong });
-  assert.match(await page.innerText(".live-loop .said"), /^Not fitted: T_\w+_degC has no value between 600 and 640 min, and a fit interpolates over 10 min at most\.$/);
+  assert.match(await page.innerText(".live-loop .said"), /^Not fitted: speed_rpm has no value between 600 and 640 min, and a fit interpolates over 10 min at most\.$/);
   assert.equal(await page.locator('figure[data-picture="measured"], main figure').first().isVisible(), true);
   assert.ok(await page.isDisabled('button:text-is("Back to the optimum")'));
   await across.click();
