@@ -73,7 +73,7 @@ test("any effect is found by a word of any language, with the columns that suit,
   assert.deepEqual(await effects_of(page), ["constant", "lagged_expansion(T_motor_degC)", "lagged_expansion(T_room_degC)"]);
   const both = await rmse(page);
   await at_rest(page);
-  await page.getByRole("button", { name: "Take lagged_expansion(T_motor_degC) out of the model" }).click();
+  await page.getByRole("button", { name: "Take delayed expansion (T_motor_degC) out of the model" }).click();
   await page.waitForSelector('.live-loop[data-revisions="3"]', { timeout: kLong });
   assert.deepEqual(await effects_of(page), ["constant", "lagged_expansion(T_room_degC)"]);
   assert.ok((await rmse(page)) > both);
