@@ -113,6 +113,23 @@ for (const [what, paths] of Object.entries(runs)) {
   });
 }
 
+test("a series with a long gap is shown, with why it is not fitted and a step across", async () => {
+  const { page, wrong, close } = await live();
+  const kept = (line, k) => k === 0 || !(Number(line.split(",")[0]) > 600 * 60 && Number(line.split(",")[0]) < 640 * 60);
+  const data = readFileSync(of_run("hidden-effect", "01", "data.csv"), "utf8").split("\n").filter(kept).join("\n");
+  await drop(page, { "data.csv": data, "model.toml": readFileSync(of_run("hidden-effect", "01", "model.toml"), "utf8") });
+  const across = page.getByRole("button", { name: "Fit across gaps up to 41 min" });
+  await across.waitFor({ timeout: kLong });
+  assert.match(await page.innerText(".live-loop .said"), /^Not fitted: speed_rpm has no value between 600 and 640 min, and a fit interpolates over 10 min at most\.$/);
+  assert.equal(await page.locator('figure[data-picture="measured"], main figure').first().isVisible(), true);
+  assert.ok(await page.isDisabled('button:text-is("Back to the optimum")'));
+  await across.click();
+  await page.waitForSelector('figure[data-picture="live-fit"]', { timeout: kLong });
+  assert.deepEqual(await page.locator(".faulty").count(), 0);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
 test("an empty file is told, and the others are read", async () => {
   const { page, wrong, close } = await live();
   await drop(page, { "nothing.csv": "", "00.b5r": [...readFileSync(of_run("qc20-style-b5r", "00.b5r"))] });

@@ -25,7 +25,7 @@ const at_rest = async (page) => {
   }
 };
 const rmse = async (page) => Number(/RMSE ([\d.]+)/.exec(await page.textContent(".live-fall .rmse"))?.[1]);
-const effects_of = (page) => page.$$eval(".live-model .effect bdi", (all) => all.map((one) => one.textContent));
+const effects_of = (page) => page.$$eval(".live-model .effect bdi", (all) => all.map((one) => one.title));
 const hidden = async (options = {}) => {
   const made = await opened(browser, tool, { viewport: { width: 1400, height: 900 }, acceptDownloads: true, ...options });
   await made.page.getByRole("button", { name: "hidden-effect", exact: true }).click();
@@ -62,7 +62,7 @@ test("any effect is found by a word of any language, with the columns that suit,
   assert.equal(await row.locator("select").count(), 2);
   const [hot, cold] = await row.locator("select").all();
   const first = await hot.inputValue();
-  assert.ok(!(await cold.$$eval("option", (all) => all.map(({ value }) => value)).catch(() => [])).includes(first));
+  assert.ok(!(await cold.locator("option").evaluateAll((all) => all.map(({ value }) => value))).includes(first));
   await find(page, "expansion");
   const lagged = page.locator('.live-effects li[data-effect="lagged_expansion"]');
   const offered = await lagged.locator("option").allTextContents();
@@ -73,7 +73,7 @@ test("any effect is found by a word of any language, with the columns that suit,
   assert.deepEqual(await effects_of(page), ["constant", "lagged_expansion(T_motor_degC)", "lagged_expansion(T_room_degC)"]);
   const both = await rmse(page);
   await at_rest(page);
-  await page.getByRole("button", { name: "Take lagged_expansion(T_motor_degC) out of the model" }).click();
+  await page.getByRole("button", { name: "Take delayed expansion (T_motor_degC) out of the model" }).click();
   await page.waitForSelector('.live-loop[data-revisions="3"]', { timeout: kLong });
   assert.deepEqual(await effects_of(page), ["constant", "lagged_expansion(T_room_degC)"]);
   assert.ok((await rmse(page)) > both);
@@ -189,7 +189,7 @@ test("rows that are dragged over are left out of fit and search, shaded, and com
   assert.ok(rows.length < 1441 && !rows.some((min) => min > from + 1 && min < to - 1));
   // As the program has it.
   const text = readFileSync(data(), "utf8").split("\n");
-  const left = text.filter((line, k) => k === 0 || line === "" || Number(line.split(",")[0]) / 60 < from || Number(line.split(",")[0]) / 60 > to);
+  const left = text.filter((line) => line === "" || !(Number(line.split(",")[0]) / 60 >= from && Number(line.split(",")[0]) / 60 <= to));
   assert.ok(left.length < text.length);
   const option = json_of("check", data(), "--model", model(), `--leave-out-times=${from}min..${to}min`);
   assert.ok(Math.abs(option.n - rows.length) <= 2);
@@ -197,7 +197,7 @@ test("rows that are dragged over are left out of fit and search, shaded, and com
   // The effects have their inputs there still: cutting the rows out of the file is another fit, nearly the same.
   const cut = join(folder, "cut.csv");
   writeFileSync(cut, left.join("\n"));
-  assert.ok(Math.abs(json_of("check", cut, "--model", model()).rmse_um - part) < 0.05 * part);
+  assert.ok(Math.abs(json_of("check", cut, "--max-gap=24h", "--model", model()).rmse_um - part) < 0.05 * part);
   await page.click(".live-left-out .chip");
   await page.waitForSelector(".live-left-out .chip", { state: "detached", timeout: kLong });
   await at_rest(page);
@@ -243,7 +243,7 @@ test("in German and on a phone the same stands there", async () => {
   await page.waitForSelector("html[lang=de]");
   await at_rest(page);
   assert.ok((await find(page, "Reibung")).includes("speed_heating"));
-  assert.match(await page.textContent('.live-effects li[data-effect="speed_heating"]'), /Erwärmung durch die Drehzahl/);
+  assert.match(await page.textContent('.live-effects li[data-effect="speed_heating"]'), /Reibungswärme der Drehzahl/);
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   assert.ok(wide <= 390, `${wide} px wide`);
   assert.deepEqual(wrong, []);

@@ -13,7 +13,7 @@ import { section_of } from "./page/section";
 import { engine_of } from "./engine";
 import { live_page, type Open } from "./live/live_page";
 import { open_live } from "./live/open_live";
-import { language_of, speak, t, when_spoken } from "./texts/texts";
+import { english, language_of, speak, t, when_spoken } from "./texts/texts";
 
 // A session has a file or two a test; a list that long is opened if wanted.
 const files_of = (files: readonly string[]): HTMLElement => {
@@ -25,11 +25,17 @@ const files_of = (files: readonly string[]): HTMLElement => {
   return files.length <= 3 ? list : details_of("files-of", t.page_from_files({ files: files.length }), list);
 };
 
+// The program's own in the page's language; one that a person wrote as it is.
+const title_of = ({ title }: Report): string => {
+  const said = english(title);
+  return typeof said === "string" ? said : title;
+};
+
 const header_of = (report: Report, wide: boolean): HTMLElement =>
   element(
     "header",
     wide ? { class: "wide" } : {},
-    text_in("h1", report.title),
+    text_in("h1", title_of(report)),
     files_of(report.files),
     element("p", { class: "made" }, t.page_made({ by: report.made_by, on: report.made_on })),
   );
@@ -81,7 +87,7 @@ const open: Open = (report, shared, tools, by_hand) => {
     parts: [
       ...(sheet ? [sheet.sheet] : []),
       contents_of(all, ...(sheet ? [sheet.print] : []), tools),
-      header_of(report, first[0]?.companion !== undefined),
+      header_of(report, first[0]?.companion !== undefined || by_hand?.proves === true),
       main,
     ],
     // What is on the screen is drawn at once; the rest when it comes near.

@@ -79,13 +79,14 @@ export const stretch_panel = (select: (stretch: Range | null) => void, zoom: () 
   };
   from.addEventListener("change", read);
   to.addEventListener("change", read);
+  const to_it = button(t.figure_zoom, t.figure_zoom_title, zoom);
   const fields = element(
     "div",
     { class: "fields" },
     element("label", {}, `${t.figure_from} `, from),
     element("label", {}, `${t.figure_to} `, to),
     unit,
-    button(t.figure_zoom, t.figure_zoom_title, zoom),
+    to_it,
     button(t.figure_clear, t.figure_clear_title, () => select(null)),
   );
   const result = element("div");
@@ -95,6 +96,7 @@ export const stretch_panel = (select: (stretch: Range | null) => void, zoom: () 
   let shown_last: [Range | null, Numbers] | null = null;
   const update = (stretch: Range | null, open: boolean, numbers: () => Numbers): void => {
     panel.hidden = !open && !stretch;
+    to_it.disabled = stretch === null;
     if (panel.hidden) return;
     const all = numbers();
     if (shown_last?.[0] === stretch && shown_last[1] === all) return;

@@ -40,7 +40,15 @@ const shown_as = (k: number): Shown => ({
   about: t.history_about,
 });
 
-const group_section = (group: HistoryGroup, k: number): Section => ({
+// "10 tests, 2025-01-20 to 2026-01-19"
+const count_and_dates = (tests: readonly DrawnTest[]): string => {
+  const dates = tests.flatMap(({ date }) => (date ? [date.slice(0, 10)] : []));
+  const [from = "", to = ""] = [dates[0], dates.at(-1)];
+  const count = t.history_tests_count({ n: tests.length });
+  return from === "" ? count : `${count}, ${from === to ? from : t.several_from_to({ from, to })}`;
+};
+
+const group_section = (group: HistoryGroup, k: number, tests: readonly DrawnTest[]): Section => ({
   id: `history-${k + 1}`,
   heading: plain(group.label, 80),
   result: quantity_sentence(group, group.first),
@@ -51,7 +59,11 @@ const group_section = (group: HistoryGroup, k: number): Section => ({
           picture: `history-${k + 1}`,
           kind: t.history_tests_kind,
           label: plain(group.label, 80),
-          conclusion: ({ quantity }: State["chosen"]) => ({ verdict: quantity_sentence(group, quantity ?? group.first), next: next() }),
+          conclusion: ({ quantity }: State["chosen"]) => ({
+            verdict: quantity_sentence(group, quantity ?? group.first),
+            ...(tests.length > 0 ? { also: count_and_dates(tests) } : {}),
+            next: next(),
+          }),
         },
       }
     : {}),
@@ -72,7 +84,7 @@ const tests_section = (tests: readonly DrawnTest[]): Section[] =>
         {
           id: "tests",
           heading: t.history_list,
-          result: t.history_tests_count({ n: tests.length }),
+          result: count_and_dates(tests),
           tables: [
             {
               title: t.history_list,
@@ -95,7 +107,7 @@ export const history_sections = ({ history }: Report): Section[] => {
   if (!history) return [];
   const { groups, geometry, geometry_rows, skipped, tests } = history;
   return [
-    ...groups.map(group_section),
+    ...groups.map((group, k) => group_section(group, k, tests)),
     ...tests_section(tests),
     ...(geometry_rows.length > 0
       ? [

@@ -32,6 +32,7 @@ export const action_of = (command: string, { opened, test_again, save_of }: Acti
   if (test) return test;
   switch (verb) {
     case "errors":
+      if (rest.at(-2) === "--show" && rest.at(-1) === "change") return test_again;
       return report?.machine_errors ? () => reveal("machine-errors") : of_loop;
     case "check":
       return report?.check ? () => reveal("model") : null;
@@ -43,7 +44,6 @@ export const action_of = (command: string, { opened, test_again, save_of }: Acti
     case "plan":
       return of_loop;
     case "history":
-      if (rest.at(-2) === "--show" && rest.at(-1) === "change") return test_again;
       return report?.history ? () => reveal("history-1") : null;
     case "could": // nothing is measured: what the columns are taken for
       return opened.columns.button.hidden ? null : () => opened.columns.button.click();

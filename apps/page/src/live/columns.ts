@@ -298,9 +298,10 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
       words = next.log;
       show_opener();
       if (!of_next) return;
-      const asked = [of_next.path, ...next.log].join("\n");
+      const read_so = with_said(next.log, "max-gap", ""); // of signals, once they are read
+      const asked = [of_next.path, ...read_so].join("\n");
       if (of_words !== asked) {
-        const ran = await work.run(["import", of_next.path, ...next.log, "--json"], { what: t.live_checking({ name: plain(last_part(of_next.name), 60) }) });
+        const ran = await work.run(["import", of_next.path, ...read_so, "--json"], { what: t.live_checking({ name: plain(last_part(of_next.name), 60) }) });
         understood = answer_of<Understood>(ran);
         of_words = asked;
         to_ask = (understood.unclear ?? []).length > 0;

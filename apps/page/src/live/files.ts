@@ -177,6 +177,8 @@ export const last_part = (path: string): string => path.slice(path.lastIndexOf("
 const titled = (files: readonly Held[]): string => {
   const [first] = files;
   if (!first) return "";
+  const [folder, rest] = first.name.split("/", 2);
+  if (folder && rest && files.every(({ name }) => name.startsWith(`${folder}/`))) return folder;
   return files.length === 1 ? last_part(first.name) : `${last_part(first.name)} + ${files.length - 1}`;
 };
 

@@ -4,7 +4,8 @@ import { effect_search } from "./effect_search";
 import { type ModelState, type Step, type Steps, steps_kept, type Stretch } from "./history_of_steps";
 import { left_out_bar } from "./left_out";
 import { type Catalogue, model_list } from "./model_list";
-import { added_by, type HandChange, Interrupted, type Part, reason, type Runs, type Subject, words_of, type Work } from "./runs";
+import { added_by, type HandChange, Interrupted, type Part, reason, Refused, type Runs, type Subject, words_of, type Work } from "./runs";
+import { gap_in } from "./log_words";
 import { two_hypotheses } from "./two_hypotheses";
 import { button, element, select_of } from "../elements/elements";
 import { fit_picture, type Now, slid } from "./fit_picture";
@@ -32,6 +33,7 @@ export interface LoopOf {
   put(path: string, bytes: Uint8Array): Promise<void>;
   plan: NextTestOf["plan"];
   steps?: Steps; // of a loop of the same data before this one
+  across(gap_min: number): void; // opens the data anew, interpolated over gaps of this length
   add_figure(figure: Figure): void;
   changed(report: Report, subject: Subject): void; // the page below is to be drawn anew
 }
@@ -43,6 +45,7 @@ export interface Loop {
   figures(): readonly Figure[]; // on the page
   proves(): boolean; // whether it has the picture that the first screen needs
   show(report: Report): void;
+  refused(why: unknown): void; // why it has no fit, and what may be done
   search(): Promise<void>;
   // What the data do not support is shown and taken back, but for keep.
   add(effects: readonly string[], keep?: boolean): Promise<void>;
@@ -96,6 +99,19 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const next = button("", "", () => loop.act(found?.command ?? ""));
   next.className = "act";
   next.hidden = true;
+  // Where a column has too long a gap to be interpolated.
+  const across = button("", t.live_across_title, () => of.across(gap_min));
+  across.className = "act";
+  across.hidden = true;
+  let gap_min = 0;
+  const told = (error: unknown): void => {
+    const gap = error instanceof Refused ? gap_in(error.message) : null;
+    say(gap ? t.live_gap({ ...gap, column: plain(gap.column, 60) }) : reason(error));
+    if (!gap) return;
+    gap_min = Math.ceil(gap.to_min - gap.from_min) + 1; // the sentence has whole minutes
+    across.textContent = t.live_across({ gap_min });
+    across.hidden = false;
+  };
   // What the data did not support, and was not kept; or what the model holds all the same.
   const refusal = element("p", { class: "refusal", role: "status" });
   refusal.hidden = true;
@@ -245,7 +261,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const all_promised = (): void => {
     all.dataset.promised = "true";
   };
-  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, refusal, sentence, next), element("div", { class: "by-hand" }, element("div", {}, place, rows.element), hand), two.element);
+  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, refusal, sentence, across, next), element("div", { class: "by-hand" }, element("div", {}, place, rows.element), hand), two.element);
 
   const now = (): Now => ({
     report: report as Report,
@@ -273,7 +289,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     try {
       await work_of();
     } catch (error) {
-      say(reason(error));
+      told(error);
     } finally {
       if (--attempts === 0) all.removeAttribute("aria-busy");
       update();
@@ -286,6 +302,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     all.dataset.steps = String(steps.count());
     undo.disabled = steps.count() === 0 && revisions < 2;
     redo.disabled = !steps.can_redo();
+    back.disabled = !list.moved();
     search.disabled = work.busy();
   };
 
@@ -426,6 +443,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       show_here(next);
       of.changed(next, subject);
     },
+    refused: told,
     search: () =>
       attempt(async () => {
         const of_subject = subject;

@@ -9,6 +9,7 @@ import { action_of } from "./actions";
 import { intake_of, type Kept, open_store } from "./intake";
 import { file_chooser, listen, start_of } from "./start";
 import type { LivePage } from "./live_page";
+import { with_said } from "./log_words";
 import { opened_with } from "./opened";
 import { answer_of, reason, runs_with, work_with } from "./runs";
 import { type Saves, saves_of } from "./saves";
@@ -156,7 +157,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
       model_text: (subject) => runs.model_text(subject),
       saved: () => opened.saved(),
       async table_of({ data, log }) {
-        const ran = await work.run(["drift", ...data, ...log, "--out", "drift.csv"], { what: t.live_reading });
+        const ran = await work.run(["drift", ...data, ...with_said(log, "max-gap", ""), "--out", "drift.csv"], { what: t.live_reading });
         return ran.status === 0 ? engine.get("drift.csv") : ran.err;
       },
       fault: tell,

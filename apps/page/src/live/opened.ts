@@ -2,6 +2,7 @@
 import { catalogue_of } from "./model_list";
 import { type Columns, columns_with } from "./columns";
 import { answer_of, look_words, reason, Refused, type Runs, type Subject, type Work, words_of } from "./runs";
+import { gap_in, with_said } from "./log_words";
 import type { Engine, Sample } from "../engine";
 import { type Group, groups_of, type Held, last_part } from "./files";
 import type { Intake, Kept, Store } from "./intake";
@@ -178,6 +179,9 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       put: (path, bytes) => engine.put(path, bytes),
       plan: planned_with(engine, work, runs),
       ...(steps && { steps }),
+      across(gap_min) {
+        if (last) void open(last.group, { ...last, log: with_said(last.log, "max-gap", `${gap_min}min`) });
+      },
       add_figure: (figure) => page.add(figure),
       changed(now, next) {
         if (loop !== made) return; // an answer about what is no longer open
@@ -263,6 +267,11 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
         columns.ask();
       } catch (error) {
         if (!(error instanceof Refused)) throw error;
+        // What was measured is shown all the same.
+        if (next.model !== "" && gap_in(error.message)) {
+          await show({ ...next, model: "" });
+          return loop?.refused(error);
+        }
         const cut = columns.refused(error.message);
         if (cut !== null) {
           intake.faults().set(group.data[0] ?? group.key, cut);

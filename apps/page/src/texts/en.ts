@@ -1189,6 +1189,10 @@ export const en = {
   live_promise: ({ rmse }: { rmse: string }) => `leaves RMSE ${rmse} µm`,
   live_add_all: "All of these (*)",
   live_add_all_title: ({ effects }: { effects: string }) => `Add the most probable set: ${effects}`,
+  live_gap: ({ column, from_min, to_min, most_min }: { column: string; from_min: number; to_min: number; most_min: number }) =>
+    `Not fitted: ${column} has no value between ${from_min} and ${to_min} min, and a fit interpolates over ${most_min} min at most.`,
+  live_across: ({ gap_min }: { gap_min: number }) => `Fit across gaps up to ${gap_min} min`,
+  live_across_title: "Interpolates the signals over gaps of this length. What happened within them is not known.",
   live_keep: "Keep it all the same",
   live_keep_title: "Adds it although the data do not support it. The verdict then says so.",
   live_unsupported: ({ effects }: { effects: string }) => `The model holds ${effects}, which the data did not support: a verdict holds only if it is real.`,

@@ -93,6 +93,7 @@ export const program_de: readonly (readonly [string, string])[] = [
   ["Unexplained is a wave of {} a turn, {} um from peak to peak, alike in both directions: no error of the catalogue has this form.", "Unerklärt ist eine Welle mit {1} je Umdrehung, {2} µm von Spitze zu Spitze, in beiden Richtungen gleich: Kein Fehler des Katalogs hat diese Form."],
   ["Unexplained is a wave of {} a turn, {} um from peak to peak, in recording {} ({}): no error of the catalogue has this form.", "Unerklärt ist eine Welle mit {1} je Umdrehung, {2} µm von Spitze zu Spitze, in Messlauf {3} ({4}): Kein Fehler des Katalogs hat diese Form."],
   ["These data could not have shown a missing effect.", "Diese Daten hätten einen fehlenden Effekt nicht zeigen können."],
+  ["{} recordings of {} files", "{1} Messläufe aus {2} Dateien"],
   ["A model that lacks something: find it, add it", "Ein Modell, dem etwas fehlt: finden und aufnehmen"],
   ["Six ballbar tests of a warm-up: which error is largest", "Sechs Kreisformtests beim Warmlaufen: welcher Fehler der größte ist"],
   ["A session of two arcs: drift of the spindle, with five probes beside", "Eine Messreihe aus zwei Bögen: Drift der Spindel, daneben fünf Taster"],

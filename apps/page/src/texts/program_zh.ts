@@ -94,6 +94,7 @@ export const program_zh: readonly (readonly [string, string])[] = [
   ["Unexplained is a wave of {} a turn, {} um from peak to peak, in recording {} ({}): no error of the catalogue has this form.", "未解释的是每转 {1} 次、峰峰值 {2} µm 的波，见记录 {3}（{4}）：目录中没有这种形状的误差。"],
   ["These data could not have shown a missing effect.", "这些数据无法显示缺失的效应。"],
   ["A model that lacks something: find it, add it", "缺少某种效应的模型：找到并加入"],
+  ["{} recordings of {} files", "{2} 个文件中的 {1} 条记录"],
   ["Six ballbar tests of a warm-up: which error is largest", "预热过程中的六次球杆测试：哪项误差最大"],
   ["A session of two arcs: drift of the spindle, with five probes beside", "两段圆弧的测量：主轴漂移，同时有五个测头"],
   ["A session with the spindle turning: it grows by 60 um", "主轴旋转时的测量：伸长 60 µm"],
