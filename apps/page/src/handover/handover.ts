@@ -42,9 +42,10 @@ const started_of = (test: ErrorTest): number | undefined => {
 // When the tests were, where their files state it: the first, and the last of several.
 export const started_text = (report: Report): string => {
   const all = error_tests(report).flatMap((test) => started_of(test) ?? []).sort((a, b) => a - b);
-  const said = [all[0], all[all.length - 1]].flatMap((started_s) =>
-    started_s === undefined ? [] : new Date(1000 * started_s).toISOString().slice(0, 16).replace("T", " "),
-  );
+  const said = [all[0], all[all.length - 1]].flatMap((started_s) => {
+    const started = new Date(1000 * (started_s ?? NaN));
+    return Number.isNaN(started.getTime()) ? [] : started.toISOString().slice(0, 16).replace("T", " ");
+  });
   return [...new Set(said)].join(" – ");
 };
 

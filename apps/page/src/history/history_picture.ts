@@ -5,7 +5,7 @@ import type { Numbers, Picture, State, Toggle } from "../picture";
 import { kBottom_px, kLeft_px, kRight_px, top_px, x_axis } from "../drawing/axes";
 import type { HistoryGroup, HistoryQuantity, Num } from "../report";
 import { plain, unit_shown } from "../drawing/text";
-import { axis, colours, toggle } from "../drawing/theme";
+import { axis, colours, shown, toggle } from "../drawing/theme";
 import { t } from "../texts/texts";
 import { typed_name } from "../machine_errors/error_names";
 
@@ -18,7 +18,8 @@ const uncertain = (year: readonly number[], values: readonly Num[], sigmas: read
 const date_of = (year: number): string => {
   const whole = Math.floor(year);
   const [from, to] = [Date.UTC(whole, 0), Date.UTC(whole + 1, 0)];
-  return new Date(from + (year - whole) * (to - from)).toISOString().slice(0, 10);
+  const date = new Date(from + (year - whole) * (to - from));
+  return Number.isNaN(date.getTime()) ? shown(year, 2) : date.toISOString().slice(0, 10); // of years that no calendar has
 };
 
 // "2025-07" at its ticks.
