@@ -87,7 +87,7 @@ export const effect_search = ({ catalogue, add, beside }: EffectSearchOf): Effec
     const asked = can
       ? needs === "" || choice.columns[0]?.length === 0 ? "" : t.hands_needs({ inputs: needs })
       : needs === "" || entry.level === "recording" ? t.hands_in_model : t.hands_no_column({ inputs: needs });
-    const row = element("li", { class: can ? "" : "cannot" }, plus, element("span", { class: "line" }, name, " ", program), element("span", { class: "line" }, element("span", { class: "note" }, asked), columns.element, compare));
+    const row = element("li", { class: can ? "" : "cannot" }, plus, element("span", { class: "found" }, name, " ", program), element("span", { class: "found" }, element("span", { class: "note" }, asked), columns.element, compare));
     row.dataset.effect = entry.name;
     return row;
   };
