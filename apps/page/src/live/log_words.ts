@@ -37,9 +37,12 @@ export const without_advice = (sentence: string): string => {
   return kept.replace(/;$/, ".");
 };
 
-// An answer of the program, all of its sentences without such advice; commands to do stay.
+// Keys of what is no sentence: commands to do, and names that a file has.
+const kNames: ReadonlySet<string> = new Set(["command", "header", "headers", "name", "names", "column", "columns", "target", "label", "file", "files", "title", "sheet"]);
+
+// An answer of the program, all of its sentences without such advice.
 export const answer_without_advice = <T>(answer: T, key = ""): T => {
-  if (typeof answer === "string") return (key !== "command" && kAdvice.test(answer) ? without_advice(answer) : answer) as T;
+  if (typeof answer === "string") return (!kNames.has(key) && /\s/.test(answer) && kAdvice.test(answer) ? without_advice(answer) : answer) as T;
   if (typeof answer !== "object" || answer === null) return answer;
   if (Array.isArray(answer)) {
     if (typeof answer[0] === "number") return answer; // a column
