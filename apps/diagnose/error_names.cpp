@@ -13,11 +13,9 @@ bool is_letter(char sign) { return std::isalnum(static_cast<unsigned char>(sign)
 std::string plain_name(std::string_view effect, Plane plane) {
   const std::string_view axes = name_of(plane);
   std::string of;
-  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
-    if (!effect.ends_with(k == 0 ? "_a" : "_b")) continue;
+  if (effect.ends_with("_a") || effect.ends_with("_b")) {
+    of = std::string(" of ") + axes[effect.back() == 'a' ? 0 : 1];
     effect.remove_suffix(2);
-    of = std::string(" of ") + axes[k];
-    break;
   }
   std::string name(effect);
   std::replace(name.begin(), name.end(), '_', ' ');

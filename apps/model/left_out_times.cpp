@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -17,21 +16,10 @@
 namespace ballbar {
 namespace {
 
-// "3840", "3840s", "64min", "1.5h"
-std::optional<double> time_s(std::string_view text) {
-  const std::size_t end = text.find_first_not_of("0123456789.+-");
-  const std::map<std::string_view, double> units{{"", 1.0}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}};
-  const auto unit = units.find(end == std::string_view::npos ? "" : text.substr(end));
-  const std::optional<double> number = finite_number(text.substr(0, end));
-  if (unit == units.end() || !number) return std::nullopt;
-  return *number * unit->second;
-}
-
 std::optional<TimeRange> range_of(const std::string& text) {
   const std::size_t dots = text.find("..");
   if (dots == std::string::npos) return std::nullopt;
-  const auto from = time_s(std::string_view(text).substr(0, dots)),
-             to = time_s(std::string_view(text).substr(dots + 2));
+  const auto from = time_s_of(text.substr(0, dots)), to = time_s_of(text.substr(dots + 2));
   if (!from || !to || *from > *to) return std::nullopt;
   return TimeRange{*from, *to};
 }
@@ -60,12 +48,11 @@ void add_left_out_times(CLI::App& command, std::vector<TimeRange>& left_out) {
       ->allow_extra_args(false);
 }
 
-std::shared_ptr<const ModelData> without_times(std::shared_ptr<const ModelData> data,
-                                               const std::vector<TimeRange>& left_out) {
+ModelData without_times(ModelData data, const std::vector<TimeRange>& left_out) {
   if (left_out.empty()) return data;
-  if (data->level == Level::recording)
+  if (data.level == Level::recording)
     throw Error("--leave-out-times: expected a drift series, whose readings have a time, found recordings.");
-  auto series = std::make_shared<Series>(*data->series);
+  auto series = std::make_shared<Series>(*data.series);
   const std::vector<double> time_s = one_after_another(series->time_s);
   for (const TimeRange& range : left_out) {
     bool any = false;
@@ -82,9 +69,8 @@ std::shared_ptr<const ModelData> without_times(std::shared_ptr<const ModelData> 
           fmt::format("--leave-out-times: expected a time in which something was measured, found {}.", text_of(range)));
     }
   }
-  auto rest = std::make_shared<ModelData>(*data);
-  rest->series = std::move(series);
-  return rest;
+  data.series = std::move(series);
+  return data;
 }
 
 }  // namespace ballbar

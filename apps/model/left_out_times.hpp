@@ -1,7 +1,6 @@
 // `--leave-out-times FROM..TO`: readings that are not to be explained, such as those while the machine stood open.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,7 +25,6 @@ void add_left_out_times(CLI::App& command, std::vector<TimeRange>& left_out);
 
 // The data without the measured values within these times. What effects read there stays, so that one with a memory
 // goes on through them. Throws Error for recordings, and for times within which nothing was measured.
-std::shared_ptr<const ModelData> without_times(std::shared_ptr<const ModelData> data,
-                                               const std::vector<TimeRange>& left_out);
+ModelData without_times(ModelData data, const std::vector<TimeRange>& left_out);
 
 }  // namespace ballbar

@@ -146,9 +146,7 @@ ModelData open_data(const ModelOptions& options) {
         "no clock: the rows are numbered, effects with a time constant are not searched, and a second in the "
         "results is a row; --every 10s states how far apart the rows are");
   }
-  return options.left_out.empty()
-             ? data
-             : *without_times(std::make_shared<const ModelData>(std::move(data)), options.left_out);
+  return without_times(std::move(data), options.left_out);
 }
 
 ModelData open_drift(const Source& data, const std::optional<double>& max_gap_s) {

@@ -23,6 +23,11 @@ CLI::Validator validator(std::function<std::string(std::string&)> complaint) {
   return {std::move(complaint), ""};  // no words of its own in the help
 }
 
+CLI::AsNumberWithUnit seconds() {
+  return CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
+                               CLI::AsNumberWithUnit::CASE_SENSITIVE);
+}
+
 }  // namespace
 
 std::optional<double> finite_number(std::string_view text) {
@@ -73,10 +78,17 @@ CLI::Validator name_that_ends_in(std::vector<std::string> endings) {
   });
 }
 
+std::optional<double> time_s_of(std::string text) {
+  try {
+    if (!seconds()(text).empty()) return std::nullopt;
+  } catch (const CLI::ValidationError&) {
+    return std::nullopt;
+  }
+  return finite_number(text);
+}
+
 void take_time(CLI::Option& option, bool above_0) {
-  CLI::AsNumberWithUnit seconds(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
-                                CLI::AsNumberWithUnit::CASE_SENSITIVE);
-  option.type_name("TIME")->transform(seconds.description(""));
+  option.type_name("TIME")->transform(seconds().description(""));
   option.check(validator([above_0](const std::string& found) {
     double time_s = 0.0;  // stays 0 where it is too small for a double
     const bool finite = is_number(found, time_s) && std::isfinite(time_s);

@@ -29,7 +29,10 @@ CLI::Validator name_and_number();
 // A name of a file with one of these endings, such as ".csv".
 CLI::Validator name_that_ends_in(std::vector<std::string> endings);
 
-// Shown as TIME: 3840, 3840s, 64min or 1.5h, which becomes a number of seconds. `above_0`: of no other kind.
+// Of 3840, 3840s, 64min or 1.5h; nothing where it is none of the kind.
+std::optional<double> time_s_of(std::string text);
+
+// Shown as TIME: of that kind, which becomes a number of seconds. `above_0`: of no other kind.
 void take_time(CLI::Option& option, bool above_0);
 
 // --radius: 100, 100mm or 0.1m, which becomes mm; of circles whose files do not state it.

@@ -3,21 +3,10 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { basename, join } from "node:path";
-import { after, before, test } from "node:test";
-import { launched, opened } from "./browser.mjs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { dropped, kLong, live } from "./live_page.mjs";
 import { folder, json_of, of_run, program } from "./reports.mjs";
-
-const tool = process.env.BALLBAR_HTML;
-if (!tool) throw new Error("expected BALLBAR_HTML in the environment: the page with the program in it");
-
-let browser;
-before(async () => {
-  browser = await launched();
-});
-after(() => browser.close());
-
-const kLong = 120_000; // ms, on a busy machine
 
 // A test of the machine of the sample run machine-history, with these values.
 const made = (name, { seed, started, backlash, plane = "XY", feed = 1000, length = 100 }) => {
@@ -42,17 +31,6 @@ const made = (name, { seed, started, backlash, plane = "XY", feed = 1000, length
 const kBefore = { seed: 301, started: "2025-03-03T08:00:00", backlash: "8.1" };
 const kAfter = { seed: 302, started: "2025-03-03T15:00:00", backlash: "1.2" };
 
-const live = (options = {}) => opened(browser, tool, { viewport: { width: 1400, height: 900 }, ...options });
-
-const drop = (page, ...paths) =>
-  page.evaluate((files) => {
-    const transfer = new DataTransfer();
-    for (const [name, bytes] of files) transfer.items.add(new File([new Uint8Array(bytes)], name));
-    for (const type of ["dragenter", "dragover", "drop"]) {
-      document.body.dispatchEvent(new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }));
-    }
-  }, paths.map((path) => [basename(path), [...readFileSync(path)]]));
-
 const verdict = (page, pattern) =>
   page.waitForFunction(
     (pattern) => new RegExp(pattern).test([...document.querySelectorAll(".verdict")].find((one) => one.offsetParent)?.textContent ?? ""),
@@ -67,9 +45,9 @@ const choose = (page, name, label) => page.locator(".live-bar .choice", { hasTex
 test("a second test that is dropped: what changed clearly, and that nothing else did", async () => {
   const [first, second] = [made("before", kBefore), made("after", kAfter)];
   const { page, wrong, close } = await live();
-  await drop(page, first);
+  await dropped(page, first);
   await verdict(page, "Mending");
-  await drop(page, second);
+  await dropped(page, second);
   await verdict(page, "^Backlash of X fell from 8\\.1 to 1\\.\\d µm, circularity fell from 9\\.\\d to 5\\.\\d µm; nothing else changed clearly\\.$");
   const clear = (await table(page)).filter((row) => row.at(-1) === "yes").map(([name]) => name);
   assert.deepEqual(clear.sort(), ["backlash of X +", "backlash of X −", "circularity"]);
@@ -90,7 +68,7 @@ test("a second test that is dropped: what changed clearly, and that nothing else
 
 test("the older of two tests is the one before, in whatever order they come", async () => {
   const { page, wrong, close } = await live();
-  await drop(page, made("after", kAfter), made("before", kBefore));
+  await dropped(page, made("after", kAfter), made("before", kBefore));
   await verdict(page, "^Backlash of X fell from 8\\.1 to");
   await choose(page, "Compare with", "nothing");
   await verdict(page, "Mending");
@@ -100,7 +78,7 @@ test("the older of two tests is the one before, in whatever order they come", as
 
 test("a test made again is asked for by a file chooser, and other conditions are said first", async () => {
   const { page, wrong, close } = await live();
-  await drop(page, made("after", kAfter));
+  await dropped(page, made("after", kAfter));
   await verdict(page, "Mending");
   const again = async (file) => {
     const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.getByRole("button", { name: "Test again, and compare" }).click()]);
@@ -116,9 +94,9 @@ test("a test made again is asked for by a file chooser, and other conditions are
 
 test("tests of two planes are no before and after", async () => {
   const { page, wrong, close } = await live();
-  await drop(page, made("after", kAfter));
+  await dropped(page, made("after", kAfter));
   await verdict(page, "Mending");
-  await drop(page, made("yz", { ...kAfter, seed: 305, plane: "YZ" }));
+  await dropped(page, made("yz", { ...kAfter, seed: 305, plane: "YZ" }));
   await page.waitForFunction(() => /XY, YZ are not before and after/.test(document.querySelector(".live-told").textContent), null, { timeout: kLong });
   assert.equal(await page.locator("#change").count(), 0);
   assert.deepEqual(wrong, []);
@@ -137,7 +115,7 @@ test("stored results without readings: both values, and that what is clear is no
     return file;
   };
   const { page, wrong, close } = await live();
-  await drop(page, stored("s1", 2), stored("s2", 4));
+  await dropped(page, stored("s1", 2), stored("s2", 4));
   await verdict(page, "^Circularity 7\\.0 µm before, 9\\.0 µm after; stored results have no uncertainty");
   assert.ok((await table(page)).every((row) => row.at(-1) === "–"));
   assert.deepEqual(wrong, []);

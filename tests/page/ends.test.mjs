@@ -2,42 +2,9 @@
 // its step, and what cannot be read is said in a sentence.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { basename, join } from "node:path";
-import { after, before, test } from "node:test";
-import { launched, opened } from "./browser.mjs";
+import { test } from "node:test";
+import { at_rest, drop, dropped, kLong, live } from "./live_page.mjs";
 import { of_run } from "./reports.mjs";
-
-const tool = process.env.BALLBAR_HTML;
-if (!tool) throw new Error("expected BALLBAR_HTML in the environment: the page with the program in it");
-
-let browser;
-before(async () => {
-  browser = await launched();
-});
-after(() => browser.close());
-
-const kLong = 180_000;
-const live = (options = {}) => opened(browser, tool, { viewport: { width: 1400, height: 900 }, acceptDownloads: true, ...options });
-
-const idle = (page) =>
-  page.waitForFunction(
-    () => document.querySelector(".live-work").dataset.waiting === "0" && !document.querySelector(".live-loop[aria-busy]"),
-    null,
-    { timeout: kLong },
-  );
-const at_rest = async (page) => {
-  for (let k = 0; k < 3; ++k) {
-    await idle(page);
-    await page.waitForTimeout(300);
-  }
-};
-const drop = (page, files) =>
-  page.evaluate((files) => {
-    const transfer = new DataTransfer();
-    for (const [name, content] of files) transfer.items.add(new File([typeof content === "string" ? content : new Uint8Array(content)], name));
-    document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
-  }, Object.entries(files));
-const dropped = (page, ...paths) => drop(page, Object.fromEntries(paths.map((path) => [basename(path), [...readFileSync(path)]])));
 
 // All that the page says, folded or not, which only a terminal could do.
 const for_terminals = (page) =>

@@ -1,33 +1,14 @@
 // Hands on the model: any effect added by search or taken out, values typed, held and freed, rows left out, two
 // hypotheses side by side, and undo for all of it in its order.
 import assert from "node:assert/strict";
-import { readFileSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { launched, opened } from "./browser.mjs";
-import { folder, json_of, of_run } from "./reports.mjs";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { at_rest, kLong, live, rmse, saved } from "./live_page.mjs";
+import { json_of, of_run } from "./reports.mjs";
 
-const tool = process.env.BALLBAR_HTML;
-if (!tool) throw new Error("expected BALLBAR_HTML in the environment: the page with the program in it");
-
-let browser;
-before(async () => {
-  browser = await launched();
-});
-after(() => browser.close());
-
-const kLong = 120_000; // ms, for a search on a busy machine
-
-const at_rest = async (page) => {
-  for (let k = 0; k < 4; ++k) {
-    await page.waitForFunction(() => document.querySelector(".live-work").dataset.waiting === "0" && !document.querySelector(".live-loop[aria-busy]"), null, { timeout: kLong });
-    await page.waitForTimeout(300);
-  }
-};
-const rmse = async (page) => Number(/RMSE ([\d.]+)/.exec(await page.textContent(".live-fall .rmse"))?.[1]);
 const effects_of = (page) => page.$$eval(".live-model .effect bdi", (all) => all.map((one) => one.title));
 const hidden = async (options = {}) => {
-  const made = await opened(browser, tool, { viewport: { width: 1400, height: 900 }, acceptDownloads: true, ...options });
+  const made = await live(options);
   await made.page.getByRole("button", { name: "hidden-effect", exact: true }).click();
   await made.page.waitForSelector(".live-candidates .plus", { timeout: kLong });
   await at_rest(made.page);
@@ -37,13 +18,6 @@ const find = async (page, word) => {
   if (!(await page.locator(".live-effects").evaluate((one) => one.open))) await page.click(".live-effects > summary");
   await page.fill(".live-effects input", word);
   return page.$$eval(".live-effects li", (all) => all.map((one) => one.dataset.effect));
-};
-const saved_model = async (page) => {
-  if (!(await page.locator(".live-saves").evaluate((one) => one.open))) await page.click(".live-saves > summary");
-  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Model (.toml)", exact: true }).click()]);
-  const path = join(folder, `${Date.now()}-model.toml`);
-  await download.saveAs(path);
-  return path;
 };
 const data = () => of_run("hidden-effect", "01", "data.csv");
 const model = () => of_run("hidden-effect", "01", "model.toml");
@@ -78,7 +52,7 @@ test("any effect is found by a word of any language, with the columns that suit,
   assert.deepEqual(await effects_of(page), ["constant", "lagged_expansion(T_room_degC)"]);
   assert.ok((await rmse(page)) > both);
   await at_rest(page);
-  const kept = await saved_model(page);
+  const kept = await saved(page, "Model (.toml)");
   assert.equal(json_of("check", data(), "--model", kept).rmse_um.toFixed(2), (await rmse(page)).toFixed(2));
   await page.keyboard.press("Control+z");
   await page.waitForSelector('.live-loop[data-revisions="2"]', { timeout: kLong });
@@ -106,7 +80,7 @@ test("a value is typed, held and freed, as the program fits it; the file holds i
   assert.equal(held.toFixed(2), expected.toFixed(2));
   assert.equal(Number(await field.inputValue()), 3600);
   assert.ok(await time.locator(".held").isVisible());
-  const text = readFileSync(await saved_model(page), "utf8");
+  const text = readFileSync(await saved(page, "Model (.toml)"), "utf8");
   assert.match(text, /\ntime_constant_s = 3600\.0\n/);
   assert.match(text, /\ngain_um_per_K = \{ start = \d/, "the fitted gain too");
   await time.getByRole("button", { name: /^Free/ }).click();

@@ -2,31 +2,10 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { launched, opened } from "./browser.mjs";
-import { folder, json_of, of_run } from "./reports.mjs";
+import { test } from "node:test";
+import { at_rest, kLong, live, saved } from "./live_page.mjs";
+import { json_of, of_run } from "./reports.mjs";
 
-const tool = process.env.BALLBAR_HTML;
-if (!tool) throw new Error("expected BALLBAR_HTML in the environment: the page with the program in it");
-
-let browser;
-before(async () => {
-  browser = await launched();
-});
-after(() => browser.close());
-
-const kLong = 180_000;
-const live = () => opened(browser, tool, { viewport: { width: 1400, height: 900 }, acceptDownloads: true });
-const at_rest = async (page) => {
-  for (let k = 0; k < 3; ++k) {
-    await page.waitForFunction(
-      () => document.querySelector(".live-work").dataset.waiting === "0" && !document.querySelector(".live-loop[aria-busy]"),
-      null,
-      { timeout: kLong },
-    );
-    await page.waitForTimeout(300);
-  }
-};
 // The sample run with what it lacks added.
 const changed = async () => {
   const opened_page = await live();
@@ -48,6 +27,7 @@ test("Close asks where something is in no file, by keyboard too; else it closes"
   await question.waitFor();
   assert.match(await question.innerText(), /in no file yet/);
   await page.keyboard.press("Escape");
+  await question.waitFor({ state: "detached" });
   assert.equal(await question.count(), 0);
   assert.ok(await page.locator(".live-report main").count(), "it is still open");
   await close_button(page).focus();
@@ -82,10 +62,7 @@ test("after a reload, other files do not delete what was kept without a question
 test("a saved model has every fitted value: opened, it is the same fit", async () => {
   const { page, wrong, close } = await changed();
   const [rmse, values] = [await page.textContent(".live-fall .rmse"), await parameters(page)];
-  await page.click(".live-saves > summary");
-  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Model (.toml)", exact: true }).click()]);
-  const path = join(folder, "saved.toml");
-  await download.saveAs(path);
+  const path = await saved(page, "Model (.toml)");
   const text = readFileSync(path, "utf8");
   const fitted = await page.evaluate(() => [...document.querySelectorAll(".live-model .slider")].length);
   const starts = text.slice(0, text.indexOf("[[history]]")).match(/start = /g) ?? [];

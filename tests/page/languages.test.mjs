@@ -1,31 +1,10 @@
 // The page with the program in it says nothing in English on a German or a Chinese page, for all sample runs that it
 // carries: the verdict with how sure it is and where it fails, effects, parameters, what the program remarks.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { launched, opened } from "./browser.mjs";
+import { test } from "node:test";
+import { at_rest, kLong, live } from "./live_page.mjs";
 
-const tool = process.env.BALLBAR_HTML;
-if (!tool) throw new Error("expected BALLBAR_HTML in the environment: the page with the program in it");
-
-let browser;
-before(async () => {
-  browser = await launched();
-});
-after(() => browser.close());
-
-const kLong = 180_000;
 const samples = ["hidden-effect", "qc20-style-b5r", "two-arcs-he2015", "spindle-rotation-huang2022", "foreign-logs", "compensation"];
-
-const at_rest = async (page) => {
-  for (let k = 0; k < 3; ++k) {
-    await page.waitForFunction(
-      () => document.querySelector(".live-work").dataset.waiting === "0" && !document.querySelector(".live-loop[aria-busy]"),
-      null,
-      { timeout: kLong },
-    );
-    await page.waitForTimeout(300);
-  }
-};
 
 const english = /\b(the|and|with|without|less|each|below|above|measured|recording|readings|deviation|residual|lacks|likely|from|largest|least|reference|error|errors|centre|about|show|save|select|time|angle|speed|none|all|gain|constant|offset|rate|floor|times|probes)\b/i;
 
@@ -58,7 +37,7 @@ const english_on = (page) =>
 for (const [locale, verdict] of [["de-DE", /wahrscheinlich \((über )?\d+ %\)/], ["zh-CN", /(可能|各半)（(超过 )?\d+ %）/]]) {
   for (const name of samples) {
     test(`${name} in ${locale}`, async () => {
-      const { page, wrong, close } = await opened(browser, tool, { viewport: { width: 1400, height: 900 }, locale });
+      const { page, wrong, close } = await live({ locale });
       await page.getByRole("button", { name, exact: true }).click();
       await page.waitForSelector(".live-report main", { timeout: kLong });
       await at_rest(page);

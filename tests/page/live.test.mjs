@@ -2,53 +2,11 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { basename, join } from "node:path";
-import { after, before, test } from "node:test";
-import { launched, opened } from "./browser.mjs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { at_rest, drop, dropped, idle, kLong, live, opened_file, rmse, saved } from "./live_page.mjs";
 import { folder, json_of, of_run, program } from "./reports.mjs";
 
-const tool = process.env.BALLBAR_HTML;
-if (!tool) throw new Error("expected BALLBAR_HTML in the environment: the page with the program in it");
-
-let browser;
-before(async () => {
-  browser = await launched();
-});
-after(() => browser.close());
-
-const kLong = 120_000; // ms, for a search on a busy machine
-
-const live = (options = {}) => opened(browser, tool, { viewport: { width: 1400, height: 900 }, acceptDownloads: true, ...options });
-
-// As if they were dropped: { name: text or bytes }, without folders.
-const drop = (page, files) =>
-  page.evaluate((files) => {
-    const transfer = new DataTransfer();
-    for (const [name, content] of files) {
-      transfer.items.add(new File([typeof content === "string" ? content : new Uint8Array(content)], name));
-    }
-    for (const type of ["dragenter", "dragover", "drop"]) {
-      document.body.dispatchEvent(new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }));
-    }
-  }, Object.entries(files));
-
-const dropped = (page, ...paths) => drop(page, Object.fromEntries(paths.map((path) => [basename(path), [...readFileSync(path)]])));
-
-const idle = (page) =>
-  page.waitForFunction(
-    () => document.querySelector(".live-work").dataset.waiting === "0" && !document.querySelector(".live-loop[aria-busy]"),
-    null,
-    { timeout: kLong },
-  );
-// Work may follow on work.
-const at_rest = async (page) => {
-  for (let k = 0; k < 3; ++k) {
-    await idle(page);
-    await page.waitForTimeout(400);
-  }
-  await idle(page);
-};
-const rmse = async (page) => Number(/RMSE ([\d.]+)/.exec(await page.textContent(".live-fall .rmse"))?.[1]);
 const candidates = (page) => page.waitForSelector(".live-candidates .plus", { timeout: kLong });
 const sample = async (page, name) => {
   await page.getByRole("button", { name, exact: true }).click();
@@ -66,13 +24,6 @@ const listen = (page) =>
     window.said = [];
     new MutationObserver(() => window.said.push(said.textContent)).observe(said, { childList: true, characterData: true, subtree: true });
   });
-const saved = async (page, name) => {
-  if (!(await page.locator(".live-saves").evaluate((one) => one.open))) await page.click(".live-saves > summary");
-  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name, exact: true }).click()]);
-  const path = join(folder, `${Date.now()}-${download.suggestedFilename()}`);
-  await download.saveAs(path);
-  return path;
-};
 
 test("a .b5r that is dropped: the ranked table, equal to the program's", async () => {
   const { page, wrong, close } = await live();
@@ -288,7 +239,7 @@ test("a report page with its files: saved, and live again where it is dropped", 
   await sample(page, "hidden-effect");
   await candidates(page);
   const path = await saved(page, "Report page with the files (.html)");
-  const alone = await opened(browser, path);
+  const alone = await opened_file(path);
   assert.ok(await alone.page.$("#model-y_um"), "it is a report of its own");
   assert.deepEqual(alone.wrong, []);
   await alone.close();

@@ -69,9 +69,8 @@ std::size_t judge(std::vector<QuantityDifference>& quantities) {
   return judged.size();
 }
 
-// The scales of the axes follow from these, where these are clear.
 bool is_scale_of_axis(std::string_view name) { return name.starts_with("scale_") && name.size() == 7; }
-// Follows from others: the size of the circle, what is left, the scales of the axes where another error is clear.
+// The others follow from these: the size of the circle, what is left, the scales of the axes.
 bool is_error(std::string_view name) {
   return name != "circularity" && name != "residual_rms" && !is_scale_of_axis(name);
 }

@@ -60,6 +60,11 @@ struct Workbench::Step {
   std::optional<Inference> inference;
   std::optional<Diagnosis> diagnosis;
   std::optional<EffectTest> test;  // of what was added
+
+  const Tried* find_tried(const std::vector<Term>& terms) const {
+    const auto known = std::find_if(tried.begin(), tried.end(), [&](const Tried& one) { return one.terms == terms; });
+    return known == tried.end() ? nullptr : &*known;
+  }
 };
 
 Workbench::Workbench(std::shared_ptr<const Series> data, Model model, WorkbenchOptions options)
@@ -115,9 +120,7 @@ const Diagnosis& Workbench::diagnosis() {
 std::unique_ptr<Workbench::Step> Workbench::step_with(const std::vector<Term>& terms) {
   auto next = std::make_unique<Step>();
   next->added = terms;
-  const auto known =
-      std::find_if(now().tried.begin(), now().tried.end(), [&](const Tried& one) { return one.terms == terms; });
-  if (known != now().tried.end()) {
+  if (const Tried* known = now().find_tried(terms)) {
     next->model = known->model;
     return next;
   }
@@ -133,9 +136,7 @@ std::unique_ptr<Workbench::Step> Workbench::step_with(const std::vector<Term>& t
 }
 
 double Workbench::rmse_um_with(const std::vector<Term>& terms) {
-  for (const Tried& one : now().tried) {
-    if (one.terms == terms) return one.rmse_um;
-  }
+  if (const Tried* known = now().find_tried(terms)) return known->rmse_um;
   const std::unique_ptr<Step> step = step_with(terms);
   const double rmse_um = fit(step->model, *data_, 0, {.among_all_errors = true}).rmse_um;
   if (!step->of_added) now().tried.push_back({terms, std::move(step->model), rmse_um});

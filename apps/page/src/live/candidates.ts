@@ -2,6 +2,7 @@
 import { button, element } from "../elements/elements";
 import { best_set, ranked_candidates } from "../diagnosis/ranking";
 import { decimals_for, shown, with_sigma } from "../drawing/theme";
+import { can_be_typed } from "./runs";
 import type { Candidate, Diagnosed, Num } from "../report";
 import { plain } from "../drawing/text";
 import { plain_name } from "../machine_errors/error_names";
@@ -9,8 +10,7 @@ import { t } from "../texts/texts";
 
 const kFirst = 5; // the rest is opened if wanted
 
-// A label that holds a comma within a column's name could not be typed.
-const can_be_typed = ({ columns }: Candidate): boolean => Object.values(columns).every((column) => !column.includes(","));
+const can_be_added = ({ columns }: Candidate): boolean => can_be_typed(Object.values(columns));
 
 // What stands beside a "+": the RMSE that it leaves. Told when it is known.
 export interface Promised {
@@ -47,7 +47,7 @@ export const candidate_list = (
     const plus = button("+", t.live_add_title({ effect: plain_name(candidate.label, 80) }), () => add([candidate.label]));
     plus.className = "plus";
     plus.setAttribute("aria-label", t.live_add_title({ effect: plain_name(candidate.label, 80) }));
-    plus.disabled = !can_be_typed(candidate);
+    plus.disabled = !can_be_added(candidate);
     const bar = element("span", { class: "p" });
     bar.style.setProperty("--share", String(Math.min(1, Math.max(0, candidate.p ?? 0))));
     const decimals = decimals_for(candidate.amplitude_um, candidate.amplitude_sigma_um);
@@ -65,7 +65,7 @@ export const candidate_list = (
   // The most probable set as one step, where it has several effects.
   const set_of = (found: Diagnosed): { element: HTMLElement; promised: Promised } | null => {
     const set = best_set(found);
-    if (set.length < 2 || !set.every(can_be_typed)) return null;
+    if (set.length < 2 || !set.every(can_be_added)) return null;
     const labels = set.map(({ label }) => label);
     const plus = button(t.live_add_all, t.live_add_all_title({ effects: labels.map((label) => plain_name(label, 60)).join(", ") }), () => add(labels));
     plus.className = "plus-all";

@@ -4,7 +4,7 @@ import type { Catalogue, CatalogueEntry } from "./model_list";
 import { details_of } from "../elements/elements";
 import { plain } from "../drawing/text";
 import { error_name } from "../machine_errors/error_names";
-import type { EffectChoice } from "./runs";
+import { can_be_typed, type EffectChoice } from "./runs";
 import { in_all_languages, named, t } from "../texts/texts";
 
 export interface EffectSearchOf {
@@ -33,9 +33,6 @@ const words_of_effect = ({ name, summary, inputs }: CatalogueEntry): string =>
     .toLowerCase();
 
 const in_words = (entry: CatalogueEntry): string => entry.inputs.map(({ role }) => named(t.hands_inputs, role)).join(", ");
-
-// A choice that holds a comma within a column's name could not be typed.
-const can_be_typed = (columns: readonly string[]): boolean => columns.every((column) => !column.includes(","));
 
 // One list an input; each offers what goes with those before it. `chosen` is the number of the choice.
 const columns_chosen = (entry: CatalogueEntry, { columns }: EffectChoice): { element: HTMLElement; chosen(): number } => {

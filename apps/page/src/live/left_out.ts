@@ -2,8 +2,7 @@
 import { button, element } from "../elements/elements";
 import type { Stretch } from "./history_of_steps";
 import type { Range } from "../picture";
-import { colours } from "../drawing/theme";
-import { shown } from "../drawing/theme";
+import { colours, shown } from "../drawing/theme";
 import { t } from "../texts/texts";
 
 export interface LeftOutBar {

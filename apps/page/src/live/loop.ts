@@ -60,6 +60,7 @@ export interface Loop {
 }
 
 class Unsupported extends Error {}
+
 // Once the browser has shown what was drawn; in a tab that is not seen it shows nothing.
 const painted = (): Promise<void> =>
   new Promise((done) => {
@@ -200,6 +201,10 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     }
     if (mine === promising) all_promised();
   };
+  // A search may take minutes. What else runs is soon done, and goes on.
+  const stop_search = (): void => {
+    if (all.dataset.search === "running") work.stop();
+  };
   const candidates = candidate_list(
     (effects) => void loop.add(effects),
     (one) => {
@@ -218,7 +223,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     async compare(hypotheses) {
       let both = null;
       await attempt(async () => {
-        work.stop(); // a search may take minutes
+        stop_search();
         both = await runs.compare(subject, hypotheses);
       });
       if (!found && took_ms > 0 && took_ms < kShort_ms) void loop.search();
@@ -375,7 +380,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   // Step by step, the fit first; where one is stopped, or cannot be made, the model is as it was.
   const change_model = async (...parts: (() => Promise<Part>)[]): Promise<void> => {
     ++promising;
-    if (all.dataset.search === "running") work.stop(); // of the model before
+    stop_search(); // of the model before
     const [of_before, was, report_before] = [subject, fitted, report];
     const model = subject.model === "" ? null : await of.bytes_of(subject.model);
     try {

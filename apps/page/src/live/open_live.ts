@@ -18,7 +18,6 @@ import { ago_spoken } from "./spoken";
 import { tour, tour_steps } from "./tour";
 import { t, when_spoken } from "../texts/texts";
 
-
 export const open_live = async (engine: Engine, page: LivePage): Promise<void> => {
   const place = element("div", { class: "live" });
   document.body.prepend(place);

@@ -210,6 +210,9 @@ const of_model_and_target = (subject: Subject): string[] => [
   ...(subject.model === "" ? targeted(subject) : of_model(subject)),
 ];
 
+// A label that holds a comma within a column's name could not be typed.
+export const can_be_typed = (columns: readonly string[]): boolean => columns.every((column) => !column.includes(","));
+
 export const try_words = (subject: Subject, effect: string): string[] => [
   "add", effect, ...of_model_and_target(subject), "--dry-run", "--json",
 ];

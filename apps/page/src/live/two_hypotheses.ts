@@ -7,6 +7,7 @@ import { strands_of } from "../drawing/strands";
 import type { PageState } from "../figure/view";
 import type { Candidate, HypothesesPart, Report } from "../report";
 import { plain_name } from "../machine_errors/error_names";
+import { can_be_typed } from "./runs";
 import { shown } from "../drawing/theme";
 import { named, t } from "../texts/texts";
 
@@ -116,7 +117,7 @@ export const two_hypotheses = ({ page, add_figure, report, compare, keep }: TwoH
     forget: forget_all,
     offer(candidates) {
       const kept = [one.value, other.value];
-      const labels = ["", ...new Set([...candidates.filter(({ columns }) => Object.values(columns).every((column) => !column.includes(","))).slice(0, kOffered).map(({ label }) => label), ...asked])];
+      const labels = ["", ...new Set([...candidates.filter(({ columns }) => can_be_typed(Object.values(columns))).slice(0, kOffered).map(({ label }) => label), ...asked])];
       for (const [k, select] of [one, other].entries()) {
         select.replaceChildren();
         for (const label of labels) offer(select, label);

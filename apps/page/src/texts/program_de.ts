@@ -41,6 +41,7 @@ export const program_de: readonly (readonly [string, string])[] = [
   ["its input does not change", "sein Eingang ändert sich nicht"],
   ["its input has gaps", "sein Eingang hat Lücken"],
   ["it needs a clock, and the rows are numbered", "er braucht eine Uhr, und die Zeilen sind nur gezählt"],
+  ["rows {} apart do not show a period of {}", "Zeilen im Abstand von {1} zeigen keine Periode von {2}"],
   ["there are too few columns of the kind", "es gibt zu wenige Spalten dieser Art"],
   ["no column for {} ({})", "keine Spalte für {1} ({2})"],
   ["no column of the bar's temperature (its name holds \"bar\")", "keine Spalte mit der Temperatur des Stabs (ihr Name enthält „bar“)"],

@@ -41,6 +41,7 @@ export const program_zh: readonly (readonly [string, string])[] = [
   ["its input does not change", "其输入不变化"],
   ["its input has gaps", "其输入有缺口"],
   ["it needs a clock, and the rows are numbered", "需要时钟，而数据行只有编号"],
+  ["rows {} apart do not show a period of {}", "间隔 {1} 的数据行看不出周期 {2}"],
   ["there are too few columns of the kind", "此类列太少"],
   ["no column for {} ({})", "没有 {1} 列（{2}）"],
   ["no column of the bar's temperature (its name holds \"bar\")", "没有球杆温度列（列名含“bar”）"],

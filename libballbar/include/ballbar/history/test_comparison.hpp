@@ -47,8 +47,8 @@ struct TestComparison {
   std::size_t judged = 0;                      // quantities that p values are corrected for
 };
 
-// The clearest first. Without the circularity, and without what follows from others, as the scales of the axes do where
-// scale_mismatch or global_scale is clear.
+// The clearest first. Without circularity and residual, which follow from the errors, and without the scales of the
+// axes where another error is clear.
 std::vector<ClearChange> clear_changes(const TestComparison& comparison);
 
 // Throws Error for tests of two planes: these have no errors in common.

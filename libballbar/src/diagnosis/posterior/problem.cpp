@@ -227,9 +227,9 @@ std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, c
 Term term_of(const Problem& problem, const BoundEffect& bound) {
   for (const Term& given : problem.terms) {
     if (given.effect->name == bound.effect->name && given.columns == bound.columns)
-      return with_resolved_periods(given, highest_Hz(problem.time_s));
+      return with_resolved_periods(given, problem.highest_Hz);
   }
-  return with_resolved_periods(term_of(*bound.effect, bound.columns), highest_Hz(problem.time_s));
+  return with_resolved_periods(term_of(*bound.effect, bound.columns), problem.highest_Hz);
 }
 
 std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std::size_t target,
@@ -241,7 +241,8 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   problem->base = base_fit(model, problem->logged.series, target);
   const Fit& base = problem->base;
   problem->time_s = base.time_s;
-  problem->model = with_resolved_periods(model, highest_Hz(problem->time_s));
+  problem->highest_Hz = highest_Hz(problem->time_s);
+  problem->model = with_resolved_periods(model, problem->highest_Hz);
   problem->at_jump_of_temperature = rows_of_temperature_jumps(rows, base.row);
   const auto n = static_cast<Eigen::Index>(base.row.size());
   problem->y = Eigen::VectorXd::Map(base.measured_um.data(), n);

@@ -46,6 +46,7 @@ struct Problem {
   std::vector<char> at_jump_of_temperature;  // of each row: about it a jump may be the temperature's
   Eigen::VectorXd y;                         // less `centre_um`, where a constant of the model is free
   double centre_um = 0.0;
+  double highest_Hz = 0.0;  // half the rate of the rows
   KnownScatter known;
   std::unique_ptr<BaseModel> base_model;
   SignatureLibrary library;
