@@ -96,7 +96,8 @@ TEST(Diagnosis, tells_what_it_does) {
   const Diagnosis found = diagnose(by_speed(), drift({3.0, 1}), 0, options);
   ASSERT_GE(steps.size(), 2U);
   EXPECT_TRUE(std::regex_match(steps[0], std::regex("weighing [0-9]+ shapes of [0-9]+ effects"))) << steps[0];
-  EXPECT_TRUE(steps.back().starts_with("testing 1 effect")) << steps.back();
+  EXPECT_EQ(std::count(steps.begin(), steps.end(), "testing 1 effects"), 1);
+  EXPECT_EQ(steps.back(), "fitting candidate 1 of 1");
   // Telling changes nothing.
   options.search.progress = {};
   EXPECT_EQ(diagnose(by_speed(), drift({3.0, 1}), 0, options).p_nothing, found.p_nothing);

@@ -82,7 +82,7 @@ TEST(Workbench, a_fit_of_the_model_is_the_fit_that_its_addition_tells) {
 }
 
 TEST(Workbench, what_is_promised_is_what_comes) {
-  const auto data = data_of({1.0, 3, 200});
+  const auto data = data_of({2.0, 3, 200});
   Workbench bench(data, made::by_speed());
   const Diagnosis found = bench.diagnosis();
   ASSERT_GT(found.candidates.size(), 1U);
