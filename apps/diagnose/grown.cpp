@@ -25,31 +25,35 @@ bool is_driven(const Term& term, const std::vector<Driver>& drivers) {
   });
 }
 
-LedgerRow row_of(const GrownEffect& effect, const GrowthErrors& errors, const LedgerRow& before, std::size_t count,
+// "+ A, B and 3 more"
+std::string joined_text(const GrownRevision& revision) {
+  constexpr std::size_t kShown = 2;
+  const std::size_t shown = std::min(kShown, revision.joined.size());
+  std::string text = fmt::format(
+      "+ {}", fmt::join(revision.joined.begin(), revision.joined.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
+  if (revision.joined.size() > shown) text += fmt::format(" and {} more", revision.joined.size() - shown);
+  return text;
+}
+
+LedgerRow row_of(const GrownRevision& revision, const GrowthErrors& errors, const LedgerRow& before,
                  const std::vector<Driver>& drivers) {
   LedgerRow row = before;
-  row.change = "+ " + effect.label;
-  row.parameters = before.parameters + count;
+  row.change = joined_text(revision);
+  row.parameters = before.parameters + errors.effects;
   row.rmse_um = errors.rmse_um;
   row.times_floor = before.times_floor * errors.rmse_um / before.rmse_um;
   row.held_out_um = LedgerRow::kUnknown;
-  row.likelihood_ratio = 2.0 * effect.log_bayes;
   row.forecast_um = errors.forecast_um;
-  row.surrogate_forecast_um = errors.surrogate_forecast_um;
-  row.discrepancy_um = errors.sigma_um;
-  row.verdict = is_driven(effect.terms.back(), drivers) ? "driver known" : "empirical";
+  const auto first = revision.terms.end() - static_cast<std::ptrdiff_t>(revision.joined.size());
+  const bool is_known =
+      std::all_of(first, revision.terms.end(), [&](const Term& term) { return is_driven(term, drivers); });
+  row.verdict = is_known ? "driver known" : "empirical";
   return row;
 }
 
 std::string_view stop_text(GrowthStop stop) {
-  switch (stop) {
-    case GrowthStop::none_needed:
-      return "It ends where no further effect is probable (P of none above 0.5).";
-    case GrowthStop::as_good_as_surrogates:
-      return "It ends where further effects predict new cycles no better than surrogates do.";
-    default:
-      return "It ends at 12 effects.";
-  }
+  return stop == GrowthStop::as_good_as_all ? "Further effects would lower the error of the forecasts by less than 5 %."
+                                            : "More effects would predict better still; it ends at 40.";
 }
 
 }  // namespace
@@ -58,22 +62,29 @@ GrownModel grown_model(const std::string& bytes, const std::string& file, const 
                        const std::vector<std::string>& data_names, const std::vector<Driver>& drivers) {
   GrownModel grown;
   grown.bytes = bytes;
-  grown.growth = with_source(data_names.front(), [&] {
-    return growth(model, *data.series, 0, [](const std::string& what) { show_progress(what); });
+  const auto progress = [](const std::string& what) { show_progress(what); };
+  with_source(data_names.front(), [&] {
+    grown.growth = growth(model, *data.series, 0, progress);
+    EffectRegressionOptions how;
+    how.progress = progress;
+    grown.train = effect_regression({data.series.get(), 1}, model.targets.front(), how).forecasts;
+    return 0;
   });
   show_progress("the model's row of the ledger");
   grown.before = row_of(model, *data.series);
   grown.before.data = data_names;
   grown.before.forecast_um = grown.growth.errors.front().forecast_um;
-  for (std::size_t k = 0; k < grown.growth.effects.size(); ++k) {
-    const GrownEffect& effect = grown.growth.effects[k];
-    LedgerRow row = row_of(effect, grown.growth.errors[k + 1], grown.before, k + 1, drivers);
+  std::size_t before = 0;  // effects
+  for (std::size_t r = 0; r < grown.growth.revisions.size(); ++r) {
+    const GrownRevision& revision = grown.growth.revisions[r];
+    LedgerRow row = row_of(revision, grown.growth.errors[r + 1], grown.before, drivers);
     const std::size_t in_file = read_model(grown.bytes, file).terms.size();
     std::vector<std::size_t> removed;  // the same with the gains that they had
-    for (std::size_t j = 0; j < k; ++j) removed.push_back(in_file - k + j);
-    grown.bytes = with_revision(grown.bytes, file, effect.terms, removed, grown.before, row);
+    for (std::size_t j = 0; j < before; ++j) removed.push_back(in_file - before + j);
+    grown.bytes = with_revision(grown.bytes, file, revision.terms, removed, grown.before, row);
     row.revision = read_ledger(grown.bytes, file).size() - 1;
     grown.rows.push_back(std::move(row));
+    before = revision.terms.size();
   }
   return grown;
 }
@@ -83,62 +94,53 @@ std::string conclusion(const GrownModel& grown, const std::vector<std::string>& 
   if (grown.growth.stop == GrowthStop::untested) {
     return "No effect is added: too few rows to test whether any would predict new ones.";
   }
-  if (grown.rows.empty()) {
-    return "No effect is added: none predicts new cycles better than the model and than surrogates of the same "
-           "smoothness do.";
-  }
+  if (grown.rows.empty()) return "No effect is added: none predicts new rows better than the model does.";
   const GrowthErrors &first = grown.growth.errors.front(), &last = grown.growth.errors[grown.rows.size()];
-  std::string text = fmt::format("From {:.2f} to {:.2f} um with {} more effect{}", first.rmse_um, last.rmse_um,
-                                 grown.rows.size(), grown.rows.size() == 1 ? "" : "s");
-  if (std::isfinite(last.forecast_um)) {
-    text +=
-        fmt::format("; {:.2f} um expected on new cycles, {:.2f} um without them", last.forecast_um, first.forecast_um);
-  }
+  std::string text = fmt::format("{} effect{} predict new rows to {:.2f} um RMSE, {:.2f} um today", last.effects,
+                                 last.effects == 1 ? "" : "s", last.forecast_um, first.forecast_um);
+  if (grown.train) text += fmt::format("; `ballbar train`, with all effects, to {:.2f} um", grown.train->rmse_um);
+  text += ". ";
   std::vector<std::string> known_drivers;
   for (const Driver& driver : drivers) {
     if (driver.p >= kKnownDriver) known_drivers.push_back(driver.column);
   }
   if (!causes.empty()) {
-    text += fmt::format(". Of this you may call cause: {}", fmt::join(causes, ", "));
+    text += fmt::format("Of the model you may call cause: {}. ", fmt::join(causes, ", "));
   } else if (!known_drivers.empty()) {
-    text += fmt::format(". {} {} it, in a form that is not known; no effect may be called the cause",
+    text += fmt::format("{} {} the drift, in a form that is not known: no effect may be called its cause. ",
                         fmt::join(known_drivers, " and "), known_drivers.size() == 1 ? "drives" : "drive");
   } else {
-    text += ". None of it may be called a cause: the effects predict, they do not explain";
+    text += "None of them may be called a cause: they predict, they do not explain. ";
   }
-  return text + fmt::format(". A slow curve of {:.2f} um (standard deviation) is left. {}", last.sigma_um,
-                            stop_text(grown.growth.stop));
+  return text + std::string(stop_text(grown.growth.stop));
 }
 
 std::string tables(const GrownModel& grown) {
   if (grown.rows.empty()) return "";
-  Table table({"revision", "RMSE um", "surrogates", "forecasts um", "surrogates", "2 ln B", "what it is"});
-  const auto add = [&](const std::string& name, const GrowthErrors& errors, const LedgerRow* row) {
-    table.add({one_line(name), known(errors.rmse_um), known(errors.surrogate_um), known(errors.forecast_um),
-               known(errors.surrogate_forecast_um), row == nullptr ? "-" : fixed(row->likelihood_ratio, 1),
-               row == nullptr ? "the model" : row->verdict});
+  Table table({"revision", "effects", "RMSE um", "forecasts um", "from train's um", "what it is"});
+  const auto add = [&](const std::string& name, const GrowthErrors& errors, const std::string& what) {
+    table.add({one_line(name), fmt::format("{}", errors.effects), known(errors.rmse_um), known(errors.forecast_um),
+               known(errors.apart_um), what});
   };
-  add("before", grown.growth.errors.front(), nullptr);
+  add("before", grown.growth.errors.front(), "the model");
   for (std::size_t k = 0; k < grown.rows.size(); ++k) {
-    add(fmt::format("{} {}", grown.rows[k].revision, grown.rows[k].change), grown.growth.errors[k + 1], &grown.rows[k]);
+    add(fmt::format("{} {}", grown.rows[k].revision, grown.rows[k].change), grown.growth.errors[k + 1],
+        grown.rows[k].verdict);
   }
   return fmt::format(
       "{}{}", table.text(table_width()),
       wrapped(fmt::format(
-          "forecasts: RMSE of rows predicted from earlier ones alone, from {} origins, all of the "
-          "growth done again each time. surrogates: as many columns as smooth, with random phases and no cause, chosen "
-          "and fitted alike. 2 ln B is large because nothing else was there to say it: it is no evidence of a cause.",
-          grown.growth.forecasts)));
+          "forecasts: RMSE of rows predicted from earlier ones alone, from {} origins, all of the growth done again "
+          "each time. from train's: RMS difference to the forecasts of a regression on all effects, which a model of "
+          "few is grown to repeat; its own error is {:.2f} um. A falling RMSE is no evidence of a cause.",
+          grown.growth.origins, grown.growth.all_um)));
 }
 
 std::vector<GrowthStep> steps_of(const GrownModel& grown) {
   std::vector<GrowthStep> steps;
   for (std::size_t k = 0; k < grown.growth.errors.size(); ++k) {
-    GrowthStep step{k, std::nullopt, k <= grown.rows.size(), grown.growth.errors[k], std::nullopt};
-    if (k > 0 && step.kept) {
-      step.added = grown.growth.effects[k - 1].label;
-      step.p_none = grown.growth.effects[k - 1].p_none;
-    }
+    GrowthStep step{{}, k <= grown.rows.size(), grown.growth.errors[k]};
+    if (k > 0 && step.kept) step.added = grown.growth.revisions[k - 1].joined;
     steps.push_back(std::move(step));
   }
   return steps;

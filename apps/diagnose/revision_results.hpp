@@ -132,11 +132,9 @@ struct ResultType<EffectTest> {
 
 // A model grown to predict, with so many effects.
 struct GrowthStep {
-  std::size_t effects = 0;
-  std::optional<std::string> added;
+  std::vector<std::string> added;
   bool kept = false;
   GrowthErrors errors;
-  std::optional<double> p_none;
 };
 
 template <>
@@ -144,18 +142,16 @@ struct ResultType<GrowthStep> {
   static constexpr std::string_view name = "GrowthStep";
   static constexpr std::string_view meaning = "A model that grows by effects that predict, with so many of them.";
   static constexpr std::tuple fields = std::tuple_cat(
-      std::tuple{Field{"effects", &GrowthStep::effects, "how many"},
-                 Field{"added", &GrowthStep::added, "the last of them; null: none, or not kept"},
+      std::tuple{Field{"added", &GrowthStep::added, "effects that join; empty: none, or not kept"},
                  Field{"kept", &GrowthStep::kept, "whether it is in the model"}},
       fields_through(
           &GrowthStep::errors,
-          std::tuple{Field{"rmse_um", &GrowthErrors::rmse_um, "of the rows it is fitted to"},
-                     Field{"surrogate_um", &GrowthErrors::surrogate_um, "the same with as many surrogates"},
+          std::tuple{Field{"effects", &GrowthErrors::effects, "how many in all"},
+                     Field{"rmse_um", &GrowthErrors::rmse_um, "of the rows it is fitted to"},
                      Field{"forecast_um", &GrowthErrors::forecast_um, "RMSE of forecasts; null: too few rows"},
                      Field{"forecast_mean_um", &GrowthErrors::forecast_mean_um, "their mean absolute error"},
-                     Field{"surrogate_forecast_um", &GrowthErrors::surrogate_forecast_um, "RMSE with surrogates"},
-                     Field{"discrepancy_um", &GrowthErrors::sigma_um, "standard deviation of what is left"}}),
-      std::tuple{Field{"p_none", &GrowthStep::p_none, "that no effect was needed before it joined"}});
+                     Field{"apart_um", &GrowthErrors::apart_um,
+                           "RMS of the forecasts less those of a regression on all effects"}}));
 };
 
 // Why `add --auto` ended.

@@ -2,49 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "ballbar/predict/effect_regression.hpp"
+#include "ballbar/fit/fit.hpp"
 #include "ballbar/series/runs.hpp"
-#include "diagnosis/surrogates/phase_randomised.hpp"
 #include "predict/forecasts.hpp"
-#include "predict/selection.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-// Every k-th row of the design.
-struct Thin {
-  std::vector<std::size_t> rows;  // of the design
-  Eigen::MatrixXd columns, surrogates;
-  Eigen::VectorXd target_um;
-  std::vector<double> time_s;
-};
-
-Thin thin_of(const Design& design) {
-  std::vector<std::size_t> all(design.row.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  Thin thin;
-  thin.rows = thinned(all, kRidgeRows);
-  thin.columns = design.values(thin.rows, Eigen::all);
-  thin.target_um = design.target_um(thin.rows);
-  for (const std::size_t row : thin.rows) thin.time_s.push_back(design.time_s[row]);
-  thin.surrogates.resize(thin.columns.rows(), thin.columns.cols());
-  std::mt19937_64 random(1);
-  const std::vector<double> phases = random_phases(thin.rows.size(), random);
-  for (Eigen::Index k = 0; k < thin.columns.cols(); ++k) {
-    const std::vector<double> values(thin.columns.col(k).begin(), thin.columns.col(k).end());
-    const std::vector<double> turned = phase_randomised(spectrum_of(values), phases);
-    thin.surrogates.col(k) = Eigen::Map<const Eigen::VectorXd>(turned.data(), static_cast<Eigen::Index>(turned.size()));
-  }
-  return thin;
-}
+constexpr double kUnknown_um = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInputError = 0.03;  // of a standard deviation
+constexpr double kMostAdded = 0.05;   // of the error of the regression
+constexpr std::size_t kSizes[] = {1, 2, 3, 5, 8, 12, 18, 27, 40};
 
 bool has_free_gain(const Term& term) {
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
@@ -55,29 +29,24 @@ bool has_free_gain(const Term& term) {
 
 // Of the base model, fitted to the first rows of the data: what is held, and a column for each gain that is not.
 struct BaseColumns {
-  Eigen::VectorXd held_um;  // thinned rows
+  Eigen::VectorXd held_um;  // at rows of the design
   Eigen::MatrixXd free;
 };
 
-BaseColumns base_columns(const Model& base, const Series& data, std::size_t target, std::size_t rows,
-                         const Design& design, const Thin& thin) {
-  Series head = rows_of(data, {0, rows});
+BaseColumns base_columns(const Model& base, const Series& data, std::size_t target, std::size_t fitted_rows,
+                         const Design& design, const std::vector<std::size_t>& rows) {
+  Series head = rows_of(data, {0, fitted_rows});
   head.runs = data.runs;
-  const Fit fitted = fit(base, head, target);
-  const Prediction prediction = predict(base, fitted.parameters, data);
-  const auto at_thin = [&](const std::vector<double>& values) {
-    Eigen::VectorXd column(static_cast<Eigen::Index>(thin.rows.size()));
-    for (std::size_t i = 0; i < thin.rows.size(); ++i)
-      column[static_cast<Eigen::Index>(i)] = values[design.row[thin.rows[i]]];
-    return column;
-  };
+  const Prediction prediction = predict(base, fit(base, head, target).parameters, data);
+  const auto n = static_cast<Eigen::Index>(rows.size());
   BaseColumns columns;
-  const auto n = static_cast<Eigen::Index>(thin.rows.size());
   columns.held_um = Eigen::VectorXd::Constant(n, base.constant_um.value_or(0.0));
   std::vector<Eigen::VectorXd> free;
   if (!base.constant_um) free.push_back(Eigen::VectorXd::Ones(n));
   for (std::size_t t = 0; t < base.terms.size(); ++t) {
-    const Eigen::VectorXd adds_um = at_thin(prediction.contribution_um[t]);
+    Eigen::VectorXd adds_um(n);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      adds_um[static_cast<Eigen::Index>(i)] = prediction.contribution_um[t][design.row[rows[i]]];
     if (!has_free_gain(base.terms[t])) {
       columns.held_um += adds_um;
     } else if (adds_um.cwiseAbs().maxCoeff() > 0.0) {
@@ -89,43 +58,84 @@ BaseColumns base_columns(const Model& base, const Series& data, std::size_t targ
   return columns;
 }
 
-// Predictors chosen on the first n thinned rows, and what that says of all of them.
-struct Grown {
-  std::vector<Eigen::Index> of;  // columns of the design that the selection's are
-  Eigen::VectorXd mean, sd;      // of these
-  PredictorSelection selection;
-  std::vector<Eigen::VectorXd> predicted_um;  // thinned rows, with 0, 1 ... effects
+// Effects in the order in which they join, and the gains of the base's columns and of these, for each size.
+struct Projection {
+  std::vector<Eigen::Index> order;
+  std::vector<Eigen::VectorXd> gains;
 };
 
-Grown grown_on(const Thin& thin, const Eigen::MatrixXd& of, const BaseColumns& base, Eigen::Index n) {
-  Grown grown;
-  const ColumnScales scales = column_scales(of.topRows(n));
-  for (Eigen::Index k = 0; k < of.cols(); ++k) {
-    if (scales.sd[k] > 0.0) grown.of.push_back(k);
-  }
-  grown.mean = scales.mean(grown.of);
-  grown.sd = scales.sd(grown.of);
-  Eigen::MatrixXd columns = of(Eigen::all, grown.of);
-  columns.rowwise() -= grown.mean.transpose();
-  columns.array().rowwise() /= grown.sd.transpose().array();
-  SelectionProblem problem;
-  problem.fixed = base.free.topRows(n);
-  problem.columns = columns.topRows(n);
-  problem.target_um = (thin.target_um - base.held_um).head(n);
-  problem.time_s.assign(thin.time_s.begin(), thin.time_s.begin() + n);
-  problem.run.assign(static_cast<std::size_t>(n), 0);
-  problem.end_s = problem.time_s.back();
-  grown.selection = forward_selection(
-      problem, selection_states(std::array{600.0, 1800.0, 7200.0, 30'000.0}, std::array{0.3, 1.0, 3.0, 10.0}),
-      kMostSelected);
-  const Eigen::Index fixed = base.free.cols();
-  for (std::size_t k = 0; k < grown.selection.fits.size(); ++k) {
-    const Eigen::VectorXd& gains = grown.selection.fits[k].gains;
-    Eigen::VectorXd sum = base.held_um + base.free * gains.head(fixed);
-    for (std::size_t j = 0; j < k; ++j) {
-      sum += gains[fixed + static_cast<Eigen::Index>(j)] *
-             columns.col(static_cast<Eigen::Index>(grown.selection.joined[j].column));
+Projection projected(const Eigen::VectorXd& of, const Eigen::MatrixXd& base, const Eigen::MatrixXd& effects) {
+  const Eigen::Index b = base.cols(), p = effects.cols();
+  Eigen::MatrixXd columns(base.rows(), b + p);
+  columns << base, effects;
+  const Eigen::VectorXd with_target = columns.transpose() * of;
+  Eigen::MatrixXd gram = columns.transpose() * columns;
+  // Terms of the base that add the same share their gain.
+  gram.diagonal().head(b) *= 1.0 + 1e-9;
+  gram.diagonal().tail(p).array() += kInputError * kInputError * static_cast<double>(base.rows());
+  std::vector<Eigen::Index> chosen(static_cast<std::size_t>(b));
+  std::iota(chosen.begin(), chosen.end(), Eigen::Index{0});
+  Projection projection;
+  for (const std::size_t most = std::min<std::size_t>(kSizes[std::size(kSizes) - 1], static_cast<std::size_t>(p));;) {
+    const Eigen::LDLT<Eigen::MatrixXd> root(gram(chosen, chosen));
+    projection.gains.emplace_back(root.solve(with_target(chosen)));
+    if (projection.order.size() == most) return projection;
+    const Eigen::MatrixXd across = gram(chosen, Eigen::all);
+    const Eigen::VectorXd left = with_target - across.transpose() * projection.gains.back();
+    const Eigen::VectorXd own = gram.diagonal() - across.cwiseProduct(root.solve(across)).colwise().sum().transpose();
+    Eigen::Index best = -1;
+    double most_fall = -1.0;
+    for (Eigen::Index j = b; j < b + p; ++j) {
+      if (std::find(chosen.begin(), chosen.end(), j) != chosen.end()) continue;
+      const double fall = own[j] > 0.0 ? left[j] * left[j] / own[j] : 0.0;
+      if (fall > most_fall) {
+        most_fall = fall;
+        best = j;
+      }
     }
+    chosen.push_back(best);
+    projection.order.push_back(best - b);
+  }
+}
+
+// The regression on all effects and what it is projected to, from the first rows of the design.
+struct Grown {
+  std::vector<std::size_t> used;  // predictors of the design
+  Eigen::VectorXd sd;             // of these
+  Projection projection;
+  Eigen::VectorXd target_um, regression_um;   // at the rows that were asked for
+  std::vector<Eigen::VectorXd> predicted_um;  // the same, with 0, 1 ... effects
+};
+
+Grown grown_from(const Model& base, const Series& data, std::size_t target, const Design& design, std::size_t first,
+                 const std::vector<std::size_t>& asked) {
+  std::vector<std::size_t> rows(first);
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  const RidgeProblem problem = ridge_problem(design, rows);
+  const RidgeFit all = ridge_fit(problem, chosen_setting(problem));
+  const std::vector<std::size_t> thin = thinned(rows, kRidgeRows);
+  std::vector<std::size_t> both = thin;
+  both.insert(both.end(), asked.begin(), asked.end());
+  const std::size_t fitted_rows = first < design.row.size() ? design.row[first] : data.time_s.size();
+  const BaseColumns columns = base_columns(base, data, target, fitted_rows, design, both);
+  const auto n = static_cast<Eigen::Index>(thin.size()), m = static_cast<Eigen::Index>(all.used.size());
+  Eigen::MatrixXd effects = design.values(both, all.used);
+  effects.rowwise() -= problem.mean(all.used).transpose();
+  effects.array().rowwise() /= problem.sd(all.used).transpose().array();
+  const Eigen::VectorXd regression_um = (effects * all.gains_um.segment(1, m)).array() + all.gains_um[0];
+  Grown grown;
+  grown.used = all.used;
+  grown.sd = problem.sd(all.used);
+  grown.projection = projected((regression_um - columns.held_um).head(n), columns.free.topRows(n), effects.topRows(n));
+  grown.target_um = design.target_um(asked);
+  const auto ahead = static_cast<Eigen::Index>(asked.size());
+  grown.regression_um = regression_um.tail(ahead);
+  const Eigen::Index of_base = columns.free.cols();
+  for (std::size_t k = 0; k < grown.projection.gains.size(); ++k) {
+    const Eigen::VectorXd& gains = grown.projection.gains[k];
+    Eigen::VectorXd sum = columns.held_um.tail(ahead) + columns.free.bottomRows(ahead) * gains.head(of_base);
+    for (std::size_t j = 0; j < k; ++j)
+      sum += gains[of_base + static_cast<Eigen::Index>(j)] * effects.col(grown.projection.order[j]).tail(ahead);
     grown.predicted_um.push_back(std::move(sum));
   }
   return grown;
@@ -155,17 +165,35 @@ double rms(const Eigen::VectorXd& errors) {
   return std::sqrt(errors.squaredNorm() / static_cast<double>(errors.size()));
 }
 
-// Sums over the forecasts' rows.
+// Of the forecasts from every origin, each row alike.
 struct ForecastSums {
-  double square = 0.0, absolute = 0.0, surrogate_square = 0.0;
+  double rows = 0.0, of_regression = 0.0;
+  std::vector<double> square, absolute, apart;
+
+  void add(const Grown& grown) {
+    rows += static_cast<double>(grown.target_um.size());
+    of_regression += (grown.target_um - grown.regression_um).squaredNorm();
+    for (std::size_t k = 0; k < square.size(); ++k) {
+      const Eigen::VectorXd& predicted_um = grown.predicted_um[std::min(k, grown.predicted_um.size() - 1)];
+      square[k] += (grown.target_um - predicted_um).squaredNorm();
+      absolute[k] += (grown.target_um - predicted_um).cwiseAbs().sum();
+      apart[k] += (grown.regression_um - predicted_um).squaredNorm();
+    }
+  }
 };
 
-// The last row whose forecasts are better than those of as many surrogates and of the base model; 0: none. Not that of
-// the best forecasts: the least of a dozen errors from three origins is mostly luck.
-std::size_t last_that_pays(const std::vector<GrowthErrors>& errors, std::size_t tried) {
-  for (std::size_t k = tried; k > 0; --k) {
-    if (errors[k].forecast_um < std::min(errors[0].forecast_um, errors[k].surrogate_forecast_um)) return k;
+// How many revisions are kept, of those that were tried.
+std::size_t kept_of(Growth& result) {
+  if (result.origins == 0) {
+    result.stop = GrowthStop::untested;
+    return 0;
   }
+  std::size_t kept = 1;
+  const double most_um = result.all_um * std::sqrt((1.0 + kMostAdded) * (1.0 + kMostAdded) - 1.0);
+  while (kept + 1 < result.errors.size() && !(result.errors[kept].apart_um < most_um)) ++kept;
+  result.stop = result.errors[kept].apart_um < most_um ? GrowthStop::as_good_as_all : GrowthStop::most;
+  if (result.errors[kept].forecast_um < result.errors[0].forecast_um) return kept;
+  result.stop = GrowthStop::no_better;
   return 0;
 }
 
@@ -177,75 +205,45 @@ Growth growth(const Model& base, const Series& data, std::size_t target,
     if (progress) progress(what);
   };
   const Design design = design_of({&data, 1}, base.targets[target], catalogue);
-  const Thin thin = thin_of(design);
-  const auto n = static_cast<Eigen::Index>(thin.rows.size());
+  std::vector<std::size_t> rows(design.row.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
   say("growing the model");
-  const BaseColumns whole = base_columns(base, data, target, data.time_s.size(), design, thin);
-  const Grown grown = grown_on(thin, thin.columns, whole, n);
-  const Grown surrogate = grown_on(thin, thin.surrogates, whole, n);
+  const Grown whole = grown_from(base, data, target, design, rows.size(), thinned(rows, kRidgeRows));
+  const std::size_t tried = whole.projection.order.size();
+  ForecastSums sums;
+  for (std::vector<double>* const one : {&sums.square, &sums.absolute, &sums.apart}) one->resize(tried + 1, 0.0);
   const std::vector<ForecastRows> ahead = forecast_rows(design, data);
-  std::vector<ForecastSums> sums(grown.selection.fits.size());
-  double rows = 0.0;
   for (std::size_t i = 0; i < ahead.size(); ++i) {
     say(fmt::format("growing it again for forecast {} of {}", i + 1, ahead.size()));
-    const auto at = [&](std::size_t row) {
-      return std::lower_bound(thin.rows.begin(), thin.rows.end(), row) - thin.rows.begin();
-    };
-    const Eigen::Index first = at(ahead[i].first), count = at(ahead[i].end) - first;
-    const BaseColumns early = base_columns(base, data, target, design.row[ahead[i].first], design, thin);
-    const Grown again = grown_on(thin, thin.columns, early, first);
-    const Grown nonsense = grown_on(thin, thin.surrogates, early, first);
-    const auto errors = [&](const Eigen::VectorXd& predicted) {
-      return (thin.target_um - predicted).segment(first, count).eval();
-    };
-    for (std::size_t k = 0; k < sums.size(); ++k) {
-      const auto with = [&](const Grown& model) {
-        return errors(model.predicted_um[std::min(k, model.predicted_um.size() - 1)]);
-      };
-      const Eigen::VectorXd error = with(again);
-      sums[k].square += error.squaredNorm();
-      sums[k].absolute += error.cwiseAbs().sum();
-      sums[k].surrogate_square += with(nonsense).squaredNorm();
-    }
-    rows += static_cast<double>(count);
+    std::vector<std::size_t> later(ahead[i].end - ahead[i].first);
+    std::iota(later.begin(), later.end(), ahead[i].first);
+    sums.add(grown_from(base, data, target, design, ahead[i].first, thinned(later, kRidgeRows)));
   }
   Growth result;
-  result.forecasts = ahead.size();
-  for (std::size_t k = 0; k < grown.predicted_um.size(); ++k) {
-    GrowthErrors errors;
-    errors.rmse_um = rms(thin.target_um - grown.predicted_um[k]);
-    errors.surrogate_um = rms(thin.target_um - surrogate.predicted_um[std::min(k, surrogate.predicted_um.size() - 1)]);
-    errors.forecast_um = rows > 0.0 ? std::sqrt(sums[k].square / rows) : kNone;
-    errors.forecast_mean_um = rows > 0.0 ? sums[k].absolute / rows : kNone;
-    errors.surrogate_forecast_um = rows > 0.0 ? std::sqrt(sums[k].surrogate_square / rows) : kNone;
-    errors.sigma_um = grown.selection.fits[k].sigma_um;
-    result.errors.push_back(errors);
+  result.origins = ahead.size();
+  const auto root_mean = [&](double sum) { return sums.rows > 0.0 ? std::sqrt(sum / sums.rows) : kUnknown_um; };
+  result.all_um = root_mean(sums.of_regression);
+  const auto add_errors = [&](std::size_t k) {
+    result.errors.push_back({k, rms(whole.target_um - whole.predicted_um[k]), root_mean(sums.square[k]),
+                             sums.rows > 0.0 ? sums.absolute[k] / sums.rows : kUnknown_um, root_mean(sums.apart[k])});
+  };
+  add_errors(0);
+  for (const std::size_t size : kSizes) {
+    if (size <= tried) add_errors(size);
   }
-  while (result.tried < grown.selection.joined.size() && grown.selection.joined[result.tried].p_none <= kNotNeeded) {
-    ++result.tried;
-  }
-  std::size_t kept = result.tried;
-  result.stop = result.tried < kMostSelected ? GrowthStop::none_needed : GrowthStop::most;
-  if (ahead.empty()) {
-    kept = 0;
-    result.stop = GrowthStop::untested;
-  } else {
-    kept = last_that_pays(result.errors, result.tried);
-    if (kept < result.tried) result.stop = GrowthStop::as_good_as_surrogates;
-  }
-  const Eigen::Index fixed = whole.free.cols();
-  for (std::size_t k = 1; k <= kept; ++k) {
-    const Selected& joined = grown.selection.joined[k - 1];
-    GrownEffect effect{{}, joined.log_bayes, joined.p_none, {}};
+  const std::size_t kept = tried > 0 ? kept_of(result) : 0;
+  for (std::size_t r = 1; r <= kept; ++r) {
+    const std::size_t k = result.errors[r].effects;
+    const Eigen::VectorXd& gains = whole.projection.gains[k];
+    GrownRevision revision;
     for (std::size_t j = 0; j < k; ++j) {
-      const std::size_t column = grown.selection.joined[j].column;
-      const auto at = static_cast<Eigen::Index>(column);
-      const double gain = grown.selection.fits[k].gains[fixed + static_cast<Eigen::Index>(j)] / grown.sd[at];
-      const Predictor& predictor = design.predictors.each[static_cast<std::size_t>(grown.of[column])];
-      effect.terms.push_back(file_term(predictor, gain, catalogue));
+      const Eigen::Index at = whole.projection.order[j];
+      const double gain = gains[gains.size() - static_cast<Eigen::Index>(k - j)] / whole.sd[at];
+      const Predictor& predictor = design.predictors.each[whole.used[static_cast<std::size_t>(at)]];
+      revision.terms.push_back(file_term(predictor, gain, catalogue));
+      if (j >= result.errors[r - 1].effects) revision.joined.push_back(label_of(revision.terms.back()));
     }
-    effect.label = label_of(effect.terms.back());
-    result.effects.push_back(std::move(effect));
+    result.revisions.push_back(std::move(revision));
   }
   return result;
 }
