@@ -9,9 +9,12 @@
 #include <tuple>
 
 #include "ballbar/error.hpp"
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/fit/held_model.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "ballbar/predict/effect_regression.hpp"
+#include "ballbar/predict/held_out.hpp"
 #include "effects/temperature_at_start.hpp"
 #include "model/bindings.hpp"
 
@@ -71,6 +74,37 @@ std::vector<std::vector<double>> points_of(const Effect& effect) {
     points = std::move(longer);
   }
   return points;
+}
+
+// What a unit of the predictor adds, at the rows of the design.
+void evaluate(const Predictor& predictor, std::span<const Series> runs, Design& design, Eigen::Index column) {
+  std::vector<double> out;
+  std::size_t begin = 0;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    EffectRows all{runs[r].time_s, {}};
+    for (const std::string& name : predictor.columns) all.inputs.emplace_back(find_column(runs[r], name)->values);
+    out.resize(runs[r].time_s.size());
+    predictor.effect->evaluate(all, predictor.parameters.data(), out.data(), nullptr);
+    for (; begin < design.run.size() && design.run[begin] == r; ++begin)
+      design.values(static_cast<Eigen::Index>(begin), column) = out[design.row[begin]];
+  }
+}
+
+// A unit of a fitted term: its first gain 1, the others in their ratio to it.
+Predictor unit_of(const Term& fitted) {
+  Predictor predictor{fitted.effect, fitted.columns, {}};
+  double first = 0.0;
+  for (std::size_t k = 0; k < fitted.settings.size(); ++k) {
+    predictor.parameters.push_back(fitted.settings[k].start);
+    if (fitted.effect->parameters[k].kind != ParameterKind::gain) continue;
+    if (first == 0.0) {
+      first = predictor.parameters[k] != 0.0 ? predictor.parameters[k] : 1.0;
+      predictor.parameters[k] = 1.0;
+    } else {
+      predictor.parameters[k] /= first;
+    }
+  }
+  return predictor;
 }
 
 class Collected {
@@ -162,6 +196,7 @@ ColumnScales column_scales(const Eigen::MatrixXd& columns) {
 
 Design design_of(std::span<const Series> runs, const std::string& target, const Catalogue& catalogue) {
   Design design;
+  design.target = target;
   design.runs = runs.size();
   std::vector<std::vector<std::size_t>> rows;
   std::size_t count = 0;
@@ -177,9 +212,7 @@ Design design_of(std::span<const Series> runs, const std::string& target, const 
   for (std::vector<std::size_t>& of_run : rows) of_run = thinned(of_run, (of_run.size() + step - 1) / step);
   design.predictors = predictors_of(runs, target, catalogue);
   std::vector<double> values;
-  std::vector<Eigen::Index> first;
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    first.push_back(static_cast<Eigen::Index>(design.time_s.size()));
     const Column& measured = *find_column(runs[r], target);
     for (const std::size_t i : rows[r]) {
       design.time_s.push_back(runs[r].time_s[i]);
@@ -191,19 +224,25 @@ Design design_of(std::span<const Series> runs, const std::string& target, const 
   const auto n = static_cast<Eigen::Index>(values.size());
   design.target_um = Eigen::Map<const Eigen::VectorXd>(values.data(), n);
   design.values.resize(n, static_cast<Eigen::Index>(design.predictors.each.size()));
-  in_parallel(design.predictors.each.size(), [&](std::size_t k) {
-    const Predictor& predictor = design.predictors.each[k];
-    std::vector<double> out;
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-      EffectRows all{runs[r].time_s, {}};
-      for (const std::string& name : predictor.columns) all.inputs.emplace_back(find_column(runs[r], name)->values);
-      out.resize(runs[r].time_s.size());
-      predictor.effect->evaluate(all, predictor.parameters.data(), out.data(), nullptr);
-      for (std::size_t i = 0; i < rows[r].size(); ++i) {
-        design.values(first[r] + static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = out[rows[r][i]];
-      }
-    }
-  });
+  in_parallel(design.predictors.each.size(),
+              [&](std::size_t k) { evaluate(design.predictors.each[k], runs, design, static_cast<Eigen::Index>(k)); });
+  return design;
+}
+
+Design with_named(Design design, const Model& model, std::span<const Series> fitted, std::span<const Series> runs) {
+  std::vector<Predictor>& each = design.predictors.each;
+  each.resize(each.size() - design.predictors.named.size());
+  design.predictors.named.clear();
+  Model of_target = model;
+  of_target.targets = {design.target};
+  const Series together = fitted.size() == 1 ? fitted.front() : joined_batches(fitted, of_target);
+  const Model held = held_at(of_target, fit(of_target, together).parameters);
+  for (const Term& term : held.terms) {
+    design.predictors.named.push_back(each.size());
+    each.push_back(unit_of(term));
+  }
+  design.values.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(each.size()));
+  for (const std::size_t k : design.predictors.named) evaluate(each[k], runs, design, static_cast<Eigen::Index>(k));
   return design;
 }
 

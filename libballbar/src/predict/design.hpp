@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ballbar/effects/effect.hpp"
+#include "ballbar/model/model.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -38,6 +39,7 @@ struct PredictorFamily {
 struct Predictors {
   std::vector<Predictor> each;
   std::vector<PredictorFamily> families;  // one an effect
+  std::vector<std::size_t> named;         // of `each`: terms of a model, which are of no family
   std::vector<std::string> left_out;      // columns that suit and stand still, or have gaps, in one of the runs
 };
 
@@ -49,6 +51,7 @@ inline constexpr std::size_t kMostDesignRows = 20'000;
 
 // n rows, run by run in the order of time.
 struct Design {
+  std::string target;
   Predictors predictors;
   Eigen::MatrixXd values;     // n by predictors, um of a gain of 1
   Eigen::VectorXd target_um;  // n
@@ -60,6 +63,10 @@ struct Design {
 // Of more than kMostDesignRows values of the target every second, third ... of a run. Throws Error as predictors_of and
 // where the target is missing or has fewer than 40 values.
 Design design_of(std::span<const Series> runs, const std::string& target, const Catalogue& catalogue);
+
+// The same with the terms of a model as named predictors, in the place of those it has; their shapes as fitted to
+// `fitted`, of which each is a run or the first rows of one. Throws Error as fit.
+Design with_named(Design design, const Model& model, std::span<const Series> fitted, std::span<const Series> runs);
 
 // Mean and standard deviation of each column; the latter 0 where that stands still.
 struct ColumnScales {

@@ -107,16 +107,20 @@ struct Grown {
   std::vector<Eigen::VectorXd> predicted_um;  // the same, with 0, 1 ... effects
 };
 
-Grown grown_from(const Model& base, const Series& data, std::size_t target, const Design& design, std::size_t first,
-                 const std::vector<std::size_t>& asked) {
+// named_variance: of the base model's terms in that regression.
+Grown grown_from(const Model& base, const Series& data, std::size_t target, const Design& all_rows, std::size_t first,
+                 double named_variance, const std::vector<std::size_t>& asked) {
   std::vector<std::size_t> rows(first);
   std::iota(rows.begin(), rows.end(), std::size_t{0});
+  const std::size_t fitted_rows = first < all_rows.row.size() ? all_rows.row[first] : data.time_s.size();
+  Series head = rows_of(data, {0, fitted_rows});
+  head.runs = data.runs;
+  const Design design = named_variance > 0.0 ? with_named(all_rows, base, {&head, 1}, {&data, 1}) : all_rows;
   const RidgeProblem problem = ridge_problem(design, rows);
-  const RidgeFit all = ridge_fit(problem, chosen_setting(problem));
+  const RidgeFit all = ridge_fit(problem, chosen_setting(problem, named_variance));
   const std::vector<std::size_t> thin = thinned(rows, kRidgeRows);
   std::vector<std::size_t> both = thin;
   both.insert(both.end(), asked.begin(), asked.end());
-  const std::size_t fitted_rows = first < design.row.size() ? design.row[first] : data.time_s.size();
   const BaseColumns columns = base_columns(base, data, target, fitted_rows, design, both);
   const auto n = static_cast<Eigen::Index>(thin.size()), m = static_cast<Eigen::Index>(all.used.size());
   Eigen::MatrixXd effects = design.values(both, all.used);
@@ -125,7 +129,11 @@ Grown grown_from(const Model& base, const Series& data, std::size_t target, cons
   const Eigen::VectorXd regression_um = (effects * all.gains_um.segment(1, m)).array() + all.gains_um[0];
   Grown grown;
   grown.used = all.used;
-  grown.sd = problem.sd(all.used);
+  const auto named = std::find_if(grown.used.begin(), grown.used.end(),
+                                  [&](std::size_t k) { return !problem.named.empty() && k >= problem.named.front(); });
+  grown.used.erase(named, grown.used.end());  // they stand in the base
+  effects.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(grown.used.size()));
+  grown.sd = problem.sd(grown.used);
   grown.projection = projected((regression_um - columns.held_um).head(n), columns.free.topRows(n), effects.topRows(n));
   grown.target_um = design.target_um(asked);
   const auto ahead = static_cast<Eigen::Index>(asked.size());
@@ -168,7 +176,11 @@ double rms(const Eigen::VectorXd& errors) {
 // Of the forecasts from every origin, each row alike.
 struct ForecastSums {
   double rows = 0.0, of_regression = 0.0;
-  std::vector<double> square, absolute, apart;
+  std::vector<double> square, absolute, apart;  // with 0, 1 ... effects, up to as many as there are
+
+  ForecastSums() {
+    for (std::vector<double>* const one : {&square, &absolute, &apart}) one->resize(kSizes[std::size(kSizes) - 1] + 1);
+  }
 
   void add(const Grown& grown) {
     rows += static_cast<double>(grown.target_um.size());
@@ -207,25 +219,35 @@ Growth growth(const Model& base, const Series& data, std::size_t target,
   const Design design = design_of({&data, 1}, base.targets[target], catalogue);
   std::vector<std::size_t> rows(design.row.size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
-  say("growing the model");
-  const Grown whole = grown_from(base, data, target, design, rows.size(), thinned(rows, kRidgeRows));
-  const std::size_t tried = whole.projection.order.size();
-  ForecastSums sums;
-  for (std::vector<double>* const one : {&sums.square, &sums.absolute, &sums.apart}) one->resize(tried + 1, 0.0);
   const std::vector<ForecastRows> ahead = forecast_rows(design, data);
+  // With the terms of the base model among the effects of the regression, and without.
+  std::vector<double> variances{0.0};
+  if (!base.terms.empty()) variances.push_back(kFreeNamed);
+  std::vector<ForecastSums> tried_sums(variances.size());
   for (std::size_t i = 0; i < ahead.size(); ++i) {
-    say(fmt::format("growing it again for forecast {} of {}", i + 1, ahead.size()));
+    say(fmt::format("growing a model for forecast {} of {}", i + 1, ahead.size()));
     std::vector<std::size_t> later(ahead[i].end - ahead[i].first);
     std::iota(later.begin(), later.end(), ahead[i].first);
-    sums.add(grown_from(base, data, target, design, ahead[i].first, thinned(later, kRidgeRows)));
+    for (std::size_t u = 0; u < variances.size(); ++u) {
+      tried_sums[u].add(
+          grown_from(base, data, target, design, ahead[i].first, variances[u], thinned(later, kRidgeRows)));
+    }
   }
+  const auto best = std::min_element(tried_sums.begin(), tried_sums.end(),
+                                     [](const auto& a, const auto& b) { return a.of_regression < b.of_regression; });
+  const ForecastSums& sums = *best;
+  say("growing the model");
+  const Grown whole =
+      grown_from(base, data, target, design, rows.size(),
+                 variances[static_cast<std::size_t>(best - tried_sums.begin())], thinned(rows, kRidgeRows));
+  const std::size_t tried = whole.projection.order.size();
   Growth result;
   result.origins = ahead.size();
-  const auto root_mean = [&](double sum) { return sums.rows > 0.0 ? std::sqrt(sum / sums.rows) : kUnknown_um; };
-  result.all_um = root_mean(sums.of_regression);
+  const auto mean = [&](double sum) { return sums.rows > 0.0 ? sum / sums.rows : kUnknown_um; };
+  result.all_um = std::sqrt(mean(sums.of_regression));
   const auto add_errors = [&](std::size_t k) {
-    result.errors.push_back({k, rms(whole.target_um - whole.predicted_um[k]), root_mean(sums.square[k]),
-                             sums.rows > 0.0 ? sums.absolute[k] / sums.rows : kUnknown_um, root_mean(sums.apart[k])});
+    result.errors.push_back({k, rms(whole.target_um - whole.predicted_um[k]), std::sqrt(mean(sums.square[k])),
+                             mean(sums.absolute[k]), std::sqrt(mean(sums.apart[k]))});
   };
   add_errors(0);
   for (const std::size_t size : kSizes) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "ballbar/numerics/parallel.hpp"
 
@@ -37,21 +38,27 @@ std::vector<unsigned> dictionaries_of(const RidgeProblem& problem) {
   return dictionaries;
 }
 
-// size: of each, which may be none.
-Eigen::MatrixXd sum_of(const std::vector<Eigen::MatrixXd>& of_kinds, unsigned kinds, Eigen::Index size) {
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
+// K less N.
+Eigen::MatrixXd kernel_of(const RidgeProblem& problem, const RidgeSetting& setting) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(problem.columns.rows(), problem.columns.rows());
   for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
-    if ((kinds >> kind & 1U) != 0) sum += of_kinds[kind];
+    if ((setting.kinds >> kind & 1U) != 0) sum += setting.variance * problem.kernel[kind];
   }
+  if (setting.named_variance > 0.0) sum += setting.named_variance * problem.named_kernel;
   return sum;
 }
 
-Eigen::MatrixXd kernel_of(const RidgeProblem& problem, unsigned kinds) {
-  return sum_of(problem.kernel, kinds, problem.columns.rows());
-}
-
-Eigen::MatrixXd prior_of(const RidgeProblem& problem, unsigned kinds) {
-  return sum_of(problem.prior, kinds, problem.columns.cols());
+// Of all predictors, over s^2.
+Eigen::MatrixXd prior_of(const RidgeProblem& problem, const RidgeSetting& setting) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(problem.columns.cols(), problem.columns.cols());
+  for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
+    if ((setting.kinds >> kind & 1U) != 0) sum += setting.variance * problem.prior[kind];
+  }
+  for (const std::size_t k : problem.named) {
+    const auto at = static_cast<Eigen::Index>(k);
+    sum(at, at) = setting.named_variance;
+  }
+  return sum;
 }
 
 // K solved for what is asked of it.
@@ -61,11 +68,11 @@ struct Solved {
   double q = 0.0, intercept_um = 0.0, variance_um2 = 0.0, log_likelihood = 0.0;
 };
 
-Solved solved(const RidgeProblem& problem, const Eigen::MatrixXd& kernel, const Eigen::MatrixXd& discrepancy,
-              double variance) {
+// covariance: K.
+Solved solved(const RidgeProblem& problem, const Eigen::MatrixXd& covariance) {
   const Eigen::Index n = problem.columns.rows();
   Solved result;
-  result.root.compute(variance * kernel + discrepancy);
+  result.root.compute(covariance);
   Eigen::MatrixXd sides(n, 2);
   sides.col(0).setOnes();
   sides.col(1) = problem.target_um;
@@ -110,6 +117,10 @@ LeftOutRuns left_out(const RidgeProblem& problem, const Solved& of, bool with_si
   return result;
 }
 
+Solved solved(const RidgeProblem& problem, const RidgeSetting& setting) {
+  return solved(problem, kernel_of(problem, setting) + discrepancy_of(problem.time_s, problem.run, setting.length_s));
+}
+
 // The larger, the better.
 double score_of(const RidgeProblem& problem, const Solved& of) {
   if (of.root.info() != Eigen::Success || !std::isfinite(of.log_likelihood)) {
@@ -144,6 +155,25 @@ Eigen::MatrixXd discrepancy_of(const std::vector<double>& time_s, const std::vec
 }
 
 RidgeSetting chosen_setting(const RidgeProblem& problem) {
+  RidgeSetting best = chosen_setting(problem, problem.named.empty() ? 0.0 : kFreeNamed);
+  if (problem.named.empty()) return best;
+  double best_score = score_of(problem, solved(problem, best));
+  std::vector<RidgeSetting> others{chosen_setting(problem, 0.0)};
+  for (const double named_variance : {1.0, 10.0, 100.0}) {
+    others.push_back(best);
+    others.back().named_variance = named_variance;
+  }
+  for (const RidgeSetting& other : others) {
+    const double score = score_of(problem, solved(problem, other));
+    if (score > best_score) {
+      best = other;
+      best_score = score;
+    }
+  }
+  return best;
+}
+
+RidgeSetting chosen_setting(const RidgeProblem& problem, double named_variance) {
   struct Tried {
     RidgeSetting setting;
     double score = -std::numeric_limits<double>::infinity();
@@ -156,12 +186,14 @@ RidgeSetting chosen_setting(const RidgeProblem& problem) {
   in_parallel(tried.size(), [&](std::size_t i) {
     const unsigned kinds = dictionaries[i / std::size(kLengths_s)];
     const std::size_t length = i % std::size(kLengths_s);
-    const Eigen::MatrixXd kernel = kernel_of(problem, kinds);
+    const Eigen::MatrixXd kernel = kernel_of(problem, {kinds, 1.0, 0.0, 0.0});
+    Eigen::MatrixXd rest = discrepancies[length];
+    if (named_variance > 0.0) rest += named_variance * problem.named_kernel;
     std::map<int, double> known;
     const auto score = [&](int k) {
       const auto [place, is_new] = known.try_emplace(k, 0.0);
       if (is_new) {
-        place->second = score_of(problem, solved(problem, kernel, discrepancies[length], std::pow(10.0, 0.5 * k)));
+        place->second = score_of(problem, solved(problem, std::pow(10.0, 0.5 * k) * kernel + rest));
       }
       return place->second;
     };
@@ -181,7 +213,7 @@ RidgeSetting chosen_setting(const RidgeProblem& problem) {
       const int other = uphill_from(6);
       if (score(other) > score(best)) best = other;
     }
-    tried[i] = {{kinds, std::pow(10.0, 0.5 * best), kLengths_s[length]}, score(best)};
+    tried[i] = {{kinds, std::pow(10.0, 0.5 * best), kLengths_s[length], named_variance}, score(best)};
   });
   return std::max_element(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) { return a.score < b.score; })
       ->setting;
@@ -189,13 +221,12 @@ RidgeSetting chosen_setting(const RidgeProblem& problem) {
 
 RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting) {
   const Eigen::Index n = problem.columns.rows();
-  const Solved of = solved(problem, kernel_of(problem, setting.kinds),
-                           discrepancy_of(problem.time_s, problem.run, setting.length_s), setting.variance);
+  const Solved of = solved(problem, setting);
   RidgeFit fit;
   fit.setting = setting;
   fit.sigma_um = std::sqrt(of.variance_um2);
   fit.log_likelihood = of.log_likelihood;
-  const Eigen::MatrixXd of_all = setting.variance * prior_of(problem, setting.kinds);
+  const Eigen::MatrixXd of_all = prior_of(problem, setting);
   for (Eigen::Index k = 0; k < of_all.rows(); ++k) {
     if (of_all(k, k) > 0.0) fit.used.push_back(static_cast<std::size_t>(k));
   }
@@ -228,10 +259,7 @@ RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting) {
 }
 
 LeftOutRuns left_out_runs(const RidgeProblem& problem, const RidgeSetting& setting) {
-  return left_out(problem,
-                  solved(problem, kernel_of(problem, setting.kinds),
-                         discrepancy_of(problem.time_s, problem.run, setting.length_s), setting.variance),
-                  true);
+  return left_out(problem, solved(problem, setting), true);
 }
 
 Eigen::VectorXd gains_from(const RidgeProblem& problem, const RidgeSetting& setting,
@@ -243,21 +271,20 @@ Eigen::VectorXd gains_from(const RidgeProblem& problem, const RidgeSetting& sett
     part.time_s.push_back(problem.time_s[row]);
     part.run.push_back(problem.run[row]);
   }
-  const Eigen::MatrixXd kernel = kernel_of(problem, setting.kinds)(rows, rows);
-  const Solved of = solved(part, kernel, discrepancy_of(part.time_s, part.run, setting.length_s), setting.variance);
-  return setting.variance * (prior_of(problem, setting.kinds) * (part.columns.transpose() * of.of_target));
+  const Eigen::MatrixXd kernel = kernel_of(problem, setting)(rows, rows);
+  const Solved of = solved(part, kernel + discrepancy_of(part.time_s, part.run, setting.length_s));
+  return prior_of(problem, setting) * (part.columns.transpose() * of.of_target);
 }
 
 double log_likelihood_without(const RidgeProblem& problem, const RidgeSetting& setting,
                               const std::vector<std::size_t>& predictors) {
-  Eigen::MatrixXd prior = prior_of(problem, setting.kinds);
+  Eigen::MatrixXd prior = prior_of(problem, setting);
   for (const std::size_t k : predictors) {
     prior.row(static_cast<Eigen::Index>(k)).setZero();
     prior.col(static_cast<Eigen::Index>(k)).setZero();
   }
   const Eigen::MatrixXd kernel = (problem.columns * prior) * problem.columns.transpose();
-  return solved(problem, kernel, discrepancy_of(problem.time_s, problem.run, setting.length_s), setting.variance)
-      .log_likelihood;
+  return solved(problem, kernel + discrepancy_of(problem.time_s, problem.run, setting.length_s)).log_likelihood;
 }
 
 RidgePrediction ridge_prediction(const RidgeProblem& problem, const RidgeFit& fit,

@@ -4,6 +4,8 @@
 //   N = 0.98 exp(-|dt| / l) + 0.02 I         within a run; 0 between runs; l = 0: N = I
 //   P = sum over families of sum_k c_k w_k w_k' / sum_k c_k
 //
+// Named terms of a model, as the design has them, join K by u X_m X_m': they are of no family, each has the variance u.
+//
 // X~ are the predictors less their means over their standard deviations; w_k is one of the members of a family, scaled
 // by its own standard deviation, so that every family has the same prior variance. c_k is 1; of temperatures and their
 // differences that standard deviation, half-way to equal gains in um/K: a temperature that hardly moved in training,
@@ -11,8 +13,8 @@
 //
 //   K = v X~ P X~' + N,   b = 1'K^-1 y / q,   q = 1'K^-1 1,   E w = v P X~' K^-1 (y - b)
 //
-// The dictionary (which kinds of families), v and l are those of the largest restricted likelihood where the rows are
-// of few runs,
+// The dictionary (which kinds of families), v, l and u in {0, 1, 10, 100, 10 000} are those of the largest restricted
+// likelihood where the rows are of few runs,
 //
 //   ln L = -(n-1)/2 ln(S/(n-1)) - (ln|K| + ln q)/2,   S = (y - b)'K^-1 (y - b),   s^2 = S/(n-1)
 //
@@ -36,6 +38,7 @@ struct RidgeSetting {
   unsigned kinds = 0;  // a bit each of PredictorKind
   double variance = 1.0;
   double length_s = 0.0;
+  double named_variance = 0.0;  // u; 0: without the named terms
 };
 
 struct RidgeProblem {
@@ -47,13 +50,18 @@ struct RidgeProblem {
   double end_s = 0.0;                   // time of the last row, thinned out or not
   std::vector<Eigen::MatrixXd> prior;   // P of each kind, p by p
   std::vector<Eigen::MatrixXd> kernel;  // X~ P X~', n by n
+  std::vector<std::size_t> named;       // predictors
+  Eigen::MatrixXd named_kernel;         // X_m X_m', n by n; empty: none
 };
 
 // Of at most `most` of these rows of the design.
 RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>& rows, std::size_t most = kRidgeRows);
 
-// v is found uphill from 1, and from 1000 where runs are left out.
+// v is found uphill from 1, and from 1000 where runs are left out; u after the others, which are found for u of 10 000.
 RidgeSetting chosen_setting(const RidgeProblem& problem);
+// The same for this u.
+RidgeSetting chosen_setting(const RidgeProblem& problem, double named_variance);
+inline constexpr double kFreeNamed = 1e4;
 
 // N, n by n.
 Eigen::MatrixXd discrepancy_of(const std::vector<double>& time_s, const std::vector<std::size_t>& run, double length_s);

@@ -80,6 +80,13 @@ RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>&
     if (prior.size() == 0) prior = Eigen::MatrixXd::Zero(p, p);
     prior += sum / weights;
   }
+  for (const std::size_t k : design.predictors.named) {
+    if (problem.sd[static_cast<Eigen::Index>(k)] > 0.0) problem.named.push_back(k);
+  }
+  if (!problem.named.empty()) {
+    const Eigen::MatrixXd named = problem.columns(Eigen::all, problem.named);
+    problem.named_kernel.noalias() = named * named.transpose();
+  }
   problem.kernel.resize(kPredictorKinds);
   in_parallel(kPredictorKinds, [&](std::size_t kind) {
     if (problem.prior[kind].size() == 0) return;
