@@ -52,8 +52,14 @@ LedgerRow row_of(const GrownRevision& revision, const GrowthErrors& errors, cons
 }
 
 std::string_view stop_text(GrowthStop stop) {
-  return stop == GrowthStop::as_good_as_all ? "Further effects would lower the error of the forecasts by less than 5 %."
-                                            : "More effects would predict better still; it ends at 40.";
+  switch (stop) {
+    case GrowthStop::as_good_as_all:
+      return "Further effects would lower the error of the forecasts by less than 5 %.";
+    case GrowthStop::best_forecast:
+      return "Further effects do not predict better.";
+    default:
+      return "It ends at the most effects there are, 40 or fewer.";
+  }
 }
 
 }  // namespace

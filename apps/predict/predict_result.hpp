@@ -142,11 +142,43 @@ struct ResultType<WorstRun> {
                                      Field{"rmse_um", &WorstRun::rmse_um, ""}};
 };
 
+template <>
+struct ResultType<NamedEffect> {
+  static constexpr std::string_view name = "NamedEffect";
+  static constexpr std::string_view meaning = "An effect of a model in a regression, and what it makes of it.";
+  static constexpr std::tuple fields{Field{"label", &NamedEffect::label, "the effect with its columns"},
+                                     Field{"share_um", &NamedEffect::share_um, "of the range that is predicted"},
+                                     Field{"sigma_um", &NamedEffect::sigma_um, "of its gain alone"}};
+};
+
+template <>
+struct ResultType<NamedEffects> {
+  static constexpr std::string_view name = "NamedEffects";
+  static constexpr std::string_view meaning = "The effects of a model among those of a regression.";
+  static constexpr std::tuple fields{
+      Field{"effects", &NamedEffects::effects, "empty: no model, or left out"},
+      Field{"rest_um", &NamedEffects::rest_um, "share of the range that has no named cause"},
+      Field{"with_um", &NamedEffects::with_um, "RMSE of forecasts with them; null: no model, or no forecasts"},
+      Field{"without_um", &NamedEffects::without_um, "and without; null: not tried"}};
+};
+
+template <>
+struct ResultType<Start> {
+  static constexpr std::string_view name = "Start";
+  static constexpr std::string_view meaning = "A regression of other machines that this one started from.";
+  static constexpr std::tuple fields{
+      Field{"own_um", &Start::own_um, "share of the range that is this machine's own"},
+      Field{"start_um", &Start::start_um, "and that is the other's"},
+      Field{"borrowed", &Start::borrowed, "share of the variance that its rows do not settle, 0 to 1"}};
+};
+
 struct TrainedOnEffects {
   EffectRegression regression;
   std::optional<ForecastTest> forecasts;
   std::optional<WorstRun> worst;
   DriverReport drivers;
+  NamedEffects named;
+  std::optional<Start> start;
   std::vector<Contender> methods;
   std::vector<std::string> remarks;
   std::string sentence;
@@ -180,7 +212,9 @@ struct ResultType<TrainedOnEffects> {
                      std::tuple{Field{"forecasts", &TrainedOnEffects::forecasts, "null: too few rows"},
                                 Field{"worst", &TrainedOnEffects::worst, "null: fewer than five runs"}},
                      fields_through(&TrainedOnEffects::drivers, of_drivers),
-                     std::tuple{Field{"methods", &TrainedOnEffects::methods, "of a list of runs: in the same contest"},
+                     std::tuple{Field{"named", &TrainedOnEffects::named, "of --model"},
+                                Field{"start", &TrainedOnEffects::start, "of --start-from; null: none"},
+                                Field{"methods", &TrainedOnEffects::methods, "of a list of runs: in the same contest"},
                                 Field{"remarks", &TrainedOnEffects::remarks, ""},
                                 Field{"sentence", &TrainedOnEffects::sentence, "what it says in plain words"}});
 };

@@ -185,24 +185,28 @@ void train_temperatures(const TrainOptions& options) {
 // What an option needs, and what it does not go with.
 void expect_together(const TrainOptions& given) {
   const bool lists = lists_batches(given.data);
-  if ((given.effects || !lists) && (method_of(given) || !given.model.empty())) {
+  if ((given.effects || !lists) && method_of(given)) {
     throw CLI::ValidationError(
-        given.effects ? "--effects: expected neither --method, --components, --share, --penalty nor --model with it."
-                      : "--method, --components, --share, --penalty, --model: expected a list of runs with them");
+        given.effects ? "--effects: expected neither --method, --components, --share nor --penalty with it."
+                      : "--method, --components, --share, --penalty: expected a list of runs with them");
   }
+  if (given.few && !given.model.empty()) throw CLI::ValidationError("--few: expected no --model with it.");
+  if (given.few && !given.start.empty()) throw CLI::ValidationError("--few: expected no --start-from with it.");
   if (given.effects || !lists) return;
   if (given.few) throw CLI::ValidationError("--few: expected --effects with it.");
+  if (!given.start.empty()) throw CLI::ValidationError("--start-from: expected --effects with it.");
   if (given.max_gap_s) throw CLI::ValidationError("--max-gap: expected --effects with it.");
 }
 
 void expect_together_for_job(const TrainOptions& given) {
-  const char* const other = given.effects         ? "--effects"
-                            : given.few           ? "--few"
-                            : given.components    ? "--components"
-                            : given.penalty_K2    ? "--penalty"
-                            : given.max_gap_s     ? "--max-gap"
-                            : given.model.empty() ? nullptr
-                                                  : "--model";
+  const char* const other = given.effects          ? "--effects"
+                            : given.few            ? "--few"
+                            : given.components     ? "--components"
+                            : given.penalty_K2     ? "--penalty"
+                            : given.max_gap_s      ? "--max-gap"
+                            : !given.start.empty() ? "--start-from"
+                            : given.model.empty()  ? nullptr
+                                                   : "--model";
   if (other != nullptr) throw CLI::ValidationError(fmt::format("{}: expected no --for with it", other));
   if (given.share && given.method == RegressionMethod::ridge) {
     throw CLI::ValidationError("--share: expected --method pcr with it");
@@ -258,12 +262,19 @@ void add_method_options(CLI::App& command, TrainOptions& options) {
   command.add_option("--penalty", options.penalty_K2, "of ridge, K^2 a row; otherwise chosen by batches left out")
       ->check(number_within(0.0, 1e9))
       ->type_name("K2");
-  command.add_option("--model", options.model, "a model of effects, .toml, in the same contest; it is not written")
+  command
+      .add_option("--model", options.model,
+                  "a model of effects, .toml: with --effects its effects join the regression, else it is in the same "
+                  "contest")
       ->type_name("FILE");
   command.add_flag(
       "--effects", options.effects,
       "a regression on the catalogue's effects instead, which runs live; RUNS may be one series or session");
   command.add_flag("--few", options.few, "with --effects: some ten effects, nine selections averaged");
+  command
+      .add_option("--start-from", options.start,
+                  "with --effects: a model .json that was trained on other machines; this one adapts it")
+      ->type_name("FILE");
   add_max_gap(command, options.max_gap_s);
 }
 

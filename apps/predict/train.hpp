@@ -24,7 +24,8 @@ struct TrainOptions {
   std::optional<RegressionMethod> method;
   std::optional<std::size_t> components;
   std::optional<double> share, penalty_K2;
-  std::string model;  // of effects, to compare with
+  std::string model;  // of effects: to compare with, or whose effects are named
+  std::string start;  // a trained model of effects, .json
   bool effects = false, few = false;
   std::optional<double> max_gap_s;
 

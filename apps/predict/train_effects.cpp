@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "ballbar/formats/models/effect_regression_json.hpp"
+#include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/number_text.hpp"
 #include "ballbar/series/runs.hpp"
@@ -76,6 +77,34 @@ std::string memory_text(const EffectRegression& regression) {
              : fmt::format("What is left scatters by {:.2f} {}, without a memory.", regression.sigma_um, unit);
 }
 
+// What the effects of the model are of all that is predicted.
+std::string named_text(const NamedEffects& named, const std::string& model, const std::string& unit) {
+  std::string compared;
+  if (named.with_um && named.without_um) {
+    compared = fmt::format(" Forecasts are {:.2f} {} RMSE with its effects, {:.2f} {} without.", *named.with_um, unit,
+                           *named.without_um, unit);
+  }
+  if (named.effects.empty()) return fmt::format("The effects of {} are left out: they do not help.{}", model, compared);
+  std::vector<std::string> parts;
+  for (const NamedEffect& one : named.effects)
+    parts.push_back(fmt::format("{} {:.2f} ± {:.2f} {}", one.label, one.share_um, one.sigma_um, unit));
+  return fmt::format("Of what is predicted the named causes make {}; {:.2f} {} is prediction without a named cause.{}",
+                     fmt::join(parts, ", "), named.rest_um, unit, compared);
+}
+
+std::string start_text(const Start& start, const std::string& file, const std::string& unit) {
+  return fmt::format(
+      "It starts from {0}: {1:.2f} {3} of what is predicted is that model, {2:.2f} {3} this machine's own. These rows "
+      "settle {4:.0f} % of what {0} leaves open; {5:.0f} % is borrowed.",
+      file, start.start_um, start.own_um, unit, 100.0 * (1.0 - start.borrowed), 100.0 * start.borrowed);
+}
+
+void expect_start(const TrainOptions& options, const EffectRegression& start, const std::string& target) {
+  if (start.model.targets.front() == target) return;
+  throw Error(
+      fmt::format("{}: expected a model of {}, found one of {}.", options.start, target, start.model.targets.front()));
+}
+
 Table driver_table(const DriverReport& report, const std::string& unit) {
   Table table({"column", "role", "share " + unit, "parts left out", "what may be said"});
   double others = 0.0;
@@ -112,6 +141,14 @@ std::vector<std::string> remarks_of(const DriverReport& report, const std::strin
   return remarks;
 }
 
+// With the models that are read beside the data.
+std::vector<std::filesystem::path> with_models(const TrainOptions& options, std::vector<std::filesystem::path> files) {
+  for (const std::string& file : {options.model, options.start}) {
+    if (!file.empty()) files.emplace_back(file);
+  }
+  return files;
+}
+
 struct OpenedRuns {
   std::vector<Series> runs;
   std::vector<std::string> names;
@@ -141,7 +178,7 @@ OpenedRuns opened_runs(const TrainOptions& options, const std::optional<OpenedBa
     if (data.level != Level::series) {
       throw Error(fmt::format("{}: expected series or sessions of drift, found recordings.", options.title()));
     }
-    expect_no_input({options.out}, data.files);
+    expect_no_input({options.out}, with_models(options, data.files));
     for (const RowRange& range : runs_of(data.series->time_s)) runs.push_back(rows_of(*data.series, range));
     for (const RunOrigin& run : data.series->runs) result.names.push_back(run.name);
     for (const std::string& name : without) {
@@ -165,12 +202,12 @@ std::optional<OpenedBatches> opened_list(const TrainOptions& options) {
       throw Error(fmt::format("{}: expected a list of runs for --room, --inputs, --without and --keep-broken.",
                               options.title()));
     }
-    expect_no_input({options.out}, paths_of(options.data));
+    expect_no_input({options.out}, with_models(options, paths_of(options.data)));
     return std::nullopt;
   }
   if (options.max_gap_s) throw Error("--max-gap: expected a session or a series with it, found a list of runs.");
   OpenedBatches opened = open_batches(options);
-  expect_no_input({options.out}, opened.files);
+  expect_no_input({options.out}, with_models(options, opened.files));
   return opened;
 }
 
@@ -217,6 +254,13 @@ void train_effects(const TrainOptions& options) {
   EffectRegressionOptions how;
   how.few = options.few;
   how.progress = [](const std::string& what) { show_progress(what); };
+  if (!options.model.empty()) how.named = read_model(read_bytes(options.model, kLargestText), options.model);
+  std::optional<EffectRegression> start;
+  if (!options.start.empty()) {
+    start = read_effect_regression(read_bytes(options.start, kLargestText), options.start);
+    expect_start(options, *start, target);
+    how.start = &*start;
+  }
   const TrainedRegression trained = [&] {
     const ProgressLine progress;
     return with_source(options.title(), [&] { return trained_regression(runs, target, how); });
@@ -233,7 +277,8 @@ void train_effects(const TrainOptions& options) {
   if (trained.left_out && trained.left_out->worst < data.names.size())
     worst = WorstRun{data.names[trained.left_out->worst], trained.left_out->worst_um};
   if (options.json) {
-    TrainedOnEffects result{of, std::nullopt, worst, trained.drivers, contenders, said, expectation(of)};
+    TrainedOnEffects result{of,         std::nullopt, worst,          trained.drivers, trained.named, trained.start,
+                            contenders, said,         expectation(of)};
     if (of.forecasts) result.forecasts = {*of.forecasts, is_predicted(of)};
     print_json(json_of(result));
   } else {
@@ -243,6 +288,8 @@ void train_effects(const TrainOptions& options) {
     if (worst)
       fmt::print("{}", wrapped(fmt::format("The worst run is {}: {:.2f} {} RMSE.", worst->run, worst->rmse_um,
                                            unit_text(of))));
+    if (trained.start) fmt::print("{}", wrapped(start_text(*trained.start, options.start, unit_text(of))));
+    if (how.named) fmt::print("{}", wrapped(named_text(trained.named, options.model, unit_text(of))));
     fmt::print("{}\n", wrapped(memory_text(of)));
     if (opened && of.forecasts) {
       contenders.push_back(effects_contender(trained, *opened));

@@ -90,19 +90,12 @@ void evaluate(const Predictor& predictor, std::span<const Series> runs, Design& 
   }
 }
 
-// A unit of a fitted term: its first gain 1, the others in their ratio to it.
+// A unit of a fitted term's gain.
 Predictor unit_of(const Term& fitted) {
   Predictor predictor{fitted.effect, fitted.columns, {}};
-  double first = 0.0;
   for (std::size_t k = 0; k < fitted.settings.size(); ++k) {
-    predictor.parameters.push_back(fitted.settings[k].start);
-    if (fitted.effect->parameters[k].kind != ParameterKind::gain) continue;
-    if (first == 0.0) {
-      first = predictor.parameters[k] != 0.0 ? predictor.parameters[k] : 1.0;
-      predictor.parameters[k] = 1.0;
-    } else {
-      predictor.parameters[k] /= first;
-    }
+    const bool is_gain = fitted.effect->parameters[k].kind == ParameterKind::gain;
+    predictor.parameters.push_back(is_gain ? 1.0 : fitted.settings[k].start);
   }
   return predictor;
 }
@@ -155,7 +148,10 @@ std::vector<double> with_gain(const Predictor& predictor, double gain) {
 Catalogue predictor_effects(const Catalogue& catalogue) {
   Catalogue effects;
   for (const std::shared_ptr<const Effect>& effect : catalogue) {
-    if (effect->level == Level::series && effect->rules.predictor) effects.push_back(effect);
+    const auto gains = std::count_if(effect->parameters.begin(), effect->parameters.end(),
+                                     [](const Parameter& one) { return one.kind == ParameterKind::gain; });
+    const bool is_named = !effect->inputs.empty() && gains == 1;
+    if (effect->level == Level::series && (effect->rules.predictor || is_named)) effects.push_back(effect);
   }
   effects.push_back(temperature_at_start());
   return effects;
@@ -170,6 +166,7 @@ Predictors predictors_of(std::span<const Series> runs, const std::string& target
   Collected collected(predictors);
   const Catalogue effects = predictor_effects(catalogue);
   for (const std::shared_ptr<const Effect>& effect : effects) {
+    if (!effect->rules.predictor) continue;
     if (effect->rules.predictor->kind == PredictorKind::start && runs.size() == 1) continue;
     collected.add(effect, effects, bindings_of(*effect, model, runs.front()));
   }
@@ -229,10 +226,20 @@ Design design_of(std::span<const Series> runs, const std::string& target, const 
   return design;
 }
 
+bool can_be_named(const Term& term) {
+  const Catalogue effects = predictor_effects({term.effect});
+  return std::find(effects.begin(), effects.end(), term.effect) != effects.end();
+}
+
 Design with_named(Design design, const Model& model, std::span<const Series> fitted, std::span<const Series> runs) {
   std::vector<Predictor>& each = design.predictors.each;
   each.resize(each.size() - design.predictors.named.size());
   design.predictors.named.clear();
+  for (const Term& term : model.terms) {
+    if (can_be_named(term)) continue;
+    throw Error(fmt::format("{}: expected effects of one gain that read a column, for others say nothing of new rows.",
+                            label_of(term)));
+  }
   Model of_target = model;
   of_target.targets = {design.target};
   const Series together = fitted.size() == 1 ? fitted.front() : joined_batches(fitted, of_target);
@@ -243,6 +250,42 @@ Design with_named(Design design, const Model& model, std::span<const Series> fit
   }
   design.values.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(each.size()));
   for (const std::size_t k : design.predictors.named) evaluate(each[k], runs, design, static_cast<Eigen::Index>(k));
+  return design;
+}
+
+Design with_start(Design design, const EffectRegression& start, std::span<const Series> runs) {
+  for (const ColumnRange& range : start.model.trained) {
+    for (const Series& run : runs) {
+      for (const double value : column_of(run, range.column).values) {
+        if (!std::isfinite(value))
+          throw Error(fmt::format("{}: expected no gaps, for the regression to start from reads it.", range.column));
+      }
+    }
+  }
+  std::vector<Predictor>& each = design.predictors.each;
+  const auto m = static_cast<Eigen::Index>(start.model.terms.size());
+  GainPrior prior{{}, Eigen::VectorXd(m), start.sd_um, Eigen::MatrixXd(m, m)};
+  for (Eigen::Index t = 0; t < m; ++t) {
+    const Term& term = start.model.terms[static_cast<std::size_t>(t)];
+    Predictor predictor = unit_of(term);
+    for (std::size_t k = 0; k < term.settings.size(); ++k) {
+      if (term.effect->parameters[k].kind == ParameterKind::gain) prior.mean[t] = term.settings[k].start;
+    }
+    const auto known = std::find_if(each.begin(), each.end(), [&](const Predictor& one) {
+      return one.effect->name == predictor.effect->name && one.columns == predictor.columns &&
+             one.parameters == predictor.parameters;
+    });
+    prior.at.push_back(static_cast<std::size_t>(known - each.begin()));
+    if (known != each.end()) continue;
+    each.push_back(std::move(predictor));
+    design.values.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(each.size()));
+    evaluate(each.back(), runs, design, static_cast<Eigen::Index>(each.size()) - 1);
+  }
+  // Of scaled gains, without the constant and the discrepancy at the end.
+  const Eigen::MatrixXd factor = start.factor_um.middleRows(1, m);
+  const Eigen::VectorXd unit = start.sd_um.cwiseInverse() / start.sigma_um;
+  prior.covariance = unit.asDiagonal() * (factor * factor.transpose()) * unit.asDiagonal();
+  design.prior = std::move(prior);
   return design;
 }
 

@@ -16,6 +16,8 @@
 
 namespace ballbar {
 
+struct EffectRegression;
+
 struct Predictor {
   std::shared_ptr<const Effect> effect;
   std::vector<std::string> columns;  // as effect->inputs
@@ -49,6 +51,13 @@ Predictors predictors_of(std::span<const Series> runs, const std::string& target
 
 inline constexpr std::size_t kMostDesignRows = 20'000;
 
+// What is known of the gains before there are rows: of predictors `at`, for a unit of each.
+struct GainPrior {
+  std::vector<std::size_t> at;
+  Eigen::VectorXd mean, sd;    // sd: of the predictor, where it was trained
+  Eigen::MatrixXd covariance;  // over s^2
+};
+
 // n rows, run by run in the order of time.
 struct Design {
   std::string target;
@@ -58,15 +67,24 @@ struct Design {
   std::vector<double> time_s;
   std::vector<std::size_t> run, row;  // of the runs, of its series
   std::size_t runs = 0;
+  std::optional<GainPrior> prior;
 };
 
 // Of more than kMostDesignRows values of the target every second, third ... of a run. Throws Error as predictors_of and
 // where the target is missing or has fewer than 40 values.
 Design design_of(std::span<const Series> runs, const std::string& target, const Catalogue& catalogue);
 
+// Whether it has one gain and reads a column.
+bool can_be_named(const Term& term);
+
 // The same with the terms of a model as named predictors, in the place of those it has; their shapes as fitted to
-// `fitted`, of which each is a run or the first rows of one. Throws Error as fit.
+// `fitted`, of which each is a run or the first rows of one. Throws Error as fit, and where one
+// cannot be named.
 Design with_named(Design design, const Model& model, std::span<const Series> fitted, std::span<const Series> runs);
+
+// The same with the gains of a regression as their prior. Throws Error where a run lacks a column of it, or has gaps
+// in one.
+Design with_start(Design design, const EffectRegression& start, std::span<const Series> runs);
 
 // Mean and standard deviation of each column; the latter 0 where that stands still.
 struct ColumnScales {

@@ -81,6 +81,69 @@ double rmse_um(const Design& design, const RidgeFit& fit, const EffectRegression
   return std::sqrt((error.array() - *regression.model.constant_um).square().mean());
 }
 
+// Of the last predictors in use.
+std::size_t named_in(const RidgeProblem& problem, const RidgeFit& fit) {
+  if (problem.named.empty()) return 0;
+  return static_cast<std::size_t>(
+      std::count_if(fit.used.begin(), fit.used.end(), [&](std::size_t k) { return k >= problem.named.front(); }));
+}
+
+// Shares of what is predicted on the training rows.
+void add_named(const Design& design, const RidgeProblem& problem, const RidgeFit& fit, NamedEffects& named) {
+  const auto m = static_cast<Eigen::Index>(fit.used.size()), count = static_cast<Eigen::Index>(named_in(problem, fit));
+  const Eigen::MatrixXd added = problem.columns(Eigen::all, fit.used) * fit.gains_um.segment(1, m).asDiagonal();
+  Eigen::MatrixXd parts(added.rows(), count + 1);
+  parts << added.rightCols(count), added.leftCols(m - count).rowwise().sum();
+  const Eigen::VectorXd share_um = shares_of(parts, parts.rowwise().sum());
+  const Eigen::VectorXd sigma = fit.factor_um.rowwise().norm();  // of the gains, the constant first
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Predictor& predictor = design.predictors.each[fit.used[static_cast<std::size_t>(m - count + k)]];
+    const Eigen::Index at = 1 + m - count + k;
+    named.effects.push_back({label_of(held_term(predictor.effect, predictor.columns, predictor.parameters)),
+                             share_um[k], std::abs(share_um[k] * sigma[at] / fit.gains_um[at])});
+  }
+  named.rest_um = share_um[count];
+}
+
+// On the training rows.
+Start start_of(const RidgeProblem& problem, const RidgeFit& fit) {
+  const auto m = static_cast<Eigen::Index>(fit.used.size());
+  const Eigen::MatrixXd columns = problem.columns(Eigen::all, fit.used);
+  Eigen::MatrixXd parts(columns.rows(), 2);
+  parts.col(0) = columns * problem.start(fit.used);
+  parts.col(1) = columns * fit.gains_um.segment(1, m) - parts.col(0);
+  const Eigen::VectorXd share_um = shares_of(parts, parts.rowwise().sum());
+  const double before = fit.sigma_um * fit.sigma_um * prior_trace(problem, fit.setting);
+  const double after = (columns * fit.factor_um.middleRows(1, m)).squaredNorm();
+  return {share_um[1], share_um[0], before > 0.0 ? std::min(1.0, after / before) : 1.0};
+}
+
+// A regression and how well it forecasts.
+struct Trial {
+  Design design;
+  RidgeProblem problem;
+  RidgeFit fit;
+  std::optional<TestedForecasts> tested;
+};
+
+Trial trial_of(Design design, std::span<const Series> runs, const EffectRegressionOptions& options,
+               const ForecastOptions& testing) {
+  Trial trial{std::move(design), {}, {}, std::nullopt};
+  std::vector<std::size_t> rows(trial.design.row.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  trial.problem = ridge_problem(trial.design, rows);
+  if (options.progress) options.progress(options.few ? "choosing effects" : "choosing the dictionary");
+  if (options.few) {
+    trial.fit = few_effects(trial.problem);
+  } else {
+    trial.fit = ridge_fit(trial.problem, chosen_setting(runs.size() >= kFewestRunsToLeaveOut
+                                                            ? ridge_problem(trial.design, rows, kChoiceRows)
+                                                            : trial.problem));
+  }
+  if (options.forecasts) trial.tested = tested_forecasts(trial.design, runs, trial.problem, trial.fit.setting, testing);
+  return trial;
+}
+
 }  // namespace
 
 TrainedRegression trained_regression(std::span<const Series> runs, const std::string& target,
@@ -90,18 +153,23 @@ TrainedRegression trained_regression(std::span<const Series> runs, const std::st
     if (options.progress) options.progress(what);
   };
   say("evaluating the effects");
-  const Design design = design_of(runs, target, catalogue);
-  std::vector<std::size_t> rows(design.row.size());
-  std::iota(rows.begin(), rows.end(), std::size_t{0});
-  const RidgeProblem problem = ridge_problem(design, rows);
-  say(options.few ? "choosing effects" : "choosing the dictionary");
-  const bool leaves_runs_out = runs.size() >= kFewestRunsToLeaveOut;
-  RidgeFit fit;
-  if (options.few) {
-    fit = few_effects(problem);
-  } else {
-    fit = ridge_fit(problem, chosen_setting(leaves_runs_out ? ridge_problem(design, rows, kChoiceRows) : problem));
+  Design without = design_of(runs, target, catalogue);
+  if (options.start != nullptr) without = with_start(std::move(without), *options.start, runs);
+  ForecastOptions testing{options.few, options.named ? &*options.named : nullptr, options.progress};
+  TrainedRegression trained;
+  Trial trial = options.named ? trial_of(with_named(without, *options.named, runs, runs), runs, options, testing)
+                              : trial_of(std::move(without), runs, options, testing);
+  if (options.named && trial.tested) trained.named.with_um = trial.tested->forecasts.rmse_um;
+  if (options.named && !options.few && trial.fit.setting.named_variance > 0.0 && runs.size() < kFewestRunsToLeaveOut &&
+      trial.tested) {
+    say("without the model's effects");
+    Trial other = trial_of(std::move(without), runs, options, testing);
+    trained.named.without_um = other.tested->forecasts.rmse_um;
+    if (*trained.named.without_um < *trained.named.with_um) trial = std::move(other);
   }
+  const Design& design = trial.design;
+  const RidgeProblem& problem = trial.problem;
+  const RidgeFit& fit = trial.fit;
   const RidgeSetting& setting = fit.setting;
   EffectRegression regression;
   regression.model.targets = {target};
@@ -113,24 +181,23 @@ TrainedRegression trained_regression(std::span<const Series> runs, const std::st
   regression.prior_variance = setting.variance;
   regression.length_s = setting.length_s;
   regression.sigma_um = fit.sigma_um;
-  regression.rows = rows.size();
+  regression.rows = design.row.size();
   regression.runs = runs.size();
   regression.left_out = design.predictors.left_out;
   regression.end_s = problem.end_s;
   add_ranges(runs, regression);
   add_end(runs.back(), regression);
   regression.rmse_um = rmse_um(design, fit, regression);
-  TrainedRegression trained;
+  if (options.start != nullptr) trained.start = start_of(problem, fit);
+  if (options.named) add_named(design, problem, fit, trained.named);
   if (options.report) {
     say("leaving columns and cycles out");
     trained.drivers = driver_report(design, runs.front(), problem, fit, !options.few);
   }
-  if (options.forecasts) {
-    if (const auto tested = tested_forecasts(design, runs.front(), problem, setting, options.few, options.progress)) {
-      regression.forecasts = tested->forecasts;
-      regression.interval_scale = tested->interval_scale;
-      trained.left_out = tested->left_out;
-    }
+  if (trial.tested) {
+    regression.forecasts = trial.tested->forecasts;
+    regression.interval_scale = trial.tested->interval_scale;
+    trained.left_out = trial.tested->left_out;
   }
   trained.regression = std::move(regression);
   return trained;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/series/runs.hpp"
 #include "ballbar/series/speed_steps.hpp"
 #include "predict/selection.hpp"
 
@@ -55,12 +56,27 @@ TestedForecasts tested(std::size_t count, const std::vector<ForecastError>& erro
   return result;
 }
 
+// The first rows of the runs, as far as these rows of the design go; runs without one are left out.
+std::vector<Series> runs_until(const Design& design, std::span<const Series> runs,
+                               const std::vector<std::size_t>& from) {
+  std::vector<std::size_t> end(runs.size(), 0);
+  for (const std::size_t row : from) end[design.run[row]] = design.row[row] + 1;
+  std::vector<Series> result;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (end[r] > 0) result.push_back(rows_of(runs[r], {0, end[r]}));
+  }
+  return result;
+}
+
 // Predicts these rows from those, the setting chosen from those alone.
-void forecast(const Design& design, const std::vector<std::size_t>& from, const std::vector<std::size_t>& rows,
-              bool goes_on, bool few, std::vector<ForecastError>& errors) {
+void forecast(const Design& of_all, std::span<const Series> runs, const std::vector<std::size_t>& from,
+              const std::vector<std::size_t>& rows, bool goes_on, double named_variance, const ForecastOptions& options,
+              std::vector<ForecastError>& errors) {
+  const bool is_named = options.named != nullptr && named_variance > 0.0;
+  const Design anew = is_named ? with_named(of_all, *options.named, runs_until(of_all, runs, from), runs) : Design{};
+  const Design& design = is_named ? anew : of_all;
   const RidgeProblem problem = ridge_problem(design, from);
-  const RidgeFit fit =
-      few ? few_effects(problem) : ridge_fit(problem, chosen_setting(ridge_problem(design, from, kChoiceRows)));
+  const RidgeFit fit = options.few ? few_effects(problem) : ridge_fit(problem, chosen_setting(problem, named_variance));
   const double held = goes_on ? design.target_um[static_cast<Eigen::Index>(from.back())] : 0.0;
   const double mean = goes_on ? design.target_um(from).mean() : 0.0;
   const std::vector<std::size_t> predicted = thinned(rows, kRidgeRows);
@@ -121,23 +137,24 @@ std::vector<ForecastRows> forecast_rows(const Design& design, const Series& run)
   return {{n * 55 / 100, n}, {n * 70 / 100, n}, {n * 85 / 100, n}};
 }
 
-std::optional<TestedForecasts> tested_forecasts(const Design& design, const Series& first_run,
-                                                const RidgeProblem& problem, const RidgeSetting& setting, bool few,
-                                                const std::function<void(const std::string&)>& progress) {
+std::optional<TestedForecasts> tested_forecasts(const Design& design, std::span<const Series> runs,
+                                                const RidgeProblem& problem, const RidgeSetting& setting,
+                                                const ForecastOptions& options) {
   const auto say = [&](const std::string& what) {
-    if (progress) progress(what);
+    if (options.progress) options.progress(what);
   };
   std::vector<ForecastError> errors;
   if (design.runs == 1) {
-    const std::vector<ForecastRows> ahead = forecast_rows(design, first_run);
+    const std::vector<ForecastRows> ahead = forecast_rows(design, runs.front());
     if (ahead.empty()) return std::nullopt;
     for (std::size_t i = 0; i < ahead.size(); ++i) {
       say(fmt::format("forecast {} of {}", i + 1, ahead.size()));
-      forecast(design, rows_between(0, ahead[i].first), rows_between(ahead[i].first, ahead[i].end), true, few, errors);
+      forecast(design, runs, rows_between(0, ahead[i].first), rows_between(ahead[i].first, ahead[i].end), true,
+               setting.named_variance, options, errors);
     }
     return tested(ahead.size(), errors);
   }
-  if (!few && design.runs >= kFewestRunsToLeaveOut) {
+  if (!options.few && design.runs >= kFewestRunsToLeaveOut) {
     say(fmt::format("leaving out each of {} runs", design.runs));
     return of_left_out_runs(design, problem, setting);
   }
@@ -145,7 +162,8 @@ std::optional<TestedForecasts> tested_forecasts(const Design& design, const Seri
     say(fmt::format("leaving out run {} of {}", run + 1, design.runs));
     std::vector<std::size_t> from, rows;
     for (std::size_t i = 0; i < design.run.size(); ++i) (design.run[i] == run ? rows : from).push_back(i);
-    if (!rows.empty() && !from.empty()) forecast(design, from, rows, false, few, errors);
+    if (!rows.empty() && !from.empty())
+      forecast(design, runs, from, rows, false, setting.named_variance, options, errors);
   }
   return tested(design.runs, errors);
 }

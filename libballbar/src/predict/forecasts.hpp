@@ -27,10 +27,16 @@ struct TestedForecasts {
   std::optional<HeldOutErrors> left_out;  // the runs, of five or more
 };
 
-// Of one run forecasts from these origins; of several each run left out, of five or more with the setting given. few:
-// of few_effects. Nothing where there are too few rows.
-std::optional<TestedForecasts> tested_forecasts(const Design& design, const Series& first_run,
-                                                const RidgeProblem& problem, const RidgeSetting& setting, bool few,
-                                                const std::function<void(const std::string&)>& progress);
+struct ForecastOptions {
+  bool few = false;              // of few_effects
+  const Model* named = nullptr;  // whose terms the design has; fitted again to the rows that a forecast is from
+  std::function<void(const std::string&)> progress = {};
+};
+
+// Of one run forecasts from these origins; of several each run left out, of five or more with the setting given and
+// the named terms as fitted to all. Nothing where there are too few rows.
+std::optional<TestedForecasts> tested_forecasts(const Design& design, std::span<const Series> runs,
+                                                const RidgeProblem& problem, const RidgeSetting& setting,
+                                                const ForecastOptions& options);
 
 }  // namespace ballbar

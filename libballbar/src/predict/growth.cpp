@@ -196,15 +196,26 @@ struct ForecastSums {
 
 // How many revisions are kept, of those that were tried.
 std::size_t kept_of(Growth& result) {
+  const std::vector<GrowthErrors>& errors = result.errors;
   if (result.origins == 0) {
     result.stop = GrowthStop::untested;
     return 0;
   }
+  double most_um = result.all_um * std::sqrt((1.0 + kMostAdded) * (1.0 + kMostAdded) - 1.0);
+  double GrowthErrors::*of = &GrowthErrors::apart_um;
+  const bool is_repeated = result.all_um < errors[0].forecast_um;
+  if (!is_repeated) {
+    of = &GrowthErrors::forecast_um;
+    const auto best = std::min_element(errors.begin(), errors.end(),
+                                       [](const auto& a, const auto& b) { return a.forecast_um < b.forecast_um; });
+    most_um = (1.0 + kMostAdded) * best->forecast_um;
+  }
   std::size_t kept = 1;
-  const double most_um = result.all_um * std::sqrt((1.0 + kMostAdded) * (1.0 + kMostAdded) - 1.0);
-  while (kept + 1 < result.errors.size() && !(result.errors[kept].apart_um < most_um)) ++kept;
-  result.stop = result.errors[kept].apart_um < most_um ? GrowthStop::as_good_as_all : GrowthStop::most;
-  if (result.errors[kept].forecast_um < result.errors[0].forecast_um) return kept;
+  while (kept + 1 < errors.size() && !(errors[kept].*of < most_um)) ++kept;
+  result.stop = !(errors[kept].*of < most_um) ? GrowthStop::most
+                : is_repeated                 ? GrowthStop::as_good_as_all
+                                              : GrowthStop::best_forecast;
+  if (errors[kept].forecast_um < errors[0].forecast_um) return kept;
   result.stop = GrowthStop::no_better;
   return 0;
 }
@@ -222,7 +233,8 @@ Growth growth(const Model& base, const Series& data, std::size_t target,
   const std::vector<ForecastRows> ahead = forecast_rows(design, data);
   // With the terms of the base model among the effects of the regression, and without.
   std::vector<double> variances{0.0};
-  if (!base.terms.empty()) variances.push_back(kFreeNamed);
+  if (!base.terms.empty() && std::all_of(base.terms.begin(), base.terms.end(), can_be_named))
+    variances.push_back(kFreeNamed);
   std::vector<ForecastSums> tried_sums(variances.size());
   for (std::size_t i = 0; i < ahead.size(); ++i) {
     say(fmt::format("growing a model for forecast {} of {}", i + 1, ahead.size()));

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRemembered = 0.98;  // of s^2
 constexpr double kLengths_s[] = {0.0, 1800.0, 7200.0, 30'000.0};
-constexpr int kLeastVariance = -4, kMostVariance = 10;  // v = 10^(k/2)
+constexpr int kLeastVariance = -4, kMostVariance = 10, kLeastSpread = -12;  // v = 10^(k/2)
 
 unsigned bit(PredictorKind kind) { return 1U << static_cast<unsigned>(kind); }
 
@@ -45,6 +45,7 @@ Eigen::MatrixXd kernel_of(const RidgeProblem& problem, const RidgeSetting& setti
     if ((setting.kinds >> kind & 1U) != 0) sum += setting.variance * problem.kernel[kind];
   }
   if (setting.named_variance > 0.0) sum += setting.named_variance * problem.named_kernel;
+  if (problem.start.size() > 0) sum += problem.start_kernel;
   return sum;
 }
 
@@ -58,6 +59,7 @@ Eigen::MatrixXd prior_of(const RidgeProblem& problem, const RidgeSetting& settin
     const auto at = static_cast<Eigen::Index>(k);
     sum(at, at) = setting.named_variance;
   }
+  if (problem.start.size() > 0) sum += problem.start_covariance;
   return sum;
 }
 
@@ -182,6 +184,8 @@ RidgeSetting chosen_setting(const RidgeProblem& problem, double named_variance) 
   for (const double length_s : kLengths_s)
     discrepancies.push_back(discrepancy_of(problem.time_s, problem.run, length_s));
   const std::vector<unsigned> dictionaries = dictionaries_of(problem);
+  // Machines that are alike need next to no spread.
+  const int least = problem.start.size() > 0 ? kLeastSpread : kLeastVariance;
   std::vector<Tried> tried(dictionaries.size() * std::size(kLengths_s));
   in_parallel(tried.size(), [&](std::size_t i) {
     const unsigned kinds = dictionaries[i / std::size(kLengths_s)];
@@ -189,6 +193,7 @@ RidgeSetting chosen_setting(const RidgeProblem& problem, double named_variance) 
     const Eigen::MatrixXd kernel = kernel_of(problem, {kinds, 1.0, 0.0, 0.0});
     Eigen::MatrixXd rest = discrepancies[length];
     if (named_variance > 0.0) rest += named_variance * problem.named_kernel;
+    if (problem.start.size() > 0) rest += problem.start_kernel;
     std::map<int, double> known;
     const auto score = [&](int k) {
       const auto [place, is_new] = known.try_emplace(k, 0.0);
@@ -200,7 +205,7 @@ RidgeSetting chosen_setting(const RidgeProblem& problem, double named_variance) 
     const auto uphill_from = [&](int best) {
       for (const int step : {2, 1}) {  // in whole, then in half powers of 10
         for (const int sign : {1, -1}) {
-          for (int k = best + sign * step; k >= kLeastVariance && k <= kMostVariance && score(k) > score(best);
+          for (int k = best + sign * step; k >= least && k <= kMostVariance && score(k) > score(best);
                k = best + sign * step) {
             best = k;
           }
@@ -243,6 +248,7 @@ RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting) {
   fit.gains_um.resize(m + 2);
   fit.gains_um[0] = of.intercept_um;
   fit.gains_um.tail(m + 1).noalias() = with_target * of.of_target;
+  if (problem.start.size() > 0) fit.gains_um.segment(1, m) += problem.start(fit.used);
   Eigen::MatrixXd half = with_target.transpose();
   of.root.matrixL().solveInPlace(half);
   Eigen::VectorXd along(m + 2);
@@ -273,7 +279,8 @@ Eigen::VectorXd gains_from(const RidgeProblem& problem, const RidgeSetting& sett
   }
   const Eigen::MatrixXd kernel = kernel_of(problem, setting)(rows, rows);
   const Solved of = solved(part, kernel + discrepancy_of(part.time_s, part.run, setting.length_s));
-  return prior_of(problem, setting) * (part.columns.transpose() * of.of_target);
+  const Eigen::VectorXd gains = prior_of(problem, setting) * (part.columns.transpose() * of.of_target);
+  return problem.start.size() > 0 ? Eigen::VectorXd(gains + problem.start) : gains;
 }
 
 double log_likelihood_without(const RidgeProblem& problem, const RidgeSetting& setting,
@@ -285,6 +292,10 @@ double log_likelihood_without(const RidgeProblem& problem, const RidgeSetting& s
   }
   const Eigen::MatrixXd kernel = (problem.columns * prior) * problem.columns.transpose();
   return solved(problem, kernel + discrepancy_of(problem.time_s, problem.run, setting.length_s)).log_likelihood;
+}
+
+double prior_trace(const RidgeProblem& problem, const RidgeSetting& setting) {
+  return kernel_of(problem, setting).trace();
 }
 
 RidgePrediction ridge_prediction(const RidgeProblem& problem, const RidgeFit& fit,

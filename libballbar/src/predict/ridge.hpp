@@ -52,6 +52,9 @@ struct RidgeProblem {
   std::vector<Eigen::MatrixXd> kernel;  // X~ P X~', n by n
   std::vector<std::size_t> named;       // predictors
   Eigen::MatrixXd named_kernel;         // X_m X_m', n by n; empty: none
+  // Of all scaled gains before there are rows, where the design knows them; empty: none. target_um is less X~ start.
+  Eigen::VectorXd start;
+  Eigen::MatrixXd start_covariance, start_kernel;  // over s^2: p by p, n by n
 };
 
 // Of at most `most` of these rows of the design.
@@ -85,6 +88,9 @@ inline constexpr std::size_t kFewestRunsToLeaveOut = 5;
 // E w of all predictors from these rows of the problem alone.
 Eigen::VectorXd gains_from(const RidgeProblem& problem, const RidgeSetting& setting,
                            const std::vector<std::size_t>& rows);
+
+// Sum over the rows of the variance of what the gains add, over s^2, before there are rows.
+double prior_trace(const RidgeProblem& problem, const RidgeSetting& setting);
 
 // ln L without these predictors.
 double log_likelihood_without(const RidgeProblem& problem, const RidgeSetting& setting,

@@ -40,6 +40,12 @@ RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>&
   const ColumnScales scales = column_scales(problem.columns);
   problem.mean = scales.mean;
   problem.sd = scales.sd;
+  if (design.prior) {  // what stands still here has a gain all the same
+    for (std::size_t t = 0; t < design.prior->at.size(); ++t) {
+      double& sd = problem.sd[static_cast<Eigen::Index>(design.prior->at[t])];
+      if (!(sd > 0.0)) sd = design.prior->sd[static_cast<Eigen::Index>(t)];
+    }
+  }
   problem.columns.rowwise() -= problem.mean.transpose();
   for (Eigen::Index k = 0; k < p; ++k) {
     if (problem.sd[k] > 0.0) {
@@ -86,6 +92,16 @@ RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>&
   if (!problem.named.empty()) {
     const Eigen::MatrixXd named = problem.columns(Eigen::all, problem.named);
     problem.named_kernel.noalias() = named * named.transpose();
+  }
+  if (design.prior) {
+    const GainPrior& prior = *design.prior;
+    const Eigen::VectorXd sd = problem.sd(prior.at);
+    problem.start = Eigen::VectorXd::Zero(p);
+    problem.start(prior.at) = prior.mean.cwiseProduct(sd);
+    problem.start_covariance = Eigen::MatrixXd::Zero(p, p);
+    problem.start_covariance(prior.at, prior.at) = sd.asDiagonal() * prior.covariance * sd.asDiagonal();
+    problem.start_kernel.noalias() = (problem.columns * problem.start_covariance) * problem.columns.transpose();
+    problem.target_um -= problem.columns * problem.start;
   }
   problem.kernel.resize(kPredictorKinds);
   in_parallel(kPredictorKinds, [&](std::size_t kind) {

@@ -17,8 +17,10 @@
 //   sqrt(E^2 + D^2) < 1.05 E     E: RMSE of its forecasts,  D: RMS of theirs less its own
 //
 // by forecasts for which the whole procedure, base model and all, is done again on earlier rows alone (forecast_rows).
-// D is known far better than the errors themselves from three origins. Nothing is kept without forecasts, or where
-// theirs are no better than those of the base model.
+// D is known far better than the errors themselves from three origins. Where the regression predicts no better than
+// the base model, the fewest effects whose forecasts are within 5 % of the best. Nothing is kept without forecasts, or
+// where theirs are no better than those of the base model. The terms of the base model are among the effects of the
+// regression where that predicts better.
 //
 // Accuracy: sample-runs/spindle-46h, forecasts up to 8 h ahead from three origins; see its README.
 #pragma once
@@ -48,7 +50,7 @@ struct GrownRevision {
   std::vector<Term> terms;          // all so far, held at their gains
 };
 
-enum class GrowthStop { as_good_as_all, most, no_better, untested };
+enum class GrowthStop { as_good_as_all, best_forecast, most, no_better, untested };
 
 struct Growth {
   std::vector<GrownRevision> revisions;  // that are kept: of 1, 2, 3, 5, 8, 12, 18, 27, 40 effects
