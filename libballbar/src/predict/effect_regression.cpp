@@ -135,10 +135,10 @@ Trial trial_of(Design design, std::span<const Series> runs, const EffectRegressi
   if (options.progress) options.progress(options.few ? "choosing effects" : "choosing the dictionary");
   if (options.few) {
     trial.fit = few_effects(trial.problem);
-  } else {
-    trial.fit = ridge_fit(trial.problem, chosen_setting(runs.size() >= kFewestRunsToLeaveOut
-                                                            ? ridge_problem(trial.design, rows, kChoiceRows)
-                                                            : trial.problem));
+  } else if (runs.size() >= kFewestRunsToLeaveOut) {
+    trial.fit = ridge_fit(trial.problem, chosen_setting(ridge_problem(trial.design, rows, kChoiceRows)));
+  } else {  // whether named effects help is for forecasts to tell
+    trial.fit = ridge_fit(trial.problem, chosen_setting(trial.problem, trial.problem.named.empty() ? 0.0 : kFreeNamed));
   }
   if (options.forecasts) trial.tested = tested_forecasts(trial.design, runs, trial.problem, trial.fit.setting, testing);
   return trial;

@@ -157,22 +157,10 @@ Eigen::MatrixXd discrepancy_of(const std::vector<double>& time_s, const std::vec
 }
 
 RidgeSetting chosen_setting(const RidgeProblem& problem) {
-  RidgeSetting best = chosen_setting(problem, problem.named.empty() ? 0.0 : kFreeNamed);
-  if (problem.named.empty()) return best;
-  double best_score = score_of(problem, solved(problem, best));
-  std::vector<RidgeSetting> others{chosen_setting(problem, 0.0)};
-  for (const double named_variance : {1.0, 10.0, 100.0}) {
-    others.push_back(best);
-    others.back().named_variance = named_variance;
-  }
-  for (const RidgeSetting& other : others) {
-    const double score = score_of(problem, solved(problem, other));
-    if (score > best_score) {
-      best = other;
-      best_score = score;
-    }
-  }
-  return best;
+  const RidgeSetting without = chosen_setting(problem, 0.0);
+  if (problem.named.empty()) return without;
+  const RidgeSetting with = chosen_setting(problem, kFreeNamed);
+  return score_of(problem, solved(problem, with)) < score_of(problem, solved(problem, without)) ? without : with;
 }
 
 RidgeSetting chosen_setting(const RidgeProblem& problem, double named_variance) {

@@ -13,7 +13,7 @@
 //
 //   K = v X~ P X~' + N,   b = 1'K^-1 y / q,   q = 1'K^-1 1,   E w = v P X~' K^-1 (y - b)
 //
-// The dictionary (which kinds of families), v, l and u in {0, 1, 10, 100, 10 000} are those of the largest restricted
+// The dictionary (which kinds of families), v, l and u, 0 or free (10 000), are those of the largest restricted
 // likelihood where the rows are of few runs,
 //
 //   ln L = -(n-1)/2 ln(S/(n-1)) - (ln|K| + ln q)/2,   S = (y - b)'K^-1 (y - b),   s^2 = S/(n-1)
@@ -60,7 +60,7 @@ struct RidgeProblem {
 // Of at most `most` of these rows of the design.
 RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>& rows, std::size_t most = kRidgeRows);
 
-// v is found uphill from 1, and from 1000 where runs are left out; u after the others, which are found for u of 10 000.
+// v is found uphill from 1, and from 1000 where runs are left out.
 RidgeSetting chosen_setting(const RidgeProblem& problem);
 // The same for this u.
 RidgeSetting chosen_setting(const RidgeProblem& problem, double named_variance);

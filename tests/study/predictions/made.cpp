@@ -71,6 +71,16 @@ Made made(std::uint64_t seed) {
   return one;
 }
 
+std::vector<Series> runs_of(std::uint64_t seed, std::size_t count, double hours, const std::string& target) {
+  Random random(seed);
+  const FiniteVolumeSpindle spindle = varied({}, 0.2, random());
+  std::vector<Series> runs;
+  Made of;
+  of.target = target;
+  while (runs.size() < count) runs.push_back(duty_of(spindle, hours, of, random).logged);
+  return runs;
+}
+
 Series random_walk(const Made& of, std::uint64_t seed) {
   Random random(~seed);
   Series series = of.training.logged;

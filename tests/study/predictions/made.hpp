@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "ballbar/series/series.hpp"
 
@@ -26,6 +27,9 @@ struct Made {
 };
 
 Made made(std::uint64_t seed);
+
+// Runs of one spindle of that build, each with a duty of its own; temperatures to 0.01 K, no discrepancy.
+std::vector<Series> runs_of(std::uint64_t seed, std::size_t count, double hours, const std::string& target);
 
 // The columns of a training, and a target that is a random walk of its own with steps of 0.3 um.
 Series random_walk(const Made& of, std::uint64_t seed);
