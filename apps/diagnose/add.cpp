@@ -175,12 +175,6 @@ std::string add_named(const AddArguments& options, Additions& additions, Verdict
   }
 }
 
-// Whether something is left that no cause is known of.
-bool is_left(Verdict verdict) {
-  return verdict == Verdict::probable || verdict == Verdict::driver || verdict == Verdict::equivalent ||
-         verdict == Verdict::unexplained;
-}
-
 void add_grown(const AddArguments& options, const ModelData& data, Additions& additions) {
   const ProgressLine progress;
   additions.grown = grown_model(additions.model.text(), options.effect.model.model.name(), additions.model.model(),

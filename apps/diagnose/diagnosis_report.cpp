@@ -121,6 +121,19 @@ std::string next_text(const DiagnosisReport& diagnosis_report) {
   return "another run of the machine. `ballbar plan` finds which one, and says how surely it would decide.";
 }
 
+std::string predicted_text(const DiagnosisReport& report) {
+  if (!report.predicted) return "";
+  const Predictability& of = *report.predicted;
+  const std::string_view unit = unit_of(report.diagnosis.target);
+  if (!of.is_better) {
+    return fmt::format(
+        "Nor can it be predicted: on new rows a regression on all effects leaves {:.2f} {} RMSE, the model {:.2f} {}.",
+        of.forecasts.rmse_um, unit, of.model_um, unit);
+  }
+  return fmt::format("It can be predicted all the same: {:.2f} {} RMSE expected on new rows, {:.2f} {} today.",
+                     of.forecasts.rmse_um, unit, of.model_um, unit);
+}
+
 std::string unsupported_text(const DiagnosisReport& report) {
   if (report.unsupported.empty()) return "";
   return fmt::format(
@@ -167,6 +180,9 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& benc
     report.command = next_command(options, found);
     report.hint = next_hint(options, found);
     report.unsupported = unsupported_of(options, bench.model());
+    if (bench.model().level == Level::series && is_left(found.verdict)) report.predicted = bench.predictability();
+    if (report.predicted && report.predicted->is_better)
+      report.train_command = train_command(options, found, report.predicted->with_model);
     return report;
   });
 }

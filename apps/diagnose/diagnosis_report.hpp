@@ -1,6 +1,7 @@
 // What a model lacks, for the terminal, a program and the page.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,10 +30,12 @@ struct DiagnosisReport {
   ResidualReport residual_report;
   Diagnosis diagnosis;
   std::vector<NextTest> next_tests;
-  std::string command;       // to paste next; empty: none
-  bool is_for_plan = false;  // whether a test of a series would decide more
-  std::string plan_command;  // that plans it; empty: none, or data that nobody can type
-  std::string hint;          // what to do where no command does it, a sentence; or empty
+  std::string command;                      // to paste next; empty: none
+  bool is_for_plan = false;                 // whether a test of a series would decide more
+  std::string plan_command;                 // that plans it; empty: none, or data that nobody can type
+  std::optional<Predictability> predicted;  // where something is left that nothing is named for
+  std::string train_command;                // that makes what predicts it; empty: not better, or nobody can type it
+  std::string hint;                         // what to do where no command does it, a sentence; or empty
   std::vector<StandIn> stand_ins;
   std::vector<std::string> unsupported;  // labels of effects of the model that were kept although no data
                                          // supported them
@@ -59,6 +62,9 @@ std::string next_text(const DiagnosisReport& diagnosis_report);
 
 // What of the model is not supported, a sentence; empty: nothing.
 std::string unsupported_text(const DiagnosisReport& report);
+
+// Whether what is left can be predicted, a sentence; empty: not known.
+std::string predicted_text(const DiagnosisReport& report);
 
 // The first few, and how many more there are: "A or B or one of 3 more".
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between);

@@ -38,6 +38,18 @@ struct ResultType<DecidingTest> {
 };
 
 template <>
+struct ResultType<Predictability> {
+  using Of = const Predictability&;
+  static constexpr std::string_view name = "Predictability";
+  static constexpr std::string_view meaning = "Whether what cannot be named can be predicted.";
+  static constexpr std::tuple fields{
+      Field{"expected_um", [](Of of) { return of.forecasts.rmse_um; },
+            "RMSE of forecasts of a regression on all effects"},
+      Field{"today_um", &Predictability::model_um, "RMSE of the model on the same rows"},
+      Field{"better", &Predictability::is_better, "than the model, and than the last value held"}};
+};
+
+template <>
 struct ResultType<DiagnosisReport> {
   using Report = const DiagnosisReport&;
   static constexpr std::string_view name = "Diagnosed";
@@ -73,7 +85,9 @@ struct ResultType<DiagnosisReport> {
       std::tuple{Field{"stand_ins", &DiagnosisReport::stand_ins, "effects added earlier that others explain better"},
                  Field{"unsupported", &DiagnosisReport::unsupported, "effects of the model that no data supported"}},
       fields_through(&DiagnosisReport::diagnosis, hidden),
-      std::tuple{Field{"next_test", &deciding_test, "that would decide; null: nothing is open"}});
+      std::tuple{Field{"next_test", &deciding_test, "that would decide; null: nothing is open"},
+                 Field{"predicted", &DiagnosisReport::predicted, "null: all is named, or no regression can be made"},
+                 Field{"train_command", &DiagnosisReport::train_command, "that predicts it; empty: not better"}});
   static constexpr std::tuple of_effects{Field{"effects", &Diagnosis::effects, kEffects}};
   static constexpr std::tuple of_candidates{Field{"candidates", &Diagnosis::candidates, kCandidates}};
   static constexpr std::tuple fields =

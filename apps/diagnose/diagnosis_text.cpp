@@ -165,6 +165,9 @@ void print_text(const DiagnosisReport& diagnosis_report, const std::string& titl
   }
   if (!next.empty()) fmt::print("{}", wrapped("To decide: " + next));
   if (!diagnosis_report.plan_command.empty()) fmt::print("{}\n", diagnosis_report.plan_command);
+  const std::string predicted = predicted_text(diagnosis_report);
+  if (!predicted.empty()) fmt::print("{}", wrapped(predicted));
+  if (!diagnosis_report.train_command.empty()) fmt::print("{}\n", diagnosis_report.train_command);
   print_candidates(found);
   if (!found.reasons.empty() && found.verdict != Verdict::nothing) {
     fmt::print("\nWhy{}:\n", found.verdict == Verdict::untestable ? "" : " it is not named, or not all of it");

@@ -117,6 +117,20 @@ std::string plan_command(const ModelOptions& options, const Diagnosis& found) {
   return command_of("plan", {}, options, found.target);
 }
 
+bool is_left(Verdict verdict) {
+  return verdict == Verdict::probable || verdict == Verdict::driver || verdict == Verdict::equivalent ||
+         verdict == Verdict::unexplained;
+}
+
+std::string train_command(const ModelOptions& options, const Diagnosis& found, bool with_model) {
+  if (!options.also_input.empty() || !options.left_out.empty()) return "";  // `train` has no such options
+  ModelOptions how = options;
+  if (!with_model) how.model = {};
+  const std::string command = command_of("train", {}, how, found.target);
+  const std::string target = found.target.substr(0, found.target.find('_'));
+  return command.empty() ? "" : fmt::format("{} --out {}", command, shell_word(target + ".json"));
+}
+
 std::string add_command(const ModelOptions& options, const EffectTest& tried) {
   std::vector<std::string> words;
   words.reserve(tried.added.size());

@@ -24,6 +24,12 @@ bool is_for_plan(const Diagnosis& found);
 // `ballbar plan` of these data; empty where it cannot be typed.
 std::string plan_command(const ModelOptions& options, const Diagnosis& found);
 
+// Whether something is missing that is not all named.
+bool is_left(Verdict verdict);
+
+// "ballbar train run.csv --model model.toml --target y_um --out y.json"; empty where it cannot be typed.
+std::string train_command(const ModelOptions& options, const Diagnosis& found, bool with_model);
+
 // "ballbar add 'expansion(T_room_degC)' run.csv --model model.toml --target y_um": what saves what was tried.
 std::string add_command(const ModelOptions& options, const EffectTest& tried);
 

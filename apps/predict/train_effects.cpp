@@ -10,6 +10,7 @@
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/number_text.hpp"
+#include "ballbar/predict/predictability.hpp"
 #include "ballbar/series/runs.hpp"
 #include "model/model_options.hpp"
 #include "predict/predict_result.hpp"
@@ -25,13 +26,7 @@ namespace {
 
 constexpr std::size_t kShownDrivers = 8;
 constexpr double kNoBetter = 0.95;           // of the error of the last value held
-constexpr double kHardlyBetter = 2.0 / 3.0;  // random walks reach this by chance
 constexpr std::size_t kHead = 1 << 16;
-
-bool is_predicted(const EffectRegression& regression) {
-  const Forecasts& of = *regression.forecasts;
-  return !regression.model.terms.empty() && of.rmse_um < (regression.runs > 1 ? kNoBetter : kHardlyBetter) * of.held_um;
-}
 
 // In which the numbers of a regression are.
 std::string unit_text(const EffectRegression& regression) {

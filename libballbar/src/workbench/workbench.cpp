@@ -59,6 +59,7 @@ struct Workbench::Step {
   std::optional<ResidualReport> check;
   std::optional<Inference> inference;
   std::optional<Diagnosis> diagnosis;
+  std::optional<std::optional<Predictability>> predictability;
   std::optional<EffectTest> test;  // of what was added
 
   const Tried* find_tried(const std::vector<Term>& terms) const {
@@ -115,6 +116,17 @@ const Diagnosis& Workbench::diagnosis() {
     step.diagnosis = diagnosis_of(inference(step), step.model, *data_, 0, how);
   }
   return *step.diagnosis;
+}
+
+const std::optional<Predictability>& Workbench::predictability() {
+  Step& step = now();
+  if (!step.predictability) {
+    const auto& progress = options_.diagnosis.search.progress;
+    step.predictability = ballbar::predictability(step.model, *data_, [&](const std::string& what) {
+      if (progress) progress(what);
+    });
+  }
+  return *step.predictability;
 }
 
 std::unique_ptr<Workbench::Step> Workbench::step_with(const std::vector<Term>& terms) {

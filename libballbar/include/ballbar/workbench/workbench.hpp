@@ -7,12 +7,14 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/fit/residual.hpp"
 #include "ballbar/model/model.hpp"
+#include "ballbar/predict/predictability.hpp"
 #include "ballbar/revision/effect_test.hpp"
 #include "ballbar/series/series.hpp"
 
@@ -51,6 +53,8 @@ class Workbench {
   // Each throws Error as fit does, and then is as it was.
   const ResidualReport& check();
   const Diagnosis& diagnosis();
+  // What a regression on every effect predicts that the model does not; nothing where none can be made.
+  const std::optional<Predictability>& predictability();
   // The RMSE that add() would leave; the model stays.
   double rmse_um_with(const std::vector<Term>& terms);
   // What the effects would change; the model stays.
