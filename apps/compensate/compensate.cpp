@@ -78,13 +78,13 @@ void expect_fitting(const CompensateArguments& options) {
     if (!fits) throw CLI::ValidationError(sentence);
   };
   expect(!live || !replay, "expected --signals or --on, found both");
-  expect(live || replay || !options.save.empty(),
-         "expected --signals FILE to run, --on DATA to try it on recorded data, or --fit DATA --out MODEL.toml");
   const bool write = !options.write.control.empty();
   expect(!write || replay, "--write: expected --on DATA with it, which the model is looked at on");
   expect(write || options.write.out.empty(), "--out: expected --write with a file for a control");
   expect(!write || options.replay.out.empty(), "--out: expected no .csv with --write");
   expect(write || !options.write.reversed, "--reversed-sign: expected --write with it");
+  expect(live || replay || !options.save.empty(),
+         "expected --signals FILE to run, --on DATA to try it on recorded data, or --fit DATA --out MODEL.toml");
   expect(live || replay || !options.json, "--json: expected --signals or --on with it");
   expect(replay || options.replay.out.empty(),
          "--out: expected --on with a .csv; rows of --signals go to the standard output, --format says how");

@@ -6,14 +6,21 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
+#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/controls/control_file.hpp"
+#include "ballbar/formats/models/runs_csv.hpp"
+#include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/predict/batch.hpp"
+#include "ballbar/series/merged_series.hpp"
+#include "ballbar/series/runs.hpp"
 #include "compensate/offset_text.hpp"
 #include "compensate/written_result.hpp"
 #include "model/model_options.hpp"
+#include "predict/train.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -72,6 +79,27 @@ std::vector<std::string> candidates_of(const Asked& asked, const Series& data, c
   return asked.columns;
 }
 
+// A series, a session or runs; of a list of recorded tests these, one after the other.
+ModelData open_write_data(const Source& data) {
+  if (!lists_batches({data})) return open_drift(data, std::nullopt);
+  ModelData opened;
+  opened.title = data.name();
+  opened.files.push_back(data.path());
+  std::vector<Series> runs;
+  std::vector<std::string> names;
+  for (const ListedRun& run : open_runs(data.path()).runs) {
+    runs.push_back(with_source(run.file.string(), [&] {
+      return *with_gaps_closed(std::make_shared<const Series>(open_series(Source(run.file))), kUsualGap_s);
+    }));
+    names.push_back(run.name);
+    opened.files.push_back(run.file);
+  }
+  Stacked all = with_source(data.name(), [&] { return stacked(runs, names); });
+  tell(all.remarks);
+  opened.series = std::make_shared<const Series>(std::move(all.series));
+  return opened;
+}
+
 std::string sensors_text(const LinearCompensation& line) {
   std::vector<std::string> names;
   for (const SensorSlope& sensor : line.sensors) names.push_back(one_line(sensor.column));
@@ -90,13 +118,16 @@ std::string tested_text(const Simplification& result) {
   if (!result.left_out) {
     return "These are values that the line was fitted to, for too few could be left out: on others it is worse.";
   }
-  if (result.runs > 1) {
-    return fmt::format(
-        "Each of {} runs was left out in turn: sensors and slopes of the line are then those of the others.",
-        result.runs);
-  }
-  return "These values are the last two fifths of the record; sensors and slopes of the line are then those of what is "
-         "before each.";
+  const LineErrors& errors = *result.left_out;
+  const std::string how =
+      result.runs > 1
+          ? fmt::format("Each of {} runs was left out in turn: sensors and slopes are then those of the others.",
+                        result.runs)
+          : "These values are the last two fifths of the record; sensors and slopes are then those of what is before "
+            "each.";
+  if (errors.beyond == 0) return how;
+  return fmt::format("{} In {} of {} values a reading was then beyond the ends of the line.", how, errors.beyond,
+                     errors.values);
 }
 
 void print(const std::string& title, const std::string& axis, const std::string& parameters,
@@ -146,7 +177,7 @@ void compensate_write(const CompensationOptions& options, const WriteOptions& wr
     throw Error(fmt::format("--write: expected one --out with a name that ends in {} for {}, found {}.", kind.ending,
                             kind.word, write.out.empty() ? "none" : fmt::format("{}", fmt::join(write.out, ", "))));
   }
-  const ModelData data = open_drift(write.data, std::nullopt);
+  const ModelData data = open_write_data(write.data);
   std::vector<std::filesystem::path> inputs = data.files;
   for (const std::vector<Source>& sources : {options.models, options.fit}) {
     const std::vector<std::filesystem::path> paths = paths_of(sources);

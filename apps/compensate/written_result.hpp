@@ -30,6 +30,7 @@ struct ResultType<LineErrors> {
   static constexpr std::string_view meaning = "Errors since the zeros, with what is written.";
   static constexpr std::tuple fields{
       Field{"values", &LineErrors::values, "without those at the zeros"},
+      Field{"beyond", &LineErrors::beyond, "of these, with a reading beyond an end of the line"},
       Field{"rms_before_um", [](Errors of) { return of.line.before_um; }, ""},
       Field{"rms_model_um", [](Errors of) { return of.model.after_um; }, "with all of the model"},
       Field{"rms_line_um", [](Errors of) { return of.line.after_um; }, ""},

@@ -74,7 +74,7 @@ std::vector<PythonClass> python_classes() {
           {"Plan", "plan", {"Plan"}},
           {"Trained", "train", {"Trained", "TrainedOnEffects", "Selected"}},
           {"Predicted", "predict", {"Predicted", "PredictedTarget"}},
-          {"Replay", "compensate", {"Replayed"}},
+          {"Replay", "compensate", {"Replayed", "Written"}},
           {"Report", "report", {"Report"}}};
 }
 

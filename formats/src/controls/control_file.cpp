@@ -19,11 +19,15 @@ constexpr std::array<ControlKind, 3> kKinds = {{
 }};
 
 struct NotWritten {
-  std::string_view word, name, takes;
+  std::string_view word, why;
 };
 constexpr std::array<NotWritten, 2> kNotWritten = {{
-    {"fanuc", "FANUC", "thermal growth compensation along the tool (Series 15i, 16i) takes a length from the PMC"},
-    {"heidenhain", "HEIDENHAIN", "compensation of thermal expansion (Module 9231) takes a length from the PLC"},
+    {"fanuc",
+     "the manual of FANUC, where it is public, has no formula of temperatures: thermal growth compensation along the "
+     "tool (Series 15i, 16i) takes a length from the PMC"},
+    {"heidenhain",
+     "the manual of HEIDENHAIN, where it is public, has a formula for the length of a tilting head alone (TEMPCOMP), "
+     "and for an axis a length from the PLC without its sign (Module 9231)"},
 }};
 
 }  // namespace
@@ -43,9 +47,7 @@ Control control_of(std::string_view word) {
   for (const NotWritten& control : kNotWritten) {
     if (control.word != word) continue;
     throw Error(
-        fmt::format("{}: not written, for the manual of {} states no formula of temperatures where it is public: its "
-                    "{}. Hand it the offsets of --signals, --format word.",
-                    word, control.name, control.takes));
+        fmt::format("{}: not written, for {}. Hand it the offsets of --signals, --format word.", word, control.why));
   }
   throw Error(fmt::format("expected one of the controls {}, found \"{}\".", fmt::join(words, ", "), word));
 }

@@ -104,10 +104,13 @@ LineData line_data(const Model& model, const Series& data, std::span<const std::
   }
   LineData all;
   all.measured_um = column_in(data, target).values;
-  all.predicted_um = predict(model, held_parameters(model), data).predicted_um;
   for (const std::string& name : candidates) all.sensors.push_back(&column_in(data, name));
   std::size_t most = 0;
-  for (const RowRange& range : runs_of(data.time_s)) {
+  const std::vector<RowRange> ranges = runs_of(data.time_s);
+  for (const RowRange& range : ranges) {
+    const std::vector<double> predicted_um =
+        predict(model, held_parameters(model), ranges.size() == 1 ? data : rows_of(data, range)).predicted_um;
+    all.predicted_um.insert(all.predicted_um.end(), predicted_um.begin(), predicted_um.end());
     std::size_t zero = range.end, values = 0;
     for (std::size_t row = range.begin; row < range.end; ++row) {
       if (!std::isfinite(all.measured_um[row])) continue;
@@ -191,6 +194,7 @@ LinearCompensation written(const LineData& all, const ChosenLine& chosen, double
 
 struct LeftOver {
   std::vector<double> before_um, model_um, line_um;
+  std::size_t beyond = 0;
 };
 
 // Of the values of one part, without those at zeros; appended.
@@ -210,6 +214,13 @@ void append_left(LeftOver& left, const LineData& all, const LinearCompensation& 
     left.before_um.push_back(before_um);
     left.model_um.push_back(before_um - (all.predicted_um[row] - all.predicted_um[zero]));
     left.line_um.push_back(before_um - (at(row) - at(zero)));
+    const auto is_beyond = [&](std::size_t k) {
+      const double reading = all.sensors[static_cast<std::size_t>(sensors[k])]->values[row];
+      return reading < line.sensors[k].low || reading > line.sensors[k].high;
+    };
+    bool beyond = false;
+    for (std::size_t k = 0; k < sensors.size(); ++k) beyond |= is_beyond(k);
+    left.beyond += beyond ? 1 : 0;
   }
 }
 
@@ -226,7 +237,8 @@ LineErrors errors_of(const LeftOver& left) {
           largest(left.before_um),
           largest(left.model_um),
           largest(left.line_um),
-          left.before_um.size()};
+          left.before_um.size(),
+          left.beyond};
 }
 
 // Each run from the others, or each late fifth from what is before it.

@@ -28,8 +28,8 @@ Model of_T_a() {
 // first run, and twice as much in the second. T_c stands still.
 Series two_runs() {
   return {{0.0, 10.0, 20.0, 0.0, 10.0, 20.0},
-          {{"T_a_degC", Role::bearing, {20.0, 21.0, 22.0, 30.0, 31.0, 32.0}},
-           {"T_b_degC", Role::bearing, {20.0, 21.0, 22.0, 24.0, 26.0, 28.0}},
+          {{"T_a_degC", Role::bearing, {20.0, 21.0, 22.0, 20.0, 21.0, 22.0}},
+           {"T_b_degC", Role::bearing, {20.0, 21.0, 22.0, 20.0, 22.0, 24.0}},
            {"T_c_degC", Role::ambient, {18.0, 18.0, 18.0, 18.0, 18.0, 18.0}},
            {"z_um", Role::measured, {5.0, 7.0, 9.0, -3.0, -1.0, 1.0}}}};
 }
@@ -40,15 +40,15 @@ Series two_runs() {
 // sqrt((1 + 4 + 4 + 16) / 4) = 2.5. Before: 2 r, sqrt(10).
 TEST(LinearCompensation, IsLeastSquaresFromTheZerosAndJudgedOnRunsLeftOut) {
   const Simplification result =
-      simplified(of_T_a(), two_runs(), std::vector<std::string>{"T_b_degC", "T_c_degC"}, 1, 0.1, kTenth);
+      simplified(of_T_a(), two_runs(), std::vector<std::string>{"T_b_degC", "T_c_degC"}, 1, 2.0, kTenth);
   ASSERT_EQ(result.line.sensors.size(), 1U);
   const SensorSlope& sensor = result.line.sensors[0];
   EXPECT_EQ(sensor.column, "T_b_degC");
   EXPECT_NEAR(sensor.slope_um_per_K, 1.2, 1e-12);
   EXPECT_NEAR(sensor.sigma_um_per_K, 0.5, 1e-12);
-  EXPECT_EQ(sensor.zero, 22.0);  // mean of 20 and 24
-  EXPECT_EQ(sensor.low, 19.2);   // 20 to 28 and a tenth of that
-  EXPECT_EQ(sensor.high, 28.8);
+  EXPECT_EQ(sensor.zero, 20.0);
+  EXPECT_EQ(sensor.low, 12.0);  // 20 to 24 degC, and twice that at either end
+  EXPECT_EQ(sensor.high, 32.0);
   EXPECT_EQ(result.runs, 2U);
   EXPECT_EQ(result.rows, 6U);
   EXPECT_EQ(result.fitted.values, 4U);
@@ -59,7 +59,17 @@ TEST(LinearCompensation, IsLeastSquaresFromTheZerosAndJudgedOnRunsLeftOut) {
   ASSERT_TRUE(result.left_out.has_value());
   EXPECT_NEAR(result.left_out->line.after_um, 2.5, 1e-12);
   EXPECT_NEAR(result.left_out->largest_line_um, 4.0, 1e-12);
+  EXPECT_EQ(result.left_out->beyond, 0U);
   EXPECT_NEAR(result.from_model_um, std::sqrt(4.0 / 6.0), 1e-12);  // the rows at the zeros are among its rows
+}
+
+// Without a margin the second run, left out, is at 24 degC beyond the 22 degC of the first, whose slope of 2 um/K then
+// makes 4 um of 8: left are -2 r at 22 degC, and 4 - 4 = 0.
+TEST(LinearCompensation, CountsWhatIsBeyondItsEnds) {
+  const Simplification result = simplified(of_T_a(), two_runs(), std::vector<std::string>{"T_b_degC"}, 1, 0.0, kTenth);
+  EXPECT_EQ(result.left_out->beyond, 1U);
+  EXPECT_NEAR(result.left_out->line.after_um, std::sqrt((1.0 + 4.0 + 4.0 + 0.0) / 4.0), 1e-12);
+  EXPECT_EQ(result.fitted.beyond, 0U);
 }
 
 TEST(LinearCompensation, TakesTheSensorThatLeavesLeast) {
@@ -67,7 +77,6 @@ TEST(LinearCompensation, TakesTheSensorThatLeavesLeast) {
       simplified(of_T_a(), two_runs(), std::vector<std::string>{"T_c_degC", "T_b_degC", "T_a_degC"}, 1, 0.0, kTenth);
   EXPECT_EQ(result.line.sensors[0].column, "T_a_degC");
   EXPECT_NEAR(result.line.sensors[0].slope_um_per_K, 2.0, 1e-12);
-  EXPECT_NEAR(result.left_out->line.after_um, 0.0, 1e-12);
 }
 
 // z = 2 T_a, T_a = T_1 + T_2 / 4: slopes of 2 and 0.5 um/K. One record: what is left out are its last two fifths.

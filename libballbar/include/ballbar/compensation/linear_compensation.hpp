@@ -7,9 +7,9 @@
 //
 //   min_b  sum over runs and rows i of ((p_i - p_z) - sum_j b_j (T_ij - T_zj))^2
 //
-// No constant is fitted, for a machine is zeroed where a run begins. T0, where K is 0, is the mean reading at these
-// zeros. Of all sets of as many sensors as asked for the one with the least sum is taken. Each T_j stops at the ends of
-// what was read, widened as a trained range is.
+// The model begins anew in each run, as it does live. No constant is fitted, for a machine is zeroed where a run
+// begins. T0, where K is 0, is the mean reading at these zeros. Of all sets of as many sensors as asked for the one
+// with the least sum is taken. Each T_j stops at the ends of what was read, widened as a trained range is.
 //
 // What is judged is the measured error with what is written: slopes and temperatures rounded, K in whole increments,
 //
@@ -61,6 +61,7 @@ struct LineErrors {
   double largest_model_um = 0.0;  // of what is left
   double largest_line_um = 0.0;
   std::size_t values = 0;
+  std::size_t beyond = 0;  // of these, with a reading beyond an end of the line
 };
 
 struct Simplification {
