@@ -183,13 +183,15 @@ void add_compensate(CLI::App& app) {
                    "with --on and --out: a line of one sensor for the control's own temperature compensation: siemens, "
                    "beckhoff or linuxcnc; siemens:2 of the best two, siemens:T_a_degC,T_b_degC of these")
       ->type_name("CONTROL[:SENSORS]");
-  command->add_flag("--reversed-sign", options->write.reversed, "with --write: the sign of what is written");
+  command->add_flag("--reversed-sign", options->write.reversed,
+                    "with --write: the other sign, where the axis goes the wrong way");
   command->add_flag("--json", options->json, "the result for a program; with --signals the rows as JSON, as jsonl");
   add_place_options(*command, options->place);
   command->footer(
       "Examples:\n"
       "  ballbar compensate --model sample-runs/spindle-rotation-huang2022/mean-point.toml --to z \\\n"
       "    --on sample-runs/spindle-rotation-huang2022\n"
+      "  ballbar compensate --model live.toml --to z --on monday.csv --write siemens --out z.mpf\n"
       "  ballbar compensate --from-picture shaft.png --to-mm 330 --min-degC 22 --max-degC 48 --legend 780,71,24,198\n"
       "  ballbar compensate --from-picture shaft.csv --start-degC 22.5");
   command->callback([options, command] { run(*options, *command); });
