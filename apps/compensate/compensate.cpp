@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "compensate/compensate_live.hpp"
 #include "compensate/compensate_replay.hpp"
+#include "compensate/compensate_write.hpp"
 #include "compensate/compensation_options.hpp"
 #include "shaft_picture/shaft_picture.hpp"
 #include "terminal/command_line.hpp"
@@ -29,7 +30,8 @@ struct CompensateArguments {
   CompensationOptions compensation;
   LiveOptions live;
   ReplayOptions replay;
-  std::vector<std::string> out;  // of these the series, .csv, are the replay's
+  WriteOptions write;
+  std::vector<std::string> out;  // of these the series, .csv, are the replay's, and those of controls of --write
   std::string save;              // and the model is this one, .toml
   bool json = false;
   ShaftPictureArguments place;
@@ -55,6 +57,8 @@ CompensateArguments sorted_out(CompensateArguments options) {
   for (const std::string& path : options.out) {
     if (path.ends_with(".csv")) {
       options.replay.out.push_back(path);
+    } else if (!path.ends_with(".toml")) {
+      options.write.out.push_back(path);
     } else if (options.save.empty()) {
       options.save = path;
     } else {
@@ -62,7 +66,8 @@ CompensateArguments sorted_out(CompensateArguments options) {
           fmt::format("--out: expected one model to write, found {} and {}", options.save, path));
     }
   }
-  options.replay.json = options.json;
+  options.replay.json = options.write.json = options.json;
+  options.write.data = options.replay.data;
   if (options.json) options.live.format = OffsetFormat::jsonl;
   return options;
 }
@@ -73,6 +78,11 @@ void expect_fitting(const CompensateArguments& options) {
     if (!fits) throw CLI::ValidationError(sentence);
   };
   expect(!live || !replay, "expected --signals or --on, found both");
+  const bool write = !options.write.control.empty();
+  expect(!write || replay, "--write: expected --on DATA with it, which the model is looked at on");
+  expect(write || options.write.out.empty(), "--out: expected --write with a file for a control");
+  expect(!write || options.replay.out.empty(), "--out: expected no .csv with --write");
+  expect(write || !options.write.reversed, "--reversed-sign: expected --write with it");
   expect(live || replay || !options.save.empty(),
          "expected --signals FILE to run, --on DATA to try it on recorded data, or --fit DATA --out MODEL.toml");
   expect(live || replay || !options.json, "--json: expected --signals or --on with it");
@@ -113,7 +123,11 @@ void run(const CompensateArguments& given, CLI::App& command) {
   const bool live = !options.live.signals.empty(), replay = !options.replay.data.empty();
   if (!options.save.empty()) save(options);
   if (live) compensate_live(options.compensation, options.live);
-  if (replay) compensate_replay(options.compensation, options.replay);
+  if (!options.write.control.empty()) {
+    compensate_write(options.compensation, options.write);
+  } else if (replay) {
+    compensate_replay(options.compensation, options.replay);
+  }
 }
 
 void add_place_options(CLI::App& command, ShaftPictureArguments& options) {
@@ -160,16 +174,24 @@ void add_compensate(CLI::App& app) {
       ->add_option(
           "--out", options->out,
           ".csv, with --on: before, after and offset, with --from-picture: T along x and its sigma; .toml, with "
-          "--fit: the fitted model, ready to run; may be repeated")
+          "--fit: the fitted model, ready to run; .mpf, .lis or .hal, with --write; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false)
-      ->check(name_that_ends_in({".csv", ".toml"}));
+      ->check(name_that_ends_in({".csv", ".toml", ".mpf", ".lis", ".hal"}));
+  command
+      ->add_option("--write", options->write.control,
+                   "with --on and --out: a line of one sensor for the control's own temperature compensation: siemens, "
+                   "beckhoff or linuxcnc; siemens:2 of the best two, siemens:T_a_degC,T_b_degC of these")
+      ->type_name("CONTROL[:SENSORS]");
+  command->add_flag("--reversed-sign", options->write.reversed,
+                    "with --write: the other sign, where the axis goes the wrong way");
   command->add_flag("--json", options->json, "the result for a program; with --signals the rows as JSON, as jsonl");
   add_place_options(*command, options->place);
   command->footer(
       "Examples:\n"
       "  ballbar compensate --model sample-runs/spindle-rotation-huang2022/mean-point.toml --to z \\\n"
       "    --on sample-runs/spindle-rotation-huang2022\n"
+      "  ballbar compensate --model live.toml --to z --on monday.csv --write siemens --out z.mpf\n"
       "  ballbar compensate --from-picture shaft.png --to-mm 330 --min-degC 22 --max-degC 48 --legend 780,71,24,198\n"
       "  ballbar compensate --from-picture shaft.csv --start-degC 22.5");
   command->callback([options, command] { run(*options, *command); });

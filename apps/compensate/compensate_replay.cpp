@@ -47,11 +47,6 @@ Recorded open_recorded(const Source& data) {
   return recorded;
 }
 
-std::string percent(const Reduction& reduction) {
-  if (!std::isfinite(reduction.share)) return "?";
-  return with_sigma(100.0 * reduction.share, 100.0 * reduction.sigma, 1);
-}
-
 // Where much was held: the gain is less than the model could give.
 std::string held_sentence(const ReplayedAxis& axis, std::size_t rows) {
   const std::size_t held = rows - axis.rows_held[0];
@@ -60,31 +55,6 @@ std::string held_sentence(const ReplayedAxis& axis, std::size_t rows) {
   const Hold why = Hold(most - axis.rows_held.begin());
   const std::string column = is_about_a_column(why) ? " of " + shortened(axis.most_held_by, 60) : "";
   return fmt::format(" It was held in {} of {} rows, most of them for {}{}.", held, rows, name_of(why), column);
-}
-
-// Whether the parameters come from the data that they are judged by.
-bool in_sample(const CompensationOptions& options, const Recorded& recorded) {
-  return std::any_of(options.fit.begin(), options.fit.end(), [&](const Source& fitted) {
-    if (!fitted.is_path()) return false;
-    const std::filesystem::path path = fitted.path();
-    std::error_code error;
-    for (const std::filesystem::path& file : recorded.files) {
-      if (std::filesystem::equivalent(file, path, error) ||
-          std::filesystem::equivalent(file.parent_path(), path, error))
-        return true;
-    }
-    return false;
-  });
-}
-
-std::string parameters_text(const CompensationOptions& options, const Recorded& recorded) {
-  if (options.fit.empty())
-    return "The parameters are those of the model's file: whether they were fitted to these data is not known here.";
-  if (in_sample(options, recorded)) {
-    return "The parameters were fitted to these same data: what a model gains on data it has seen says little of what "
-           "it gains on others.";
-  }
-  return fmt::format("The parameters were fitted to {} alone.", shortened(options.fit.front().name(), 60));
 }
 
 // "each value", "stretches of 40 values": as long as what is left stays alike.
@@ -100,17 +70,17 @@ void print(const Replay& replay, const CompensationOptions& options, const Recor
   std::string conclusion;
   for (const ReplayedAxis& axis : replay.axes) {
     conclusion += fmt::format("{}{}: {} % less RMS, {} um instead of {} um.{}", conclusion.empty() ? "" : " ",
-                              axis.name, percent(axis.reduction), fixed(axis.reduction.after_um, 3),
+                              axis.name, percent_text(axis.reduction), fixed(axis.reduction.after_um, 3),
                               fixed(axis.reduction.before_um, 3), held_sentence(axis, replay.rows));
   }
   fmt::print("{} rows of signals, replayed as they came\n\n{}\n{}\n", replay.rows, wrapped(conclusion),
-             wrapped(parameters_text(options, recorded)));
+             wrapped(parameters_text(options, recorded.files)));
   Table table({"axis", "target", "values", "RMS before um", "after um", "less %", "largest before um", "after um",
                "rows held"});
   for (const ReplayedAxis& axis : replay.axes) {
     const std::string held = held_text(axis.rows_held);
     table.add({axis.name, axis.target, fmt::format("{}", axis.time_s.size() - 1), fixed(axis.reduction.before_um, 3),
-               fixed(axis.reduction.after_um, 3), percent(axis.reduction), fixed(largest_of(axis.before_um), 3),
+               fixed(axis.reduction.after_um, 3), percent_text(axis.reduction), fixed(largest_of(axis.before_um), 3),
                fixed(largest_of(axis.after_um), 3), held.empty() ? "0" : held});
   }
   fmt::print(
@@ -122,7 +92,7 @@ void print(const Replay& replay, const CompensationOptions& options, const Recor
 
 ReplayResult result_of(const Replay& replay, const CompensationOptions& options, const Recorded& recorded) {
   ReplayResult result{replay.rows, std::nullopt, {}};
-  if (!options.fit.empty()) result.in_sample = in_sample(options, recorded);
+  if (!options.fit.empty()) result.in_sample = is_in_sample(options, recorded.files);
   for (const ReplayedAxis& axis : replay.axes) result.axes.emplace_back(axis.name, axis);
   return result;
 }

@@ -21,6 +21,7 @@
 #include "terminal/option_checks.hpp"
 #include "terminal/state_file.hpp"
 #include "terminal/stderr_line.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {
@@ -162,6 +163,30 @@ std::vector<CompensatedAxis> axes_of(const CompensationOptions& options) {
     }
   }
   return axes;
+}
+
+bool is_in_sample(const CompensationOptions& options, const std::vector<std::filesystem::path>& files) {
+  return std::any_of(options.fit.begin(), options.fit.end(), [&](const Source& fitted) {
+    if (!fitted.is_path()) return false;
+    const std::filesystem::path path = fitted.path();
+    std::error_code error;
+    for (const std::filesystem::path& file : files) {
+      if (std::filesystem::equivalent(file, path, error) ||
+          std::filesystem::equivalent(file.parent_path(), path, error))
+        return true;
+    }
+    return false;
+  });
+}
+
+std::string parameters_text(const CompensationOptions& options, const std::vector<std::filesystem::path>& files) {
+  if (options.fit.empty())
+    return "The parameters are those of the model's file: whether they were fitted to these data is not known here.";
+  if (is_in_sample(options, files)) {
+    return "The parameters were fitted to these same data: what a model gains on data it has seen says little of what "
+           "it gains on others.";
+  }
+  return fmt::format("The parameters were fitted to {} alone.", shortened(options.fit.front().name(), 60));
 }
 
 KeptState::KeptState(const std::string& file, const std::vector<CompensatedAxis>& axes, CompensatedAxes& machine)

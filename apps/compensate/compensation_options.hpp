@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,10 @@ void add_compensation_options(CLI::App& command, CompensationOptions& options);
 // Throws Error, with the file: a parameter that is free without --fit, a regression on effects with it, as many axes as
 // targets not given.
 std::vector<CompensatedAxis> axes_of(const CompensationOptions& options);
+
+// Whether the parameters come from the data that they are judged by; and that as a sentence, or that it is not known.
+bool is_in_sample(const CompensationOptions& options, const std::vector<std::filesystem::path>& files);
+std::string parameters_text(const CompensationOptions& options, const std::vector<std::filesystem::path>& files);
 
 // The state's file, read at the start and written as the counts change, by no other program meanwhile.
 class KeptState {

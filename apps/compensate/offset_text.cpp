@@ -7,6 +7,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "terminal/terminal_table.hpp"
+
 namespace ballbar {
 namespace {
 
@@ -34,6 +36,11 @@ std::string held_text(const std::array<std::size_t, kHoldKinds>& rows) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", rows[kind], name_of(Hold(kind)));
   }
   return text;
+}
+
+std::string percent_text(const Reduction& reduction) {
+  if (!std::isfinite(reduction.share)) return "?";
+  return with_sigma(100.0 * reduction.share, 100.0 * reduction.sigma, 1);
 }
 
 void append_csv_names(fmt::memory_buffer& out, const CompensatedAxes& axes) {

@@ -18,6 +18,7 @@
 #include <string>
 
 #include "ballbar/compensation/compensated_axes.hpp"
+#include "ballbar/compensation/compensation_replay.hpp"
 
 namespace ballbar {
 
@@ -25,6 +26,9 @@ constexpr double kLargestWord = 32767.0;
 
 // "2 no_value, 1 spike" of rows by Hold; empty where none was held.
 std::string held_text(const std::array<std::size_t, kHoldKinds>& rows);
+
+// "91.9 ± 2.2", how many percent less is left; "?" where nothing was there before.
+std::string percent_text(const Reduction& reduction);
 
 void append_csv_names(fmt::memory_buffer& out, const CompensatedAxes& axes);
 void append_csv(fmt::memory_buffer& out, double time_s, std::span<const Offset> offsets);

@@ -23,6 +23,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "challenge/blind_results.hpp"
 #include "compensate/replay_result.hpp"
+#include "compensate/written_result.hpp"
 #include "diagnose/diagnosis_result.hpp"
 #include "diagnose/follow_results.hpp"
 #include "diagnose/inject_result.hpp"
@@ -73,7 +74,7 @@ std::vector<PythonClass> python_classes() {
           {"Plan", "plan", {"Plan"}},
           {"Trained", "train", {"Trained", "TrainedOnEffects", "Selected"}},
           {"Predicted", "predict", {"Predicted", "PredictedTarget"}},
-          {"Replay", "compensate", {"Replayed"}},
+          {"Replay", "compensate", {"Replayed", "Written"}},
           {"Report", "report", {"Report"}}};
 }
 
@@ -115,9 +116,9 @@ std::vector<ResultSchema> all_schemas() {
                     Undone, Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, TestComparison,
                     TestHeads, HistoryResult, History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet,
                     TrainedOnTemperatures, TrainedOnEffects, TrainedForJob, PredictedSeries, PredictedTarget,
-                    ReplayResult, MadeSets, NextRun, ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart,
-                    HeldPart, WithPart, RevisedPart, EffectChoices, Hypotheses, ModelText, HistoryReport, FleetReport,
-                    PageFiles>();
+                    ReplayResult, WrittenResult, MadeSets, NextRun, ScoredSets, MeanPointsResult, ShaftPart, PageReport,
+                    ModelPart, HeldPart, WithPart, RevisedPart, EffectChoices, Hypotheses, ModelText, HistoryReport,
+                    FleetReport, PageFiles>();
 }
 
 int run_readmes(const std::filesystem::path& folder, bool update) {
