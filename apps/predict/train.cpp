@@ -190,7 +190,9 @@ void expect_together(const TrainOptions& given) {
         given.effects ? "--effects: expected neither --method, --components, --share, --penalty nor --model with it."
                       : "--method, --components, --share, --penalty, --model: expected a list of runs with them");
   }
+  if (given.sensors && given.few) throw CLI::ValidationError("--sensors: expected no --few with it");
   if (given.effects || !lists) return;
+  if (given.sensors) throw CLI::ValidationError("--sensors: expected --effects with it.");
   if (given.few) throw CLI::ValidationError("--few: expected --effects with it.");
   if (given.max_gap_s) throw CLI::ValidationError("--max-gap: expected --effects with it.");
 }
@@ -198,6 +200,7 @@ void expect_together(const TrainOptions& given) {
 void expect_together_for_job(const TrainOptions& given) {
   const char* const other = given.effects         ? "--effects"
                             : given.few           ? "--few"
+                            : given.sensors       ? "--sensors"
                             : given.components    ? "--components"
                             : given.penalty_K2    ? "--penalty"
                             : given.max_gap_s     ? "--max-gap"
@@ -264,6 +267,11 @@ void add_method_options(CLI::App& command, TrainOptions& options) {
       "--effects", options.effects,
       "a regression on the catalogue's effects instead, which runs live; RUNS may be one series or session");
   command.add_flag("--few", options.few, "with --effects: some ten effects, nine selections averaged");
+  command
+      .add_option("--sensors", options.sensors,
+                  "with --effects: of so many temperatures; which ones, what each buys, which others would do")
+      ->check(number_within(1, 10000))
+      ->type_name("N");
   add_max_gap(command, options.max_gap_s);
 }
 
@@ -310,6 +318,7 @@ void add_train(CLI::App& app) {
       "Example:\n"
       "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --out model.json\n"
       "  ballbar train sample-runs/spindle-46h/measured.csv --effects --target ch1_um --out ch1.json\n"
+      "  ballbar train sample-runs/spindle-46h/measured.csv --sensors 4 --target ch1_um\n"
       "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --for sample-runs/batches-tan2024/test1.csv");
   command->callback([options, of_a_job] { run(*options, of_a_job); });
 }
