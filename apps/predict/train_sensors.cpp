@@ -58,24 +58,27 @@ std::string sensor_choice_text(const SensorChoice& choice, const std::string& ta
                                bool predicted) {
   const SensorSet& taken = choice.sets.back();
   const std::size_t most = taken.sensors.size();
+  std::vector<std::string> names;
+  for (const ChosenSensor& one : choice.chosen) names.push_back(one.sensor);
   std::string text = wrapped(fmt::format(
       "{} {} {} to {:.2f} {} (all {}: {:.2f} {}): {}.", sensors_text(most),
       predicted ? (most == 1 ? "predicts" : "predict") : (most == 1 ? "hardly predicts" : "hardly predict"), target,
-      taken.forecasts.error_um, unit, choice.rated, choice.all.forecasts.error_um, unit, names_text(taken.sensors)));
+      taken.forecasts.error_um, unit, choice.rated, choice.all.forecasts.error_um, unit, names_text(names)));
   if (choice.enough < most) {
-    text += wrapped(fmt::format("{} as good, within the standard error or 2 %: {}.",
-                                choice.enough == 0   ? "No sensor is"
-                                : choice.enough == 1 ? "1 sensor is"
-                                                     : fmt::format("{} are", choice.enough),
-                                names_text(choice.sets[choice.enough].sensors)));
+    const SensorSet& enough = choice.sets[choice.enough];
+    text += wrapped(choice.enough == 0
+                        ? fmt::format("No sensor is needed: {:.2f} {} without.", enough.forecasts.error_um, unit)
+                        : fmt::format("{} enough, {:.2f} {}: {}.",
+                                      choice.enough == 1 ? "1 is" : fmt::format("{} are", choice.enough),
+                                      enough.forecasts.error_um, unit, names_text(enough.sensors)));
   }
   if (!choice.kept.empty()) {
     text += wrapped(fmt::format("Kept and not counted, for they are no temperatures: {}.", names_text(choice.kept)));
   }
   Table sizes({"sensors", "error " + unit, "RMSE " + unit, "buys " + unit, "set"});
-  const auto add = [&](const std::string& name, const SensorSet& set, bool buys, const std::string& names) {
+  const auto add = [&](const std::string& name, const SensorSet& set, bool buys, const std::string& shown) {
     sizes.add({name, fixed(set.forecasts.error_um, 2), fixed(set.forecasts.rmse_um, 2),
-               buys ? with_sigma(set.buys_um, set.sigma_buys_um, 2) : "-", names});
+               buys ? with_sigma(set.buys_um, set.sigma_buys_um, 2) : "-", shown});
   };
   for (const SensorSet& set : choice.sets) {
     add(fmt::format("{}", set.sensors.size()), set, !set.sensors.empty(), names_text(set.sensors));
@@ -99,7 +102,8 @@ std::string sensor_choice_text(const SensorChoice& choice, const std::string& ta
   return text +
          wrapped(fmt::format(
              "chosen in: {} that choose it, too. without it: how much the error of this set rises. in its place: "
-             "with one of these the error is larger by at most its standard error or 2 %.",
+             "with one of these it is as good, the error larger by at most 2 %, or by at most 10 % and its standard "
+             "error.",
              ahead ? "forecasts" : "runs left out"));
 }
 

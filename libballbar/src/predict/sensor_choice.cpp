@@ -16,9 +16,10 @@
 namespace ballbar {
 namespace {
 
-constexpr double kAlike = 0.02;  // of an error
+constexpr double kSame = 0.02, kSimilar = 0.10;  // of an error
 
-using Set = std::vector<std::size_t>;  // places of sensors, in the order of choice
+using Set = std::vector<std::size_t>;       // places of sensors, in the order of choice
+using Asked = std::pair<std::size_t, Set>;  // what a set is worth at a place
 using FoldErrors = std::vector<std::vector<ForecastError>>;
 
 Set sorted(Set set) {
@@ -54,7 +55,8 @@ Difference difference(const FoldErrors& a, const FoldErrors& b) {
 }
 
 bool as_good(const Difference& larger_by, double error_um) {
-  return larger_by.um <= kAlike * error_um || larger_by.um <= larger_by.sigma_um;
+  return larger_by.um <= kSame * error_um ||
+         (larger_by.um <= larger_by.sigma_um && larger_by.um <= kSimilar * error_um);
 }
 
 // The rows of a series of runs, and what may be known of each set of sensors from them.
@@ -103,10 +105,10 @@ class Sensors {
 
   // Of each place (all rows, then each fold) the best of its candidates: the larger the score, the better.
   std::vector<Set> best_of(const std::vector<std::vector<Set>>& candidates) {
-    std::vector<Set> unknown;
-    for (const std::vector<Set>& of_place : candidates) {
-      for (const Set& set : of_place) {
-        if (scores_.try_emplace(sorted(set)).second) unknown.push_back(sorted(set));
+    std::vector<Asked> unknown;
+    for (std::size_t p = 0; p < candidates.size(); ++p) {
+      for (const Set& set : candidates[p]) {
+        if (scores_.try_emplace(asked(p, set)).second) unknown.push_back(asked(p, set));
       }
     }
     in_parallel(unknown.size(), [&](std::size_t i) { scores_.at(unknown[i]) = scored(unknown[i]); });
@@ -118,7 +120,10 @@ class Sensors {
     return best;
   }
 
-  double score(std::size_t place, const Set& set) const { return scores_.at(sorted(set))[place]; }
+  double score(std::size_t place, const Set& set) const {
+    const std::vector<double>& of_set = scores_.at(asked(place, set));
+    return leaves_runs_out_ ? of_set[place] : of_set.front();
+  }
 
   // One set a place: each fold predicted by its own, dictionary, v and l chosen for it.
   FoldErrors errors_of(const std::vector<Set>& sets) const {
@@ -211,7 +216,11 @@ class Sensors {
     return design;
   }
 
-  std::vector<double> scored(const Set& set) const {
+  // Of runs left out one answer holds for every place.
+  Asked asked(std::size_t place, const Set& set) const { return {leaves_runs_out_ ? 0 : place, sorted(set)}; }
+
+  std::vector<double> scored(const Asked& of) const {
+    const auto& [place, set] = of;
     const Design design = of_set(set);
     std::vector<double> scores;
     if (leaves_runs_out_) {
@@ -223,10 +232,8 @@ class Sensors {
         scores.push_back(squares(run, run) - squares.row(run).sum());
       }
     } else {
-      for (std::size_t p = 0; p <= folds_.size(); ++p) {
-        scores.push_back(
-            log_likelihood_without(ridge_problem(design, rows_of_place(p), kChoiceRows), settings_[p], {}));
-      }
+      const RidgeProblem problem = ridge_problem(design, rows_of_place(place), kChoiceRows);
+      scores.push_back(log_likelihood_without(problem, settings_[place], {}));
     }
     for (double& one : scores) one = std::isfinite(one) ? one : -std::numeric_limits<double>::infinity();
     return scores;
@@ -237,8 +244,8 @@ class Sensors {
   bool leaves_runs_out_;
   std::vector<std::size_t> rows_;
   std::vector<std::string> names_, kept_;
-  std::vector<RidgeSetting> settings_;         // of all sensors: a place each, or one of all runs
-  std::map<Set, std::vector<double>> scores_;  // a place each
+  std::vector<RidgeSetting> settings_;           // of all sensors: a place each, or one of all runs
+  std::map<Asked, std::vector<double>> scores_;  // of runs left out a number for each place
 };
 
 std::vector<Set> with_one_more(const Set& set, std::size_t sensors) {
@@ -305,6 +312,8 @@ std::vector<ChosenSensor> chosen_sensors(const std::vector<Set>& sets, const Sen
     }
     chosen.push_back(std::move(one));
   }
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [](const auto& a, const auto& b) { return a.without_um > b.without_um; });
   return chosen;
 }
 

@@ -11,7 +11,7 @@
 //
 // A difference of two errors has a standard error: with d_f that of fold f (a forecast or a run), w_f its share of the
 // rows and F folds, d = sum_f w_f d_f, sigma^2 = F/(F-1) sum_f w_f^2 (d_f - d)^2. One set is as good as another where
-// its error is larger by at most sigma, or by 2 % of the error.
+// its error is larger by at most 2 %, or by at most 10 % and sigma.
 //
 // Source of the method: forward selection and sequential replacement, Miller 2002, Subset Selection in Regression,
 // chapter 3; the one-standard-error rule, Breiman, Friedman, Olshen, Stone 1984, section 3.4.3.
@@ -55,7 +55,7 @@ struct SensorChoice {
   std::vector<SensorSet> sets;            // of 0, 1 .. most sensors
   SensorSet all;                          // of all; it buys what it has before the largest set
   std::size_t enough = 0;                 // the fewest, of 0 .. most, that are as good as the best of sets and all
-  std::vector<ChosenSensor> chosen;       // of the largest set, in its order
+  std::vector<ChosenSensor> chosen;       // of the largest set, the one that is missed most first
   std::vector<std::string> kept;          // columns that are no temperatures
   std::optional<HeldOutErrors> left_out;  // the largest set's, of five or more runs
 };
