@@ -172,6 +172,45 @@ struct ResultType<Start> {
       Field{"borrowed", &Start::borrowed, "share of the variance that its rows do not settle, 0 to 1"}};
 };
 
+template <>
+struct ResultType<SensorSet> {
+  using Of = const SensorSet&;
+  static constexpr std::string_view name = "SensorSet";
+  static constexpr std::string_view meaning = "Temperature sensors of a number, and how well they predict.";
+  static constexpr std::tuple fields = std::tuple_cat(
+      std::tuple{Field{"sensors", &SensorSet::sensors, "chosen by all rows, the newest last"}},
+      fields_through(&SensorSet::forecasts, ResultType<ForecastTest>::errors),
+      std::tuple{Field{"buys_um", &SensorSet::buys_um, "by how much error_um is below that of the set before"},
+                 Field{"sigma_buys_um", &SensorSet::sigma_buys_um, "its standard error; null: of one fold"}});
+};
+
+template <>
+struct ResultType<ChosenSensor> {
+  static constexpr std::string_view name = "ChosenSensor";
+  static constexpr std::string_view meaning = "A sensor of the set that is written.";
+  static constexpr std::tuple fields{
+      Field{"sensor", &ChosenSensor::sensor, ""},
+      Field{"folds", &ChosenSensor::folds, "forecasts, or runs left out, that choose it, too"},
+      Field{"without_um", &ChosenSensor::without_um, "by how much error_um rises without it"},
+      Field{"sigma_um", &ChosenSensor::sigma_um, "standard error of that"},
+      Field{"needed", &ChosenSensor::needed, "false: without it the set is as good"},
+      Field{"substitutes", &ChosenSensor::substitutes, "with one of these in its place the set is as good"}};
+};
+
+template <>
+struct ResultType<SensorChoice> {
+  static constexpr std::string_view name = "SensorChoice";
+  static constexpr std::string_view meaning = "Which temperature sensors are worth having.";
+  static constexpr std::tuple fields{
+      Field{"folds", &SensorChoice::folds, "forecasts, or runs left out, by which they are judged"},
+      Field{"rated", &SensorChoice::rated, "sensors to choose from"},
+      Field{"enough", &SensorChoice::enough, "the fewest that are as good as the best"},
+      Field{"sets", &SensorChoice::sets, "of 0, 1, 2 ... sensors; the last one is written"},
+      Field{"all", &SensorChoice::all, "of all sensors; the set before is the last of sets"},
+      Field{"chosen", &SensorChoice::chosen, "of the last of sets"},
+      Field{"kept", &SensorChoice::kept, "columns that are no temperatures"}};
+};
+
 struct TrainedOnEffects {
   EffectRegression regression;
   std::optional<ForecastTest> forecasts;
@@ -180,6 +219,7 @@ struct TrainedOnEffects {
   NamedEffects named;
   std::optional<Start> start;
   std::vector<Contender> methods;
+  MayLack<SensorChoice> sensors;
   std::vector<std::string> remarks;
   std::string sentence;
 };
@@ -215,6 +255,7 @@ struct ResultType<TrainedOnEffects> {
                      std::tuple{Field{"named", &TrainedOnEffects::named, "of --model"},
                                 Field{"start", &TrainedOnEffects::start, "of --start-from; null: none"},
                                 Field{"methods", &TrainedOnEffects::methods, "of a list of runs: in the same contest"},
+                                Field{"sensors", &TrainedOnEffects::sensors, "with --sensors: which are worth having"},
                                 Field{"remarks", &TrainedOnEffects::remarks, ""},
                                 Field{"sentence", &TrainedOnEffects::sentence, "what it says in plain words"}});
 };

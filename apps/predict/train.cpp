@@ -192,7 +192,10 @@ void expect_together(const TrainOptions& given) {
   }
   if (given.few && !given.model.empty()) throw CLI::ValidationError("--few: expected no --model with it.");
   if (given.few && !given.start.empty()) throw CLI::ValidationError("--few: expected no --start-from with it.");
+  if (given.sensors && (given.few || !given.model.empty() || !given.start.empty()))
+    throw CLI::ValidationError("--sensors: expected neither --few, --model nor --start-from with it.");
   if (given.effects || !lists) return;
+  if (given.sensors) throw CLI::ValidationError("--sensors: expected --effects with it.");
   if (given.few) throw CLI::ValidationError("--few: expected --effects with it.");
   if (!given.start.empty()) throw CLI::ValidationError("--start-from: expected --effects with it.");
   if (given.max_gap_s) throw CLI::ValidationError("--max-gap: expected --effects with it.");
@@ -201,6 +204,7 @@ void expect_together(const TrainOptions& given) {
 void expect_together_for_job(const TrainOptions& given) {
   const char* const other = given.effects          ? "--effects"
                             : given.few            ? "--few"
+                            : given.sensors        ? "--sensors"
                             : given.components     ? "--components"
                             : given.penalty_K2     ? "--penalty"
                             : given.max_gap_s      ? "--max-gap"
@@ -275,6 +279,10 @@ void add_method_options(CLI::App& command, TrainOptions& options) {
       .add_option("--start-from", options.start,
                   "with --effects: a model .json that was trained on other machines; this one adapts it")
       ->type_name("FILE");
+  .add_option("--sensors", options.sensors,
+              "with --effects: of so many temperatures; which ones, what each buys, which others would do")
+      ->check(number_within(1, 10000))
+      ->type_name("N");
   add_max_gap(command, options.max_gap_s);
 }
 
@@ -321,6 +329,7 @@ void add_train(CLI::App& app) {
       "Example:\n"
       "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --out model.json\n"
       "  ballbar train sample-runs/spindle-46h/measured.csv --effects --target ch1_um --out ch1.json\n"
+      "  ballbar train sample-runs/spindle-46h/measured.csv --sensors 4 --target ch1_um\n"
       "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --for sample-runs/batches-tan2024/test1.csv");
   command->callback([options, of_a_job] { run(*options, of_a_job); });
 }

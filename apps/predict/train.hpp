@@ -9,6 +9,7 @@
 #include "ballbar/formats/text/source.hpp"
 #include "ballbar/predict/batch_choice.hpp"
 #include "ballbar/predict/held_out.hpp"
+#include "ballbar/predict/sensor_choice.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -27,6 +28,7 @@ struct TrainOptions {
   std::string model;  // of effects: to compare with, or whose effects are named
   std::string start;  // a trained model of effects, .json
   bool effects = false, few = false;
+  std::optional<std::size_t> sensors;  // as many temperatures are chosen
   std::optional<double> max_gap_s;
 
   Source job;  // --for: a series of its temperatures; with the target, the choice is checked
@@ -80,6 +82,17 @@ std::string contest_text(const std::vector<Contender>& contenders);
 
 // Prints what `train --effects` prints, and writes the model. Throws Error with the file that is at fault, as the next.
 void train_effects(const TrainOptions& options);
+
+// Leaves of the temperatures of the runs those that are chosen, at most `most`.
+SensorChoice keep_chosen_sensors(std::vector<Series>& runs, const std::string& target, std::size_t most);
+
+// What is said of a regression on the chosen sensors is what the choice has tested: its errors, and of the sensors
+// which are needed and which will do in place of which.
+void take_tests_of(const SensorChoice& choice, TrainedRegression& trained);
+
+// The conclusion, errors by number of sensors, and what each of the chosen ones is worth.
+std::string sensor_choice_text(const SensorChoice& choice, const std::string& target, const std::string& unit,
+                               bool predicted);
 
 // Prints the batches by their likeness to the job and what each choice among them predicts; writes the model of the
 // choice that is taken.

@@ -25,7 +25,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kShownDrivers = 8;
-constexpr double kNoBetter = 0.95;           // of the error of the last value held
+constexpr double kNoBetter = 0.95;  // of the error of the last value held
 constexpr std::size_t kHead = 1 << 16;
 
 // In which the numbers of a regression are.
@@ -239,15 +239,20 @@ void train_effects(const TrainOptions& options) {
   const std::optional<OpenedBatches> opened = opened_list(options);
   std::vector<Contender> contenders;
   for (const RegressionMethod method : kRegressionMethods) {
-    if (!opened) break;
+    if (!opened || options.sensors) break;
     contenders.push_back(
         with_source(options.title(), [&] { return contender_of(*opened, best_settings(opened->batches, method)); }));
   }
-  const OpenedRuns data = opened_runs(options, opened);
-  const std::vector<Series>& runs = data.runs;
+  OpenedRuns data = opened_runs(options, opened);
+  std::vector<Series>& runs = data.runs;
   const std::string target = target_of(options, runs.front());
+  std::optional<SensorChoice> choice;
+  if (options.sensors) {
+    choice = with_source(options.title(), [&] { return keep_chosen_sensors(runs, target, *options.sensors); });
+  }
   EffectRegressionOptions how;
   how.few = options.few;
+  how.forecasts = !choice;
   how.progress = [](const std::string& what) { show_progress(what); };
   if (!options.model.empty()) how.named = read_model(read_bytes(options.model, kLargestText), options.model);
   std::optional<EffectRegression> start;
@@ -256,10 +261,11 @@ void train_effects(const TrainOptions& options) {
     expect_start(options, *start, target);
     how.start = &*start;
   }
-  const TrainedRegression trained = [&] {
+  TrainedRegression trained = [&] {
     const ProgressLine progress;
     return with_source(options.title(), [&] { return trained_regression(runs, target, how); });
   }();
+  if (choice) take_tests_of(*choice, trained);
   const EffectRegression& of = trained.regression;
   const bool is_model = !of.model.terms.empty();
   if (is_model && !options.out.empty()) write_bytes(options.out, write_effect_regression(of));
@@ -272,13 +278,14 @@ void train_effects(const TrainOptions& options) {
   if (trained.left_out && trained.left_out->worst < data.names.size())
     worst = WorstRun{data.names[trained.left_out->worst], trained.left_out->worst_um};
   if (options.json) {
-    TrainedOnEffects result{of,         std::nullopt, worst,          trained.drivers, trained.named, trained.start,
-                            contenders, said,         expectation(of)};
+    TrainedOnEffects result{of,         std::nullopt, worst, trained.drivers, trained.named, trained.start,
+                            contenders, {choice},     said,  expectation(of)};
     if (of.forecasts) result.forecasts = {*of.forecasts, is_predicted(of)};
     print_json(json_of(result));
   } else {
     fmt::print("{}\n{} from {} columns by {}; {} rows{}\n\n", options.title(), target, of.model.trained.size(),
                dictionary_text(of), of.rows, of.runs > 1 ? fmt::format(" of {} runs", of.runs) : "");
+    if (choice) fmt::print("{}\n", sensor_choice_text(*choice, target, unit_text(of), is_predicted(of)));
     fmt::print("{}", wrapped(expectation(of)));
     if (worst)
       fmt::print("{}", wrapped(fmt::format("The worst run is {}: {:.2f} {} RMSE.", worst->run, worst->rmse_um,
@@ -286,7 +293,7 @@ void train_effects(const TrainOptions& options) {
     if (trained.start) fmt::print("{}", wrapped(start_text(*trained.start, options.start, unit_text(of))));
     if (how.named) fmt::print("{}", wrapped(named_text(trained.named, options.model, unit_text(of))));
     fmt::print("{}\n", wrapped(memory_text(of)));
-    if (opened && of.forecasts) {
+    if (opened && of.forecasts && !choice) {
       contenders.push_back(effects_contender(trained, *opened));
       fmt::print("{}\n", contest_text(contenders));
     }

@@ -42,7 +42,8 @@ std::vector<unsigned> dictionaries_of(const RidgeProblem& problem) {
 Eigen::MatrixXd kernel_of(const RidgeProblem& problem, const RidgeSetting& setting) {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(problem.columns.rows(), problem.columns.rows());
   for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
-    if ((setting.kinds >> kind & 1U) != 0) sum += setting.variance * problem.kernel[kind];
+    if ((setting.kinds >> kind & 1U) != 0 && problem.kernel[kind].size() > 0)
+      sum += setting.variance * problem.kernel[kind];
   }
   if (setting.named_variance > 0.0) sum += setting.named_variance * problem.named_kernel;
   if (problem.start.size() > 0) sum += problem.start_kernel;
@@ -53,7 +54,8 @@ Eigen::MatrixXd kernel_of(const RidgeProblem& problem, const RidgeSetting& setti
 Eigen::MatrixXd prior_of(const RidgeProblem& problem, const RidgeSetting& setting) {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(problem.columns.cols(), problem.columns.cols());
   for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
-    if ((setting.kinds >> kind & 1U) != 0) sum += setting.variance * problem.prior[kind];
+    if ((setting.kinds >> kind & 1U) != 0 && problem.prior[kind].size() > 0)
+      sum += setting.variance * problem.prior[kind];
   }
   for (const std::size_t k : problem.named) {
     const auto at = static_cast<Eigen::Index>(k);
@@ -97,10 +99,17 @@ std::size_t runs_in(const RidgeProblem& problem) {
   return count;
 }
 
-LeftOutRuns left_out(const RidgeProblem& problem, const Solved& of, bool with_sigma) {
-  const Eigen::Index n = problem.columns.rows();
+// Q, n by n.
+Eigen::MatrixXd without_constant(const Solved& of) {
+  const Eigen::Index n = of.of_ones.size();
   Eigen::MatrixXd q = of.root.solve(Eigen::MatrixXd::Identity(n, n));
   q.noalias() -= of.of_ones * of.of_ones.transpose() / of.q;
+  return q;
+}
+
+LeftOutRuns left_out(const RidgeProblem& problem, const Solved& of, bool with_sigma) {
+  const Eigen::Index n = problem.columns.rows();
+  const Eigen::MatrixXd q = without_constant(of);
   LeftOutRuns result{Eigen::VectorXd(n), Eigen::VectorXd(with_sigma ? n : 0), {}, {}};
   for (Eigen::Index first = 0; first < n;) {
     Eigen::Index end = first;
@@ -254,6 +263,32 @@ RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting) {
 
 LeftOutRuns left_out_runs(const RidgeProblem& problem, const RidgeSetting& setting) {
   return left_out(problem, solved(problem, setting), true);
+}
+
+Eigen::MatrixXd left_out_pairs_um2(const RidgeProblem& problem, const RidgeSetting& setting, std::size_t runs) {
+  const Solved of = solved(problem, setting);
+  const auto count = static_cast<Eigen::Index>(runs);
+  if (of.root.info() != Eigen::Success) {
+    return Eigen::MatrixXd::Constant(count, count, std::numeric_limits<double>::infinity());
+  }
+  const Eigen::MatrixXd q = without_constant(of);
+  std::vector<std::vector<Eigen::Index>> rows_of(runs);
+  for (std::size_t i = 0; i < problem.run.size(); ++i) rows_of[problem.run[i]].push_back(static_cast<Eigen::Index>(i));
+  Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(count, count);
+  for (Eigen::Index r = 0; r < count; ++r) {
+    for (Eigen::Index s = 0; s <= r; ++s) {
+      std::vector<Eigen::Index> rows = rows_of[static_cast<std::size_t>(r)];
+      const std::vector<Eigen::Index>& of_s = rows_of[static_cast<std::size_t>(s)];
+      const auto of_r = static_cast<Eigen::Index>(rows.size());
+      if (s != r) rows.insert(rows.end(), of_s.begin(), of_s.end());
+      if (rows.empty()) continue;
+      const Eigen::VectorXd error_um = q(rows, rows).ldlt().solve(of.of_target(rows));
+      const Eigen::VectorXd of_first = error_um.head(of_r), of_second = error_um.tail(error_um.size() - of_r);
+      if (of_first.size() > 0) squares(s, r) = of_first.squaredNorm() / static_cast<double>(of_first.size());
+      if (of_second.size() > 0) squares(r, s) = of_second.squaredNorm() / static_cast<double>(of_second.size());
+    }
+  }
+  return squares;
 }
 
 Eigen::VectorXd gains_from(const RidgeProblem& problem, const RidgeSetting& setting,

@@ -104,6 +104,10 @@ struct LeftOutRuns {
 };
 LeftOutRuns left_out_runs(const RidgeProblem& problem, const RidgeSetting& setting);
 
+// Runs r by runs s of the design: the mean square of what is left of run s when r and s are left out together, on the
+// diagonal when s alone is; 0 where the problem has no row of s, infinite where K is singular.
+Eigen::MatrixXd left_out_pairs_um2(const RidgeProblem& problem, const RidgeSetting& setting, std::size_t runs);
+
 inline constexpr double kNormal95 = 1.959963984540054;  // sigmas of a 95 % interval
 
 struct RidgePrediction {

@@ -187,5 +187,40 @@ TEST(ridge, runs_left_out_are_those_really_left_out) {
   }
 }
 
+// As left_out_runs of the rows of all runs but one: that one is gone.
+TEST(ridge, pairs_of_runs_left_out_are_runs_left_out_without_another) {
+  constexpr std::size_t kRuns = 5, kRows = 14;
+  const Design of = design(kRuns, kRows);
+  const RidgeProblem problem = problem_of(of);
+  for (const RidgeSetting& setting : kSettings) {
+    const Eigen::MatrixXd pairs = left_out_pairs_um2(problem, setting, kRuns + 1);
+    const LeftOutRuns left = left_out_runs(problem, setting);
+    const Eigen::MatrixXd k = covariance(of, setting);
+    for (std::size_t r = 0; r < kRuns; ++r) {
+      for (std::size_t s = 0; s < kRuns; ++s) {
+        std::vector<std::size_t> out, in;
+        for (std::size_t i = 0; i < of.run.size(); ++i) {
+          if (of.run[i] == s) out.push_back(i);
+          if (of.run[i] != s && of.run[i] != r) in.push_back(i);
+        }
+        const Eigen::MatrixXd others = k(in, in).inverse();
+        const Eigen::VectorXd ones = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(in.size()));
+        const Eigen::VectorXd y = of.target_um(in);
+        const double b = ones.dot(others * y) / ones.dot(others * ones);
+        const Eigen::VectorXd along = k(out, in) * (others * (y.array() - b).matrix());
+        const double square_um2 = (of.target_um(out).array() - b - along.array()).square().mean();
+        const auto row = static_cast<Eigen::Index>(r), column = static_cast<Eigen::Index>(s);
+        EXPECT_NEAR(pairs(row, column), square_um2, 1e-8 * (1.0 + square_um2));
+      }
+    }
+    // The sixth run has no rows: without it each is what it is left out alone.
+    for (std::size_t s = 0; s < kRuns; ++s) {
+      const auto column = static_cast<Eigen::Index>(s);
+      EXPECT_NEAR(pairs(static_cast<Eigen::Index>(kRuns), column), left.rmse_um[s] * left.rmse_um[s], 1e-8);
+    }
+    EXPECT_EQ(pairs(static_cast<Eigen::Index>(kRuns), static_cast<Eigen::Index>(kRuns)), 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace ballbar
