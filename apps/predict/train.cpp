@@ -279,8 +279,9 @@ void add_method_options(CLI::App& command, TrainOptions& options) {
       .add_option("--start-from", options.start,
                   "with --effects: a model .json that was trained on other machines; this one adapts it")
       ->type_name("FILE");
-  .add_option("--sensors", options.sensors,
-              "with --effects: of so many temperatures; which ones, what each buys, which others would do")
+  command
+      .add_option("--sensors", options.sensors,
+                  "with --effects: of so many temperatures; which ones, what each buys, which others would do")
       ->check(number_within(1, 10000))
       ->type_name("N");
   add_max_gap(command, options.max_gap_s);
