@@ -82,6 +82,18 @@ TEST(live_prediction, row_by_row_is_at_once_to_the_last_bit) {
   EXPECT_TRUE(std::isfinite(at_once.predicted_um[69]) && std::isfinite(at_once.predicted_um[71]));
 }
 
+// More rows than are worked on together, one without a value among the later ones.
+TEST(live_prediction, row_by_row_is_at_once_over_many_rows) {
+  Series other = made::run({.rows = 20000}, "many_rows");
+  made::values_of(other, "T_base_degC")[17000] = std::numeric_limits<double>::quiet_NaN();
+  LivePrediction live(cut().regression);
+  const RegressionPrediction at_once = predict(cut().regression, other);
+  expect_same(row_by_row(live, other), at_once);
+  EXPECT_EQ(live.state().time_s, at_once.end.live.time_s);
+  EXPECT_EQ(live.state().inputs, at_once.end.live.inputs);
+  EXPECT_EQ(live.state().kept, at_once.end.live.kept);
+}
+
 TEST(live_prediction, what_goes_on_from_training_is_what_the_whole_record_gives) {
   const EffectRegression& regression = cut().regression;
   ASSERT_GT(regression.length_s, 0.0);

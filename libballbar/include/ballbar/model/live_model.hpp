@@ -38,7 +38,13 @@ class LiveModel {
   // A row that gives no finite value is forgotten.
   double next(double time_s, std::span<const double> values);
 
-  // What each term added to the last row, in their order.
+  // n rows at once, shared out among the cores: each as if it came alone. values: n of each of columns(). Each term's
+  // contributions are written one term after the other, n each. False, and nothing has changed, where a row may give no
+  // finite value: then they are to come one by one.
+  bool next(std::span<const double> time_s, std::span<const std::span<const double>> values,
+            std::span<double> contributions_um);
+
+  // What each term added to the last row that came alone, in their order.
   std::span<const double> contributions_um() const { return contributions_um_; }
 
   const State& state() const { return state_; }
