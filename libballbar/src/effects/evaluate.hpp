@@ -23,6 +23,10 @@ Evaluate by_row(Functor functor) {
   constexpr std::size_t kNumbers = kKept > 0 ? kKept : 1;
   const auto some = [functor](const EffectRows& rows, std::size_t begin, std::size_t end, const double* parameters,
                               double* kept, double* values) {
+    if (end - begin == 1) {
+      *values = functor(rows, begin, parameters, kept);
+      return;
+    }
     std::array<double, kNumbers> numbers{};  // of their own, so that they stay in registers
     std::copy_n(kept, kKept, numbers.begin());
     for (std::size_t i = begin; i < end; ++i) values[i - begin] = functor(rows, i, parameters, numbers.data());
