@@ -62,7 +62,7 @@ double LiveModel::next(double time_s, std::span<const double> values) {
   state_.time_s[row] = time_s;
   for (std::size_t c = 0; c < columns_.size(); ++c) state_.inputs[c * kRowsKept + row] = values[c];
   const double value_um = value_at(row);
-  if (!std::isfinite(value_um)) std::swap(state_, before_);
+  if (!std::isfinite(value_um)) state_ = before_;
   return value_um;
 }
 
@@ -107,18 +107,24 @@ bool LiveModel::next(std::span<const double> time_s, std::span<const std::span<c
 }
 
 double LiveModel::value_at(std::size_t row) {
+  if (shown_rows_ != state_.rows) show_rows();
   double sum_um = constant_um_;
   for (std::size_t t = 0; t < terms_.size(); ++t) {
-    LiveTerm& term = terms_[t];
-    term.rows.time_s = {state_.time_s.data(), state_.rows};
-    for (std::size_t k = 0; k < term.column.size(); ++k) {
-      term.rows.inputs[k] = {state_.inputs.data() + term.column[k] * kRowsKept, state_.rows};
-    }
+    const LiveTerm& term = terms_[t];
     term.evaluate.rows(term.rows, row, row + 1, term.parameters.data(), state_.kept.data() + term.kept,
                        &contributions_um_[t]);
     sum_um += contributions_um_[t];
   }
   return sum_um;
+}
+
+void LiveModel::show_rows() {
+  for (LiveTerm& term : terms_) {
+    term.rows.time_s = {state_.time_s.data(), state_.rows};
+    for (std::size_t k = 0; k < term.column.size(); ++k)
+      term.rows.inputs[k] = {state_.inputs.data() + term.column[k] * kRowsKept, state_.rows};
+  }
+  shown_rows_ = state_.rows;
 }
 
 void LiveModel::resume(const State& state) {

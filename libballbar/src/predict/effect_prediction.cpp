@@ -64,7 +64,7 @@ void add_shares(RegressionPrediction& prediction) {
   std::vector<DriverShare> sorted;
   sorted.reserve(order.size());
   for (const std::size_t d : order) {
-    place.indices()[static_cast<Eigen::Index>(d)] = static_cast<int>(sorted.size());
+    place.indices()[static_cast<Eigen::Index>(sorted.size())] = static_cast<int>(d);
     sorted.push_back(prediction.drivers[d]);
   }
   prediction.drivers_um.applyOnTheRight(place);

@@ -145,6 +145,26 @@ TEST(live_prediction, a_new_run_has_no_discrepancy) {
   }
 }
 
+// The largest share first, and each with what the terms on its column add.
+TEST(live_prediction, drivers_are_sorted_with_what_they_add) {
+  const EffectRegression& regression = cut().regression;
+  const Series other = made::run({.rows = 50}, "drivers");
+  const RegressionPrediction prediction = predict(regression, other);
+  ASSERT_GT(prediction.drivers.size(), 2U);
+  LivePrediction live(regression);
+  row_by_row(live, other);
+  for (std::size_t d = 0; d < prediction.drivers.size(); ++d) {
+    double sum_um = 0.0;
+    for (std::size_t t = 0; t < regression.model.terms.size(); ++t) {
+      if (regression.model.terms[t].columns.front() != prediction.drivers[d].column) continue;
+      sum_um += live.contributions_um()[t];
+    }
+    EXPECT_EQ(prediction.drivers_um(49, static_cast<Eigen::Index>(d)), sum_um) << prediction.drivers[d].column;
+    if (d == 0) continue;
+    EXPECT_LE(std::abs(prediction.drivers[d].share_um), std::abs(prediction.drivers[d - 1].share_um));
+  }
+}
+
 // A run that begins at the same time with the same first row as training did, and is another.
 TEST(live_prediction, an_equal_first_row_does_not_hold_the_training) {
   Series other = made::run({.rows = kTrained + 50}, "equal_first_row");

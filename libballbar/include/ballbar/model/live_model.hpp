@@ -61,15 +61,17 @@ class LiveModel {
     std::vector<double> parameters;
     std::vector<std::size_t> column;  // of columns_, as the effect's inputs
     std::size_t kept = 0;             // where its numbers begin
-    EffectRows rows;                  // of state_, set for every row
+    EffectRows rows;                  // of state_, whose places stay; set where their number changes
   };
 
   double value_at(std::size_t row);
+  void show_rows();
 
   double constant_um_ = 0.0;
   std::vector<std::string> columns_;
   std::vector<LiveTerm> terms_;
   State state_, before_;
+  std::size_t shown_rows_ = 0;
   std::vector<double> contributions_um_;
 };
 
