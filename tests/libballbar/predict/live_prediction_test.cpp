@@ -150,7 +150,7 @@ TEST(live_prediction, drivers_are_sorted_with_what_they_add) {
   const EffectRegression& regression = cut().regression;
   const Series other = made::run({.rows = 50}, "drivers");
   const RegressionPrediction prediction = predict(regression, other);
-  ASSERT_GT(prediction.drivers.size(), 2U);
+  ASSERT_GE(prediction.drivers.size(), 2U);
   LivePrediction live(regression);
   row_by_row(live, other);
   for (std::size_t d = 0; d < prediction.drivers.size(); ++d) {
