@@ -1,6 +1,7 @@
-// A regression on effects: trained on one warm-up of 600 rows and 24 temperatures, and a row predicted live.
+// A regression on effects: trained on one warm-up of 600 rows and 24 temperatures; a row predicted live, and a series.
 #include <benchmark/benchmark.h>
 
+#include <cstdint>
 #include <vector>
 
 #include "ballbar/predict/effect_regression.hpp"
@@ -37,7 +38,23 @@ void prediction_live_row(benchmark::State& state) {
   state.counters["terms"] = static_cast<double>(regression.model.terms.size());
 }
 
+// A series of 100 000 rows, in rows a second.
+void prediction_of_series(benchmark::State& state) {
+  const ballbar::EffectRegression regression = trained();
+  ballbar::Series series = warm_up();
+  const std::size_t rows = 100'000, known = series.time_s.size();
+  for (std::size_t i = known; i < rows; ++i) series.time_s.push_back(series.time_s.back() + 15.0);
+  for (ballbar::Column& column : series.columns) {
+    column.values.resize(rows);
+    for (std::size_t i = known; i < rows; ++i) column.values[i] = column.values[i - known];
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(predict(regression, series));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rows));
+  state.counters["terms"] = static_cast<double>(regression.model.terms.size());
+}
+
 BENCHMARK(prediction_trained)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 BENCHMARK(prediction_live_row)->Unit(benchmark::kMicrosecond);
+BENCHMARK(prediction_of_series)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

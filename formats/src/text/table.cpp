@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "ballbar/numerics/interruption.hpp"
+#include "ballbar/numerics/parallel.hpp"
 #include "text/cells.hpp"
 
 namespace ballbar {
@@ -15,6 +16,7 @@ namespace {
 
 constexpr std::size_t kLongestComments = std::size_t{1} << 20;
 constexpr std::size_t kMostColumns = 10000;
+constexpr std::size_t kBytesOfPart = std::size_t{1} << 20;
 constexpr std::size_t kRowsBetweenQuestions = 4096;  // whether the work is to end
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -74,6 +76,67 @@ std::vector<Cell> cells_of(const TextLine& line) {
   fail_at(text, offset, fmt::format("expected {} numbers separated by commas, found {}.", columns, in_quotes(line)));
 }
 
+// Whole rows, the first of them the `row`-th.
+struct TablePart {
+  std::string_view text;
+  std::size_t row = 0, rows = 0;
+};
+
+std::vector<TablePart> parts_of(std::string_view body) {
+  std::vector<TablePart> parts;
+  for (std::size_t begin = 0; begin < body.size();) {
+    const std::size_t line_end = body.find('\n', std::min(begin + kBytesOfPart, body.size()));
+    const std::size_t end = line_end == std::string_view::npos ? body.size() : line_end + 1;
+    parts.push_back({body.substr(begin, end - begin)});
+    begin = end;
+  }
+  in_parallel(parts.size(), [&](std::size_t i) {
+    const std::string_view text = parts[i].text;
+    parts[i].rows = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + (text.back() != '\n');
+  });
+  for (std::size_t i = 1; i < parts.size(); ++i) parts[i].row = parts[i - 1].row + parts[i - 1].rows;
+  return parts;
+}
+
+void read_part(const TablePart& part, const SourceText& text, const TableHead& head, bool gaps,
+               std::vector<std::vector<double>>& values) {
+  const std::size_t columns = head.columns.size(), rows = values.front().size();
+  const char* const end = text.bytes.data() + text.bytes.find_last_not_of("\r\n") + 1;
+  const char* const part_end = part.text.data() + part.text.size();
+  const char* next = part.text.data();
+  for (std::size_t at = part.row; next < part_end; ++at) {
+    if (at % kRowsBetweenQuestions == 0) expect_no_interruption();
+    const char* const row = next;
+    const auto refuse = [&] { fail_row(text, head, static_cast<std::size_t>(row - text.bytes.data()), gaps); };
+    for (std::size_t column = 0; column < columns; ++column) {
+      while (next < end && is_blank(*next)) ++next;
+      if (end - next > 1 && *next == '+' && next[1] != '-') ++next;
+      double value = 0.0;
+      const auto [rest, error] = std::from_chars(next, end, value);
+      const bool nan = gaps && column > 0 && std::isnan(value);  // as numpy and pandas write a gap
+      if (error == std::errc{} && (std::isfinite(value) || nan)) {
+        next = rest;
+      } else if (error == std::errc::invalid_argument && gaps && column > 0 &&
+                 (next == end || *next == ',' || *next == '\r' || *next == '\n') && next[-1] != '+') {
+        value = std::numeric_limits<double>::quiet_NaN();
+      } else {
+        refuse();
+      }
+      while (next < end && is_blank(*next)) ++next;
+      if (column + 1 < columns) {
+        if (next == end || *next != ',') refuse();
+        ++next;
+      }
+      if (at < rows) values[column][at] = value;
+    }
+    if (next < end && *next == '\r') ++next;
+    if (next < end) {
+      if (*next != '\n') refuse();
+      ++next;
+    }
+  }
+}
+
 }  // namespace
 
 CommentBlock comment_block(const SourceText& text) {
@@ -130,44 +193,14 @@ std::vector<std::vector<double>> table_columns(const SourceText& text, const Tab
     fail_at(text, text.bytes.size(), "expected at least one row of numbers, found the end of the file.");
   const std::size_t columns = head.columns.size();
   const std::string_view body = bytes.substr(head.body);
-  const auto lines = static_cast<std::size_t>(std::count(body.begin(), body.end(), '\n')) + 1;
+  const std::vector<TablePart> parts = parts_of(body);
+  const std::size_t lines = parts.back().row + parts.back().rows;
   std::vector<std::vector<double>> values(columns);
-  // A row has at least a comma or a line end a column, so memory is bounded by the size of the file.
-  for (auto& column : values) column.reserve(std::min(lines, body.size() / columns + 1));
-
-  const char* const end = body.data() + body.size();
-  const char* next = body.data();
-  while (next < end) {
-    if (values.front().size() % kRowsBetweenQuestions == 0) expect_no_interruption();
-    const char* const row = next;
-    const auto refuse = [&] { fail_row(text, head, static_cast<std::size_t>(row - text.bytes.data()), gaps); };
-    for (std::size_t column = 0; column < columns; ++column) {
-      while (next < end && is_blank(*next)) ++next;
-      if (end - next > 1 && *next == '+' && next[1] != '-') ++next;
-      double value = 0.0;
-      const auto [rest, error] = std::from_chars(next, end, value);
-      const bool nan = gaps && column > 0 && std::isnan(value);  // as numpy and pandas write a gap
-      if (error == std::errc{} && (std::isfinite(value) || nan)) {
-        next = rest;
-      } else if (error == std::errc::invalid_argument && gaps && column > 0 &&
-                 (next == end || *next == ',' || *next == '\r' || *next == '\n') && next[-1] != '+') {
-        value = std::numeric_limits<double>::quiet_NaN();
-      } else {
-        refuse();
-      }
-      while (next < end && is_blank(*next)) ++next;
-      if (column + 1 < columns) {
-        if (next == end || *next != ',') refuse();
-        ++next;
-      }
-      values[column].push_back(value);
-    }
-    if (next < end && *next == '\r') ++next;
-    if (next < end) {
-      if (*next != '\n') refuse();
-      ++next;
-    }
-  }
+  // A row has at least a comma or a line end a column, so memory is bounded by the size of the file. Of more lines one
+  // is no row, and is refused.
+  const std::size_t rows = std::min(lines, body.size() / columns + 1);
+  in_parallel(columns, [&](std::size_t column) { values[column].resize(rows); });
+  in_parallel(parts.size(), [&](std::size_t i) { read_part(parts[i], text, head, gaps, values); });
   return values;
 }
 

@@ -14,21 +14,21 @@ std::vector<double> grid_of(const Parameter& parameter, const EffectRows& rows, 
   return grid;
 }
 
-void Evaluate::operator()(const EffectRows& rows, const double* at, double* values, double* derivatives) const {
+void Evaluate::operator()(const EffectRows& of, const double* at, double* values, double* derivatives) const {
   expect_no_interruption();
-  if (std::is_sorted(rows.time_s.begin(), rows.time_s.end())) {
-    all(rows, at, values, derivatives);
+  if (std::is_sorted(of.time_s.begin(), of.time_s.end())) {
+    all(of, at, values, derivatives);
     return;
   }
   if (derivatives != nullptr && parameters == 0) {
     throw Error("expected an effect that states how many parameters it has (Evaluate::parameters), found none.");
   }
-  EffectRows own = rows;
-  for (const std::span<const double> input : rows.inputs) own.zero.push_back(input.front());
-  for (const RowRange& range : runs_of(rows.time_s)) {
+  EffectRows own = of;
+  for (const std::span<const double> input : of.inputs) own.zero.push_back(input.front());
+  for (const RowRange& range : runs_of(of.time_s)) {
     const std::size_t n = range.end - range.begin;
-    own.time_s = rows.time_s.subspan(range.begin, n);
-    for (std::size_t k = 0; k < own.inputs.size(); ++k) own.inputs[k] = rows.inputs[k].subspan(range.begin, n);
+    own.time_s = of.time_s.subspan(range.begin, n);
+    for (std::size_t k = 0; k < own.inputs.size(); ++k) own.inputs[k] = of.inputs[k].subspan(range.begin, n);
     all(own, at, values + range.begin, derivatives == nullptr ? nullptr : derivatives + range.begin * parameters);
     ++own.run;
   }

@@ -9,6 +9,7 @@
 
 #include <ceres/jet.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -20,11 +21,23 @@ namespace ballbar {
 template <int kParameters, int kKept = 0, class Functor>
 Evaluate by_row(Functor functor) {
   constexpr std::size_t kNumbers = kKept > 0 ? kKept : 1;
-  const auto all = [functor](const EffectRows& rows, const double* parameters, double* values, double* derivatives) {
+  const auto some = [functor](const EffectRows& rows, std::size_t begin, std::size_t end, const double* parameters,
+                              double* kept, double* values) {
+    if (end - begin == 1) {
+      *values = functor(rows, begin, parameters, kept);
+      return;
+    }
+    std::array<double, kNumbers> numbers{};  // of their own, so that they stay in registers
+    std::copy_n(kept, kKept, numbers.begin());
+    for (std::size_t i = begin; i < end; ++i) values[i - begin] = functor(rows, i, parameters, numbers.data());
+    std::copy_n(numbers.begin(), kKept, kept);
+  };
+  const auto all = [functor, some](const EffectRows& rows, const double* parameters, double* values,
+                                   double* derivatives) {
     const std::size_t n = rows.time_s.size();
     if (derivatives == nullptr) {
       std::array<double, kNumbers> kept{};
-      for (std::size_t i = 0; i < n; ++i) values[i] = functor(rows, i, parameters, kept.data());
+      some(rows, 0, n, parameters, kept.data(), values);
       return;
     }
     using Jet = ceres::Jet<double, kParameters>;
@@ -37,10 +50,7 @@ Evaluate by_row(Functor functor) {
       for (int k = 0; k < kParameters; ++k) derivatives[i * kParameters + static_cast<std::size_t>(k)] = value.v[k];
     }
   };
-  const auto row = [functor](const EffectRows& rows, std::size_t i, const double* parameters, double* kept) {
-    return functor(rows, i, parameters, kept);
-  };
-  return {all, row, static_cast<std::size_t>(kKept), static_cast<std::size_t>(kParameters)};
+  return {all, some, static_cast<std::size_t>(kKept), static_cast<std::size_t>(kParameters)};
 }
 
 template <int kParameters, class Functor>

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <utility>
 
 #include "ballbar/error.hpp"
@@ -100,15 +101,18 @@ class Program {
 
 // Central differences, inside the bounds as far as they leave room.
 Evaluate evaluated_by(std::shared_ptr<const Bound> bound, std::vector<Parameter> parameters) {
-  // One program for all rows that arrive: they come one after the other.
+  // One program for all rows that arrive; who asks for others waits.
   struct Live {
     explicit Live(std::shared_ptr<const Bound> of) : bound(std::move(of)), program(*bound) {}
     std::shared_ptr<const Bound> bound;
     Program program;
+    std::mutex at_work;
   };
   const auto live = std::make_shared<Live>(bound);
-  const auto row = [live](const EffectRows& rows, std::size_t i, const double* p, double* kept) {
-    return live->program.at(rows, i, p, kept);
+  const auto some = [live](const EffectRows& rows, std::size_t begin, std::size_t end, const double* p, double* kept,
+                           double* values) {
+    const std::lock_guard<std::mutex> alone(live->at_work);
+    for (std::size_t i = begin; i < end; ++i) values[i - begin] = live->program.at(rows, i, p, kept);
   };
   const std::size_t kept = live->program.kept(), count = parameters.size();
   const auto all = [bound = std::move(bound), parameters = std::move(parameters)](
@@ -139,7 +143,7 @@ Evaluate evaluated_by(std::shared_ptr<const Bound> bound, std::vector<Parameter>
       }
     }
   };
-  return {all, row, kept, count};
+  return {all, some, kept, count};
 }
 
 Explanation page() {

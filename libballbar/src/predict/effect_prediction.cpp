@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "ballbar/numerics/parallel.hpp"
 #include "ballbar/predict/batch.hpp"
 #include "ballbar/predict/effect_regression.hpp"
 #include "numerics/not_finite.hpp"
@@ -12,7 +13,8 @@
 namespace ballbar {
 namespace {
 
-constexpr double kMostStepsApart = 10;  // between the end of training and what goes on from it
+constexpr double kMostStepsApart = 10;        // between the end of training and what goes on from it
+constexpr std::size_t kRowsTogether = 16384;  // what they give for gains of 1 takes 8 bytes a term and row
 
 // Whether the series has the first and the last row of the last training run: machines that start cold begin alike.
 bool holds_training(const EffectRegression& regression, const Series& series,
@@ -45,8 +47,11 @@ void add_shares(RegressionPrediction& prediction) {
     if (std::isfinite(prediction.predicted_um[i])) rows.push_back(i);
   }
   if (rows.empty()) return;
-  const Eigen::MatrixXd known = prediction.drivers_um(rows, Eigen::all);
-  const Eigen::VectorXd sum = known.rowwise().sum();
+  const bool all = rows.size() == prediction.predicted_um.size();  // of a long series a copy costs
+  const Eigen::MatrixXd some = all ? Eigen::MatrixXd() : Eigen::MatrixXd(prediction.drivers_um(rows, Eigen::all));
+  const Eigen::MatrixXd& known = all ? prediction.drivers_um : some;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(known.rows());
+  for (Eigen::Index d = 0; d < known.cols(); ++d) sum += known.col(d);
   const Eigen::VectorXd share = shares_of(known, sum);
   for (std::size_t d = 0; d < prediction.drivers.size(); ++d)
     prediction.drivers[d].share_um = share[static_cast<Eigen::Index>(d)];
@@ -55,10 +60,14 @@ void add_shares(RegressionPrediction& prediction) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return std::abs(prediction.drivers[a].share_um) > std::abs(prediction.drivers[b].share_um);
   });
-  prediction.drivers_um = prediction.drivers_um(Eigen::all, order).eval();
+  Eigen::PermutationMatrix<Eigen::Dynamic> place(static_cast<Eigen::Index>(order.size()));
   std::vector<DriverShare> sorted;
   sorted.reserve(order.size());
-  for (const std::size_t d : order) sorted.push_back(prediction.drivers[d]);
+  for (const std::size_t d : order) {
+    place.indices()[static_cast<Eigen::Index>(sorted.size())] = static_cast<int>(d);
+    sorted.push_back(prediction.drivers[d]);
+  }
+  prediction.drivers_um.applyOnTheRight(place);
   prediction.drivers = std::move(sorted);
 }
 
@@ -76,6 +85,22 @@ Model with_gains_of_1(Model model) {
   return model;
 }
 
+// Those that have no finite value are left out of what comes after them.
+void one_by_one(LivePrediction& live, const LivePrediction::Rows& rows) {
+  Eigen::Ref<Eigen::MatrixXd> drivers_um = rows.drivers_um;
+  std::vector<double> values(rows.values.size());
+  for (std::size_t i = 0; i < rows.time_s.size(); ++i) {
+    for (std::size_t c = 0; c < values.size(); ++c) values[c] = rows.values[c][i];
+    const LivePrediction::At at = live.next(rows.time_s[i], values);
+    rows.predicted_um[i] = at.predicted_um;
+    rows.half_width_um[i] = at.half_width_um;
+    if (!std::isfinite(at.predicted_um)) continue;
+    const std::span<const double> each = live.contributions_um();
+    for (std::size_t t = 0; t < each.size(); ++t)
+      drivers_um(static_cast<Eigen::Index>(i), live.driver_of_term()[t]) += each[t];
+  }
+}
+
 double first_gain(const Term& term) {
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
     if (term.effect->parameters[k].kind == ParameterKind::gain) return term.settings[k].start;
@@ -86,11 +111,18 @@ double first_gain(const Term& term) {
 }  // namespace
 
 LivePrediction::LivePrediction(const EffectRegression& regression)
-    : of_(regression), live_(with_gains_of_1(regression.model)) {
-  for (const Term& term : regression.model.terms) gains_.push_back(first_gain(term));
+    : of_(regression), live_(with_gains_of_1(regression.model)), factor_(regression.factor_um) {
+  for (const Term& term : regression.model.terms) {
+    gains_.push_back(first_gain(term));
+    const auto known = std::find(drivers_.begin(), drivers_.end(), term.columns.front());
+    driver_of_.push_back(known - drivers_.begin());
+    if (known == drivers_.end()) drivers_.push_back(term.columns.front());
+  }
+  mean_um_.assign(regression.mean_um.begin(), regression.mean_um.end());
+  for (const double sd_um : regression.sd_um) per_sd_.push_back(1.0 / sd_um);
   contributions_um_.resize(gains_.size());
-  scaled_.resize(static_cast<Eigen::Index>(gains_.size()) + 2);
-  known_ = scaled_;
+  scaled_.resize(gains_.size() + 2);
+  room_ = scaled_;
   for (const std::string& name : live_.columns()) {
     const auto range = std::find_if(regression.model.trained.begin(), regression.model.trained.end(),
                                     [&](const ColumnRange& one) { return one.column == name; });
@@ -100,30 +132,82 @@ LivePrediction::LivePrediction(const EffectRegression& regression)
   }
 }
 
+// What is left of the discrepancy at the end of training: 1 to 0.
+double LivePrediction::forgotten(double time_s) const {
+  const bool is_after = goes_on_ && of_.length_s > 0.0 && time_s > of_.end_s;
+  return is_after ? std::exp(-(time_s - of_.end_s) / of_.length_s) : 0.0;
+}
+
+double LivePrediction::half_width_um(double known_um2, double forgotten) const {
+  const double fresh = 1.0 - remembered(0.0, of_.length_s) * forgotten * forgotten;
+  return kNormal95 * of_.interval_scale * std::sqrt(known_um2 + fresh * of_.sigma_um * of_.sigma_um);
+}
+
 LivePrediction::At LivePrediction::next(double time_s, std::span<const double> values) {
   if (!std::isfinite(live_.next(time_s, values))) return {kUnknown, kUnknown, false};
   const std::span<const double> units = live_.contributions_um();
-  const auto m = static_cast<Eigen::Index>(gains_.size());
+  const std::size_t m = gains_.size();
   At at;
   at.predicted_um = *of_.model.constant_um;
   scaled_[0] = 1.0;
-  for (Eigen::Index k = 0; k < m; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    contributions_um_[i] = gains_[i] * units[i];
-    at.predicted_um += contributions_um_[i];
-    scaled_[k + 1] = (units[i] - of_.mean_um[k]) / of_.sd_um[k];
+  for (std::size_t k = 0; k < m; ++k) {
+    contributions_um_[k] = gains_[k] * units[k];
+    at.predicted_um += contributions_um_[k];
+    scaled_[k + 1] = (units[k] - mean_um_[k]) * per_sd_[k];
   }
-  const bool is_after = goes_on_ && of_.length_s > 0.0 && time_s > of_.end_s;
-  scaled_[m + 1] = is_after ? std::exp(-(time_s - of_.end_s) / of_.length_s) : 0.0;
+  scaled_[m + 1] = forgotten(time_s);
   discrepancy_um_ = of_.end_discrepancy_um * scaled_[m + 1];
   at.predicted_um += discrepancy_um_;
-  known_.noalias() = of_.factor_um.triangularView<Eigen::Lower>().transpose() * scaled_;
-  const double fresh = 1.0 - remembered(0.0, of_.length_s) * scaled_[m + 1] * scaled_[m + 1];
-  at.half_width_um =
-      kNormal95 * of_.interval_scale * std::sqrt(known_.squaredNorm() + fresh * of_.sigma_um * of_.sigma_um);
+  at.half_width_um = half_width_um(factor_.squared_norm(scaled_.data(), room_.data()), scaled_[m + 1]);
   for (std::size_t c = 0; c < values.size(); ++c)
     at.outside = at.outside || values[c] < low_[c] || values[c] > high_[c];
   return at;
+}
+
+bool LivePrediction::next(const Rows& rows) {
+  constexpr std::size_t kEight = LowerFactor::kAtOnce, kRowsOfPart = 32 * kEight;
+  const std::size_t n = rows.time_s.size(), m = gains_.size();
+  units_.resize(n * m);
+  if (!live_.next(rows.time_s, rows.values, units_)) return false;
+  Eigen::Ref<Eigen::MatrixXd> drivers_um = rows.drivers_um;
+  in_parallel((n + kRowsOfPart - 1) / kRowsOfPart, [&](std::size_t part) {
+    const std::size_t begin = part * kRowsOfPart, count = std::min(kRowsOfPart, n - begin);
+    const std::size_t groups = (count + kEight - 1) / kEight;
+    // A group of eight rows after the other, of each the eight first numbers, the second ones ...
+    std::vector<LowerFactor::Eight> x(groups * (m + 2), LowerFactor::Eight{});
+    std::vector<double> column(groups * kEight);
+    const auto set_in_groups = [&](std::size_t i) {
+      for (std::size_t group = 0; group < groups; ++group)
+        std::copy_n(column.data() + group * kEight, kEight, x[group * (m + 2) + i].data());
+    };
+    double* const predicted_um = rows.predicted_um.data() + begin;
+    std::fill_n(predicted_um, count, *of_.model.constant_um);
+    std::fill_n(column.data(), count, 1.0);
+    set_in_groups(0);
+    for (std::size_t k = 0; k < m; ++k) {
+      const double* const units = units_.data() + k * n + begin;
+      double* const driver_um = drivers_um.col(driver_of_[k]).data() + begin;
+      for (std::size_t row = 0; row < count; ++row) {
+        const double added_um = gains_[k] * units[row];
+        predicted_um[row] += added_um;
+        driver_um[row] += added_um;
+      }
+      const double mean_um = mean_um_[k], per_sd = per_sd_[k];
+      for (std::size_t row = 0; row < count; ++row) column[row] = (units[row] - mean_um) * per_sd;
+      set_in_groups(k + 1);
+    }
+    for (std::size_t row = 0; row < count; ++row) {
+      column[row] = forgotten(rows.time_s[begin + row]);
+      predicted_um[row] += of_.end_discrepancy_um * column[row];
+    }
+    set_in_groups(m + 1);
+    for (std::size_t group = 0; group < groups; ++group) {
+      const LowerFactor::Eight known_um2 = factor_.squared_norms(x.data() + group * (m + 2));
+      for (std::size_t row = group * kEight; row < std::min(count, (group + 1) * kEight); ++row)
+        rows.half_width_um[begin + row] = half_width_um(known_um2[row % kEight], column[row]);
+    }
+  });
+  return true;
 }
 
 void LivePrediction::go_on() { resume(of_.end, true); }
@@ -153,13 +237,7 @@ RegressionPrediction predict(const EffectRegression& regression, const Series& s
   } else if (prediction.holds) {
     live.begin_training_again();
   }
-  std::vector<Eigen::Index> driver_of;  // of every term
-  for (const Term& term : regression.model.terms) {
-    const std::string& name = term.columns.front();
-    const auto known = std::find_if(prediction.drivers.begin(), prediction.drivers.end(),
-                                    [&](const DriverShare& one) { return one.column == name; });
-    driver_of.push_back(known - prediction.drivers.begin());
-    if (known != prediction.drivers.end()) continue;
+  for (const std::string& name : live.drivers()) {
     const auto range = std::find_if(regression.model.trained.begin(), regression.model.trained.end(),
                                     [&](const ColumnRange& one) { return one.column == name; });
     prediction.drivers.push_back(
@@ -169,16 +247,16 @@ RegressionPrediction predict(const EffectRegression& regression, const Series& s
   prediction.drivers_um.setZero(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(prediction.drivers.size()));
   prediction.predicted_um.resize(n);
   prediction.half_width_um.resize(n);
-  std::vector<double> values(columns.size());
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t c = 0; c < columns.size(); ++c) values[c] = columns[c]->values[i];
-    const LivePrediction::At at = live.next(series.time_s[i], values);
-    prediction.predicted_um[i] = at.predicted_um;
-    prediction.half_width_um[i] = at.half_width_um;
-    if (!std::isfinite(at.predicted_um)) continue;
-    const std::span<const double> each = live.contributions_um();
-    for (std::size_t t = 0; t < each.size(); ++t)
-      prediction.drivers_um(static_cast<Eigen::Index>(i), driver_of[t]) += each[t];
+  for (std::size_t begin = 0; begin < n; begin += kRowsTogether) {
+    const std::size_t count = std::min(kRowsTogether, n - begin);
+    LivePrediction::Rows rows{
+        {series.time_s.data() + begin, count},
+        {},
+        {prediction.predicted_um.data() + begin, count},
+        {prediction.half_width_um.data() + begin, count},
+        prediction.drivers_um.middleRows(static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(count))};
+    for (const Column* column : columns) rows.values.emplace_back(column->values.data() + begin, count);
+    if (!live.next(rows)) one_by_one(live, rows);
   }
   prediction.end = {live.state(), live.goes_on()};
   for (const ColumnRange& range : regression.model.trained) {

@@ -1,5 +1,6 @@
 #include "ballbar/formats/series/series_csv.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -8,6 +9,7 @@
 #include <limits>
 
 #include "bad_text.hpp"
+#include "ballbar/error.hpp"
 
 namespace ballbar {
 namespace {
@@ -58,6 +60,32 @@ TEST(series, a_row_may_be_all_gaps) {
   EXPECT_EQ(series.time_s.size(), 3u);
   EXPECT_TRUE(std::isnan(series.columns[1].values[2]));
   EXPECT_EQ(series.columns[0].values[2], 1.0);
+}
+
+// Several MiB, which are read in parts: rows stand in their order, and the first fault is said.
+TEST(series, a_long_table_is_read_in_parts) {
+  constexpr std::size_t kRows = 200'000;
+  std::string text = "time_s,a_um,b_um\n";
+  std::vector<std::size_t> begins;
+  for (std::size_t i = 0; i < kRows; ++i) {
+    begins.push_back(text.size());
+    text += fmt::format("{},{},{}\r\n", i, 0.25 * static_cast<double>(i), i % 3 == 0 ? "" : "7.5");
+  }
+  const Series series = read_series(text, "long.csv");
+  ASSERT_EQ(series.time_s.size(), kRows);
+  for (std::size_t i = 0; i < kRows; ++i) {
+    ASSERT_EQ(series.time_s[i], static_cast<double>(i));
+    ASSERT_EQ(series.columns[0].values[i], 0.25 * static_cast<double>(i));
+    ASSERT_EQ(std::isnan(series.columns[1].values[i]), i % 3 == 0);
+  }
+  text[begins[150'000]] = 'x';
+  text[begins[60'000]] = '\n';
+  try {
+    read_series(text, "long.csv");
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "long.csv:60002:1: expected a row of 3 values, found an empty line.");
+  }
 }
 
 TEST(series, an_event_needs_no_unit) {

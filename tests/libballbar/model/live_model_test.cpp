@@ -94,6 +94,51 @@ TEST(LiveModel, GoesOnFromItsStateAnywhere) {
   }
 }
 
+std::vector<double> contributions_of(LiveModel& model, const Series& series, std::size_t begin, std::size_t end,
+                                     std::size_t terms) {
+  std::vector<std::span<const double>> values;
+  for (const std::string& name : model.columns())
+    values.emplace_back(find_column(series, name)->values.data() + begin, end - begin);
+  std::vector<double> contributions_um(terms * (end - begin));
+  EXPECT_TRUE(model.next(std::span(series.time_s).subspan(begin, end - begin), values, contributions_um));
+  return contributions_um;
+}
+
+TEST(LiveModel, ManyRowsAtOnceAreThoseThatComeAlone) {
+  const Series series = day();
+  const Model model = many_effects();
+  const std::size_t terms = model.terms.size();
+  LiveModel alone(model), at_once(model);
+  for (std::size_t begin = 0, length = 1; begin + length <= 1500; begin += length, length = length * 3 - 1) {
+    const std::vector<double> um = contributions_of(at_once, series, begin, begin + length, terms);
+    for (std::size_t i = 0; i < length; ++i) {
+      alone.next(series.time_s[begin + i], inputs_at(alone, series, begin + i));
+      for (std::size_t t = 0; t < terms; ++t) ASSERT_EQ(alone.contributions_um()[t], um[t * length + i]) << begin + i;
+    }
+    EXPECT_EQ(alone.state().rows, at_once.state().rows);
+    EXPECT_EQ(alone.state().time_s, at_once.state().time_s);
+    EXPECT_EQ(alone.state().inputs, at_once.state().inputs);
+    EXPECT_EQ(alone.state().kept, at_once.state().kept);
+  }
+}
+
+TEST(LiveModel, ManyRowsOfWhichOneGivesNoNumberChangeNothing) {
+  Series series = day();
+  series.columns[1].values[30] = std::numeric_limits<double>::quiet_NaN();
+  const Model model = many_effects();
+  LiveModel live(model);
+  contributions_of(live, series, 0, 20, model.terms.size());
+  const LiveModel::State before = live.state();
+  std::vector<double> contributions_um(20 * model.terms.size());
+  std::vector<std::span<const double>> values;
+  for (const std::string& name : live.columns()) values.emplace_back(find_column(series, name)->values.data() + 20, 20);
+  EXPECT_FALSE(live.next(std::span(series.time_s).subspan(20, 20), values, contributions_um));
+  EXPECT_EQ(live.state().rows, before.rows);
+  EXPECT_EQ(live.state().time_s, before.time_s);
+  EXPECT_EQ(live.state().inputs, before.inputs);
+  EXPECT_EQ(live.state().kept, before.kept);
+}
+
 // exp of a large number is infinite: the row before it and the row after it meet as if it had not come.
 TEST(LiveModel, ForgetsARowThatGivesNoNumber) {
   Model model;

@@ -82,6 +82,18 @@ TEST(live_prediction, row_by_row_is_at_once_to_the_last_bit) {
   EXPECT_TRUE(std::isfinite(at_once.predicted_um[69]) && std::isfinite(at_once.predicted_um[71]));
 }
 
+// More rows than are worked on together, one without a value among the later ones.
+TEST(live_prediction, row_by_row_is_at_once_over_many_rows) {
+  Series other = made::run({.rows = 20000}, "many_rows");
+  made::values_of(other, "T_base_degC")[17000] = std::numeric_limits<double>::quiet_NaN();
+  LivePrediction live(cut().regression);
+  const RegressionPrediction at_once = predict(cut().regression, other);
+  expect_same(row_by_row(live, other), at_once);
+  EXPECT_EQ(live.state().time_s, at_once.end.live.time_s);
+  EXPECT_EQ(live.state().inputs, at_once.end.live.inputs);
+  EXPECT_EQ(live.state().kept, at_once.end.live.kept);
+}
+
 TEST(live_prediction, what_goes_on_from_training_is_what_the_whole_record_gives) {
   const EffectRegression& regression = cut().regression;
   ASSERT_GT(regression.length_s, 0.0);
@@ -130,6 +142,26 @@ TEST(live_prediction, a_new_run_has_no_discrepancy) {
   for (std::size_t i = 0; i < other.time_s.size(); ++i) {
     const double sum = *regression.model.constant_um + prediction.drivers_um.row(static_cast<Eigen::Index>(i)).sum();
     ASSERT_NEAR(prediction.predicted_um[i], sum, 1e-9 * (1.0 + prediction.drivers_um.cwiseAbs().maxCoeff()));
+  }
+}
+
+// The largest share first, and each with what the terms on its column add.
+TEST(live_prediction, drivers_are_sorted_with_what_they_add) {
+  const EffectRegression& regression = cut().regression;
+  const Series other = made::run({.rows = 50}, "drivers");
+  const RegressionPrediction prediction = predict(regression, other);
+  ASSERT_GE(prediction.drivers.size(), 2U);
+  LivePrediction live(regression);
+  row_by_row(live, other);
+  for (std::size_t d = 0; d < prediction.drivers.size(); ++d) {
+    double sum_um = 0.0;
+    for (std::size_t t = 0; t < regression.model.terms.size(); ++t) {
+      if (regression.model.terms[t].columns.front() != prediction.drivers[d].column) continue;
+      sum_um += live.contributions_um()[t];
+    }
+    EXPECT_EQ(prediction.drivers_um(49, static_cast<Eigen::Index>(d)), sum_um) << prediction.drivers[d].column;
+    if (d == 0) continue;
+    EXPECT_LE(std::abs(prediction.drivers[d].share_um), std::abs(prediction.drivers[d - 1].share_um));
   }
 }
 

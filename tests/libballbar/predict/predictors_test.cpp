@@ -77,7 +77,7 @@ TEST(predictors, every_effect_with_a_rule_takes_part_on_what_it_accepts) {
   EXPECT_EQ(two.families.back().members.size(), 2U);  // of each temperature
   for (const Predictor& predictor : two.each) {
     for (const std::string& column : predictor.columns) EXPECT_NE(column, "z_um");
-    EXPECT_TRUE(predictor.effect->evaluate.row) << predictor.effect->name << " cannot run live";
+    EXPECT_TRUE(predictor.effect->evaluate.rows) << predictor.effect->name << " cannot run live";
   }
 }
 

@@ -114,10 +114,11 @@ struct Explanation {
 using EvaluateAll =
     std::function<void(const EffectRows& rows, const double* parameters, double* values, double* derivatives)>;
 
-// The value at row i, for signals that arrive live: from rows 0, i - 1 and i alone and from `kept`, the numbers that an
-// effect with memory hands on, which it sets at row 0. Row by row it gives what EvaluateAll gives, to the last bit.
-using EvaluateRow =
-    std::function<double(const EffectRows& rows, std::size_t i, const double* parameters, double* kept)>;
+// The values of the rows i from `begin` to before `end`, for signals that arrive live: each from rows 0, i - 1 and i
+// alone and from `kept`, the numbers that an effect with memory hands on, which it sets at row 0. In pieces of any length
+// it gives what EvaluateAll gives, to the last bit. May be called by several threads, each with numbers of its own.
+using EvaluateRows = std::function<void(const EffectRows& rows, std::size_t begin, std::size_t end,
+                                        const double* parameters, double* kept, double* values)>;
 
 // Writes what a unit of each gain adds at this shape, gain after gain, n values each.
 using UnitCurvesAt = std::function<void(double shape, double* curves)>;
@@ -128,7 +129,7 @@ using UnitCurvesOn = std::function<UnitCurvesAt(const EffectRows& rows)>;
 
 struct Evaluate {
   EvaluateAll all;
-  EvaluateRow row = {};           // empty: needs more than these rows
+  EvaluateRows rows = {};         // empty: needs more than these rows
   std::size_t kept = 0;           // how many numbers
   std::size_t parameters = 0;     // how many; several runs need it
   UnitCurvesOn unit_curves = {};  // of an effect with one shape; empty: by the derivatives

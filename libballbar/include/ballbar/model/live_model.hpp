@@ -38,7 +38,13 @@ class LiveModel {
   // A row that gives no finite value is forgotten.
   double next(double time_s, std::span<const double> values);
 
-  // What each term added to the last row, in their order.
+  // n rows at once, shared out among the cores: each as if it came alone. values: n of each of columns(). Each term's
+  // contributions are written one term after the other, n each. False, and nothing has changed, where a row may give no
+  // finite value: then they are to come one by one.
+  bool next(std::span<const double> time_s, std::span<const std::span<const double>> values,
+            std::span<double> contributions_um);
+
+  // What each term added to the last row that came alone, in their order.
   std::span<const double> contributions_um() const { return contributions_um_; }
 
   const State& state() const { return state_; }
@@ -55,15 +61,17 @@ class LiveModel {
     std::vector<double> parameters;
     std::vector<std::size_t> column;  // of columns_, as the effect's inputs
     std::size_t kept = 0;             // where its numbers begin
-    EffectRows rows;                  // of state_, set for every row
+    EffectRows rows;                  // of state_, whose places stay; set where their number changes
   };
 
   double value_at(std::size_t row);
+  void show_rows();
 
   double constant_um_ = 0.0;
   std::vector<std::string> columns_;
   std::vector<LiveTerm> terms_;
   State state_, before_;
+  std::size_t shown_rows_ = 0;
   std::vector<double> contributions_um_;
 };
 

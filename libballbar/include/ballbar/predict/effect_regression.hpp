@@ -40,6 +40,7 @@
 
 #include "ballbar/model/live_model.hpp"
 #include "ballbar/model/model.hpp"
+#include "ballbar/numerics/lower_factor.hpp"
 #include "ballbar/predict/held_out.hpp"
 #include "ballbar/predict/prediction.hpp"
 #include "ballbar/series/series.hpp"
@@ -187,6 +188,22 @@ class LivePrediction {
   // As LiveModel::next; takes no memory. NaN where the row gives no finite value.
   At next(double time_s, std::span<const double> values);
 
+  // Columns that contributions are counted for: the first of each term, each once.
+  std::span<const std::string> drivers() const { return drivers_; }
+  std::span<const Eigen::Index> driver_of_term() const { return driver_of_; }
+
+  // n rows of a series: their times, n values of each of columns(), and what they give.
+  struct Rows {
+    std::span<const double> time_s;
+    std::vector<std::span<const double>> values;
+    std::span<double> predicted_um, half_width_um;
+    Eigen::Ref<Eigen::MatrixXd> drivers_um;  // n by drivers(), to which contributions are added
+  };
+
+  // Many rows at once, shared out among the cores: each as if it came alone, to the last bit. False, and nothing has
+  // changed, where a row may give no finite value: then they are to come one by one.
+  bool next(const Rows& rows);
+
   // The next row goes on from the end of training.
   void go_on();
   // The next row is the first of the last training run, which goes on after its end.
@@ -196,17 +213,23 @@ class LivePrediction {
   const LiveModel::State& state() const { return live_.state(); }
   bool goes_on() const { return goes_on_; }
 
-  // Of the last row, in the order of the model's terms.
+  // Of the last row that came alone, in the order of the model's terms.
   std::span<const double> contributions_um() const { return contributions_um_; }
   double discrepancy_um() const { return discrepancy_um_; }
 
  private:
+  double forgotten(double time_s) const;
+  double half_width_um(double known_um2, double forgotten) const;
+
   const EffectRegression& of_;
-  LiveModel live_;  // with gains of 1
-  std::vector<double> gains_;
-  std::vector<double> low_, high_;  // as columns()
+  LiveModel live_;                                // with gains of 1
+  std::vector<double> gains_, mean_um_, per_sd_;  // of every term
+  std::vector<double> low_, high_;                // as columns()
   std::vector<double> contributions_um_;
-  Eigen::VectorXd scaled_, known_;
+  std::vector<std::string> drivers_;
+  std::vector<Eigen::Index> driver_of_;  // of every term
+  LowerFactor factor_;
+  std::vector<double> scaled_, room_, units_;
   double discrepancy_um_ = 0.0;
   bool goes_on_ = false;
 };

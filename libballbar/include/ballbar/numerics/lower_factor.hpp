@@ -1,0 +1,42 @@
+// |L' x|^2 for a lower triangular L: the variance of x'w where L L' is the covariance of w.
+//
+//   |L' x|^2 = sum_j (sum_{i >= j} L_ij x_i)^2
+//
+// n^2 / 2 products for each x, half of what a prediction costs. Both sums run upwards, product by product, so that one
+// x alone, several at once and any processor give the same to the last bit.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ballbar {
+
+class LowerFactor {
+ public:
+  static constexpr std::size_t kAtOnce = 8;
+  using Eight = std::array<double, kAtOnce>;
+
+  // n by n; what is above its diagonal is not read.
+  explicit LowerFactor(const Eigen::MatrixXd& lower);
+
+  // Of one x, n finite numbers; `room` are n numbers. Takes no memory.
+  double squared_norm(const double* x, double* room) const;
+
+  // Of eight at once: x[i] are the i-th numbers of each.
+  Eight squared_norms(const Eight* x) const;
+
+ private:
+  // 64 bytes, a line of the cache.
+  struct alignas(64) Line {
+    Eight values;
+  };
+
+  const double* numbers() const { return reinterpret_cast<const double*>(rows_.data()); }
+
+  std::size_t n_ = 0, stride_ = 0;
+  std::vector<Line> rows_;  // row by row, 0 above the diagonal and in rows and columns that fill up lines
+};
+
+}  // namespace ballbar
