@@ -125,6 +125,10 @@ std::vector<CompensatedAxis> axes_of(const CompensationOptions& options) {
     const std::string bytes = source.bytes(kLargestText);
     if (is_effect_regression_json(bytes)) {
       Model model = read_effect_regression(bytes, file).model;
+      if (unit_of(model.targets.front()) != "um") {
+        throw Error(fmt::format("{}: expected a target in um, for an offset is one, found {}.", file,
+                                model.targets.front()));
+      }
       if (data) {
         throw Error(
             fmt::format("{}: expected a model that can be fitted, found a regression on effects, whose values are all "

@@ -222,7 +222,8 @@ EffectRegression read_effect_regression(std::string_view bytes, std::string_view
                "runs", "rmse_um", "forecasts", "columns", "left_out", "constant_um", "terms", "factor_um", "end"});
   EffectRegression regression;
   regression.model.targets = {text(member(root, "target"))};
-  if (!regression.model.targets.front().ends_with("_um")) fail(member(root, "target"), "a name that ends in _um");
+  const std::string_view unit = unit_of(regression.model.targets.front());
+  if (unit != "um" && !unit.empty()) fail(member(root, "target"), "a name that ends in _um, or in no unit");
   regression.dictionary = texts_at(member(root, "dictionary"));
   regression.prior_variance = number_not_below_0(member(root, "prior_variance"));
   regression.sigma_um = number_not_below_0(member(root, "sigma_um"));

@@ -252,14 +252,15 @@ TEST(effect_regression_json, bad_keys) {
   });
 }
 
-// Of the catalogue in its order, and that of a run's start.
+// Of the catalogue in its order those of one gain that read a column, and that of a run's start.
 constexpr const char* kEffects =
-    "lagged_expansion, speed_heating, centrifugal_shift, cooling_asymmetry, viscosity_feedback, load_heating, "
-    "gradient_bending, start";
+    "expansion, lagged_expansion, speed_heating, centrifugal_shift, cooling_asymmetry, viscosity_feedback, "
+    "load_heating, gradient_bending, bearing_rings, bearing_clearance, preload_loss, axial_crosstalk, play_hysteresis, "
+    "bar_temperature, clock_offset, start";
 
 TEST(effect_regression_json, bad_names) {
   expect_messages({
-      {"\"z_um\"", "\"z_mm\"", " expected a name that ends in _um at target, found the text \"z_mm\"."},
+      {"\"z_um\"", "\"z_mm\"", " expected a name that ends in _um, or in no unit at target, found the text \"z_mm\"."},
       {"\"z_um\"", "[\"z_um\"]", " expected a printable text at target, found an array."},
       {"\"sources of heat\"", "7", " expected a printable text at dictionary[0], found the integer 7."},
       {"\"T_hall_degC\"", "null", " expected a printable text at left_out[0], found null."},
@@ -273,9 +274,11 @@ TEST(effect_regression_json, bad_names) {
                    "centrifugal_shift.",
                    kEffects)},
       {"\"lagged_expansion\"", "\"expansion\"",
-       fmt::format(
-           " expected one of the effects {} at terms[1].effect, found \"expansion\"; the nearest is lagged_expansion.",
-           kEffects)},
+       " expected an array of 1 number (one for each parameter of expansion) at terms[1].parameters, found an array of "
+       "2."},
+      {"\"lagged_expansion\"", "\"linear_drift\"",
+       fmt::format(" expected one of the effects {} at terms[1].effect, found \"linear_drift\"; the nearest is start.",
+                   kEffects)},
       {"[\"T_oil_degC\"], \"par", "[\"T_oik_degC\"], \"par",
        " expected one of the names in columns at terms[1].columns[0], found \"T_oik_degC\"; the nearest is "
        "T_oil_degC."},

@@ -35,10 +35,13 @@ void evaluate(const EffectRows& rows, const double* p, double* values, double* d
   }
 }
 
-double evaluate_row(const EffectRows& rows, std::size_t i, const double* p, double* kept) {
-  if (i == 0) kept[0] = 0.0;
-  if (i > 0) kept[0] += p[1] * (rows.inputs[0][i] - rows.inputs[0][0] - kept[0]);
-  return p[0] * kept[0];
+void evaluate_rows(const EffectRows& rows, std::size_t begin, std::size_t end, const double* p, double* kept,
+                   double* values) {
+  for (std::size_t i = begin; i < end; ++i) {
+    if (i == 0) kept[0] = 0.0;
+    if (i > 0) kept[0] += p[1] * (rows.inputs[0][i] - rows.inputs[0][0] - kept[0]);
+    values[i - begin] = p[0] * kept[0];
+  }
 }
 
 // Halved from the whole way in one row to the whole way in all of them.
@@ -60,7 +63,7 @@ Effect hose_creep() {
   effect.parameters = {
       {"gain_um_per_W", "um/W", ParameterKind::gain, 0.0, -10.0, 10.0, {}, "for one watt in the end"},
       {"share", "1", ParameterKind::shape, 0.5, 1e-4, 1.0, {}, "of the way, a row", false, ShapeOf::curve, shares}};
-  effect.evaluate = {evaluate, evaluate_row, 1};
+  effect.evaluate = {evaluate, evaluate_rows, 1};
   return effect;
 }
 
