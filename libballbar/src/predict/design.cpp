@@ -237,8 +237,9 @@ Design with_named(Design design, const Model& model, std::span<const Series> fit
   design.predictors.named.clear();
   for (const Term& term : model.terms) {
     if (can_be_named(term)) continue;
-    throw Error(fmt::format("{}: expected effects of one gain that read a column, for others say nothing of new rows.",
-                            label_of(term)));
+    throw Error(fmt::format(
+        "{} in the model: expected effects with one gain that read a column, for others say nothing of new rows.",
+        label_of(term)));
   }
   Model of_target = model;
   of_target.targets = {design.target};

@@ -59,6 +59,17 @@ void add_ranges(std::span<const Series> runs, EffectRegression& regression) {
   }
 }
 
+// What other machines had, too.
+void widen_ranges(const std::vector<ColumnRange>& others, EffectRegression& regression) {
+  for (ColumnRange& range : regression.model.trained) {
+    for (const ColumnRange& other : others) {
+      if (other.column != range.column) continue;
+      range.low = std::min(range.low, other.low);
+      range.high = std::max(range.high, other.high);
+    }
+  }
+}
+
 // The state of the model after the last row.
 void add_end(const Series& last_run, EffectRegression& regression) {
   LiveModel live(regression.model);
@@ -186,6 +197,7 @@ TrainedRegression trained_regression(std::span<const Series> runs, const std::st
   regression.left_out = design.predictors.left_out;
   regression.end_s = problem.end_s;
   add_ranges(runs, regression);
+  if (options.start != nullptr) widen_ranges(options.start->model.trained, regression);
   add_end(runs.back(), regression);
   regression.rmse_um = rmse_um(design, fit, regression);
   if (options.start != nullptr) trained.start = start_of(problem, fit);

@@ -40,10 +40,13 @@ RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>&
   const ColumnScales scales = column_scales(problem.columns);
   problem.mean = scales.mean;
   problem.sd = scales.sd;
-  if (design.prior) {  // what stands still here has a gain all the same
+  std::vector<std::size_t> still;  // of the prior, which has a gain for it all the same
+  if (design.prior) {
     for (std::size_t t = 0; t < design.prior->at.size(); ++t) {
       double& sd = problem.sd[static_cast<Eigen::Index>(design.prior->at[t])];
-      if (!(sd > 0.0)) sd = design.prior->sd[static_cast<Eigen::Index>(t)];
+      if (sd > 0.0) continue;
+      sd = design.prior->sd[static_cast<Eigen::Index>(t)];
+      still.push_back(design.prior->at[t]);
     }
   }
   problem.columns.rowwise() -= problem.mean.transpose();
@@ -100,6 +103,14 @@ RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>&
     problem.start(prior.at) = prior.mean.cwiseProduct(sd);
     problem.start_covariance = Eigen::MatrixXd::Zero(p, p);
     problem.start_covariance(prior.at, prior.at) = sd.asDiagonal() * prior.covariance * sd.asDiagonal();
+    // These rows do not tell the gain of what stands still: it is that of the other machines.
+    for (const std::size_t k : still) {
+      const auto at = static_cast<Eigen::Index>(k);
+      const double variance = problem.start_covariance(at, at);
+      problem.start_covariance.row(at).setZero();
+      problem.start_covariance.col(at).setZero();
+      problem.start_covariance(at, at) = variance;
+    }
     problem.start_kernel.noalias() = (problem.columns * problem.start_covariance) * problem.columns.transpose();
     problem.target_um -= problem.columns * problem.start;
   }
