@@ -167,9 +167,12 @@ struct ResultType<Start> {
   static constexpr std::string_view name = "Start";
   static constexpr std::string_view meaning = "A regression of other machines that this one started from.";
   static constexpr std::tuple fields{
+      Field{"used", &Start::used, "false: forecasts are better without it"},
       Field{"own_um", &Start::own_um, "share of the range that is this machine's own"},
       Field{"start_um", &Start::start_um, "and that is the other's"},
-      Field{"borrowed", &Start::borrowed, "share of the variance that its rows do not settle, 0 to 1"}};
+      Field{"borrowed", &Start::borrowed, "share of the variance that its rows do not settle, 0 to 1"},
+      Field{"adapted_um", &Start::adapted_um, "RMSE of forecasts with it; null: no forecasts"},
+      Field{"alone_um", &Start::alone_um, "and without it"}};
 };
 
 template <>

@@ -88,10 +88,18 @@ std::string named_text(const NamedEffects& named, const std::string& model, cons
 }
 
 std::string start_text(const Start& start, const std::string& file, const std::string& unit) {
-  return fmt::format(
-      "It starts from {0}: {1:.2f} {3} of what is predicted is that model, {2:.2f} {3} this machine's own. These rows "
-      "settle {4:.0f} % of what {0} leaves open; {5:.0f} % is borrowed.",
-      file, start.start_um, start.own_um, unit, 100.0 * (1.0 - start.borrowed), 100.0 * start.borrowed);
+  std::string text =
+      start.used
+          ? fmt::format(
+                "{} is adapted: {:.2f} {} of what is predicted is that model, {:.2f} {} this machine's own. These "
+                "rows settle {:.0f} % of what it leaves open; {:.0f} % is borrowed.",
+                file, start.start_um, unit, start.own_um, unit, 100.0 * (1.0 - start.borrowed), 100.0 * start.borrowed)
+          : fmt::format("{} does not help: this machine is predicted from its own rows alone.", file);
+  if (start.adapted_um && start.alone_um) {
+    text += fmt::format(" Forecasts are {:.2f} {} RMSE with it, {:.2f} {} without.", *start.adapted_um, unit,
+                        *start.alone_um, unit);
+  }
+  return text;
 }
 
 void expect_start(const TrainOptions& options, const EffectRegression& start, const std::string& target) {

@@ -126,7 +126,7 @@ Start start_of(const RidgeProblem& problem, const RidgeFit& fit) {
   const Eigen::VectorXd share_um = shares_of(parts, parts.rowwise().sum());
   const double before = fit.sigma_um * fit.sigma_um * prior_trace(problem, fit.setting);
   const double after = (columns * fit.factor_um.middleRows(1, m)).squaredNorm();
-  return {share_um[1], share_um[0], before > 0.0 ? std::min(1.0, after / before) : 1.0};
+  return {true, share_um[1], share_um[0], before > 0.0 ? std::min(1.0, after / before) : 1.0, {}, {}};
 }
 
 // A regression and how well it forecasts.
@@ -164,8 +164,8 @@ TrainedRegression trained_regression(std::span<const Series> runs, const std::st
     if (options.progress) options.progress(what);
   };
   say("evaluating the effects");
-  Design without = design_of(runs, target, catalogue);
-  if (options.start != nullptr) without = with_start(std::move(without), *options.start, runs);
+  const Design alone = design_of(runs, target, catalogue);
+  Design without = options.start == nullptr ? alone : with_start(alone, *options.start, runs);
   ForecastOptions testing{options.few, options.named ? &*options.named : nullptr, options.progress};
   TrainedRegression trained;
   Trial trial = options.named ? trial_of(with_named(without, *options.named, runs, runs), runs, options, testing)
@@ -177,6 +177,14 @@ TrainedRegression trained_regression(std::span<const Series> runs, const std::st
     Trial other = trial_of(std::move(without), runs, options, testing);
     trained.named.without_um = other.tested->forecasts.rmse_um;
     if (*trained.named.without_um < *trained.named.with_um) trial = std::move(other);
+  }
+  std::optional<double> adapted_um, alone_um;
+  if (options.start != nullptr && trial.tested && runs.size() < kFewestRunsToLeaveOut) {
+    say("without the other machines");
+    Trial other = trial_of(alone, runs, options, {options.few, nullptr, options.progress});
+    adapted_um = trial.tested->forecasts.rmse_um;
+    alone_um = other.tested->forecasts.rmse_um;
+    if (*alone_um < *adapted_um) trial = std::move(other);
   }
   const Design& design = trial.design;
   const RidgeProblem& problem = trial.problem;
@@ -197,10 +205,14 @@ TrainedRegression trained_regression(std::span<const Series> runs, const std::st
   regression.left_out = design.predictors.left_out;
   regression.end_s = problem.end_s;
   add_ranges(runs, regression);
-  if (options.start != nullptr) widen_ranges(options.start->model.trained, regression);
+  if (problem.start.size() > 0) widen_ranges(options.start->model.trained, regression);
   add_end(runs.back(), regression);
   regression.rmse_um = rmse_um(design, fit, regression);
-  if (options.start != nullptr) trained.start = start_of(problem, fit);
+  if (options.start != nullptr) {
+    trained.start = problem.start.size() > 0 ? start_of(problem, fit) : Start{};
+    trained.start->adapted_um = adapted_um;
+    trained.start->alone_um = alone_um;
+  }
   if (options.named) add_named(design, problem, fit, trained.named);
   if (options.report) {
     say("leaving columns and cycles out");

@@ -65,7 +65,6 @@ double adapted_over_own(const std::vector<Machine>& machines, const std::string&
     const std::vector<Series> rest(machine.runs.begin(), machine.runs.end() - 1);
     const EffectRegression of_others = trained(fleet, target);
     EffectRegressionOptions options;
-    options.forecasts = false;
     options.report = false;
     options.start = &of_others;
     const TrainedRegression adapted = trained_regression({&rest.front(), 1}, target, options);

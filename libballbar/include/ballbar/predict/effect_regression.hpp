@@ -126,10 +126,13 @@ struct NamedEffects {
 
 // A regression that another one started from.
 struct Start {
+  bool used = false;      // false: forecasts are better without it
   double own_um = 0.0;    // share of what is predicted that departs from it
   double start_um = 0.0;  // and that is its own
   // Of the variance that it leaves open, what the new rows do not settle either; 0 to 1. That much is borrowed.
   double borrowed = 0.0;
+  // RMSE of forecasts with it and of these rows alone; not known without forecasts, or of five or more runs.
+  std::optional<double> adapted_um, alone_um;
 };
 
 struct EffectRegressionOptions {
