@@ -185,6 +185,7 @@ void add_grown(const AddArguments& options, const ModelData& data, Additions& ad
 std::vector<std::string> causes_of(const Additions& additions) {
   std::vector<std::string> causes;
   for (const EffectTest& tried : additions.effect_tests) {
+    if (tried.after.verdict == kNotSupported) continue;
     for (const Candidate& added : tried.added) causes.push_back(added.label);
   }
   return causes;

@@ -8,6 +8,7 @@
 
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
+#include "ballbar/predict/predictability.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -58,7 +59,7 @@ std::string_view stop_text(GrowthStop stop) {
     case GrowthStop::best_forecast:
       return "Further effects do not predict better.";
     default:
-      return "It ends at the most effects there are, 40 or fewer.";
+      return "All numbers of effects up to 40 were tried.";
   }
 }
 
@@ -71,9 +72,7 @@ GrownModel grown_model(const std::string& bytes, const std::string& file, const 
   const auto progress = [](const std::string& what) { show_progress(what); };
   with_source(data_names.front(), [&] {
     grown.growth = growth(model, *data.series, 0, progress);
-    EffectRegressionOptions how;
-    how.progress = progress;
-    grown.train = effect_regression({data.series.get(), 1}, model.targets.front(), how).forecasts;
+    if (const auto all = predictability(model, *data.series, progress)) grown.train = all->forecasts;
     return 0;
   });
   show_progress("the model's row of the ledger");

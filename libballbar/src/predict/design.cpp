@@ -265,7 +265,7 @@ Design with_start(Design design, const EffectRegression& start, std::span<const 
   }
   std::vector<Predictor>& each = design.predictors.each;
   const auto m = static_cast<Eigen::Index>(start.model.terms.size());
-  GainPrior prior{{}, Eigen::VectorXd(m), start.sd_um, Eigen::MatrixXd(m, m)};
+  GainPrior prior{{}, Eigen::VectorXd(m), start.sd_um, Eigen::MatrixXd(m, m), start.sigma_um};
   for (Eigen::Index t = 0; t < m; ++t) {
     const Term& term = start.model.terms[static_cast<std::size_t>(t)];
     Predictor predictor = unit_of(term);

@@ -55,7 +55,8 @@ inline constexpr std::size_t kMostDesignRows = 20'000;
 struct GainPrior {
   std::vector<std::size_t> at;
   Eigen::VectorXd mean, sd;    // sd: of the predictor, where it was trained
-  Eigen::MatrixXd covariance;  // over s^2
+  Eigen::MatrixXd covariance;  // over sigma_um^2
+  double sigma_um = 0.0;
 };
 
 // n rows, run by run in the order of time.

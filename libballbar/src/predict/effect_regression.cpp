@@ -247,7 +247,9 @@ Term held_term(std::shared_ptr<const Effect> effect, std::vector<std::string> co
 }
 
 std::string dictionary_text(const EffectRegression& regression) {
-  return regression.dictionary.empty() ? "no effect" : fmt::format("{}", fmt::join(regression.dictionary, ", "));
+  return regression.dictionary.empty() && !regression.model.terms.empty() ? "the effects of another regression"
+         : regression.dictionary.empty()                                  ? "no effect"
+                                         : fmt::format("{}", fmt::join(regression.dictionary, ", "));
 }
 
 }  // namespace ballbar

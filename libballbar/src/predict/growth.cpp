@@ -10,6 +10,7 @@
 
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/series/runs.hpp"
+#include "numerics/tails.hpp"
 #include "predict/forecasts.hpp"
 
 namespace ballbar {
@@ -18,7 +19,12 @@ namespace {
 constexpr double kUnknown_um = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInputError = 0.03;  // of a standard deviation
 constexpr double kMostAdded = 0.05;   // of the error of the regression
+constexpr double kChance = 0.05;
 constexpr std::size_t kSizes[] = {1, 2, 3, 5, 8, 12, 18, 27, 40};
+
+double rms(const Eigen::VectorXd& errors) {
+  return std::sqrt(errors.squaredNorm() / static_cast<double>(errors.size()));
+}
 
 bool has_free_gain(const Term& term) {
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
@@ -127,6 +133,8 @@ Grown grown_from(const Model& base, const Series& data, std::size_t target, cons
   effects.rowwise() -= problem.mean(all.used).transpose();
   effects.array().rowwise() /= problem.sd(all.used).transpose().array();
   const Eigen::VectorXd regression_um = (effects * all.gains_um.segment(1, m)).array() + all.gains_um[0];
+  // What is written is not centred, which a constant that is held does not take up.
+  if (base.constant_um) effects.rowwise() += problem.mean(all.used).cwiseQuotient(problem.sd(all.used)).transpose();
   Grown grown;
   grown.used = all.used;
   const auto named = std::find_if(grown.used.begin(), grown.used.end(),
@@ -169,12 +177,9 @@ Term file_term(const Predictor& predictor, double gain, const Catalogue& catalog
   return held_term(*becomes, predictor.columns, of_that);
 }
 
-double rms(const Eigen::VectorXd& errors) {
-  return std::sqrt(errors.squaredNorm() / static_cast<double>(errors.size()));
-}
-
 // Of the forecasts from every origin, each row alike.
 struct ForecastSums {
+  std::vector<Eigen::VectorXd> log_rms;  // of each origin, by effects
   double rows = 0.0, of_regression = 0.0;
   std::vector<double> square, absolute, apart;  // with 0, 1 ... effects, up to as many as there are
 
@@ -185,8 +190,11 @@ struct ForecastSums {
   void add(const Grown& grown) {
     rows += static_cast<double>(grown.target_um.size());
     of_regression += (grown.target_um - grown.regression_um).squaredNorm();
+    log_rms.emplace_back(static_cast<Eigen::Index>(square.size()));
     for (std::size_t k = 0; k < square.size(); ++k) {
       const Eigen::VectorXd& predicted_um = grown.predicted_um[std::min(k, grown.predicted_um.size() - 1)];
+      const double um = rms(grown.target_um - predicted_um);
+      log_rms.back()[static_cast<Eigen::Index>(k)] = std::log(std::max(um, std::numeric_limits<double>::min()));
       square[k] += (grown.target_um - predicted_um).squaredNorm();
       absolute[k] += (grown.target_um - predicted_um).cwiseAbs().sum();
       apart[k] += (grown.regression_um - predicted_um).squaredNorm();
@@ -194,27 +202,37 @@ struct ForecastSums {
   }
 };
 
+// Whether so many effects forecast better than so many others: ln RMS over the origins, paired, one-sided 5 %.
+bool is_better(const std::vector<Eigen::VectorXd>& log_rms, std::size_t one, std::size_t other) {
+  if (log_rms.size() < 2) return false;
+  Eigen::VectorXd less(static_cast<Eigen::Index>(log_rms.size()));
+  for (Eigen::Index i = 0; i < less.size(); ++i) {
+    const Eigen::VectorXd& of = log_rms[static_cast<std::size_t>(i)];
+    less[i] = of[static_cast<Eigen::Index>(other)] - of[static_cast<Eigen::Index>(one)];
+  }
+  const double degrees = static_cast<double>(less.size() - 1);
+  const double sigma = std::sqrt((less.array() - less.mean()).square().sum() / degrees / (degrees + 1.0));
+  return less.mean() > 0.0 && (!(sigma > 0.0) || student_tails(less.mean() / sigma, degrees) < 2.0 * kChance);
+}
+
 // How many revisions are kept, of those that were tried.
-std::size_t kept_of(Growth& result) {
+std::size_t kept_of(Growth& result, const std::vector<Eigen::VectorXd>& log_rms) {
   const std::vector<GrowthErrors>& errors = result.errors;
   if (result.origins == 0) {
     result.stop = GrowthStop::untested;
     return 0;
   }
-  double most_um = result.all_um * std::sqrt((1.0 + kMostAdded) * (1.0 + kMostAdded) - 1.0);
-  double GrowthErrors::*of = &GrowthErrors::apart_um;
-  const bool is_repeated = result.all_um < errors[0].forecast_um;
-  if (!is_repeated) {
-    of = &GrowthErrors::forecast_um;
-    const auto best = std::min_element(errors.begin(), errors.end(),
-                                       [](const auto& a, const auto& b) { return a.forecast_um < b.forecast_um; });
-    most_um = (1.0 + kMostAdded) * best->forecast_um;
-  }
+  const double most_um = result.all_um * std::sqrt((1.0 + kMostAdded) * (1.0 + kMostAdded) - 1.0);
   std::size_t kept = 1;
-  while (kept + 1 < errors.size() && !(errors[kept].*of < most_um)) ++kept;
-  result.stop = !(errors[kept].*of < most_um) ? GrowthStop::most
-                : is_repeated                 ? GrowthStop::as_good_as_all
-                                              : GrowthStop::best_forecast;
+  while (kept + 1 < errors.size() && !(errors[kept].apart_um < most_um)) ++kept;
+  result.stop = errors[kept].apart_um < most_um ? GrowthStop::as_good_as_all : GrowthStop::most;
+  const std::size_t repeats = errors[kept].effects;
+  for (std::size_t r = 1; errors[r].effects < repeats; ++r) {
+    const bool is_least = result.stop != GrowthStop::best_forecast || errors[r].forecast_um < errors[kept].forecast_um;
+    if (!is_least || !is_better(log_rms, errors[r].effects, repeats)) continue;
+    kept = r;
+    result.stop = GrowthStop::best_forecast;
+  }
   if (errors[kept].forecast_um < errors[0].forecast_um) return kept;
   result.stop = GrowthStop::no_better;
   return 0;
@@ -265,7 +283,7 @@ Growth growth(const Model& base, const Series& data, std::size_t target,
   for (const std::size_t size : kSizes) {
     if (size <= tried) add_errors(size);
   }
-  const std::size_t kept = tried > 0 ? kept_of(result) : 0;
+  const std::size_t kept = tried > 0 ? kept_of(result, sums.log_rms) : 0;
   for (std::size_t r = 1; r <= kept; ++r) {
     const std::size_t k = result.errors[r].effects;
     const Eigen::VectorXd& gains = whole.projection.gains[k];

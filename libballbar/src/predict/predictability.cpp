@@ -60,9 +60,13 @@ std::optional<Predictability> predictability(const Model& model, const Series& d
   of_target.targets = {model.targets.front()};
   std::vector<Series> runs;
   for (const RowRange& range : runs_of(data.time_s)) runs.push_back(rows_of(data, range));
-  const bool with_model = !model.terms.empty() && std::all_of(model.terms.begin(), model.terms.end(),
-                                                              [](const Term& term) { return can_be_named(term); });
-  const std::optional<TrainedRegression> trained = regression_of(runs, of_target, with_model, progress, catalogue);
+  bool with_model = !model.terms.empty() && std::all_of(model.terms.begin(), model.terms.end(),
+                                                        [](const Term& term) { return can_be_named(term); });
+  std::optional<TrainedRegression> trained = regression_of(runs, of_target, with_model, progress, catalogue);
+  if (!trained && with_model) {  // an effect of the model may not run live
+    with_model = false;
+    trained = regression_of(runs, of_target, with_model, progress, catalogue);
+  }
   if (!trained || !trained->regression.forecasts) return std::nullopt;
   Predictability result{*trained->regression.forecasts, 0.0, with_model, false};
   result.model_um = runs.size() == 1

@@ -45,8 +45,8 @@ Eigen::MatrixXd kernel_of(const RidgeProblem& problem, const RidgeSetting& setti
     if ((setting.kinds >> kind & 1U) != 0 && problem.kernel[kind].size() > 0)
       sum += setting.variance * problem.kernel[kind];
   }
-  if (setting.named_variance > 0.0) sum += setting.named_variance * problem.named_kernel;
-  if (problem.start.size() > 0) sum += problem.start_kernel;
+  if (!problem.named.empty()) sum += setting.named_variance * problem.named_kernel;
+  if (problem.start.size() > 0) sum += setting.start_scale * problem.start_kernel;
   return sum;
 }
 
@@ -61,7 +61,7 @@ Eigen::MatrixXd prior_of(const RidgeProblem& problem, const RidgeSetting& settin
     const auto at = static_cast<Eigen::Index>(k);
     sum(at, at) = setting.named_variance;
   }
-  if (problem.start.size() > 0) sum += problem.start_covariance;
+  if (problem.start.size() > 0) sum += setting.start_scale * problem.start_covariance;
   return sum;
 }
 
@@ -172,7 +172,9 @@ RidgeSetting chosen_setting(const RidgeProblem& problem) {
   return score_of(problem, solved(problem, with)) < score_of(problem, solved(problem, without)) ? without : with;
 }
 
-RidgeSetting chosen_setting(const RidgeProblem& problem, double named_variance) {
+namespace {
+
+RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, double start_scale) {
   struct Tried {
     RidgeSetting setting;
     double score = -std::numeric_limits<double>::infinity();
@@ -189,8 +191,8 @@ RidgeSetting chosen_setting(const RidgeProblem& problem, double named_variance) 
     const std::size_t length = i % std::size(kLengths_s);
     const Eigen::MatrixXd kernel = kernel_of(problem, {kinds, 1.0, 0.0, 0.0});
     Eigen::MatrixXd rest = discrepancies[length];
-    if (named_variance > 0.0) rest += named_variance * problem.named_kernel;
-    if (problem.start.size() > 0) rest += problem.start_kernel;
+    if (!problem.named.empty()) rest += named_variance * problem.named_kernel;
+    if (problem.start.size() > 0) rest += start_scale * problem.start_kernel;
     std::map<int, double> known;
     const auto score = [&](int k) {
       const auto [place, is_new] = known.try_emplace(k, 0.0);
@@ -215,10 +217,20 @@ RidgeSetting chosen_setting(const RidgeProblem& problem, double named_variance) 
       const int other = uphill_from(6);
       if (score(other) > score(best)) best = other;
     }
-    tried[i] = {{kinds, std::pow(10.0, 0.5 * best), kLengths_s[length], named_variance}, score(best)};
+    tried[i] = {{kinds, std::pow(10.0, 0.5 * best), kLengths_s[length], named_variance, start_scale}, score(best)};
   });
   return std::max_element(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) { return a.score < b.score; })
       ->setting;
+}
+
+}  // namespace
+
+RidgeSetting chosen_setting(const RidgeProblem& problem, double named_variance) {
+  const RidgeSetting setting = best_setting(problem, named_variance, 1.0);
+  if (problem.start.size() == 0) return setting;
+  // C0 is known in um^2, K over s^2.
+  const double s2 = solved(problem, setting).variance_um2;
+  return best_setting(problem, named_variance, problem.start_sigma_um * problem.start_sigma_um / s2);
 }
 
 RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting) {

@@ -39,6 +39,7 @@ struct RidgeSetting {
   double variance = 1.0;
   double length_s = 0.0;
   double named_variance = 0.0;  // u; 0: without the named terms
+  double start_scale = 1.0;     // (s0 / s)^2
 };
 
 struct RidgeProblem {
@@ -54,7 +55,8 @@ struct RidgeProblem {
   Eigen::MatrixXd named_kernel;         // X_m X_m', n by n; empty: none
   // Of all scaled gains before there are rows, where the design knows them; empty: none. target_um is less X~ start.
   Eigen::VectorXd start;
-  Eigen::MatrixXd start_covariance, start_kernel;  // over s^2: p by p, n by n
+  Eigen::MatrixXd start_covariance, start_kernel;  // C0 over s0^2: p by p, n by n
+  double start_sigma_um = 0.0;                     // s0
 };
 
 // Of at most `most` of these rows of the design.

@@ -100,9 +100,16 @@ RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>&
     const GainPrior& prior = *design.prior;
     const Eigen::VectorXd sd = problem.sd(prior.at);
     problem.start = Eigen::VectorXd::Zero(p);
-    problem.start(prior.at) = prior.mean.cwiseProduct(sd);
     problem.start_covariance = Eigen::MatrixXd::Zero(p, p);
-    problem.start_covariance(prior.at, prior.at) = sd.asDiagonal() * prior.covariance * sd.asDiagonal();
+    for (std::size_t i = 0; i < prior.at.size(); ++i) {  // a term may stand there twice: named, and among all
+      const auto k = static_cast<Eigen::Index>(i), row = static_cast<Eigen::Index>(prior.at[i]);
+      problem.start[row] += prior.mean[k] * sd[k];
+      for (std::size_t j = 0; j < prior.at.size(); ++j) {
+        const auto l = static_cast<Eigen::Index>(j);
+        problem.start_covariance(row, static_cast<Eigen::Index>(prior.at[j])) += sd[k] * prior.covariance(k, l) * sd[l];
+      }
+    }
+    problem.start_sigma_um = prior.sigma_um;
     // These rows do not tell the gain of what stands still: it is that of the other machines.
     for (const std::size_t k : still) {
       const auto at = static_cast<Eigen::Index>(k);

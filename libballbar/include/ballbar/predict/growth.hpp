@@ -17,10 +17,10 @@
 //   sqrt(E^2 + D^2) < 1.05 E     E: RMSE of its forecasts,  D: RMS of theirs less its own
 //
 // by forecasts for which the whole procedure, base model and all, is done again on earlier rows alone (forecast_rows).
-// D is known far better than the errors themselves from three origins. Where the regression predicts no better than
-// the base model, the fewest effects whose forecasts are within 5 % of the best. Nothing is kept without forecasts, or
-// where theirs are no better than those of the base model. The terms of the base model are among the effects of the
-// regression where that predicts better.
+// D is known far better than the errors themselves from three origins. Fewer, where their forecasts are better than
+// those by a paired t test of ln RMS over the origins (one-sided, 5 %): the regression itself may be the worse one.
+// Nothing is kept without forecasts, or where theirs are no better than those of the base model. The terms of the base
+// model are among the effects of the regression where that predicts better.
 //
 // Accuracy: sample-runs/spindle-46h, forecasts up to 8 h ahead from three origins; see its README.
 #pragma once
