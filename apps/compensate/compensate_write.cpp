@@ -194,6 +194,11 @@ void compensate_write(const CompensationOptions& options, const WriteOptions& wr
     return simplified(axis.model, *data.series, candidates_of(asked, *data.series, target), asked.count,
                       options.limits.range_margin, increment_of(asked.control, options.limits.resolution_um));
   });
+  const LineErrors& judged = result.left_out ? *result.left_out : result.fitted;
+  if (!(judged.line.after_um < judged.line.before_um)) {
+    throw Error(fmt::format("{}: expected a line that lowers the error, found {:.2f} um with it and {:.2f} um without.",
+                            write.data.name(), judged.line.after_um, judged.line.before_um));
+  }
   const std::string parameters = parameters_text(options, data.files);
   ControlLine line{axis.name, result.line, options.limits.rate_um_per_s, {}};
   if (write.reversed) {

@@ -126,8 +126,8 @@ std::vector<CompensatedAxis> axes_of(const CompensationOptions& options) {
     if (is_effect_regression_json(bytes)) {
       Model model = read_effect_regression(bytes, file).model;
       if (unit_of(model.targets.front()) != "um") {
-        throw Error(fmt::format("{}: expected a target in um, for an offset is one, found {}.", file,
-                                model.targets.front()));
+        throw Error(
+            fmt::format("{}: expected a target in um, for an offset is one, found {}.", file, model.targets.front()));
       }
       if (data) {
         throw Error(

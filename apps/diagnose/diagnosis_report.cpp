@@ -130,8 +130,9 @@ std::string predicted_text(const DiagnosisReport& report) {
         "Nor can it be predicted: on new rows a regression on all effects leaves {:.2f} {} RMSE, the model {:.2f} {}.",
         of.forecasts.rmse_um, unit, of.model_um, unit);
   }
-  return fmt::format("It can be predicted all the same: {:.2f} {} RMSE expected on new rows, {:.2f} {} today.",
-                     of.forecasts.rmse_um, unit, of.model_um, unit);
+  return fmt::format(
+      "It can be predicted all the same: {:.2f} {} RMSE expected on new rows, {:.2f} {} by the model as it is.",
+      of.forecasts.rmse_um, unit, of.model_um, unit);
 }
 
 std::string unsupported_text(const DiagnosisReport& report) {

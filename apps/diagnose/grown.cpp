@@ -101,8 +101,9 @@ std::string conclusion(const GrownModel& grown, const std::vector<std::string>& 
   }
   if (grown.rows.empty()) return "No effect is added: none predicts new rows better than the model does.";
   const GrowthErrors &first = grown.growth.errors.front(), &last = grown.growth.errors[grown.rows.size()];
-  std::string text = fmt::format("{} effect{} predict new rows to {:.2f} um RMSE, {:.2f} um today", last.effects,
-                                 last.effects == 1 ? "" : "s", last.forecast_um, first.forecast_um);
+  std::string text =
+      fmt::format("{} effect{} new rows to {:.2f} um RMSE, the model as it was to {:.2f} um", last.effects,
+                  last.effects == 1 ? " predicts" : "s predict", last.forecast_um, first.forecast_um);
   if (grown.train) text += fmt::format("; `ballbar train`, with all effects, to {:.2f} um", grown.train->rmse_um);
   text += ". ";
   std::vector<std::string> known_drivers;

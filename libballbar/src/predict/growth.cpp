@@ -222,6 +222,10 @@ std::size_t kept_of(Growth& result, const std::vector<Eigen::VectorXd>& log_rms)
     result.stop = GrowthStop::untested;
     return 0;
   }
+  if (errors.size() == 1) {
+    result.stop = GrowthStop::no_better;
+    return 0;
+  }
   const double most_um = result.all_um * std::sqrt((1.0 + kMostAdded) * (1.0 + kMostAdded) - 1.0);
   std::size_t kept = 1;
   while (kept + 1 < errors.size() && !(errors[kept].apart_um < most_um)) ++kept;
@@ -283,7 +287,7 @@ Growth growth(const Model& base, const Series& data, std::size_t target,
   for (const std::size_t size : kSizes) {
     if (size <= tried) add_errors(size);
   }
-  const std::size_t kept = tried > 0 ? kept_of(result, sums.log_rms) : 0;
+  const std::size_t kept = kept_of(result, sums.log_rms);
   for (std::size_t r = 1; r <= kept; ++r) {
     const std::size_t k = result.errors[r].effects;
     const Eigen::VectorXd& gains = whole.projection.gains[k];

@@ -15,6 +15,11 @@ import { waterfall } from "./waterfall";
 import { with_without_picture } from "./with_without";
 import { english, english_after, named, type Sentence, t } from "../texts/texts";
 
+const predicted_text = ({ better, expected_um, today_um }: NonNullable<Diagnosed["predicted"]>): string => {
+  const errors = { expected: shown(expected_um, 2), today: shown(today_um, 2) };
+  return better ? t.diagnosis_predicted(errors) : t.diagnosis_not_predicted(errors);
+};
+
 const sentences_of = (found: Diagnosed, checked: Checked | undefined): Sentence[] => {
   const reasons = found.reasons.length > 0 && found.verdict !== "nothing";
   return [
@@ -22,6 +27,7 @@ const sentences_of = (found: Diagnosed, checked: Checked | undefined): Sentence[
     t.diagnosis_verdict({ verdict: named(t.verdicts, found.verdict) }),
     ...(found.hint === "" ? [] : [english(found.hint)]),
     ...(found.next_test_text === "" ? [] : [english_after(t.diagnosis_to_decide, found.next_test_text)]),
+    ...(found.predicted ? [predicted_text(found.predicted)] : []),
     ...(reasons ? [t.diagnosis_why, ...found.reasons.map((reason) => english(`– ${reason}`))] : []),
   ];
 };

@@ -453,6 +453,10 @@ export const de: Texts = {
   diagnosis_lacks: ({ target }) => `Was dem Modell von ${target} fehlt`,
   diagnosis_verdict: ({ verdict }) => `Befund: ${verdict}.`,
   diagnosis_why: "Warum es nicht oder nicht ganz benannt ist:",
+  diagnosis_predicted:
+    ({ expected, today }: { expected: string; today: string }) => `Vorhersagen lässt es sich dennoch: Auf neuen Zeilen sind ${expected} µm RMSE zu erwarten, mit dem jetzigen Modell ${today} µm.`,
+  diagnosis_not_predicted:
+    ({ expected, today }: { expected: string; today: string }) => `Auch vorhersagen lässt es sich nicht: Auf neuen Zeilen lässt eine Regression über alle Effekte ${expected} µm RMSE, das Modell ${today} µm.`,
   diagnosis_to_decide: "Zur Entscheidung:",
   diagnosis_untestable: "Hier nicht prüfbar",
   diagnosis_not_searched: "Nicht durchsucht",

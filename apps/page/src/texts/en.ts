@@ -458,6 +458,10 @@ export const en = {
   diagnosis_lacks: ({ target }: { target: string }) => `What the model of ${target} lacks`,
   diagnosis_verdict: ({ verdict }: { verdict: string }) => `Verdict: ${verdict}.`,
   diagnosis_why: "Why it is not named, or not all of it:",
+  diagnosis_predicted:
+    ({ expected, today }: { expected: string; today: string }) => `It can be predicted all the same: ${expected} µm RMSE expected on new rows, ${today} µm by the model as it is.`,
+  diagnosis_not_predicted:
+    ({ expected, today }: { expected: string; today: string }) => `Nor can it be predicted: on new rows a regression on all effects leaves ${expected} µm RMSE, the model ${today} µm.`,
   diagnosis_to_decide: "To decide:",
   diagnosis_untestable: "Not testable here",
   diagnosis_not_searched: "Not searched",

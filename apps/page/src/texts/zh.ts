@@ -432,6 +432,10 @@ export const zh: Texts = {
   diagnosis_lacks: ({ target }) => `${target} 的模型缺少什么`,
   diagnosis_verdict: ({ verdict }) => `结论：${verdict}。`,
   diagnosis_why: "未能（完全）确定的原因：",
+  diagnosis_predicted:
+    ({ expected, today }: { expected: string; today: string }) => `但仍可预测：在新的数据行上预计均方根误差为 ${expected} µm，当前模型为 ${today} µm。`,
+  diagnosis_not_predicted:
+    ({ expected, today }: { expected: string; today: string }) => `也无法预测：在新的数据行上，对全部效应的回归留下 ${expected} µm 均方根误差，模型为 ${today} µm。`,
   diagnosis_to_decide: "判定方法：",
   diagnosis_untestable: "此处无法检验",
   diagnosis_not_searched: "未搜索",
