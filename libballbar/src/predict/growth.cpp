@@ -226,15 +226,23 @@ std::size_t kept_of(Growth& result, const std::vector<Eigen::VectorXd>& log_rms)
     result.stop = GrowthStop::no_better;
     return 0;
   }
-  const double most_um = result.all_um * std::sqrt((1.0 + kMostAdded) * (1.0 + kMostAdded) - 1.0);
   std::size_t kept = 1;
-  while (kept + 1 < errors.size() && !(errors[kept].apart_um < most_um)) ++kept;
-  result.stop = errors[kept].apart_um < most_um ? GrowthStop::as_good_as_all : GrowthStop::most;
-  const std::size_t repeats = errors[kept].effects;
-  for (std::size_t r = 1; errors[r].effects < repeats; ++r) {
-    const bool is_least = result.stop != GrowthStop::best_forecast || errors[r].forecast_um < errors[kept].forecast_um;
-    if (!is_least || !is_better(log_rms, errors[r].effects, repeats)) continue;
-    kept = r;
+  if (result.all_um < errors[0].forecast_um) {
+    const double most_um = result.all_um * std::sqrt((1.0 + kMostAdded) * (1.0 + kMostAdded) - 1.0);
+    while (kept + 1 < errors.size() && !(errors[kept].apart_um < most_um)) ++kept;
+    result.stop = errors[kept].apart_um < most_um ? GrowthStop::as_good_as_all : GrowthStop::most;
+    const std::size_t repeats = errors[kept].effects;
+    for (std::size_t r = 1; errors[r].effects < repeats; ++r) {
+      const bool is_least =
+          result.stop != GrowthStop::best_forecast || errors[r].forecast_um < errors[kept].forecast_um;
+      if (!is_least || !is_better(log_rms, errors[r].effects, repeats)) continue;
+      kept = r;
+      result.stop = GrowthStop::best_forecast;
+    }
+  } else {  // the regression is not worth repeating
+    const auto best = std::min_element(errors.begin() + 1, errors.end(),
+                                       [](const auto& a, const auto& b) { return a.forecast_um < b.forecast_um; });
+    while (errors[kept].forecast_um > (1.0 + kMostAdded) * best->forecast_um) ++kept;
     result.stop = GrowthStop::best_forecast;
   }
   if (errors[kept].forecast_um < errors[0].forecast_um) return kept;
