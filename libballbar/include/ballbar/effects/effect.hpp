@@ -115,8 +115,9 @@ using EvaluateAll =
     std::function<void(const EffectRows& rows, const double* parameters, double* values, double* derivatives)>;
 
 // The values of the rows i from `begin` to before `end`, for signals that arrive live: each from rows 0, i - 1 and i
-// alone and from `kept`, the numbers that an effect with memory hands on, which it sets at row 0. In pieces of any length
-// it gives what EvaluateAll gives, to the last bit. May be called by several threads, each with numbers of its own.
+// alone and from `kept`, the numbers that an effect with memory hands on, which it sets at row 0. In pieces of any
+// length it gives what EvaluateAll gives, to the last bit. May be called by several threads, each with numbers of its
+// own.
 using EvaluateRows = std::function<void(const EffectRows& rows, std::size_t begin, std::size_t end,
                                         const double* parameters, double* kept, double* values)>;
 
