@@ -156,7 +156,19 @@ std::string add_errors(const AddArguments& options, const ModelData& data, Addit
                           left_um);
 }
 
-// Effects that diagnose() names, until it names none. Returns why it stopped.
+// The same effect on the same columns, with the same shapes.
+bool holds(const Model& model, const Term& term) {
+  return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& one) {
+    if (one.effect->name != term.effect->name || one.columns != term.columns) return false;
+    for (std::size_t k = 0; k < one.settings.size(); ++k) {
+      const bool is_shape = one.effect->parameters[k].kind == ParameterKind::shape;
+      if (is_shape && one.settings[k].start != term.settings[k].start) return false;
+    }
+    return true;
+  });
+}
+
+// Effects that diagnose() names, until it names none that the model has not. Returns why it stopped.
 std::string add_named(const AddArguments& options, Additions& additions, Verdict& verdict) {
   while (true) {
     show_progress(fmt::format("searching, {} revisions so far", additions.effect_tests.size()));
@@ -165,10 +177,16 @@ std::string add_named(const AddArguments& options, Additions& additions, Verdict
     verdict = diagnosis.verdict;
     additions.drivers = diagnosis.drivers;
     if (diagnosis.named.empty()) return stop_text(options, diagnosis);
+    // Of one effect twice, as two cycles, the other one is named again beside the first.
+    Model with = additions.model.model();
     std::vector<Term> terms;
     for (const BoundEffect& bound : diagnosis.named) {
-      terms.push_back(as_diagnosed(bound, diagnosis));
+      Term term = as_diagnosed(bound, diagnosis);
+      if (holds(with, term)) continue;
+      with.terms.push_back(term);
+      terms.push_back(std::move(term));
     }
+    if (terms.empty()) return "Stopped: what is named once more is in the model already.";
     add_terms(options, terms, true, additions);
     if (additions.effect_tests.size() < kMostAdditions) continue;
     return fmt::format("Stopped after {} revisions: a model that grows further fits these data alone.", kMostAdditions);
