@@ -156,13 +156,13 @@ std::string add_errors(const AddArguments& options, const ModelData& data, Addit
                           left_um);
 }
 
-// The same effect on the same columns, with the same shapes.
+// The same effect on the same columns; a step or a jump at the same time.
 bool holds(const Model& model, const Term& term) {
   return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& one) {
     if (one.effect->name != term.effect->name || one.columns != term.columns) return false;
     for (std::size_t k = 0; k < one.settings.size(); ++k) {
-      const bool is_shape = one.effect->parameters[k].kind == ParameterKind::shape;
-      if (is_shape && one.settings[k].start != term.settings[k].start) return false;
+      const bool is_onset = one.effect->parameters[k].shape_of == ShapeOf::onset;
+      if (is_onset && one.settings[k].start != term.settings[k].start) return false;
     }
     return true;
   });
@@ -177,7 +177,7 @@ std::string add_named(const AddArguments& options, Additions& additions, Verdict
     verdict = diagnosis.verdict;
     additions.drivers = diagnosis.drivers;
     if (diagnosis.named.empty()) return stop_text(options, diagnosis);
-    // Of one effect twice, as two cycles, the other one is named again beside the first.
+    // A second cycle beside one that is there would begin where that one does.
     Model with = additions.model.model();
     std::vector<Term> terms;
     for (const BoundEffect& bound : diagnosis.named) {

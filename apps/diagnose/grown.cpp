@@ -26,14 +26,10 @@ bool is_driven(const Term& term, const std::vector<Driver>& drivers) {
   });
 }
 
-// "+ A, B and 3 more"
+// "+ A and 3 more"
 std::string joined_text(const GrownRevision& revision) {
-  constexpr std::size_t kShown = 2;
-  const std::size_t shown = std::min(kShown, revision.joined.size());
-  std::string text = fmt::format(
-      "+ {}", fmt::join(revision.joined.begin(), revision.joined.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
-  if (revision.joined.size() > shown) text += fmt::format(" and {} more", revision.joined.size() - shown);
-  return text;
+  const std::size_t more = revision.joined.size() - 1;
+  return fmt::format("+ {}{}", revision.joined.front(), more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
 LedgerRow row_of(const GrownRevision& revision, const GrowthErrors& errors, const LedgerRow& before,

@@ -311,25 +311,23 @@ test("ledger of a grown model: curves, table and CSV are those of `ledger --json
   const drawn = await svg("ledger-forecasts", one);
   const scale = axes(drawn);
   const found = await csv("ledger-forecasts", one);
-  for (const key of ["rmse_um", "forecast_um", "surrogate_forecast_um"]) {
+  for (const key of ["rmse_um", "forecast_um"]) {
     close_to(found[key], of(rows, key), key);
     const known = rows.filter((row) => row[key] !== null);
     const [line] = lines(drawn, scale, await colour("ledger-forecasts", key, one));
     lie_at(line, of(known, "revision"), of(known, key), scale, key);
   }
-  close_to(found.discrepancy_um, of(rows, "discrepancy_um"), "discrepancy");
+  assert.ok(!("surrogate_forecast_um" in found), "a curve of nothing");
   const heading = await one.locator("#ledger th").allTextContents();
   const cells = await one.locator("#ledger tbody tr").evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
   const column = (name) => cells.map((row) => row[heading.indexOf(name)]);
   const written = (key) => rows.map((row) => (row[key] === null ? "–" : row[key].toFixed(3)));
   assert.deepEqual(column("forecasts, µm"), written("forecast_um"));
-  assert.deepEqual(column("with surrogate, µm"), written("surrogate_forecast_um"));
-  assert.deepEqual(column("slow curve, µm"), written("discrepancy_um"));
   assert.deepEqual(column("verdict"), of(rows, "verdict"));
   assert.ok(!heading.includes("counts from"), "a column of nothing");
   assert.ok(column("verdict").includes("driver known") && column("verdict").includes("empirical"));
   const said = await figure(one, "ledger-forecasts").textContent();
-  assert.ok(said.includes("A falling error is honest where forecasts fall too, and below those with a surrogate."), said);
+  assert.ok(said.includes("A falling error is honest where forecasts fall too."), said);
   assert.deepEqual(of_grown, []);
   await close();
 });

@@ -33,8 +33,8 @@ const known = (row: LedgerRow, key: Figure["key"] | "discrepancy_um"): Num => ro
 export const has_forecasts = (rows: readonly LedgerRow[]): boolean => rows.some((row) => known(row, "forecast_um") !== null);
 
 export const forecast_curves = (ledger: LedgerPart, target: string, name: string): Picture => {
-  const figures = figures_of_language();
   const rows = ledger.rows.filter((row) => row.target === target);
+  const figures = figures_of_language().filter(({ key }) => rows.some((row) => known(row, key) !== null));
   const revisions = rows.map(({ revision }) => revision);
   // A gap where the data change: the errors before and after cannot be compared.
   const points = (key: Figure["key"]): Point[] =>

@@ -569,7 +569,7 @@ export const de: Texts = {
   diagnosis_several_added: "Wo mehrere Effekte zugleich hinzukamen, ist die Linie des Surrogats nicht bekannt.",
   diagnosis_error_title: ({ target }) => `Fehler von ${target} von Revision zu Revision`,
   diagnosis_honest:
-    "Ein sinkender Fehler ist ehrlich, wo auch die Vorhersagen sinken, und unter die mit einem Surrogat.",
+    "Ein sinkender Fehler ist ehrlich, wo auch die Vorhersagen sinken.",
   diagnosis_rows_fitted: "angepasste Zeilen",
   diagnosis_forecasts_curve: "Vorhersagen",
   diagnosis_forecasts_surrogate: "Vorhersagen mit Surrogat",

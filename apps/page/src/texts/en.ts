@@ -574,7 +574,7 @@ export const en = {
     "Slow curve: standard deviation of the discrepancy that is left. Driver known: what drives it is known, its form is empirical; empirical: it predicts, no cause is claimed.",
   diagnosis_several_added: "Where several effects were added at once, the line of the surrogate is not known.",
   diagnosis_error_title: ({ target }: { target: string }) => `Error of ${target} from revision to revision`,
-  diagnosis_honest: "A falling error is honest where forecasts fall too, and below those with a surrogate.",
+  diagnosis_honest: "A falling error is honest where forecasts fall too.",
   diagnosis_rows_fitted: "rows fitted",
   diagnosis_forecasts_curve: "forecasts",
   diagnosis_forecasts_surrogate: "forecasts with a surrogate",

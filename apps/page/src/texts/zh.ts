@@ -532,7 +532,7 @@ export const zh: Texts = {
   diagnosis_slow_curve_about: "慢变曲线：剩余差异的标准差。驱动已知：驱动量已知，形式为经验；经验：可预测，不声称原因。",
   diagnosis_several_added: "同时加入多个效应处，替代曲线的线未知。",
   diagnosis_error_title: ({ target }) => `${target} 误差的逐次变化`,
-  diagnosis_honest: "预测误差同时下降并低于替代曲线时，误差下降才可信。",
+  diagnosis_honest: "预测误差同时下降时，误差下降才可信。",
   diagnosis_rows_fitted: "拟合行",
   diagnosis_forecasts_curve: "预测",
   diagnosis_forecasts_surrogate: "用替代曲线预测",
