@@ -38,7 +38,7 @@ std::vector<unsigned> dictionaries_of(const RidgeProblem& problem) {
   return dictionaries;
 }
 
-// K less N.
+// K less N. Machines are apart along what the others leave open as well: v is of both.
 Eigen::MatrixXd kernel_of(const RidgeProblem& problem, const RidgeSetting& setting) {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(problem.columns.rows(), problem.columns.rows());
   for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
@@ -46,7 +46,7 @@ Eigen::MatrixXd kernel_of(const RidgeProblem& problem, const RidgeSetting& setti
       sum += setting.variance * problem.kernel[kind];
   }
   if (!problem.named.empty()) sum += setting.named_variance * problem.named_kernel;
-  if (problem.start.size() > 0) sum += setting.start_scale * problem.start_kernel;
+  if (problem.start.size() > 0) sum += (setting.start_scale + setting.variance) * problem.start_kernel;
   return sum;
 }
 
@@ -61,7 +61,7 @@ Eigen::MatrixXd prior_of(const RidgeProblem& problem, const RidgeSetting& settin
     const auto at = static_cast<Eigen::Index>(k);
     sum(at, at) = setting.named_variance;
   }
-  if (problem.start.size() > 0) sum += setting.start_scale * problem.start_covariance;
+  if (problem.start.size() > 0) sum += (setting.start_scale + setting.variance) * problem.start_covariance;
   return sum;
 }
 
@@ -189,7 +189,7 @@ RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, do
   in_parallel(tried.size(), [&](std::size_t i) {
     const unsigned kinds = dictionaries[i / std::size(kLengths_s)];
     const std::size_t length = i % std::size(kLengths_s);
-    const Eigen::MatrixXd kernel = kernel_of(problem, {kinds, 1.0, 0.0, 0.0});
+    const Eigen::MatrixXd kernel = kernel_of(problem, {.kinds = kinds, .start_scale = 0.0});
     Eigen::MatrixXd rest = discrepancies[length];
     if (!problem.named.empty()) rest += named_variance * problem.named_kernel;
     if (problem.start.size() > 0) rest += start_scale * problem.start_kernel;
@@ -327,6 +327,12 @@ double log_likelihood_without(const RidgeProblem& problem, const RidgeSetting& s
   }
   const Eigen::MatrixXd kernel = (problem.columns * prior) * problem.columns.transpose();
   return solved(problem, kernel + discrepancy_of(problem.time_s, problem.run, setting.length_s)).log_likelihood;
+}
+
+std::size_t named_in(const RidgeProblem& problem, const RidgeFit& fit) {
+  if (problem.named.empty()) return 0;
+  return static_cast<std::size_t>(
+      std::count_if(fit.used.begin(), fit.used.end(), [&](std::size_t k) { return k >= problem.named.front(); }));
 }
 
 double prior_trace(const RidgeProblem& problem, const RidgeSetting& setting) {

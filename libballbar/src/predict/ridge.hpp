@@ -91,6 +91,9 @@ inline constexpr std::size_t kFewestRunsToLeaveOut = 5;
 Eigen::VectorXd gains_from(const RidgeProblem& problem, const RidgeSetting& setting,
                            const std::vector<std::size_t>& rows);
 
+// How many of the last predictors in use are named.
+std::size_t named_in(const RidgeProblem& problem, const RidgeFit& fit);
+
 // Sum over the rows of the variance of what the gains add, over s^2, before there are rows.
 double prior_trace(const RidgeProblem& problem, const RidgeSetting& setting);
 

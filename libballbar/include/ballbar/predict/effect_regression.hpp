@@ -13,7 +13,7 @@
 //
 // A regression of other machines is a start: with its gains g0, their covariance C0 and its s0 the gains are
 //
-//   g ~ N(g0, s^2 (C0 / s0^2 + v P))
+//   g ~ N(g0, C0 + s^2 v (P + C0 / s0^2))
 //
 // where v, how far machines are apart, is that of the largest likelihood of the new rows: a hierarchy of two levels
 // (Gelman and others 2013, Bayesian Data Analysis, chapter 5). 0: the machines are alike.
