@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <string>
 #include <tuple>
 
@@ -100,6 +101,13 @@ Predictor unit_of(const Term& fitted) {
   return predictor;
 }
 
+// Of the dictionary, or with one gain and a column.
+bool may_predict(const Effect& effect) {
+  const auto gains = std::count_if(effect.parameters.begin(), effect.parameters.end(),
+                                   [](const Parameter& one) { return one.kind == ParameterKind::gain; });
+  return effect.level == Level::series && (effect.rules.predictor || (!effect.inputs.empty() && gains == 1));
+}
+
 class Collected {
  public:
   explicit Collected(Predictors& into) : into_(into) {}
@@ -148,10 +156,7 @@ std::vector<double> with_gain(const Predictor& predictor, double gain) {
 Catalogue predictor_effects(const Catalogue& catalogue) {
   Catalogue effects;
   for (const std::shared_ptr<const Effect>& effect : catalogue) {
-    const auto gains = std::count_if(effect->parameters.begin(), effect->parameters.end(),
-                                     [](const Parameter& one) { return one.kind == ParameterKind::gain; });
-    const bool is_named = !effect->inputs.empty() && gains == 1;
-    if (effect->level == Level::series && (effect->rules.predictor || is_named)) effects.push_back(effect);
+    if (may_predict(*effect)) effects.push_back(effect);
   }
   effects.push_back(temperature_at_start());
   return effects;
@@ -181,6 +186,12 @@ std::vector<std::size_t> thinned(const std::vector<std::size_t>& rows, std::size
   return kept;
 }
 
+std::vector<std::size_t> rows_between(std::size_t first, std::size_t end) {
+  std::vector<std::size_t> rows(end - first);
+  std::iota(rows.begin(), rows.end(), first);
+  return rows;
+}
+
 ColumnScales column_scales(const Eigen::MatrixXd& columns) {
   ColumnScales scales{columns.colwise().mean(), Eigen::VectorXd(columns.cols())};
   for (Eigen::Index k = 0; k < columns.cols(); ++k) {
@@ -193,7 +204,6 @@ ColumnScales column_scales(const Eigen::MatrixXd& columns) {
 
 Design design_of(std::span<const Series> runs, const std::string& target, const Catalogue& catalogue) {
   Design design;
-  design.target = target;
   design.runs = runs.size();
   std::vector<std::vector<std::size_t>> rows;
   std::size_t count = 0;
@@ -226,25 +236,27 @@ Design design_of(std::span<const Series> runs, const std::string& target, const 
   return design;
 }
 
-bool can_be_named(const Term& term) {
-  const Catalogue effects = predictor_effects({term.effect});
-  return std::find(effects.begin(), effects.end(), term.effect) != effects.end();
+bool can_be_named(const Model& model) {
+  return std::all_of(model.terms.begin(), model.terms.end(),
+                     [](const Term& term) { return may_predict(*term.effect); });
 }
 
-Design with_named(Design design, const Model& model, std::span<const Series> fitted, std::span<const Series> runs) {
-  std::vector<Predictor>& each = design.predictors.each;
-  each.resize(each.size() - design.predictors.named.size());
-  design.predictors.named.clear();
+Model fitted(Model model, std::span<const Series> runs) {
   for (const Term& term : model.terms) {
-    if (can_be_named(term)) continue;
+    if (may_predict(*term.effect)) continue;
     throw Error(fmt::format(
         "{} in the model: expected effects with one gain that read a column, for others say nothing of new rows.",
         label_of(term)));
   }
-  Model of_target = model;
-  of_target.targets = {design.target};
-  const Series together = fitted.size() == 1 ? fitted.front() : joined_batches(fitted, of_target);
-  const Model held = held_at(of_target, fit(of_target, together).parameters);
+  const std::vector<FittedParameter> parameters =
+      fit(model, runs.size() == 1 ? runs.front() : joined_batches(runs, model)).parameters;
+  return held_at(std::move(model), parameters);
+}
+
+Design with_named(Design design, const Model& held, std::span<const Series> runs) {
+  std::vector<Predictor>& each = design.predictors.each;
+  each.resize(each.size() - design.predictors.named.size());
+  design.predictors.named.clear();
   for (const Term& term : held.terms) {
     design.predictors.named.push_back(each.size());
     each.push_back(unit_of(term));

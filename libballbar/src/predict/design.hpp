@@ -61,7 +61,6 @@ struct GainPrior {
 
 // n rows, run by run in the order of time.
 struct Design {
-  std::string target;
   Predictors predictors;
   Eigen::MatrixXd values;     // n by predictors, um of a gain of 1
   Eigen::VectorXd target_um;  // n
@@ -75,13 +74,14 @@ struct Design {
 // where the target is missing or has fewer than 40 values.
 Design design_of(std::span<const Series> runs, const std::string& target, const Catalogue& catalogue);
 
-// Whether it has one gain and reads a column.
-bool can_be_named(const Term& term);
+// Whether each of its effects has one gain and reads a column.
+bool can_be_named(const Model& model);
 
-// The same with the terms of a model as named predictors, in the place of those it has; their shapes as fitted to
-// `fitted`, of which each is a run or the first rows of one. Throws Error as fit, and where one
-// cannot be named.
-Design with_named(Design design, const Model& model, std::span<const Series> fitted, std::span<const Series> runs);
+// A model of one target held at its fit to these runs. Throws Error as fit, and where it cannot be named.
+Model fitted(Model model, std::span<const Series> runs);
+
+// The design with the terms of a held model as named predictors, in the place of those it has.
+Design with_named(Design design, const Model& held, std::span<const Series> runs);
 
 // The same with the gains of a regression as their prior. Throws Error where a run lacks a column of it, or has gaps
 // in one.
@@ -92,6 +92,9 @@ struct ColumnScales {
   Eigen::VectorXd mean, sd;
 };
 ColumnScales column_scales(const Eigen::MatrixXd& columns);
+
+// first, first + 1 ... to before end
+std::vector<std::size_t> rows_between(std::size_t first, std::size_t end);
 
 // Every k-th of these rows, so that at most `most` (at least one) are left.
 std::vector<std::size_t> thinned(const std::vector<std::size_t>& rows, std::size_t most);

@@ -92,13 +92,6 @@ double rmse_um(const Design& design, const RidgeFit& fit, const EffectRegression
   return std::sqrt((error.array() - *regression.model.constant_um).square().mean());
 }
 
-// Of the last predictors in use.
-std::size_t named_in(const RidgeProblem& problem, const RidgeFit& fit) {
-  if (problem.named.empty()) return 0;
-  return static_cast<std::size_t>(
-      std::count_if(fit.used.begin(), fit.used.end(), [&](std::size_t k) { return k >= problem.named.front(); }));
-}
-
 // Shares of what is predicted on the training rows.
 void add_named(const Design& design, const RidgeProblem& problem, const RidgeFit& fit, NamedEffects& named) {
   const auto m = static_cast<Eigen::Index>(fit.used.size()), count = static_cast<Eigen::Index>(named_in(problem, fit));
@@ -140,8 +133,7 @@ struct Trial {
 Trial trial_of(Design design, std::span<const Series> runs, const EffectRegressionOptions& options,
                const ForecastOptions& testing) {
   Trial trial{std::move(design), {}, {}, std::nullopt};
-  std::vector<std::size_t> rows(trial.design.row.size());
-  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  const std::vector<std::size_t> rows = rows_between(0, trial.design.row.size());
   trial.problem = ridge_problem(trial.design, rows);
   if (options.progress) options.progress(options.few ? "choosing effects" : "choosing the dictionary");
   if (options.few) {
@@ -164,14 +156,20 @@ TrainedRegression trained_regression(std::span<const Series> runs, const std::st
     if (options.progress) options.progress(what);
   };
   say("evaluating the effects");
-  const Design alone = design_of(runs, target, catalogue);
-  Design without = options.start == nullptr ? alone : with_start(alone, *options.start, runs);
-  ForecastOptions testing{options.few, options.named ? &*options.named : nullptr, options.progress};
+  Design without = design_of(runs, target, catalogue);
+  std::optional<Design> alone;
+  if (options.start != nullptr) {
+    alone = without;
+    without = with_start(std::move(without), *options.start, runs);
+  }
+  std::optional<Model> named = options.named;
+  if (named) named->targets = {target};
+  const ForecastOptions testing{options.few, named ? &*named : nullptr, options.progress};
   TrainedRegression trained;
-  Trial trial = options.named ? trial_of(with_named(without, *options.named, runs, runs), runs, options, testing)
-                              : trial_of(std::move(without), runs, options, testing);
-  if (options.named && trial.tested) trained.named.with_um = trial.tested->forecasts.rmse_um;
-  if (options.named && !options.few && trial.fit.setting.named_variance > 0.0 && runs.size() < kFewestRunsToLeaveOut &&
+  Trial trial = named ? trial_of(with_named(without, fitted(*named, runs), runs), runs, options, testing)
+                      : trial_of(std::move(without), runs, options, testing);
+  if (named && trial.tested) trained.named.with_um = trial.tested->forecasts.rmse_um;
+  if (named && !options.few && trial.fit.setting.named_variance > 0.0 && runs.size() < kFewestRunsToLeaveOut &&
       trial.tested) {
     say("without the model's effects");
     Trial other = trial_of(std::move(without), runs, options, testing);
@@ -179,9 +177,9 @@ TrainedRegression trained_regression(std::span<const Series> runs, const std::st
     if (*trained.named.without_um < *trained.named.with_um) trial = std::move(other);
   }
   std::optional<double> adapted_um, alone_um;
-  if (options.start != nullptr && trial.tested && runs.size() < kFewestRunsToLeaveOut) {
+  if (alone && trial.tested && runs.size() < kFewestRunsToLeaveOut) {
     say("without the other machines");
-    Trial other = trial_of(alone, runs, options, {options.few, nullptr, options.progress});
+    Trial other = trial_of(std::move(*alone), runs, options, {options.few, nullptr, options.progress});
     adapted_um = trial.tested->forecasts.rmse_um;
     alone_um = other.tested->forecasts.rmse_um;
     if (*alone_um < *adapted_um) trial = std::move(other);
@@ -213,7 +211,7 @@ TrainedRegression trained_regression(std::span<const Series> runs, const std::st
     trained.start->adapted_um = adapted_um;
     trained.start->alone_um = alone_um;
   }
-  if (options.named) add_named(design, problem, fit, trained.named);
+  if (named) add_named(design, problem, fit, trained.named);
   if (options.report) {
     say("leaving columns and cycles out");
     trained.drivers = driver_report(design, runs.front(), problem, fit, !options.few);
@@ -247,9 +245,8 @@ Term held_term(std::shared_ptr<const Effect> effect, std::vector<std::string> co
 }
 
 std::string dictionary_text(const EffectRegression& regression) {
-  return regression.dictionary.empty() && !regression.model.terms.empty() ? "the effects of another regression"
-         : regression.dictionary.empty()                                  ? "no effect"
-                                         : fmt::format("{}", fmt::join(regression.dictionary, ", "));
+  if (!regression.dictionary.empty()) return fmt::format("{}", fmt::join(regression.dictionary, ", "));
+  return regression.model.terms.empty() ? "no effect" : "the effects of another regression";
 }
 
 }  // namespace ballbar

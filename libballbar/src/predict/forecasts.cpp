@@ -35,12 +35,6 @@ double rms_of(const std::vector<ForecastError>& errors, double ForecastError::*u
   return std::sqrt(mean_of(errors, [&](const ForecastError& one) { return one.*um * (one.*um); }));
 }
 
-std::vector<std::size_t> rows_between(std::size_t first, std::size_t end) {
-  std::vector<std::size_t> rows(end - first);
-  std::iota(rows.begin(), rows.end(), first);
-  return rows;
-}
-
 // The first rows of the runs, as far as these rows of the design go; runs without one are left out.
 std::vector<Series> runs_until(const Design& design, std::span<const Series> runs,
                                const std::vector<std::size_t>& from) {
@@ -97,7 +91,7 @@ std::vector<ForecastError> forecast(const Design& of_all, std::span<const Series
                                     double named_variance, const ForecastOptions& options) {
   const bool is_named = options.named != nullptr && named_variance > 0.0;
   const Design anew =
-      is_named ? with_named(of_all, *options.named, runs_until(of_all, runs, fold.from), runs) : Design{};
+      is_named ? with_named(of_all, fitted(*options.named, runs_until(of_all, runs, fold.from)), runs) : Design{};
   const Design& design = is_named ? anew : of_all;
   const RidgeProblem problem = ridge_problem(design, fold.from);
   return forecast(design, fold, problem,

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "ballbar/fit/fit.hpp"
+#include "ballbar/fit/held_model.hpp"
 #include "ballbar/series/runs.hpp"
 #include "numerics/tails.hpp"
 #include "predict/forecasts.hpp"
@@ -33,17 +34,16 @@ bool has_free_gain(const Term& term) {
   return false;
 }
 
-// Of the base model, fitted to the first rows of the data: what is held, and a column for each gain that is not.
+// Of the base model: what it holds, and a column for each gain that it does not.
 struct BaseColumns {
   Eigen::VectorXd held_um;  // at rows of the design
   Eigen::MatrixXd free;
 };
 
-BaseColumns base_columns(const Model& base, const Series& data, std::size_t target, std::size_t fitted_rows,
-                         const Design& design, const std::vector<std::size_t>& rows) {
-  Series head = rows_of(data, {0, fitted_rows});
-  head.runs = data.runs;
-  const Prediction prediction = predict(base, fit(base, head, target).parameters, data);
+// held: the model as fitted.
+BaseColumns base_columns(const Model& base, const Model& held, const Series& data, const Design& design,
+                         const std::vector<std::size_t>& rows) {
+  const Prediction prediction = predict(held, held_parameters(held), data);
   const auto n = static_cast<Eigen::Index>(rows.size());
   BaseColumns columns;
   columns.held_um = Eigen::VectorXd::Constant(n, base.constant_um.value_or(0.0));
@@ -113,21 +113,18 @@ struct Grown {
   std::vector<Eigen::VectorXd> predicted_um;  // the same, with 0, 1 ... effects
 };
 
-// named_variance: of the base model's terms in that regression.
-Grown grown_from(const Model& base, const Series& data, std::size_t target, const Design& all_rows, std::size_t first,
-                 double named_variance, const std::vector<std::size_t>& asked) {
-  std::vector<std::size_t> rows(first);
-  std::iota(rows.begin(), rows.end(), std::size_t{0});
-  const std::size_t fitted_rows = first < all_rows.row.size() ? all_rows.row[first] : data.time_s.size();
-  Series head = rows_of(data, {0, fitted_rows});
-  head.runs = data.runs;
-  const Design design = named_variance > 0.0 ? with_named(all_rows, base, {&head, 1}, {&data, 1}) : all_rows;
-  const RidgeProblem problem = ridge_problem(design, rows);
+// held: the base model as fitted to the rows `from`; named_variance: of its terms in that regression.
+Grown grown_from(const Model& base, const Model& held, const Series& data, const Design& of_all,
+                 const std::vector<std::size_t>& from, double named_variance, const std::vector<std::size_t>& asked) {
+  const bool is_named = named_variance > 0.0;
+  const Design anew = is_named ? with_named(of_all, held, {&data, 1}) : Design{};
+  const Design& design = is_named ? anew : of_all;
+  const RidgeProblem problem = ridge_problem(design, from);
   const RidgeFit all = ridge_fit(problem, chosen_setting(problem, named_variance));
-  const std::vector<std::size_t> thin = thinned(rows, kRidgeRows);
+  const std::vector<std::size_t> thin = thinned(from, kRidgeRows);
   std::vector<std::size_t> both = thin;
   both.insert(both.end(), asked.begin(), asked.end());
-  const BaseColumns columns = base_columns(base, data, target, fitted_rows, design, both);
+  const BaseColumns columns = base_columns(base, held, data, design, both);
   const auto n = static_cast<Eigen::Index>(thin.size()), m = static_cast<Eigen::Index>(all.used.size());
   Eigen::MatrixXd effects = design.values(both, all.used);
   effects.rowwise() -= problem.mean(all.used).transpose();
@@ -137,9 +134,7 @@ Grown grown_from(const Model& base, const Series& data, std::size_t target, cons
   if (base.constant_um) effects.rowwise() += problem.mean(all.used).cwiseQuotient(problem.sd(all.used)).transpose();
   Grown grown;
   grown.used = all.used;
-  const auto named = std::find_if(grown.used.begin(), grown.used.end(),
-                                  [&](std::size_t k) { return !problem.named.empty() && k >= problem.named.front(); });
-  grown.used.erase(named, grown.used.end());  // they stand in the base
+  grown.used.resize(grown.used.size() - named_in(problem, all));  // they stand in the base
   effects.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(grown.used.size()));
   grown.sd = problem.sd(grown.used);
   grown.projection = projected((regression_um - columns.held_um).head(n), columns.free.topRows(n), effects.topRows(n));
@@ -258,21 +253,23 @@ Growth growth(const Model& base, const Series& data, std::size_t target,
     if (progress) progress(what);
   };
   const Design design = design_of({&data, 1}, base.targets[target], catalogue);
-  std::vector<std::size_t> rows(design.row.size());
-  std::iota(rows.begin(), rows.end(), std::size_t{0});
-  const std::vector<ForecastRows> ahead = forecast_rows(design, data);
+  const std::vector<std::size_t> rows = rows_between(0, design.row.size());
+  const std::vector<ForecastFold> folds = forecast_folds(design, data);
   // With the terms of the base model among the effects of the regression, and without.
   std::vector<double> variances{0.0};
-  if (!base.terms.empty() && std::all_of(base.terms.begin(), base.terms.end(), can_be_named))
-    variances.push_back(kFreeNamed);
+  if (!base.terms.empty() && can_be_named(base)) variances.push_back(kFreeNamed);
+  const auto held_at_fit = [&](std::size_t end) {
+    Series head = rows_of(data, {0, end});
+    head.runs = data.runs;
+    return held_at(base, fit(base, head, target).parameters);
+  };
   std::vector<ForecastSums> tried_sums(variances.size());
-  for (std::size_t i = 0; i < ahead.size(); ++i) {
-    say(fmt::format("growing a model for forecast {} of {}", i + 1, ahead.size()));
-    std::vector<std::size_t> later(ahead[i].end - ahead[i].first);
-    std::iota(later.begin(), later.end(), ahead[i].first);
+  for (std::size_t i = 0; i < folds.size(); ++i) {
+    say(fmt::format("growing a model for forecast {} of {}", i + 1, folds.size()));
+    const Model held = held_at_fit(design.row[folds[i].rows.front()]);
     for (std::size_t u = 0; u < variances.size(); ++u) {
       tried_sums[u].add(
-          grown_from(base, data, target, design, ahead[i].first, variances[u], thinned(later, kRidgeRows)));
+          grown_from(base, held, data, design, folds[i].from, variances[u], thinned(folds[i].rows, kRidgeRows)));
     }
   }
   const auto best = std::min_element(tried_sums.begin(), tried_sums.end(),
@@ -280,11 +277,11 @@ Growth growth(const Model& base, const Series& data, std::size_t target,
   const ForecastSums& sums = *best;
   say("growing the model");
   const Grown whole =
-      grown_from(base, data, target, design, rows.size(),
+      grown_from(base, held_at_fit(data.time_s.size()), data, design, rows,
                  variances[static_cast<std::size_t>(best - tried_sums.begin())], thinned(rows, kRidgeRows));
   const std::size_t tried = whole.projection.order.size();
   Growth result;
-  result.origins = ahead.size();
+  result.origins = folds.size();
   const auto mean = [&](double sum) { return sums.rows > 0.0 ? sum / sums.rows : kUnknown_um; };
   result.all_um = std::sqrt(mean(sums.of_regression));
   const auto add_errors = [&](std::size_t k) {

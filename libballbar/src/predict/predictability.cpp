@@ -19,12 +19,11 @@ constexpr double kHardlyBetter = 2.0 / 3.0;  // random walks reach this by chanc
 double model_rmse_um(const Model& model, const Series& run, const Design& design) {
   const std::vector<double>& measured = find_column(run, model.targets.front())->values;
   double sum = 0.0, count = 0.0;
-  for (const ForecastRows& ahead : forecast_rows(design, run)) {
-    const Fit found = fit(model, rows_of(run, {0, design.row[ahead.first]}));
+  for (const ForecastFold& fold : forecast_folds(design, run)) {
+    const Fit found = fit(model, rows_of(run, {0, design.row[fold.rows.front()]}));
     const Prediction prediction = predict(model, found.parameters, run);
-    std::vector<std::size_t> rows;
-    for (std::size_t row = ahead.first; row < ahead.end; ++row) rows.push_back(design.row[row]);
-    for (const std::size_t row : thinned(rows, kRidgeRows)) {
+    for (const std::size_t of_design : thinned(fold.rows, kRidgeRows)) {
+      const std::size_t row = design.row[of_design];
       sum += std::pow(measured[row] - prediction.predicted_um[row], 2);
       count += 1.0;
     }
@@ -60,8 +59,7 @@ std::optional<Predictability> predictability(const Model& model, const Series& d
   of_target.targets = {model.targets.front()};
   std::vector<Series> runs;
   for (const RowRange& range : runs_of(data.time_s)) runs.push_back(rows_of(data, range));
-  bool with_model = !model.terms.empty() && std::all_of(model.terms.begin(), model.terms.end(),
-                                                        [](const Term& term) { return can_be_named(term); });
+  bool with_model = !model.terms.empty() && can_be_named(model);
   std::optional<TrainedRegression> trained = regression_of(runs, of_target, with_model, progress, catalogue);
   if (!trained && with_model) {  // an effect of the model may not run live
     with_model = false;
