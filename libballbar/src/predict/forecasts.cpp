@@ -109,7 +109,8 @@ std::vector<ForecastError> forecast(const Design& design, const ForecastFold& fo
   for (const std::size_t row : predicted) {
     const auto i = static_cast<Eigen::Index>(row);
     const double since_s = goes_on ? design.time_s[row] - problem.end_s : std::numeric_limits<double>::infinity();
-    const RidgePrediction at = ridge_prediction(problem, fit, design.values.row(i).transpose(), since_s);
+    const Eigen::VectorXd x = design.values(std::vector{i}, Eigen::all).transpose();  // of no predictors, too
+    const RidgePrediction at = ridge_prediction(problem, fit, x, since_s);
     const double um = design.target_um[i];
     errors.push_back({um - at.mean_um, um - held, um - mean, at.sigma_um, weight});
   }

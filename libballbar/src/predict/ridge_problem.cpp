@@ -27,11 +27,10 @@ RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>&
   const auto n = static_cast<Eigen::Index>(kept.size());
   const Eigen::Index p = design.values.cols();
   RidgeProblem problem;
-  problem.columns.resize(n, p);
+  problem.columns = design.values(kept, Eigen::all);
   problem.target_um.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::size_t row = kept[static_cast<std::size_t>(i)];
-    problem.columns.row(i) = design.values.row(static_cast<Eigen::Index>(row));
     problem.target_um[i] = design.target_um[static_cast<Eigen::Index>(row)];
     problem.time_s.push_back(design.time_s[row]);
     problem.run.push_back(design.run[row]);
