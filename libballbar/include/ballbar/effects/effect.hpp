@@ -1,14 +1,14 @@
-// One physical effect: what it adds to a measured series, and what a user should know about it.
+// One physical effect: its contribution to a measured series, and its documentation for the user.
 //
-// An effect is one constant value in one file of src/effects, and all that is known of it stands there: fits, searches
-// and tests ask the value, none knows an effect or a parameter by its name. The same kind serves a drift series
-// (inputs: speed, temperatures ...) and a ballbar recording turned into a series (inputs: angle, direction, feed ...;
-// see trace.hpp). A model is a sum of effects and a constant (model.hpp). A catalogue is a list of effects: the
-// built-in one, or a user's own, which may add to it.
+// An effect is one constant value in one file of src/effects. That file holds everything about it: fits, searches and
+// tests read the value, and no other code refers to an effect or a parameter by name. The same type serves a drift
+// series (inputs: speed, temperatures ...) and a ballbar recording turned into a series (inputs: angle, direction, feed
+// ...; see trace.hpp). A model is a sum of effects and a constant (model.hpp). A catalogue is a list of effects: the
+// built-in one, or a user's own list, which may extend it.
 //
-// Values are in um, one a row of the data, evaluated over the whole series at once, so that an effect with memory
-// is one recursion, O(n). A `gain` enters linearly and starts at 0, where the effect is off; a `shape` (time
-// constant, exponent, threshold) does not, and carries the grid over which starts are searched.
+// An effect returns one value in um per row of the data. It is evaluated over the whole series at once, so that an
+// effect with memory is one recursion, O(n). A `gain` enters linearly and starts at 0, where the effect is off. A
+// `shape` (time constant, exponent, threshold) enters nonlinearly and has a grid of start values.
 #pragma once
 
 #include <cstddef>
@@ -28,37 +28,37 @@ namespace ballbar {
 enum class Level { series, recording };
 enum class ParameterKind { gain, shape };
 
-// The rows an effect is evaluated on: n times and, in the order of Effect::inputs, n values of each input.
+// The rows on which an effect is evaluated: n times and, in the order of Effect::inputs, n values of each input.
 struct EffectRows {
-  std::span<const double> time_s;  // rising; of several runs (runs.hpp) in each
+  std::span<const double> time_s;  // rising; with several runs (runs.hpp), rising within each
   std::vector<std::span<const double>> inputs;
-  std::size_t run = 0;         // number of the run that these rows are of
-  std::vector<double> zero{};  // of several runs: each input in the first row of the first; else none
+  std::size_t run = 0;         // index of the run that these rows belong to
+  std::vector<double> zero{};  // with several runs: each input in the first row of the first run; else empty
 };
 
-// What an input is counted from where something happens at a place of it: its first value, of several runs that of the
-// first, because the place is one of the machine.
+// The reference value of an input for effects with a threshold: its first value, with several runs that of the first
+// run, because the threshold is a property of the machine.
 inline double zero_of(const EffectRows& rows, std::size_t input) {
   return rows.zero.empty() ? rows.inputs[input][0] : rows.zero[input];
 }
 
-// What a shape says.
+// What a shape parameter describes.
 enum class ShapeOf {
   curve,      // a time constant, an exponent, a width ...
-  onset,      // a moment in the time of the data, s: searched from row to row, and no better known than their distance
-  period,     // of what repeats, s
-  recording,  // the number of the recording that a term belongs to, 0, 1 ...; -1: all. Held; a term's label tells it
+  onset,      // a moment in the time of the data, s; searched row by row and known to the distance of the rows
+  period,     // the period of a periodic effect, s
+  recording,  // index of the recording that a term belongs to, 0, 1 ...; -1: all. Held; shown in the term's label
 };
 
-// Whether it is a number of the physics: not a moment, nor what the term belongs to.
+// Whether the shape is a physical quantity rather than a moment or the index of a recording.
 inline bool is_of_curve(ShapeOf shape_of) { return shape_of == ShapeOf::curve || shape_of == ShapeOf::period; }
 
-// Starts to try on given rows, in the parameter's unit, within [lower, upper] and at most `most`. Of what repeats,
-// every half of what the length of the rows can resolve: a sinusoid is found only from a start that near.
+// Start values to try on given rows, in the parameter's unit, within [lower, upper], at most `most` of them. For a
+// periodic effect they are half the frequency resolution of the rows apart; a fit finds a sinusoid only from so near.
 using GridOnRows =
     std::function<std::vector<double>(const EffectRows& rows, double lower, double upper, std::size_t most)>;
 
-// A usual value on given rows, in the parameter's unit; share 0 to 1: the least to the largest of them.
+// A plausible value on given rows, in the parameter's unit; share 0 to 1 runs from the smallest to the largest.
 using UsualOnRows = std::function<double(const EffectRows& rows, double share)>;
 
 struct Parameter {
@@ -68,33 +68,33 @@ struct Parameter {
   double start = 0.0;
   double lower = 0.0;  // bounds; may be infinite
   double upper = 0.0;
-  std::vector<double> grid;  // shape: starts to try, rising; empty: start alone
+  std::vector<double> grid;  // shape: start values to try, rising; empty: only `start`
   std::string meaning;
-  bool held = false;  // a model that does not name it keeps it at `start`
+  bool held = false;  // stays at `start` unless a model states otherwise
   ShapeOf shape_of = ShapeOf::curve;
-  GridOnRows grid_on = {};    // in place of `grid`, where starts depend on the rows
-  UsualOnRows usual_on = {};  // shape: for blind challenges; empty: evenly in the logarithm from the grid's second
-                              // value to its last but one
-  std::string row = {};       // gain of an error of the machine: the row of the table it makes, "pos" of "NAME_pos";
-                              // two of one row are sine and cosine of an amplitude
+  GridOnRows grid_on = {};    // replaces `grid` where the start values depend on the rows
+  UsualOnRows usual_on = {};  // shape, for blind challenges; empty: log-uniform from the second value of the grid to
+                              // the last but one
+  std::string row = {};       // gain of a machine error: its row in the table of errors, "pos" for "NAME_pos"; two
+                              // gains with one row are sine and cosine of an amplitude
 };
 
-// Starts to try on these rows: of `grid_on` or of `grid`, those from `lower` to `upper`. Empty: the parameter's start
-// alone.
+// Start values to try on these rows: those of `grid_on` or `grid` from `lower` to `upper`. Empty: only the parameter's
+// own start.
 std::vector<double> grid_of(const Parameter& parameter, const EffectRows& rows, double lower, double upper,
                             std::size_t most);
 
-// A column that the effect reads. `role` is its key in a model file: temperature = "T_air_degC". Where a user names no
-// column, and in a search, the role takes every column in one of the units but the target and sigmas that is accepted;
-// on recordings the trace's own.
+// A column that the effect reads. `role` is its key in a model file: temperature = "T_air_degC". In a search, and where
+// the user names no column, the role tries every accepted column in one of the units, except targets and sigmas. On
+// recordings it takes the column of the trace.
 struct Input {
   std::string role;
   std::vector<std::string> units;  // accepted, as columns end: {"degC", "K"}
   std::string meaning;
-  // Empty: any column; in um those of an axial drift alone (z_um, axial_um, the Z of five probes).
+  // Empty: accepts any column; of columns in um only an axial drift (z_um, axial_um, Z of five probes).
   std::function<bool(const Column& column)> accepts = {};
   bool of_another_effect = false;  // accepts only columns that an effect of the model reads
-  std::string none_accepted = {};  // a phrase where units suit, and no column is accepted: "no column of the bar"
+  std::string none_accepted = {};  // a phrase if units suit but no column is accepted: "no column of the bar"
 };
 
 // The page that `ballbar effects NAME` prints; whole sentences.
@@ -114,18 +114,17 @@ struct Explanation {
 using EvaluateAll =
     std::function<void(const EffectRows& rows, const double* parameters, double* values, double* derivatives)>;
 
-// The values of the rows i from `begin` to before `end`, for signals that arrive live: each from rows 0, i - 1 and i
-// alone and from `kept`, the numbers that an effect with memory hands on, which it sets at row 0. In pieces of any
-// length it gives what EvaluateAll gives, to the last bit. May be called by several threads, each with numbers of its
-// own.
+// The values of rows i in [begin, end), for signals that arrive live. Row i may use only rows 0, i - 1 and i, and
+// `kept`: the memory of the effect, which it sets at row 0. Pieces of any length give the results of EvaluateAll, bit
+// by bit. Several threads may call it, each with its own `kept`.
 using EvaluateRows = std::function<void(const EffectRows& rows, std::size_t begin, std::size_t end,
                                         const double* parameters, double* kept, double* values)>;
 
-// Writes what a unit of each gain adds at this shape, gain after gain, n values each.
+// Writes the contribution of a unit of each gain at this shape: n values of the first gain, then of the second ...
 using UnitCurvesAt = std::function<void(double shape, double* curves)>;
 
-// For a search over many shapes of one run's rows: what does not depend on the shape is worked out once. To rounding it
-// gives the derivatives of EvaluateAll by the gains.
+// For a search over many shapes on the rows of one run: computes once what does not depend on the shape. The curves
+// equal the derivatives of EvaluateAll with respect to the gains, up to rounding.
 using UnitCurvesOn = std::function<UnitCurvesAt(const EffectRows& rows)>;
 
 struct Evaluate {
@@ -139,20 +138,20 @@ struct Evaluate {
   void operator()(const EffectRows& rows, const double* at, double* values, double* derivatives) const;
 };
 
-// What moves the finite-volume spindle of blind challenges (blind.hpp).
+// Causes of drift of the finite-volume spindle in blind challenges (blind.hpp).
 enum class SpindleCause { centrifugal, rings, housing, structure, bending };
 
-// A cause that the effect explains rightly: on the sensors of the parts that make it, or on any columns.
+// A cause for which this effect is the right answer: only on the sensors of the parts that cause it, or on any columns.
 struct ExplainedCause {
   SpindleCause cause = SpindleCause::centrifugal;
   bool on_its_sensors = false;
 };
 
-// What an error says of the two axes of its plane beside each other.
+// The relation between the two axes of a plane that an error describes.
 enum class AxisRelation {
   none,
-  scale,  // how much longer A is over a diameter, um
-  angle,  // from +A to +B less a right angle, um/m
+  scale,  // how much longer A is than B over a diameter, um
+  angle,  // angle from +A to +B minus 90 deg, um/m
 };
 
 // Where an error of the machine is fitted (machine_errors.hpp).
@@ -167,32 +166,34 @@ enum class ErrorFit {
 // Where instrument software gives an error of the machine a rank.
 enum class RankedByInstrument { always, on_full_turns, never };
 
-// Of an error of the machine: a sum of its gains that is held near 0 where the readings say little
-// of it, as if so many readings more, all of them where it shows most, had found nothing of it. Worked out from what
-// instrument software stores.
+// Regularisation of an error of the machine: a linear combination of its gains is pulled to 0 where the readings
+// determine it poorly. The strength equals that of `readings` more readings of 0 at the most sensitive angle. Derived
+// from the values that instrument software stores.
 struct Damping {
+  // The recordings to which it applies, and its weight there; phi is the angle of the middle of the arc.
   enum class Where {
     arcs,               // less than a full turn
-    arcs_on_a,          // as far as the arc's middle lies along A: cos^2 of it
-    arcs_on_b,          // along B: sin^2
-    arcs_on_axes,       // along an axis: cos^2 of twice the middle
-    arcs_on_diagonals,  // between them: sin^2
+    arcs_on_a,          // cos^2 phi: the middle lies along A
+    arcs_on_b,          // sin^2 phi: the middle lies along B
+    arcs_on_axes,       // cos^2 2 phi: the middle lies along an axis
+    arcs_on_diagonals,  // sin^2 2 phi: the middle lies between the axes
   };
-  std::vector<double> gains;  // the sum, a number for each gain
+  std::vector<double> gains;  // coefficients of the linear combination, one per gain
   double readings = 0.0;
   Where where = Where::arcs;
 };
 
-// Which dictionary of a regression that predicts without naming a cause an effect belongs to (effect_regression.hpp).
+// The group of predictors to which an effect belongs in a regression that predicts without naming causes
+// (effect_regression.hpp).
 enum class PredictorKind {
   source,       // of heat: speed, load
-  temperature,  // what follows one temperature
-  feedback,     // sources whose heat is more, or passes otherwise, in some states
-  difference,   // of two temperatures
-  start,        // a temperature as a run begins: no effect of the catalogue, and only where there are several runs
+  temperature,  // an effect of one temperature
+  feedback,     // a source whose heat or heat transfer depends on the state
+  difference,   // a difference of two temperatures
+  start,        // a temperature at the start of a run; not in the catalogue, only with several runs
 };
 
-// How an effect takes part in such a regression: a unit of its first gain at these shapes.
+// How an effect takes part in such a regression: its curve for a first gain of 1 at these shapes.
 struct PredictorRule {
   PredictorKind kind = PredictorKind::source;
   std::vector<std::vector<double>> grid;  // values of each of its shapes; every combination
@@ -202,19 +203,19 @@ struct PredictorRule {
 
 // What searches, tests and challenges are told of an effect.
 struct EffectRules {
-  bool is_base = false;    // in every model of its level: not searched, not tested by leaving it out
-  bool of_set_up = false;  // of these data alone: no model that is kept has it
-  // Of a base: names of its gains that recordings with one bar share, where they differ in feed.
+  bool is_base = false;    // part of every model of its level; not searched and not tested by leaving it out
+  bool of_set_up = false;  // describes the set-up of these data; not written to model files
+  // Base effect: names of the gains that recordings of one bar share if their feeds differ.
   std::vector<std::string> one_for_all = {};
-  bool may_repeat = false;           // searched beside itself on the same columns, with another onset or period
-  bool first_input_warmest = false;  // on average; the other way round is the same with another sign
-  // Shapes with which what its first gain adds goes with its first input, |cosine| about their means above this, are
-  // left out: there it is another effect.
+  bool may_repeat = false;           // may occur twice on the same columns, with another onset or period
+  bool first_input_warmest = false;  // the first input is the warmer one on average; swapping only changes the sign
+  // Shapes at which the curve of the first gain correlates with the first input (|cosine| about the means) more than
+  // this are left out: there the effect equals another one.
   std::optional<double> same_as_input = std::nullopt;
-  std::string becomes = {};  // effect of its inputs, or of some, that it is at the edge of its shapes
-  bool is_common = false;    // one that many machines have: how much of it could hide is always said
+  std::string becomes = {};  // the effect of some or all of its inputs that it equals at the edge of its shapes
+  bool is_common = false;    // occurs on many machines: a report always states how much of it could be undetected
   ErrorFit error_fit = ErrorFit::none;
-  double reversal_deg = 0.0;  // of an error of one axis: where the axis turns back at its + end, 0 (A) or 90 (B)
+  double reversal_deg = 0.0;  // error of one axis: angle at which the axis reverses at its + end, 0 (A) or 90 (B)
   std::vector<Damping> damping = {};
   RankedByInstrument ranked_by_instrument = RankedByInstrument::always;
   AxisRelation relation = AxisRelation::none;
@@ -229,27 +230,27 @@ struct Effect {
   std::vector<Input> inputs;
   std::vector<Parameter> parameters;
   Evaluate evaluate;
-  bool time_only = false;            // needs no input but time: never named as a cause from one run
-  std::vector<Motion> motions = {};  // recordings it applies to, by what drives the circle; empty: any
+  bool time_only = false;            // depends on time alone: never named as a cause from one run
+  std::vector<Motion> motions = {};  // motions of the recordings to which it applies; empty: any
   EffectRules rules = {};
 };
 
-// Whether it acts in recordings that `motion` drives.
+// Whether the effect acts in recordings with this motion.
 bool applies_to(const Effect& effect, Motion motion);
 
-// Whether it has a time constant, a period, a moment or a rate: data without a clock cannot show it.
+// Whether the effect has a time constant, a period, a moment or a rate. Data without a clock cannot show it.
 bool needs_clock(const Effect& effect);
 
-// Effects to choose from. Values: a copy has the same effects, and adding to it changes no other.
+// A list of effects. A value: extending a copy does not change the original.
 using Catalogue = std::vector<std::shared_ptr<const Effect>>;
 
 // Every effect of src/effects, drift series first, in the order of the documentation.
 const Catalogue& built_in_catalogue();
 
-// The effect of that name, or nullptr. `level` decides where both have one (bar_temperature).
+// The effect of that name, or nullptr. `level` decides if both levels have one (bar_temperature).
 const Effect* find_effect(std::string_view name, Level level, const Catalogue& catalogue = built_in_catalogue());
 
-// The effect that every model of this level has; nullptr: none.
+// The base effect, which every model of this level has; nullptr: none.
 const Effect* base_effect(Level level, const Catalogue& catalogue);
 
 }  // namespace ballbar

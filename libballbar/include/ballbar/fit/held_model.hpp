@@ -1,4 +1,4 @@
-// A model whose parameters are held: what it is held at, and one held at the values of a fit.
+// Models with all parameters held: read the held values, or hold a model at the values of a fit.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace ballbar {
 
-// What predict() takes for a model that is all held: the values it is held at, the constant first.
+// The values of a model whose parameters are all held, the constant first, in the form that predict() takes.
 std::vector<FittedParameter> held_parameters(const Model& model);
 
-// With the constant and every parameter held at these values, the constant first, then term by term.
+// The model with every parameter held at the given value. `parameters`: the constant first, then term by term.
 Model held_at(Model model, const std::vector<FittedParameter>& parameters);
 
-// Lowest and highest value of each column that the terms read, once a column, in their order; none for a column without
-// a value. Throws Error for a column that the data do not have, with the nearest.
+// Lowest and highest value of each column that the terms read, each column once, in the order of the terms. Columns
+// without a value are left out. Throws Error, with the nearest name, for a column that the data do not have.
 std::vector<ColumnRange> ranges_of(const Model& model, const Series& data);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// What the free parameters of a fitted model can make of a curve, to first order.
+// The part of a curve that the free parameters of a fitted model can absorb, to first order.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace ballbar {
 
-// Of each curve (n values at the rows of the fit, in um) its part in the space that the columns of the free parameters
-// span in the fit's Jacobian: its least squares projection J (J'J)^-1 J' y, unweighted. Columns are scaled to length 1,
-// for their units differ; two that are the same count as one. Zeros where nothing is free. n p^2 once, n p a curve.
+// Projects each curve y (n values in um, on the rows of the fit) onto the columns J of the free parameters in the fit's
+// Jacobian: J (J'J)^-1 J' y, unweighted. The columns are scaled to length 1, because their units differ; equal columns
+// count once. Returns zeros where no parameter is free. Cost: O(n p^2) once and O(n p) per curve.
 std::vector<std::vector<double>> model_parts_um(const Fit& fit, const std::vector<std::vector<double>>& curves_um);
 
 }  // namespace ballbar

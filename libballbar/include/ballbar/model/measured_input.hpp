@@ -1,10 +1,10 @@
-// Measured columns as inputs of effects: known at the tests, wanted at the times between.
+// Measured columns as inputs of effects: interpolation between tests.
 //
-// A drift is measured at its tests, 8 to 20 min apart; effects run on the signals' own times, every few seconds. An
-// effect on a drift series that reads a measured column (axial_crosstalk, bearing_clearance, an expression ...) takes
-// it as a straight line from one measured value to the next, however far apart, and as the nearest value before the
-// first and after the last. At the tests themselves it is what was measured. Signals have no such lines: their gaps are
-// closed by merged() or are an error. Nor have recordings, whose readings are whole.
+// A drift is measured at tests 8 to 20 min apart, while effects are evaluated at the times of the signals, every few
+// seconds. An effect on a drift series that reads a measured column (axial_crosstalk, bearing_clearance, an expression
+// ...) interpolates it linearly between measured values, however far apart, and takes the nearest value before the
+// first and after the last. Signals are not interpolated: merged() closes their gaps, or they are an error. Recordings
+// have no gaps.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@
 
 namespace ballbar {
 
-// n values of a column for an effect: those of a measured column with the lines, where it has a value at all; those of
-// any other as they are.
+// The n values of a column as an effect reads them: interpolated for a measured column that has a value, unchanged for
+// any other column.
 std::vector<double> input_values(const Series& data, const Column& column);
 
-// The columns with lines that the model's effects read, each once, in the order of the effects.
+// The columns that the effects of the model read interpolated, each once, in the order of the effects.
 std::vector<std::string> measured_inputs_with_gaps(const Model& model, const Series& data);
 
 }  // namespace ballbar

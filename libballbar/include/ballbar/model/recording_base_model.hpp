@@ -1,8 +1,8 @@
-// What a trace is without any effect.
+// The base model of recordings: circles without any effect.
 //
-// A centre for each recording: where a bar stands is set-up. A radius for each recording too, as long as they are all
-// driven at one feed; at feeds that differ by more than 5 %, of bars of one length, one radius for all, because what
-// the feed does to the radius (`dynamic_contraction`) would else be taken for set-up, one radius a recording.
+// Each recording has its own centre, because the position of the bar is set-up. Each has its own radius too if all have
+// the same feed. If the feeds differ by more than 5 % and the bars have one length, all recordings share one radius.
+// Separate radii would absorb the influence of the feed on the radius (`dynamic_contraction`).
 #pragma once
 
 #include "ballbar/model/model.hpp"
@@ -10,14 +10,15 @@
 
 namespace ballbar {
 
-// Of trace_of(); target deviation_um. The terms are those of the catalogue's base effect on recordings: its gains that
-// are one for all (EffectRules::one_for_all) are the radius, the others the centre. Throws Error where it has none.
+// The base model of a trace from trace_of(); its target is deviation_um. The terms are of the catalogue's base effect
+// on recordings. Its shared gains (EffectRules::one_for_all) are the radius, the others the centre. Throws Error where
+// the catalogue has no base effect.
 Model recording_base_model(const Series& trace, const Catalogue& catalogue = built_in_catalogue());
 
-// The model with the circles of the trace before its own terms; as it is where it has a circle of its own.
+// The model with the circles of the trace before its own terms. A model that has a circle is returned unchanged.
 Model with_circles(Model model, const Series& trace);
 
-// Throws Error for an effect that does not act where this drives the circle.
+// Throws Error for an effect of the model that does not act with this motion.
 void expect_acts(const Model& model, Motion motion);
 
 }  // namespace ballbar

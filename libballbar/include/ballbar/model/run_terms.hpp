@@ -1,8 +1,9 @@
-// What a model has beside its effects where the data are several runs.
+// Extra terms of a model when the data are several runs.
 //
-// A zero of its own for each run but the first, whose zero is the model's constant; for each run that begins warm what
-// is left of that, an exponential. Gains and shapes of all effects are shared, their memory begins anew (runs.hpp).
-// These terms are of the data: a model that is written has none of them.
+// Each run after the first has its own zero; the zero of the first is the constant of the model. Each run that begins
+// warm has a decaying exponential for the earlier heat. All runs share the gains and shapes of the effects; the memory
+// of the effects restarts with each run (runs.hpp). The extra terms belong to the data and are not written to model
+// files.
 #pragma once
 
 #include "ballbar/model/model.hpp"
@@ -10,10 +11,10 @@
 
 namespace ballbar {
 
-// The model with these terms before its own; of one run, or of recordings, as it is.
+// The model with these terms before its own. Unchanged for one run and for recordings.
 Model with_run_terms(Model model, const Series& data);
 
-// Without them.
+// The model without these terms.
 Model without_run_terms(Model model);
 
 }  // namespace ballbar

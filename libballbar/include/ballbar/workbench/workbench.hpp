@@ -1,8 +1,8 @@
-// A model beside data, and what was computed from both: the fit, where it fails, what is missing, what an added effect
-// changed. Each is computed when it is first asked for, and kept as long as the model is that one; a model that comes
-// back by undo() has its results still. Results are values: nothing is read, written or printed.
+// One model, one data set, and the results computed from both: the fit, where it fails, which effect is missing, what
+// an added effect changed. A result is computed on first request and kept with its model; undo() brings back the
+// previous model together with its results. The workbench reads, writes and prints nothing.
 //
-// A workbench is used by one thread at a time; two in two threads do not meet.
+// Use one workbench from one thread at a time. Two workbenches in two threads share no state.
 #pragma once
 
 #include <cstddef>
@@ -23,25 +23,25 @@ namespace ballbar {
 struct FittedModel;
 struct Inference;
 
-// A model fitted, and where it fails.
+// The fit of a model, the groups of rows where it fails most, and a test whether its residual is white.
 struct ResidualReport {
   Fit fit;
   std::vector<Misfit> where;
   Whiteness whiteness;
 };
 
-// Of one target of the model. Throws Error as fit does.
+// Fits one target of the model (an index into model.targets). Throws Error as fit() does.
 ResidualReport residual_report_of(const Model& model, const Series& data, std::size_t target,
                                   const FitOptions& options);
 
 struct WorkbenchOptions {
-  FitOptions fit;              // of check()
-  DiagnosisOptions diagnosis;  // where: not used, the workbench knows
+  FitOptions fit;              // for check()
+  DiagnosisOptions diagnosis;  // `where` is ignored: the workbench fills it in
 };
 
 class Workbench {
  public:
-  // Of the model's first target.
+  // Works on the model's first target.
   Workbench(std::shared_ptr<const Series> data, Model model, WorkbenchOptions options = {});
   Workbench(Workbench&& other) noexcept;
   Workbench& operator=(Workbench&& other) noexcept;
@@ -50,26 +50,26 @@ class Workbench {
   const Series& data() const;
   const Model& model() const;
 
-  // Each throws Error as fit does, and then is as it was.
+  // The functions below throw Error as fit() does. The workbench is unchanged after an error.
   const ResidualReport& check();
   const Diagnosis& diagnosis();
-  // What a regression on every effect predicts that the model does not; nothing where none can be made.
+  // How much a regression on all effects predicts beyond the model; nullopt where the data allow no regression.
   const std::optional<Predictability>& predictability();
-  // The RMSE that add() would leave; the model stays.
+  // RMSE in um of the model with these terms added. Does not change the model.
   double rmse_um_with(const std::vector<Term>& terms);
-  // What the effects would change; the model stays.
+  // What adding these terms would change. Does not change the model.
   EffectTest effect_test(const std::vector<Term>& terms);
 
-  // The model with these effects. Throws Error where they do not suit the data (expect_suits), or as fit does. Their
-  // shapes begin where they are likeliest, so that a fit of the model is the fit that added() tells.
+  // Adds these terms to the model. Their shape parameters start at the most likely values, so that a later fit of the
+  // model equals the fit in added(). Throws Error where a term does not suit the data (expect_suits), or as fit() does.
   void add(const std::vector<Term>& terms);
-  // What was added last.
+  // The test of the terms that were added last.
   const EffectTest& added();
-  // The figures of the model as the ledger has them; back: of the model so many steps before.
+  // The ledger's row of the current model, or of the model `back` steps earlier.
   LedgerRow row(std::size_t back = 0);
-  // Another model, such as one with effects taken out.
+  // Sets another model, such as one with an effect removed.
   void replace(Model model);
-  // The model before the last add() or replace(); false: there is none.
+  // Returns to the model before the last add() or replace(). Returns false where there is none.
   bool undo();
 
  private:

@@ -1,14 +1,14 @@
-// The experiment that would decide, and how surely.
+// The experiment that would decide a diagnosis of a drift series, and the probability that it does.
 //
-// Truths are drawn from the posterior of the data at hand: a set of effects with its gains and shapes, the noise, a
-// slow curve or none. Each test of a menu is simulated on top of each truth - the room wanders as it did, sensors
-// follow as they did and are rounded (planned_inputs.hpp) - and the whole diagnosis is asked again, of the data and the
-// simulated run together. P(right) is the share of truths that it then names, and nothing else. What no test of the
-// menu can tell apart has P(right) = 0 in all of them; that is said, and no test proposed.
+// Truths are drawn from the posterior of the data: a set of effects with gains and shapes, the noise, with or without a
+// slow random curve. Each test of a menu is simulated for each truth. The room varies as in the data, the sensors
+// respond and round as in the data (planned_inputs.hpp). The full diagnosis is then repeated on the data and the
+// simulated run together. P(right) is the share of truths in which it names the true effects and no others. If no test
+// of the menu can separate two effects, P(right) is 0 for all tests; the plan says so and proposes none.
 //
-// The test of least hours with P(right) >= 0.95 is chosen; where there is none, the one with the largest. Tests are
-// first tried with few truths, the promising ones with more: P of the chosen one is of kTruths truths that had no part
-// in the choice, its sigma is binomial. Of a draw the parameters are the most likely ones.
+// The shortest test with P(right) >= 0.95 is chosen; if there is none, the test with the largest P(right). All tests
+// are tried with few truths first, then the promising ones with more. P of the chosen test comes from kTruths truths
+// that took no part in the choice; its sigma is binomial. Each truth has its most likely parameters.
 #pragma once
 
 #include <cstddef>
@@ -24,52 +24,54 @@
 namespace ballbar {
 
 struct TestPlanOptions {
-  double most_hours = 12.0;
+  double most_hours = 12.0;                                      // longest test considered
   double max_rpm = 0.0;                                          // 0: the highest of the data
-  bool can_load = false, can_room = false, can_coolant = false;  // what can be moved
-  SearchOptions search;                                          // progress is told of here
+  bool can_load = false, can_room = false, can_coolant = false;  // what the operator can change
+  SearchOptions search;                                          // its `progress` is called here as well
 };
 
-// A test of the menu, and what is expected of it.
+// A test of the menu with its expected outcome.
 struct ExpectedTest {
   std::string kind;   // "random speeds"
   std::string doing;  // a phrase for a sentence
   double hours = 0.0;
   Schedule schedule;
-  std::size_t truths = 0;  // simulated
-  double p_right = 0.0;    // share of them that are named and nothing else
-  double p_part = 0.0;     // share in which some of it is named that is not named now, and nothing else
+  std::size_t truths = 0;  // number of simulated truths
+  double p_right = 0.0;    // share in which all true effects are named, and no others
+  double p_part = 0.0;     // share in which some true effects are named that are not named now, and no others
   double p_wrong = 0.0;    // share in which another effect is named
   double p_right_sigma = 0.0;
 };
 
-// What a hypothesis expects of the target in the chosen test, um, on the rows of `time_s`; without noise, from 0.
+// The curve of the target that a hypothesis predicts for the chosen test, in um, one value per entry of
+// TestPlan::time_s. It has no noise and starts at 0.
 struct ExpectedCurve {
   std::string label;  // "lagged_expansion(T_room_degC)", "nothing of the catalogue"
-  double p = 0.0;     // of the set now
+  double p = 0.0;     // probability of the set, given the data at hand
   std::vector<double> um;
 };
 
-// A sensor that is not there yet: at the place whose temperature drives what a hypothesis says.
+// A proposed new sensor at the place whose temperature drives a hypothesis.
 struct SensorToAdd {
   std::string place;     // "where speed_heating(speed_rpm) heats"
-  double p_right = 0.0;  // in the chosen test, with it
+  double p_right = 0.0;  // P(right) of the chosen test with this sensor
 };
 
 struct TestPlan {
   Verdict verdict = Verdict::nothing;  // of the data at hand
   double p_nothing = 0.0;
-  bool is_decided = false;                            // they already name it
+  bool is_decided = false;                            // the data at hand already name the effect
   std::vector<ExpectedTest> tests;                    // the chosen one first, then by P(right); empty: none is proposed
-  std::vector<std::vector<BoundEffect>> inseparable;  // effects that no test can tell apart
-  std::vector<double> time_s;                         // of the curves
-  std::vector<ExpectedCurve> curves;                  // of the chosen test, the most probable first
-  double sigma_um = 0.0;                              // of a reading
+  std::vector<std::vector<BoundEffect>> inseparable;  // effects that no test can separate
+  std::vector<double> time_s;                         // times of the curves
+  std::vector<ExpectedCurve> curves;                  // for the chosen test, the most probable first
+  double sigma_um = 0.0;                              // standard deviation of one reading
   std::vector<SensorToAdd> sensors;
-  std::string sentence;  // what to do, what it would show and how surely, what cannot be told
+  std::string sentence;  // what to do, what it would show, how sure that is, and what stays open
 };
 
-// A drift series, of one run or several (runs.hpp). Throws Error as diagnose does, and for recordings.
+// Plans a test for a drift series of one or several runs (runs.hpp). Throws Error as diagnose() does, and for
+// recordings.
 TestPlan test_plan(const Model& model, const Series& data, std::size_t target, const TestPlanOptions& options);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// What is searched for.
+// Options of a search for missing effects.
 #pragma once
 
 #include <cstddef>
@@ -15,20 +15,20 @@
 
 namespace ballbar {
 
-// How probable it is that an effect is missing, by the sets that have been weighed so far.
+// The probability that an effect is missing, from the sets of effects evaluated so far.
 struct ProbableSoFar {
   BoundEffect bound;
   double p = 0.0;
 };
 
 struct SearchOptions {
-  Catalogue catalogue = built_in_catalogue();  // searched; a diagnosis refers to its effects
-  std::optional<Motion> motion;                // of recordings
-  std::vector<std::string> without;            // names of effects that are not searched
+  Catalogue catalogue = built_in_catalogue();  // effects to search; a diagnosis points to them
+  std::optional<Motion> motion;                // what moved the ballbar, for recordings
+  std::vector<std::string> without;            // names of effects to leave out of the search
   std::uint64_t seed = 1;
-  // Told of every step before it begins, by the thread that asked: "testing 200 surrogates of expansion(T_room_degC)".
+  // Called before each step, in the calling thread: "testing 200 surrogates of expansion(T_room_degC)".
   std::function<void(std::string_view step)> progress;
-  // Told of all effects, the most probable first, whenever more sets have been weighed; by that thread too.
+  // Called with all effects, the most probable first, whenever more sets have been evaluated; in the calling thread.
   std::function<void(const std::vector<ProbableSoFar>& effects)> so_far;
 };
 

@@ -1,18 +1,17 @@
-// What data could show, told before any residual is looked at.
+// Which effects the data could show at all, judged before any residual is examined.
 //
-// For every effect of a catalogue and every column it could read: its signature g (what a unit gain adds, at each
-// point of its shape grid) is whitened by the noise, W g, and freed of all that the model can already make, the columns
-// of W J. What survives decides:
+// For every effect of a catalogue and every column it could read, take its signature g: the curve of a unit gain, at
+// each point of its shape grid. W whitens it by the noise. P removes the part that the model can already produce, the
+// columns of W J. The remaining part P W g decides:
 //
 //   surviving share   |P W g|^2 / |W g|^2;           below 0.05 the model absorbs the effect
 //   d                 gain |P W g|                    root of the expected fall of chi^2
-//   detectable        range (max - min) in um of an effect with d = 5; identifiable: d = 7.5
-//   coherence         |cos| between the surviving signatures of two effects; above 0.95 at most of the shapes of one,
-//                     whatever shape the other has, they are inseparable here
+//   detectable        range (max - min) in um of an effect with d = 5; identifiable: range with d = 7.5
+//   coherence         |cos| between the remaining signatures of two effects. Two effects are inseparable in these data
+//                     if it exceeds 0.95 at most shapes of one of them, with the best shape of the other.
 //
-// An effect with several gains counts by the space they span: coherence by the smallest canonical correlation; d is
-// that of its first. Of more than 1500 values of the target every
-// second, third ... counts.
+// For an effect with several gains the coherence is the smallest canonical correlation of the spaces that they span,
+// and d is that of the first gain. Of more than 1500 values of the target only every second, third ... is used.
 #pragma once
 
 #include <optional>
@@ -33,11 +32,11 @@ enum class Testability {
   in_the_model,
   other_motion,
   no_clock,
-  rows_too_far_apart,  // to show the period of what repeats
+  rows_too_far_apart,  // too far apart to resolve the period of a periodic effect
 };
 
-// How well one effect imitates another: the coherence that half of the other's shapes reach at least, each with that
-// shape of this effect which is most like it.
+// How well one effect imitates another: the median over the other's shapes of the coherence with the most similar shape
+// of this effect.
 struct Likeness {
   std::string with;
   double coherence = 0.0;
@@ -45,11 +44,11 @@ struct Likeness {
 
 struct Detectability {
   const Effect* effect = nullptr;
-  std::vector<std::string> columns;  // of the best binding; empty where there is none
-  std::size_t bindings = 0;          // choices of columns that the data offer
-  std::size_t searched = 0;          // of these
+  std::vector<std::string> columns;  // of the best binding; empty: no binding
+  std::size_t bindings = 0;          // number of column choices that the data offer
+  std::size_t searched = 0;          // number of these that were searched
   Testability testability = Testability::testable;
-  std::string why;  // a phrase where it is not testable
+  std::string why;  // a phrase: why it is not testable
   double surviving_share = 0.0;
   double detectable_um = 0.0;
   double identifiable_um = 0.0;
@@ -65,9 +64,9 @@ struct Preflight {
   std::vector<Detectability> detectability;  // in the order of the catalogue
 };
 
-// By the noise and the Jacobian of the model's fit. Without terms the model is a constant, and every effect that is
-// there counts as noise, which is pessimistic. Throws Error as fit does. motion: what drove the recordings; effects of
-// other motions do not apply.
+// Uses the noise and the Jacobian of the model's fit. A model without terms is a constant; every real effect then
+// counts as noise, which is pessimistic. Throws Error as fit() does. motion: what moved the ballbar in the recordings;
+// effects of other motions do not apply.
 Preflight preflight(const Model& model, const Series& data, std::size_t target = 0,
                     std::optional<Motion> motion = std::nullopt, const Catalogue& catalogue = built_in_catalogue());
 

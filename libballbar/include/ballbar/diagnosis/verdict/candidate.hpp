@@ -1,4 +1,4 @@
-// One effect with its probability and its tests, beside the model and whatever else is added to it.
+// One candidate effect with its probability and the results of its tests.
 #pragma once
 
 #include <limits>
@@ -12,38 +12,38 @@
 
 namespace ballbar {
 
-// 95 % of what the posterior says of a number.
+// A 95 % credible interval of a number; NaN: not known.
 struct Interval {
   double low = std::numeric_limits<double>::quiet_NaN();
   double high = std::numeric_limits<double>::quiet_NaN();
 };
 
-// Beside the rest of the set that it is most probable in. NaN: not known.
+// Figures are those of the effect in its most probable set, with the other effects of that set. NaN: not known.
 struct Candidate {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   BoundEffect bound;
-  std::string label;  // of the effect, or of the term that it is in a model
-  double p = 0.0;     // that it is missing, by the posterior over all sets of effects
-  // 2 ln of how much more likely the readings are with it than without, gains, shapes and noise integrated out; from
-  // `threshold` on it counts by itself.
+  std::string label;  // of the effect, or of its term if it is part of a model
+  double p = 0.0;     // probability that it is missing, from the posterior over all sets of effects
+  // 2 ln of the likelihood ratio of the readings with and without it; gains, shapes and noise are integrated out. From
+  // `threshold` on the evidence is sufficient by itself.
   double likelihood_ratio = 0.0;
   double threshold = kLeastLikelihoodRatio;
   std::vector<FittedParameter> parameters;                   // of this effect
   std::vector<Interval> intervals;                           // of each parameter
-  double amplitude_um = 0.0;                                 // largest less smallest of what it adds
+  double amplitude_um = 0.0;                                 // range (max - min) of its contribution
   double amplitude_sigma_um = kUnknown;                      // infinite: not determined
-  double rmse_after_um = kUnknown;                           // of the model with it alone, as `add` fits it
-  double held_out_before_um = 0.0, held_out_after_um = 0.0;  // cycles left out, see diagnosis.hpp
-  double held_out_evidence = kUnknown;    // ln of the likelihood of cycles left out, gained; without the best cycle
-  double p_same_gain = 1.0;               // of gains as different from cycle to cycle
+  double rmse_after_um = kUnknown;                           // of the model with this effect alone added
+  double held_out_before_um = 0.0, held_out_after_um = 0.0;  // RMSE in cycles left out of the fit, see diagnosis.hpp
+  double held_out_evidence = kUnknown;    // gain in ln likelihood of the left-out cycles, without the best cycle
+  double p_same_gain = 1.0;               // p-value of equal gains in all cycles
   double gain = 0.0;                      // fall of chi^2
   double best_surrogate_gain = kUnknown;  // largest fall of chi^2 by a surrogate
-  double best_surrogate_fall = kUnknown;  // of the RMSE, relative
-  std::optional<bool> beats_surrogates;   // nothing: not tested, see diagnosis.hpp
-  std::vector<std::string> doubts;        // why it is not named, phrases: "its gain differs from cycle to cycle"
+  double best_surrogate_fall = kUnknown;  // largest relative fall of the RMSE by a surrogate
+  std::optional<bool> beats_surrogates;   // nullopt: not tested, see diagnosis.hpp
+  std::vector<std::string> doubts;        // phrases, why it is not named: "its gain differs from cycle to cycle"
   bool in_best_set = false;
   bool minor = false;                         // below max(5 % of the RMSE, the tolerance)
-  std::vector<std::string> inseparable_from;  // labels
+  std::vector<std::string> inseparable_from;  // labels of other effects
 };
 
 }  // namespace ballbar

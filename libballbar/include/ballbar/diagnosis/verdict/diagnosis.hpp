@@ -1,20 +1,20 @@
-// Which physical effect a model lacks - or that the data cannot tell.
+// Which physical effect is missing from a model, or that the data cannot say.
 //
-// A falling error proves fit, not cause: on records with a memory a random smooth signal also lowers it. So what is
-// missing is taken as a sum of single effects, each of which is nothing, one effect of the catalogue, an input of any
-// form, or a value that the model holds at another one; beside them noise with a memory, a slow discrepancy, and a
-// little of every input. Gains, shapes and noise are integrated out, inputs are late and rounded as loggers make them
-// (src/diagnosis/README.md). An effect is named where P >= 0.9 and no doubt holds: its gain differs from cycle to
-// cycle, cycles left out are not predicted better, it goes with time alone, it makes the readings hardly more likely.
-// One that fails is no longer named; the others stay.
+// A smaller error does not prove a cause: if the noise is correlated, a random smooth signal lowers the error too. The
+// missing part is therefore modelled as a sum of single effects. Each of them is nothing, one effect of the catalogue,
+// an input in any form, or a wrong held value of the model. To these come correlated noise, a slow discrepancy and a
+// small contribution of every input. Gains, shapes and noise are integrated out; inputs may be delayed and rounded, as
+// loggers do (src/diagnosis/README.md). An effect is named if P >= 0.9 and none of these doubts holds: its gain differs
+// from cycle to cycle; it does not improve the prediction of left-out cycles; it depends on time alone; it hardly
+// raises the likelihood of the readings. A doubt affects its own effect only.
 //
-// P holds inside the catalogue (tests/study/verdicts).
+// P is the probability within the catalogue (tests/study/verdicts).
 //
-// On recordings a cycle is a recording, of one alone a quarter of its sweep. What surrogates say of an effect is told
-// (candidate.hpp), and does not decide.
+// On recordings a cycle is one recording, or a quarter of the sweep of a single recording. The comparison with
+// surrogates is reported (candidate.hpp) but does not affect the verdict.
 //
-// Of more than 1000 values of the target every second, third ... is weighed, and all about a jump that is found;
-// figures of the effects are of those.
+// Of more than 1000 values of the target only every second, third ... is used, and all values near a detected jump. The
+// figures of the effects refer to these values.
 #pragma once
 
 #include <cstddef>
@@ -35,13 +35,13 @@
 namespace ballbar {
 
 enum class Verdict {
-  named,        // this effect, or a value that the model holds
-  probable,     // likewise, P >= 0.8
-  driver,       // this input, its form is open
-  equivalent,   // something is missing, it may be one of these
-  unexplained,  // something is missing: a slow drift, what goes with time alone, or no effect that is likely
-  untestable,   // the data could not have shown it
-  nothing,      // no effect
+  named,        // one effect is missing, or one held value is wrong
+  probable,     // the same with P >= 0.8
+  driver,       // one input drives the missing part; its form is open
+  equivalent,   // something is missing; several effects explain it equally well
+  unexplained,  // something is missing: a slow drift, a function of time alone, or no effect is likely
+  untestable,   // the data could not show a missing effect
+  nothing,      // no effect is missing
 };
 std::string_view name_of(Verdict verdict);
 
@@ -50,27 +50,27 @@ struct EffectProbability {
   double p = 0.0;
 };
 
-// That this column drives something that is missing, whatever its form.
+// The probability that this column drives something that is missing, in whatever form.
 struct Driver {
   std::string column;
   double p = 0.0;
 };
 
-// That a value which the model holds is another one.
+// The probability that a value held in the model is wrong, with the value that fits.
 struct OwnValue {
   std::string effect;           // label of the term
   std::string parameter, unit;  // "exponent", "1"
   double held = 0.0, fitted = 0.0;
-  Interval interval;  // of fitted
+  Interval interval;  // of the fitted value
   double p = 0.0;
 };
 
-// A gain of the model, or of the best set, that is another one from run to run: a machine that changed.
+// A gain of the model, or of the best set, that differs between runs: the machine has changed.
 struct GainByRun {
   std::string effect;               // label
   std::string parameter, unit;      // "gain_um_per_K", "um/K"
-  double p = 1.0;                   // of chances that say so if it were one
-  std::vector<double> gain, sigma;  // of each run
+  double p = 1.0;                   // p-value of the hypothesis that all runs have the same gain
+  std::vector<double> gain, sigma;  // one per run
 };
 
 struct Diagnosis {
@@ -78,41 +78,41 @@ struct Diagnosis {
   Fit base;
   Verdict verdict = Verdict::nothing;
   std::vector<BoundEffect> named, probable;
-  std::vector<std::vector<BoundEffect>> equivalent;  // each: effects of which one is it, the most probable first
-  std::vector<Driver> drivers;                       // from P = 0.5, the most probable first
-  std::vector<OwnValue> own;                         // from P = 0.05
-  std::vector<EffectProbability> effects;            // from P = 0.01
-  std::vector<GainByRun> gains_by_run;               // of several runs, those that differ
-  double p_nothing = 1.0;                            // no effect, no other value, no discrepancy
+  std::vector<std::vector<BoundEffect>> equivalent;  // groups; one effect of each is missing; the most probable first
+  std::vector<Driver> drivers;                       // with P >= 0.5, the most probable first
+  std::vector<OwnValue> own;                         // with P >= 0.05
+  std::vector<EffectProbability> effects;            // with P >= 0.01
+  std::vector<GainByRun> gains_by_run;               // several runs: the gains that differ
+  double p_nothing = 1.0;                            // no effect, no wrong held value, no discrepancy
   double p_discrepancy = 0.0;
-  // ln of how much more likely the readings are with any effect or other value than with none, whatever the
-  // discrepancy: its exponential is at most 1 on average where none is hidden.
+  // ln of the Bayes factor of any effect or wrong held value against none, the discrepancy marginalised. The mean of
+  // its exponential is at most 1 if nothing is missing.
   double log_bayes_factor = 0.0;
-  double discrepancy_um = 0.0;        // its standard deviation, where it is most likely
-  Noise noise;                        // beside the best set
+  double discrepancy_um = 0.0;        // most likely standard deviation of the discrepancy
+  Noise noise;                        // of the fit with the best set
   std::vector<Candidate> candidates;  // the best set first, then by P; at most 12
-  // Amplitude up to which an effect that blind challenges hide could be there: that which shows worst, in the middle of
-  // its shapes.
+  // Amplitude up to which an effect could be present and undetected. It is that of the hardest effect to detect among
+  // those that blind challenges hide, at its middle shape.
   double hidden_um = 0.0;
   BoundEffect hidden;          // that effect
-  double rmse_after_um = 0.0;  // with the best set
+  double rmse_after_um = 0.0;  // of the fit with the best set
   std::size_t searched_effects = 0;
-  std::vector<Detectability> detectability;  // what the data could show, as preflight
-  std::vector<std::string> reasons;          // why not `named`; whole sentences
-  std::string where;                         // "while warming": where the model fails most, as the options have it
-  std::string sentence;                      // the verdict in plain words, the first without any of statistics
+  std::vector<Detectability> detectability;  // as in Preflight
+  std::vector<std::string> reasons;          // whole sentences: why the verdict is not `named`
+  std::string where;                         // where the model fails most, from the options: "while warming"
+  std::string sentence;                      // the verdict; its first sentence has no statistical terms
 };
 
 struct DiagnosisOptions {
   SearchOptions search;
   double tolerance_um = 0.0;  // smaller effects are called minor
   std::size_t surrogates = kSurrogates;
-  std::size_t most_rows = 1000;  // values of the target weighed
-  bool fit_candidates = true;    // Candidate::rmse_after_um
-  std::string where = {};        // worst_place(), which the sentence tells
+  std::size_t most_rows = 1000;  // largest number of target values used
+  bool fit_candidates = true;    // compute Candidate::rmse_after_um
+  std::string where = {};        // worst_place(), for the sentence
 };
 
-// Throws Error as fit does.
+// Diagnoses one target of the model (an index into model.targets). Throws Error as fit() does.
 Diagnosis diagnose(const Model& model, const Series& data, std::size_t target = 0,
                    const DiagnosisOptions& options = {});
 
