@@ -1,4 +1,4 @@
-// What a sentence says of a name that is not known.
+// Suggestions and quotes for messages about unknown names.
 #pragma once
 
 #include <span>
@@ -7,16 +7,16 @@
 
 namespace ballbar {
 
-// How many letters are changed, missing, extra or exchanged with the next (optimal string alignment).
+// Number of changed, missing, extra or transposed letters (optimal string alignment distance).
 std::size_t letters_apart(std::string_view name, std::string_view other);
 
-// The known name with the fewest changed, missing, extra or exchanged letters. `known` is not empty.
+// The known name with the smallest letters_apart(). `known` must not be empty.
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known);
 
-// The same where it is near: at most one letter in three is other, or `name` is its beginning. Empty where none is.
+// The same, but only if it is near: at most one letter in three differs, or it begins with `name`. Else empty.
 std::string_view near_name(std::string_view name, std::span<const std::string_view> known);
 
-// What was found, in quotes, shortened, unprintable bytes as \xNN: for messages.
+// The text in quotes for a message: shortened, with unprintable bytes as \xNN.
 std::string in_quotes(std::string_view found);
 
 // Length of the UTF-8 sequence at the start of `bytes`, 0 if it is not one (overlong, surrogate, past U+10FFFF, cut

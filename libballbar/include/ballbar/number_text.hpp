@@ -8,16 +8,16 @@ namespace ballbar {
 // "38.7 s", "4 min 25 s", "2 h 40 min", "124 h": to the second below an hour, to the minute below 100 h.
 std::string duration_text(double duration_s);
 
-// "20 000", "5000": whole, in groups of three from five digits on.
+// "20 000", "5000": rounded to an integer, in groups of three from five digits on.
 std::string grouped_text(double value);
 
-// How sure a probability makes: "very likely (98 %)", "likely (83 %)", "about even (51 %)", "unlikely (20 %)".
+// A probability in words: "very likely (98 %)", "likely (83 %)", "about even (51 %)", "unlikely (20 %)".
 std::string sure_text(double p);
 
 // "98 %", "over 99 %", "under 1 %".
 std::string percent_text(double p);
 
-// Of a length in um, two digits: "3.2", "14", "0.53", "1200".
+// A length in um with two significant digits: "3.2", "14", "0.53", "1200".
 std::string size_text(double size_um);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// Circle through the readings of one recording: centre, radius, and how well they are known.
+// Fits a circle to the readings of one recording: centre, radius and their covariance.
 //
 // The length equation of recording.hpp is solved by Ceres for c = (a, b) and R, in all readings at once;
 // the algebraic circle (hyper) is the start. Instrument software reports another circle, the unweighted
@@ -50,13 +50,13 @@ struct Circle {
   double rms_um = 0.0;                                       // of the residual
   double autocorrelation = 0.0;                              // phi, 0 where the residual is white
   double effective_readings = 0.0;        // n s^2(white) / s^2(autocorrelated) for the worst of a, b, R
-  double elongation_correction_um = 0.0;  // subtracted, by size
+  double elongation_correction_um = 0.0;  // absolute value of what was subtracted
   std::vector<std::size_t> discounted;    // robust: readings given less than a tenth of full weight
   std::size_t readings = 0;
   double arc_deg = 0.0;
   bool converged = false;
-  std::string outcome;                // Ceres' own words
-  double height_mm = 0.0;             // h (+ dL) the fit used: the radii below need it
+  std::string outcome;                // message of Ceres
+  double height_mm = 0.0;             // h (+ dL) used in the fit; radii_mm() needs it
   double length_correction_um = 0.0;  // subtracted from every length before use (eq34)
 
   double sigma_centre_a_um() const;
@@ -80,7 +80,7 @@ Eigen::Matrix3d covariance_of_change_um2(const Recording& now, const Circle& now
 // length equation, or the distance of the polar point from the centre.
 Eigen::ArrayXd radii_mm(const Recording& recording, const Circle& circle);
 
-// What the fit leaves: reading minus fitted length, um, n values.
+// The residual of the fit: reading minus fitted length, um, n values.
 Eigen::ArrayXd residual_um(const Recording& recording, const Circle& circle);
 
 // A circle in the plane, in the units of the points.

@@ -24,20 +24,20 @@ struct Circularity {
 // noisy readings is also biased upwards; that is not in sigma.
 Circularity circularity(const Recording& recording, const Circle& circle);
 
-// One direction and the other of one test: in one plane, with one length of bar, driven alike.
+// Whether the recordings are the two directions of one test: same plane, same length of the bar, same motion.
 bool are_both_directions(const Recording& first, const Recording& second);
 
 // Both directions of one test.
 struct Bidirectional {
   double bidirectional_2005_um = 0.0;  // range of all radii about the mean of the two centres
   double bidirectional_1996_um = 0.0;  // the larger of the two G
-  double mean_radial_um = 0.0;         // D: mean radius of both less the nominal length
+  double mean_radial_um = 0.0;         // D: mean radius of both minus the nominal length
   double hysteresis_um = 0.0;          // H: largest |r_CCW - r_CW| at one angle, not re-centred
   double hysteresis_at_deg = 0.0;
 };
 
-// The recordings are interpolated onto the CCW angles for H. Throws Error unless one is CCW and one CW,
-// in one plane, with a common stretch of arc.
+// For H the recordings are interpolated at the CCW angles. Throws Error unless one is CCW and one CW,
+// in one plane, with a common part of the arc.
 Bidirectional bidirectional(const Recording& first, const Circle& first_circle, const Recording& second,
                             const Circle& second_circle);
 

@@ -37,7 +37,7 @@ struct Recording {
                                   // nearer the table than the table's ball, so that elongation adds
   std::optional<double> feed_mm_per_min;
   std::optional<double> bar_temperature_degC;
-  std::optional<double> pitch_a_mm, pitch_b_mm;  // of the screws of the two axes, where they are known
+  std::optional<double> pitch_a_mm, pitch_b_mm;  // of the ball screws of the two axes; nullopt: not known
   std::optional<double> elapsed_s;               // start of the test since the session's own zero
   std::optional<std::int64_t> started_s;         // start on the machine's local clock, s since 1970-01-01T00:00:00
   std::vector<double> time_s;                    // n readings from the start of the sweep; empty: uniform in time
@@ -48,12 +48,12 @@ struct Recording {
 // The two axes of a plane as indices into (x, y, z): XY -> {0,1}, YZ -> {1,2}, ZX -> {2,0}, XZ -> {0,2}.
 std::array<int, 2> axes_of(Plane plane);
 
-// Arc covered by the readings, rad, in (0, 2 pi]: 2 pi less the largest gap, with one reading's share
-// added back, so that n readings at mid-sample of an arc give that arc. 2 pi where no gap is wider than
-// 1.5 mean spacings. Readings may be in any order and may wrap. 0 for fewer than 2 readings. O(n).
+// Arc covered by the readings, rad, in (0, 2 pi]: 2 pi minus the largest gap, plus one spacing, so that n
+// readings at mid-sample of an arc give that arc. 2 pi if no gap is wider than 1.5 mean spacings. Readings may
+// be in any order and may wrap. 0 for fewer than 2 readings. O(n).
 double arc_rad(const Recording& recording);
 
-// Same number of readings at the same angles in the same order, to half a reading's spacing.
+// Whether both have the same number of readings at the same angles in the same order, within half a spacing.
 bool same_angles(const Recording& first, const Recording& second);
 
 std::string_view name_of(Kind kind);

@@ -1,4 +1,4 @@
-// Ballbar recordings as one series, so that effects on a recording are fitted as effects on a drift are.
+// Converts ballbar recordings into one series, so that effects on recordings are fitted like effects on a drift.
 #pragma once
 
 #include <span>
@@ -22,12 +22,12 @@ namespace ballbar {
 //   recording         0, 1, 2 ...
 //   linear_axes       1 where two linear axes drive the circle, else 0
 //   pitch_a_mm, _b    of the screws, NaN where they are not stated
-// Where a recording has no times, its n readings are at mid-sample of a sweep of nominal length times arc over feed;
-// one a second where the feed is not stated either. time_s starts at 0 and rises by the sweeps, put end to end 1 s
-// apart. Throws Error for an axial recording, and for times that do not rise. O(n), 104 bytes a reading.
+// If a recording has no times, its n readings are at mid-sample of a sweep whose duration is nominal length times arc
+// over feed; without a feed there is one reading per second. time_s starts at 0, with the sweeps end to end, 1 s apart.
+// Throws Error for an axial recording, and for times that do not rise. O(n), 104 bytes per reading.
 Series trace_of(std::span<const Recording> recordings);
 
-// The column of trace_of that an input's role stands for: "angle" -> "angle_rad"; empty for none.
+// The column of trace_of() for the role of an input: "angle" -> "angle_rad"; empty: none.
 std::string_view trace_column(std::string_view role);
 
 }  // namespace ballbar

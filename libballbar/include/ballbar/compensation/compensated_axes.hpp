@@ -1,9 +1,9 @@
-// The compensators of a machine's axes, fed by one row: each its own columns of it.
+// The compensators of all axes of a machine. All read the same row of signals.
 //
-// A model may read what another one predicts, as the clearance of a bearing follows its axial growth: a column that is
-// no signal but the target of an axis named before it takes that axis' predicted error. It counts from that
-// axis' first row, so that no trained range of the column as it was measured is looked at. While that axis is held, so
-// is this one (no_value).
+// A model may read the prediction of another one, as bearing clearance depends on axial growth. If a column is not a
+// signal but the target of an earlier axis, it takes the predicted error of that axis. This value counts from the first
+// row of that axis, so that the trained range of the measured column is not checked. While that axis is held, this one
+// is held too (no_value).
 #pragma once
 
 #include <cstddef>
@@ -19,12 +19,12 @@ namespace ballbar {
 
 struct CompensatedAxis {
   std::string name;  // "z"
-  Model model;       // of one target
+  Model model;       // with one target
 };
 
 class CompensatedAxes {
  public:
-  // Throws Error: no axis, one named twice, and what Compensator throws, with the axis in front.
+  // Throws Error: no axis, a name twice, and the errors of Compensator, preceded by the axis.
   CompensatedAxes(const std::vector<CompensatedAxis>& axes, const CompensationLimits& limits);
 
   std::size_t size() const { return axes_.size(); }
@@ -32,27 +32,27 @@ class CompensatedAxes {
   Compensator& axis(std::size_t axis) { return axes_[axis].compensator; }
   const Compensator& axis(std::size_t axis) const { return axes_[axis].compensator; }
 
-  // The signals that all of them want, each once.
+  // The signals that the axes read, each once.
   std::span<const std::string> columns() const { return columns_; }
 
-  // One an axis, until the next call. values: as columns(). Takes no memory.
+  // The offset of each axis, valid until the next call. values: in the order of columns(). Allocates no memory.
   std::span<const Offset> next(double time_s, std::span<const double> values);
 
  private:
   struct Source {
-    bool predicted = false;  // by an axis
-    std::size_t index = 0;   // of that axis, or of columns_
+    bool predicted = false;  // the column is the prediction of another axis
+    std::size_t index = 0;   // index of that axis, or into columns_
   };
   struct Axis {
     Axis(std::string of, const Model& model, const CompensationLimits& limits)
         : name(std::move(of)), compensator(model, limits) {}
     std::string name;
     Compensator compensator;
-    std::vector<Source> sources;  // of its columns
+    std::vector<Source> sources;  // one per column of the compensator
     std::vector<double> values;
   };
   std::vector<std::string> columns_;
-  std::deque<Axis> axes_;  // a compensator stays where it is
+  std::deque<Axis> axes_;  // a deque, because a Compensator does not move
   std::vector<Offset> offsets_;
 };
 

@@ -1,22 +1,23 @@
-// A straight line in place of a model: what the temperature compensation of a control itself can follow.
+// A linear replacement for a model, simple enough for the built-in temperature compensation of a control.
 //
-//   K(T) = sum_j b_j (T_j - T0_j)        um, the error; of one sensor, or a few
+//   K(T) = sum_j b_j (T_j - T0_j)        um, the error; one or a few sensors
 //
-// The slopes are those of least squares to what the model predicts since a run's zero, its first measured value at row
-// z, over all rows of the run from there on:
+// The slopes are a least squares fit to the predictions p of the model. In each run the zero is the row z of the first
+// measured value, and the fit uses all rows from there on:
 //
 //   min_b  sum over runs and rows i of ((p_i - p_z) - sum_j b_j (T_ij - T_zj))^2
 //
-// The model begins anew in each run, as it does live. No constant is fitted, for a machine is zeroed where a run
-// begins. T0, where K is 0, is the mean reading at these zeros. Of all sets of as many sensors as asked for the one
-// with the least sum is taken. Each T_j stops at the ends of what was read, widened as a trained range is.
+// The model restarts in each run, as it does live. No constant is fitted, because the machine is zeroed at the start of
+// a run. T0, where K is 0, is the mean reading at these zeros. Of all sets of `count` sensors the one with the smallest
+// sum is taken. Each T_j is limited to the range of its readings, widened by range_margin.
 //
-// What is judged is the measured error with what is written: slopes and temperatures rounded, K in whole increments,
+// The result is judged by the measured error y with the line as written, i.e. with rounded slopes and temperatures and
+// K in whole increments:
 //
 //   after_i = (y_i - y_z) - (K(T_i) - K(T_z))
 //
-// once on all values, and once on values that choice and slopes did not have: of several runs each one left out, of one
-// the fourth and fifth fifths of its time, each from what is before it.
+// It is judged on all values, and on values that were not used for choice and slopes: with several runs each run left
+// out in turn, with one run the fourth and the fifth fifth of its time, each predicted from the time before.
 #pragma once
 
 #include <cstddef>
@@ -31,19 +32,19 @@
 
 namespace ballbar {
 
-// Temperatures are in the column's own unit, degC or K.
+// The slope of one sensor. Temperatures are in the unit of the column, degC or K.
 struct SensorSlope {
   std::string column;
-  double slope_um_per_K = 0.0;  // b, four decimals
-  double sigma_um_per_K = 0.0;  // by leaving out each run, or each fifth of one, in turn (delete-one jackknife)
-  double zero = 0.0;            // T0, one decimal as the next two
+  double slope_um_per_K = 0.0;  // b, rounded to four decimals
+  double sigma_um_per_K = 0.0;  // delete-one jackknife over the runs, or over the fifths of one run
+  double zero = 0.0;            // T0, rounded to one decimal, as low and high
   double low = 0.0, high = 0.0;
 };
 
-// A control's smallest step of the result.
+// The smallest step of the offset in the control.
 struct Increment {
   double um = 0.1;
-  bool toward_zero = false;  // what is left of a step is cut off; false: to the nearest
+  bool toward_zero = false;  // truncate to whole steps; false: round to the nearest
 };
 
 struct LinearCompensation {
@@ -51,36 +52,36 @@ struct LinearCompensation {
   Increment increment;
 };
 
-// K at these readings, one a sensor, in whole increments.
+// K in um at these readings (one per sensor), in whole increments.
 double error_um(const LinearCompensation& line, std::span<const double> readings);
 
-// The error without compensation, with all of the model, and with the line, on the same values.
+// The error without compensation, with the full model, and with the line, on the same values.
 struct LineErrors {
   Reduction model, line;
-  double largest_um = 0.0;        // of what is measured, since the zeros
-  double largest_model_um = 0.0;  // of what is left
+  double largest_um = 0.0;        // of the measured error since the zeros
+  double largest_model_um = 0.0;  // of the error with the model
   double largest_line_um = 0.0;
   std::size_t values = 0;
-  std::size_t beyond = 0;  // of these, with a reading beyond an end of the line
+  std::size_t beyond = 0;  // number of these with a reading outside low to high
 };
 
 struct Simplification {
   LinearCompensation line;
-  std::size_t rows = 0;                // from the zeros on
-  std::size_t runs = 0;                // with at least two values
-  double from_model_um = 0.0;          // RMS of what the model predicts less the line, over these rows
-  LineErrors fitted;                   // all values
-  std::optional<LineErrors> left_out;  // nothing: a fifth without a value, or too little heat before one
+  std::size_t rows = 0;                // number of rows from the zeros on
+  std::size_t runs = 0;                // number of runs with at least two values
+  double from_model_um = 0.0;          // RMS of model minus line over these rows
+  LineErrors fitted;                   // on all values
+  std::optional<LineErrors> left_out;  // nullopt: a fifth has no value, or too small a temperature rise before it
 };
 
 inline constexpr std::size_t kMostLineSensors = 3;
 
-// model: of one target, all held. candidates: columns of temperatures. `count` of them are taken; those that stand
-// still are not. range_margin: of what was read, at either end.
+// model: one target, all parameters held. candidates: temperature columns, of which `count` are chosen; constant ones
+// are ignored. range_margin: share of the range of the readings, added at either end.
 //
-// Throws Error: a model of several targets or one not in um, no such column, fewer than two values of the target in
-// every run, fewer than `count` sensors that move independently, a count of 0 or above kMostLineSensors, and what
-// predict() throws.
+// Throws Error: several targets or one not in um, an unknown column, fewer than two values of the target in every run,
+// fewer than `count` sensors that vary independently, a count of 0 or above kMostLineSensors, and the errors of
+// predict().
 Simplification simplified(const Model& model, const Series& data, std::span<const std::string> candidates,
                           std::size_t count, double range_margin, const Increment& increment);
 

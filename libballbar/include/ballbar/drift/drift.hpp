@@ -10,8 +10,8 @@
 //   L1^2 = (R_C cos t - x)^2 + (R_C sin t - y)^2 + (z - h_C)^2
 //   L2^2 = (R_A cos t - y)^2 + (R_A sin t - z)^2 + (x - h_A)^2
 // joint: both arcs in one Ceres problem, unknowns x, y, z, R_C, R_A, full covariance, each arc weighted
-// by its own noise. sequential, as the paper: arc 1 gives x, y; y goes into arc 2, which gives z (its sigma
-// carries that of y). robust: what each arc's own robust fit discounts is left out.
+// by its own noise. sequential, as in the paper: arc 1 gives x, y; y enters arc 2, which gives z (its sigma
+// includes that of y). robust: readings that the robust fit of each arc discounts are left out.
 //
 // spindle_rotation (Huang, Li, Zhao 2022). radial = |c_t - c_0|, the centre shift in the frame that turns
 // with the spindle; radius_change: change of the distance from the axis to the table's ball, the
@@ -19,14 +19,14 @@
 // (spindle_above; the other way round otherwise), which also corrects the radial test.
 //
 // circles. One or more circle recordings a test (a `.b5r` has two, CCW and CW): the centres of one
-// plane are averaged, weighted equally, and give that plane's two axes. A test without readings has its stored circles
-// in place of fits, whose sigma is not known (NaN). Each plane has its own reference
-// (tests may take the planes in turn); an axis that two planes of one test show is averaged.
+// plane are averaged with equal weights and give that plane's two axes. A test without readings uses its stored circles
+// instead of fits; their sigma is not known (NaN). Each plane has its own reference, because tests may take the planes
+// in turn. An axis that two planes of one test measure is averaged.
 //
-// Every sigma is that of the difference to the reference test (covariance_of_change_um2 of circle_fit.hpp): a residual
-// that repeats from test to test cancels. The rows share the reference's part. The reference's own row
-// is 0 by definition with sigma 0. What is not cancelled by the set-up: drift of the table and of its
-// rotary axes, the bar's own growth, a ball moved between tests.
+// Every sigma is that of the difference to the reference test (covariance_of_change_um2 of circle_fit.hpp). A residual
+// that repeats from test to test cancels. All rows share the contribution of the reference. The row of the reference is
+// 0 by definition, with sigma 0. These do not cancel: drift of the table and of its rotary axes, thermal growth of the
+// bar, a ball moved between tests.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ enum class Method { two_arcs, spindle_rotation, circles };
 struct SessionTest {
   double elapsed_s = 0.0;
   std::vector<Recording> circles;  // circles: one or more
-  std::vector<Circle> stored;      //   of circles without readings: each one's circle, sigma NaN; else empty
+  std::vector<Circle> stored;      //   stored circles of recordings without readings, sigma NaN; else empty
   std::optional<Recording> c_arc;  // two_arcs
   std::optional<Recording> a_arc;
   std::optional<Recording> rotation;  // spindle_rotation
@@ -65,14 +65,14 @@ struct Session {
 };
 
 struct DriftOptions {
-  std::optional<double> reference_s;  // the test nearest to it is the reference; nothing: the first
+  std::optional<double> reference_s;  // the nearest test is the reference; nullopt: the first
   bool sequential = false;            // two_arcs
   bool equal_radii = false;           // two_arcs, joint: R_C = R_A
-  CircleOptions circle;               // robust, elongation_form; model not for two_arcs; elongation_um is
-                                      // set test by test
+  CircleOptions circle;               // robust, elongation_form; two_arcs ignores model; elongation_um is
+                                      // set for each test
 };
 
-// A value and its standard uncertainty. sigma NaN: not known (a length read off a display); infinite:
+// A value and its standard uncertainty. sigma is NaN if not known (a length read off a display), and infinite if
 // the readings do not determine the value.
 struct Estimate {
   double value_um = 0.0;
@@ -90,7 +90,7 @@ struct DriftPoint {
   std::optional<double> correlation_y_z;           // two_arcs: of the test's own y and z
 };
 
-// What a drift is of.
+// A quantity that drifts, with its member of DriftPoint.
 struct DriftQuantity {
   const char* name;
   std::optional<Estimate> DriftPoint::*member;
@@ -115,7 +115,7 @@ struct DriftSeries {
   double reference_s = 0.0;
   std::vector<DriftPoint> points;   // one a test, in the order of time
   std::vector<Position> positions;  // same order
-  std::string not_cancelled;        // what set-up does not cancel, a sentence for the report
+  std::string not_cancelled;        // a sentence for the report: what does not cancel
 };
 
 // Throws Error where a test lacks a recording its method needs, or a recording cannot be fitted; the

@@ -6,19 +6,19 @@
 //   x(s) = X1 + (X2 - X1) s / d     y(s) = Y1 + (Y2 - Y1) s / d     z = Z      at the distance s from plane 1
 //   tilt about Y:  B = (X2 - X1) / d      tilt about X:  A = -(Y2 - Y1) / d    (um/mm = mrad; here urad)
 //
-// Any probe may be missing. With one probe of a pair the drift is known in its own plane alone; with neither
-// spacing nor pair there is no tilt. What is not known is said in `remarks`.
+// Any probe may be missing. With one probe of a pair the drift is known only in the plane of that probe. Without a
+// pair, or without the spacing, there is no tilt. `remarks` say what is not known.
 //
 // Uncertainty (GUM, law of propagation; sources independent, the five probes independent of one another; w_1 = 1 -
 // s/d and w_2 = s/d for a drift, -1/d and 1/d for a tilt, P the drift that a probe reads):
-//   probe resolution  q      sqrt(2 q^2 / 12 sum w^2)              a step q: rectangular, in the reading and the
-//   reference probe scatter     n      sqrt(2 sum w^2 (n^2 - q^2 / 12))      from reading to reading, found in the file
-//   (below), the
-//                                                                   part that the resolution does not explain
-//   probe linearity   e %    sqrt(sum w^2 (e/100 P)^2 / 3)          limits of a rectangular distribution
-//   place of the ball u_s    |tilt| u_s                             where it is stated how well s is known
-// The scatter n: each reading less the straight line between its neighbours, divided by the root of the sum of squared
-// weights; root mean square of the lower 95 %, corrected for the cut. Slow errors of a probe are not in it.
+//   probe resolution  q      sqrt(2 q^2 / 12 sum w^2)          a step q: rectangular, in the reading and the reference
+//   probe scatter     n      sqrt(2 sum w^2 (n^2 - q^2 / 12))  from reading to reading, found in the file (below): the
+//                                                              part that the resolution does not explain
+//   probe linearity   e %    sqrt(sum w^2 (e/100 P)^2 / 3)     limits of a rectangular distribution
+//   place of the ball u_s    |tilt| u_s                        if u_s is stated
+//
+// The scatter n: each reading minus the straight line between its neighbours, divided by the root of the sum of squared
+// weights; root mean square of the lower 95 %, corrected for the cut. It does not include slow errors of a probe.
 #pragma once
 
 #include <array>
@@ -35,25 +35,25 @@ namespace ballbar {
 struct FivePointOptions {
   double from_plane_1_mm = 0.0;        // s; negative towards the nose
   double from_plane_1_sigma_mm = 0.0;  // u_s
-  std::optional<double> reference_s;   // the row nearest to it in which all probes have a reading; nothing: the first
+  std::optional<double> reference_s;   // the nearest row with readings of all probes; nullopt: the first such row
 };
 
 struct FivePoint {
   MeasuredDrift drift;  // x, y, z um; tilt_a, tilt_b urad; without a spacing y2_minus_y1, x2_minus_x1 um
-  std::array<std::optional<double>, 5> scatter_um;  // as kProbes; nothing: no such probe, or fewer than 4 neighbours
+  std::array<std::optional<double>, 5> scatter_um;  // as kProbes; nullopt: no such probe, or fewer than 4 neighbours
 };
 
-// Whether any of the probes' columns is there, or the series has a [five_probe] table.
+// Whether the series has a column of a probe, or a [five_probe] table.
 bool is_five_probe(const Series& series);
 
 // O(n). Throws Error: no probe's column; a column of another unit than um; two probes on one column; s other than 0
 // without a spacing; no row in which all probes have a reading.
 FivePoint five_point(const Series& series, const FivePointOptions& options = {});
 
-// Range (max - min) of one axis: over the first 60 min from the first row, over the rest, and in total; and the
-// change from the first row to the last. sigma: that of both rows, added as independent; too large by what they share
-// of the reference, too small by a factor of at most sqrt(2) in the probe linearity of rows of opposite sign. Extreme
-// values of noisy readings lie apart even where nothing drifts: by about 3 sigma in ten readings, 6 in a thousand.
+// Range (max - min) of one axis over rows [begin, end): in the first 60 min, after them, and in total; and the change
+// from the first row to the last. sigma adds those of the two extreme rows as independent. It is too large by the
+// contribution of the reference, and too small by a factor of at most sqrt(2) in the probe linearity of rows of
+// opposite sign. Noise alone gives a range of about 3 sigma in ten readings, and 6 sigma in a thousand.
 struct DriftRange {
   std::optional<Estimate> first_60_min, after_60_min, total, at_end;
 };

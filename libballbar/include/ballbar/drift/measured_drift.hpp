@@ -1,8 +1,7 @@
-// A drift as measured, one list of values an axis, with its uncertainty split by source (a GUM budget).
+// A measured drift: a list of values for each axis, with an uncertainty budget by source (GUM).
 //
-// Every value is a change since the reference, and every sigma one standard uncertainty of that change. The
-// sources are taken as independent of one another, so that their variances add. At the reference itself
-// value and sigma are 0.
+// Every value is a change since the reference, and every sigma the standard uncertainty of that change. The
+// sources are treated as independent, so that their variances add. At the reference value and sigma are 0.
 #pragma once
 
 #include <cstddef>
@@ -17,14 +16,14 @@ namespace ballbar {
 struct Contribution {
   std::string source;         // "circle fits", "probe resolution"
   std::vector<double> sigma;  // n rows, in the axis' unit; NaN: not known
-  bool shared = false;        // one error in all rows, such as a wrong scale: sigma is what it makes of each
+  bool shared = false;        // one error common to all rows, such as a scale error; sigma is its size in each row
 };
 
 struct DriftAxis {
   std::string name;                  // "x", "tilt_a": the column's name without its unit
   std::string unit;                  // "um", "urad"
   std::vector<double> value;         // n rows; a gap is NaN
-  std::vector<Contribution> budget;  // empty: nothing is stated
+  std::vector<Contribution> budget;  // empty: no uncertainty stated
 };
 
 struct MeasuredDrift {
@@ -35,7 +34,7 @@ struct MeasuredDrift {
   std::vector<std::string> remarks;  // whole sentences: what is not known, what was assumed
 };
 
-// Root of the sum of the squares of what is known; NaN where nothing is.
+// Root of the sum of squares of the known contributions in this row; NaN if none is known.
 double sigma_of(const DriftAxis& axis, std::size_t row);
 
 // The axis of that name, or nullptr.
@@ -46,7 +45,7 @@ const DriftAxis* find_axis(const MeasuredDrift& drift, std::string_view name);
 //   bar's thermal growth alpha L |T_t - T_0| / sqrt(3), where the recordings state the bar's temperature and the
 //                        session its expansion: limits of a rectangular distribution, because the readings are
 //                        not corrected for it. It is 0 for x, y, z and radial: a bar longer by the same amount at
-//                        all angles changes the fitted radius, not the centre. Axial drift takes all of it.
+//                        all angles changes the fitted radius, not the centre. It enters axial drift in full.
 MeasuredDrift measured(const DriftSeries& drift, const Session& session);
 
 // Every measured column (unit um, mm or urad) of a series, its sigma from the column NAME_sigma_UNIT.

@@ -129,12 +129,12 @@ using UnitCurvesOn = std::function<UnitCurvesAt(const EffectRows& rows)>;
 
 struct Evaluate {
   EvaluateAll all;
-  EvaluateRows rows = {};         // empty: needs more than these rows
-  std::size_t kept = 0;           // how many numbers
-  std::size_t parameters = 0;     // how many; several runs need it
-  UnitCurvesOn unit_curves = {};  // of an effect with one shape; empty: by the derivatives
+  EvaluateRows rows = {};         // empty: the effect needs other rows too
+  std::size_t kept = 0;           // size of `kept`
+  std::size_t parameters = 0;     // number of parameters; needed with several runs
+  UnitCurvesOn unit_curves = {};  // for an effect with one shape; empty: the derivatives are used
 
-  // On the rows of several runs each begins anew.
+  // With several runs the memory of the effect restarts at each run.
   void operator()(const EffectRows& rows, const double* at, double* values, double* derivatives) const;
 };
 
@@ -154,16 +154,16 @@ enum class AxisRelation {
   angle,  // angle from +A to +B minus 90 deg, um/m
 };
 
-// Where an error of the machine is fitted (machine_errors.hpp).
+// How an error of the machine is fitted (machine_errors.hpp).
 enum class ErrorFit {
-  none,              // it is none
-  together,          // with all others of this kind, on all readings but those at a reversal
-  where_it_shows,    // with them where it is clear, on full turns alone
-  at_reversals,      // on what they leave within 9 deg of its own reversals; a shape is its width
-  along_the_travel,  // on what they leave, between the reversals; a shape is its wave length; each recording its own
+  none,              // not an error of the machine
+  together,          // jointly with all others of this kind, on all readings away from reversals
+  where_it_shows,    // jointly with them, only if it is significant and on full turns
+  at_reversals,      // on their residual, within 9 deg of its own reversals; its shape is a width
+  along_the_travel,  // on their residual, between reversals, for each recording; its shape is a wavelength
 };
 
-// Where instrument software gives an error of the machine a rank.
+// When instrument software ranks an error of the machine.
 enum class RankedByInstrument { always, on_full_turns, never };
 
 // Regularisation of an error of the machine: a linear combination of its gains is pulled to 0 where the readings
@@ -196,12 +196,12 @@ enum class PredictorKind {
 // How an effect takes part in such a regression: its curve for a first gain of 1 at these shapes.
 struct PredictorRule {
   PredictorKind kind = PredictorKind::source;
-  std::vector<std::vector<double>> grid;  // values of each of its shapes; every combination
-  std::string difference_of = {};  // effect of one input: on the first of this one's inputs less on the second, at the
-                                   // same shapes, it is this effect
+  std::vector<std::vector<double>> grid;  // values of each shape; every combination is used
+  std::string difference_of = {};  // name of an effect of one input. This effect equals that one on its first input
+                                   // minus that one on its second, at the same shapes
 };
 
-// What searches, tests and challenges are told of an effect.
+// Rules for searches, tests and challenges.
 struct EffectRules {
   bool is_base = false;    // part of every model of its level; not searched and not tested by leaving it out
   bool of_set_up = false;  // describes the set-up of these data; not written to model files

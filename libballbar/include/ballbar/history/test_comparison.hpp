@@ -1,12 +1,12 @@
-// Two tests of a machine, before and after: by how much each quantity differs, and what of that is clear.
+// Compares two tests of a machine, before and after: the difference of each quantity and its significance.
 //
 //   d = after - before,  sigma_d = sqrt(sigma_before^2 + sigma_after^2),  p = 2 (1 - Phi(|d| / sigma_d))
 //
-// A difference is clear where it stands the correction for as many quantities as were looked at (Holm): of pairs of
-// tests in which nothing changed, one in twenty has something clear at most. Sigma is that of the fits: two tests tell
-// no scatter from set-up to set-up, nor what a warmer machine adds. Several tests before and after do (history.hpp).
+// A difference is "clear" if it is significant after Holm's correction for the number of quantities. Of pairs of tests
+// without any change at most one in twenty has a clear difference. Sigma is that of the fits. Two tests cannot show the
+// scatter between set-ups or the influence of a warmer machine; several tests before and after can (history.hpp).
 //
-// A value that a file stores has no sigma; whether it differs clearly is not known.
+// Stored values have no sigma, so that the significance of their differences is not known.
 //
 // Source: S. Holm, Scand. J. Stat. 6 (1979) 65-70.
 #pragma once
@@ -22,19 +22,19 @@ namespace ballbar {
 
 struct QuantityDifference {
   std::string name, unit;
-  double before = std::numeric_limits<double>::quiet_NaN();  // NaN, as all below: the test has no such quantity
+  double before = std::numeric_limits<double>::quiet_NaN();  // NaN here and below: the test lacks the quantity
   double before_sigma = std::numeric_limits<double>::quiet_NaN();
   double after = std::numeric_limits<double>::quiet_NaN();
   double after_sigma = std::numeric_limits<double>::quiet_NaN();
   double difference = std::numeric_limits<double>::quiet_NaN();
   double sigma = std::numeric_limits<double>::quiet_NaN();
   double p_value = std::numeric_limits<double>::quiet_NaN();
-  std::optional<bool> clear;  // nothing: not known
-  bool shown = false;         // one of the tests shows it: by its fit, and beyond kSignificantSigmas
-  bool of_set_up = false;     // where the bar was put: never clear
+  std::optional<bool> clear;  // nullopt: not known
+  bool shown = false;         // significant in one of the tests: by its fit, and beyond kSignificantSigmas
+  bool of_set_up = false;     // describes the position of the bar; never clear
 };
 
-// What is clear of an error; of its ends that are, as of both sides of an axis, the one that differs most.
+// A clear change of an error. For an error with two ends, the end with the larger difference.
 struct ClearChange {
   std::string name, unit;  // "backlash_a" of backlash_a_pos and backlash_a_neg
   double before = 0.0, after = 0.0;
@@ -42,16 +42,16 @@ struct ClearChange {
 
 struct TestComparison {
   MachineTest before, after;
-  std::vector<TestCondition> differs;          // gaps are those of groups_of
-  std::vector<QuantityDifference> quantities;  // circularity, what is clear by falling |d| / sigma_d, the rest
-  std::size_t judged = 0;                      // quantities that p values are corrected for
+  std::vector<TestCondition> differs;          // with the tolerances of TestGroup
+  std::vector<QuantityDifference> quantities;  // circularity, then clear ones by falling |d| / sigma_d, then the rest
+  std::size_t judged = 0;                      // number of quantities in the correction
 };
 
-// The clearest first. Without circularity and residual, which follow from the errors, and without the scales of the
-// axes where another error is clear.
+// The clear changes, the most significant first. Circularity and residual are left out because they follow from the
+// errors, the scales of the axes if another error is clear.
 std::vector<ClearChange> clear_changes(const TestComparison& comparison);
 
-// Throws Error for tests of two planes: these have no errors in common.
+// Throws Error for tests of different planes, which have no common errors.
 TestComparison compared_tests(const MachineTest& before, const MachineTest& after);
 
 }  // namespace ballbar

@@ -1,12 +1,12 @@
-// A straight line through values of several dates, where the tests scatter by more than their sigmas.
+// A linear trend through dated values that scatter by more than their sigmas.
 //
 //   y_i = v + r (t_i - t_last) + e_i,     var e_i = sigma_i^2 + tau^2
 //
-// tau, by which a machine differs from test to test (set-up, warmth), is not known, and of few tests it is badly
-// known: the line is averaged over tau, each with its restricted likelihood times a half-Cauchy prior of three times
-// the usual sigma. So the intervals of three tests are as wide as they must be, and those of many approach weighted
-// least squares with the scatter added. Values without a sigma take the usual one of the others; where no value has
-// one, tau alone tells, with the prior 1/tau: Student's t.
+// tau, the scatter of a machine from test to test (set-up, temperature), is unknown, and few tests determine it poorly.
+// The line is therefore averaged over tau, weighted by the restricted likelihood times a half-Cauchy prior with a scale
+// of three times the usual sigma. Intervals of three tests are then wide enough, and those of many tests approach
+// weighted least squares with the scatter added. Values without a sigma take the usual sigma of the others. If no value
+// has one, the prior is 1/tau, which gives Student's t.
 //
 // Sources: D. A. Harville, J. Am. Stat. Assoc. 72 (1977): restricted likelihood. A. Gelman, Bayesian Analysis 1 (2006):
 // half-Cauchy priors for the variance between groups.
@@ -23,7 +23,7 @@ namespace ballbar {
 
 inline constexpr double kYear_s = 365.25 * 86400.0;
 inline constexpr double kDay_s = 86400.0;
-// A change or a trend beyond that many sigmas is one; by chance one in 107 is.
+// A change or a trend is significant beyond this many sigmas; one in 107 is so by chance.
 inline constexpr double kSignificantSigmas = 2.6;
 
 struct DatedValue {
@@ -32,9 +32,9 @@ struct DatedValue {
   double sigma = 0.0;  // NaN: not known
 };
 
-// One tau: value at the last test and rate a year, normal with this covariance.
+// The line for one tau: value at the last test and rate per year, normal with this covariance.
 struct TrendLine {
-  double weight = 1.0;  // all sum to 1
+  double weight = 1.0;  // the weights of all lines sum to 1
   double value = 0.0, rate_per_year = 0.0;
   double value_variance = 0.0, covariance = 0.0, rate_variance = 0.0;
 };
@@ -43,36 +43,36 @@ struct Trend {
   std::size_t tests = 0;
   double last_s = 0.0;
   double rate_per_year = 0.0;
-  double sigma_per_year = 0.0;  // half of the interval that holds 68.3 %
-  double p_value = 1.0;         // of a rate as far from 0 by chance, on either side
+  double sigma_per_year = 0.0;  // half of the 68.3 % interval
+  double p_value = 1.0;         // two-sided, of rate 0
   bool significant = false;     // beyond kSignificantSigmas
-  double scatter = 0.0;         // tau, the median: from test to test beyond the sigmas
+  double scatter = 0.0;         // median of tau
   std::vector<TrendLine> lines;
 };
 
-// Nothing for fewer than 3 values or within a week. Values in any order. O(n).
+// Returns nullopt for fewer than 3 values, or if all lie within a week. Values in any order. O(n).
 std::optional<Trend> trend_of(std::span<const DatedValue> values);
 
-// Of the line at that time: the chance that it is above the limit, and the value that it is below with that chance.
+// The probability that the line at `time_s` is above the limit, and the quantile of the line at `time_s`.
 double chance_above(const Trend& trend, double time_s, double limit);
 double quantile(const Trend& trend, double time_s, double chance);
 
-// When a quantity meets its tolerance if its trend goes on.
+// When a quantity reaches its tolerance if its trend continues.
 
-inline constexpr double kForecast_years = 10.0;  // as far as a straight line is drawn
+inline constexpr double kForecast_years = 10.0;  // longest extrapolation of a trend
 
 enum class Outlook {
-  beyond,    // the last value is
-  no_trend,  // too few tests, or none that is significant
-  away,      // the trend goes to an end that is open, or reaches none within kForecast_years
-  expected,  // within kForecast_years
+  beyond,    // the last value exceeds the tolerance
+  no_trend,  // too few tests, or no significant trend
+  away,      // the trend leads to an open end, or reaches no limit within kForecast_years
+  expected,  // the trend reaches a limit within kForecast_years
 };
 
 struct ToleranceDate {
   Outlook outlook = Outlook::no_trend;
-  std::optional<double> limit;  // the end that the trend goes to
-  // s since 1970-01-01T00:00:00: when the line meets the limit as likely as not, and the interval of 95 %, from the
-  // last test on. `latest` is missing where a straight line may never meet it within kForecast_years.
+  std::optional<double> limit;  // the limit that the trend leads to
+  // In s since 1970-01-01T00:00:00: median of the time at which the line reaches the limit, and its 95 % interval, from
+  // the last test on. `latest_s` is nullopt if the line may not reach the limit within kForecast_years.
   std::optional<double> at_s, earliest_s, latest_s;
 };
 

@@ -1,24 +1,26 @@
-// The errors of a machine's two axes from one ballbar test: all of them fitted together, over all of its recordings.
+// The errors of a machine's two axes from one ballbar test, fitted together over all of its recordings.
 //
-// Linear in every error, so that one least squares gives them all (y: deviations in um, X: what a unit of each adds):
+// The model is linear in every error, so that one least squares fit gives them all (y: deviations in um, X: the curves
+// of unit errors):
 //
 //   b = (X' X)^-1 X' y,      cov b = (X' X)^-1 X' V X (X' X)^-1
 //
-// Unweighted over the readings farther than 1.5 deg from a reversal. V is the covariance of the noise that this full
-// model leaves: white and with a memory, by restricted likelihood, averaged over memory and share. A reversal spike is
-// measured on what all others leave within 9 deg after its own reversal; where it shows, these readings are left out of
-// the others' fit. The width of the spikes and the pitch of the cyclic errors are the only shapes; both are searched on
-// a grid.
+// The fit is unweighted, over the readings farther than 1.5 deg from a reversal. V is the covariance of the residual
+// noise of this full model: white and correlated, by restricted likelihood, averaged over correlation length and share.
+// A reversal spike is fitted to the residual of all others within 9 deg after its own reversal. If it is significant,
+// these readings are left out of the fit of the others. The width of the spikes and the pitch of the cyclic errors are
+// the only shapes; both are searched on a grid.
 //
-// Beside each value stands what instrument software would say (`as_instrument`): (X' X + L)^-1 X' y with precisions L
-// that hold near 0 what an arc hardly tells, worked out from stored values and curves; no sigma. On an arc, curves are
-// drawn with L too, and an error is significant only if it is so with L as well: two errors that the arc hardly tells
-// apart are easily large ones against each other.
+// Each value comes with the value that instrument software would give (`as_instrument`, no sigma): (X' X + L)^-1 X' y.
+// The precisions L pull errors to 0 that an arc determines poorly. They are derived from stored values and curves. On
+// an arc the curves use L too, and an error is significant only if it is so with L as well: two errors that an arc
+// hardly separates can become large with opposite signs.
 //
-// Errors are the catalogue's effects with EffectRules::error_fit, one row a gain, or a pair of sine and cosine.
+// The errors are the effects of the catalogue with EffectRules::error_fit. Each gain, or pair of sine and cosine, is
+// one row of the table.
 //
-// Sources: the forward model is worked out from simulated curves that instrument software stores in `.b5r` files, which
-// it reproduces to 0.003 um. Sandwich covariance: H. White, Econometrica 48 (1980).
+// Sources: the forward model is derived from simulated curves that instrument software stores in `.b5r` files; it
+// reproduces them to 0.003 um. Sandwich covariance: H. White, Econometrica 48 (1980).
 #pragma once
 
 #include <Eigen/Core>
@@ -38,10 +40,10 @@ namespace ballbar {
 enum class CyclicOfRuns { larger, mean };
 
 struct MachineErrorOptions {
-  bool prior = true;  // false, `--prior none`: on an arc curves and significance are without L
-  // Sigmas of the gains, what is left error by error, and harmonics in it; false: faster, for tables of many tests.
+  bool prior = true;  // false (`--prior none`): curves and significance on an arc do not use L
+  // Compute sigmas of the gains, the residual error by error, and its harmonics; false: faster, for many tests.
   bool details = true;
-  // What an amplitude of the cyclic error is of several recordings, each of which has its own.
+  // How to combine the amplitudes of the cyclic error of several recordings.
   CyclicOfRuns cyclic_of_runs = CyclicOfRuns::larger;
 };
 
@@ -51,65 +53,65 @@ struct MachineError {
   std::string unit;  // "um", "um/m", "ms"
   double value = 0.0;
   double sigma = 0.0;
-  const Effect* effect = nullptr;  // whose it is; nullptr: of the circle (set-up and scale), which is not ranked
-  std::optional<double> as_instrument = {};  // the value by the instrument's software; nothing: it has no such error
+  const Effect* effect = nullptr;  // the effect; nullptr: a value of the circle (set-up or scale), which is not ranked
+  std::optional<double> as_instrument = {};  // value of the instrument's software; nullopt: it has no such error
 };
 
-// What the instrument's software would say of an effect.
+// The ranking that the instrument's software would give an effect.
 struct InstrumentRank {
   double individual_circularity_um = 0.0;
-  double share_percent = 0.0;  // of the sum of all it ranks
+  double share_percent = 0.0;  // of the sum over all ranked errors
   std::size_t rank = 0;        // 1: the largest circularity
 };
 
-// One effect with all of its rows: what the circle shows of it.
+// One effect with all of its rows, and its influence on the circle.
 struct RankedError {
   const Effect* effect = nullptr;
   std::optional<double> shape;             // width of a spike, deg; pitch of a cyclic error, mm
-  std::vector<std::size_t> rows;           // places in MachineErrors::errors
+  std::vector<std::size_t> rows;           // indices into MachineErrors::errors
   double individual_circularity_um = 0.0;  // IC: peak to peak of its own curve over all recordings
   double share_percent = 0.0;              // of the sum of all IC
-  std::optional<std::size_t> rank;         // 1: the largest gain; nothing: not significant, or the circularity stays
-  double chi2 = 0.0;                       // of all of its gains together: z^2 of one
-  double chi2_needed = 0.0;                // from which it is significant
-  double p_value = 1.0;                    // of noise that shows as much, by all of its gains or by the clearest
-  bool significant = false;                // p_value small enough for as many errors as were looked at
-  std::optional<bool> predicts_other_run;  // its value from one run alone lowers what is left in the other
-  double circularity_without_um = 0.0;     // that remains if it is mended
-  double gain_um = 0.0;                    // circularity now less that
-  double gain_sigma_um = 0.0;              // by resampled blocks of what is left; NaN: not asked for
+  std::optional<std::size_t> rank;         // 1: largest gain; nullopt: not significant, or no gain
+  double chi2 = 0.0;                       // of all of its gains together; z^2 for one gain
+  double chi2_needed = 0.0;                // the error is significant from this chi2 on
+  double p_value = 1.0;                    // by all of its gains together or by the most significant one
+  bool significant = false;                // p_value below its limit, corrected for the number of errors
+  std::optional<bool> predicts_other_run;  // the value from one run lowers the residual of the other
+  double circularity_without_um = 0.0;     // circularity if this error is corrected
+  double gain_um = 0.0;                    // reduction of the circularity
+  double gain_sigma_um = 0.0;              // by block bootstrap of the residual; NaN: not requested
   std::optional<InstrumentRank> as_instrument = {};
 };
 
-// A harmonic that is left in the residual.
+// A harmonic in the residual.
 struct LeftHarmonic {
-  int harmonic = 0;           // waves a turn
+  int harmonic = 0;           // waves per turn
   std::size_t recording = 0;  // the one in which it is largest
   double peak_to_peak_um = 0.0;
-  double p_value = 1.0;  // after the number of harmonics and recordings looked at
-  bool in_both = false;  // alike in the other direction too
+  double p_value = 1.0;  // corrected for the number of harmonics and recordings
+  bool in_both = false;  // also present in the other direction
 };
 
-// What the instrument's estimator holds near 0.
+// A combination of errors that the instrument's estimator pulls to 0.
 struct PriorOfError {
   std::string name;
   double sigma = 0.0;                     // 0 +- sigma, in the row's unit
-  double alone = 0.0, alone_sigma = 0.0;  // by the readings alone
+  double alone = 0.0, alone_sigma = 0.0;  // value from the readings without the prior
   std::string unit;
 };
 
-// One gain as it was fitted: of an effect, or of the circle (effect nullptr, gain 0 radius, 1 and 2 centre).
+// One fitted gain of an effect, or of the circle (effect is nullptr; gain 0: radius, 1 and 2: centre).
 struct FittedGain {
   const Effect* effect = nullptr;
-  std::size_t gain = 0;                  // among the effect's gains
-  std::optional<std::size_t> recording;  // of this one alone
+  std::size_t gain = 0;                  // index among the effect's gains
+  std::optional<std::size_t> recording;  // the one recording to which it belongs; nullopt: all
   double value = 0.0;
   double shape = 0.0;
   std::string name;        // of its row
-  bool in_the_fit = true;  // false: did not show; its value is that beside all others
+  bool in_the_fit = true;  // false: not significant; the value is from the fit with all others
 };
 
-// A significant error and what is left once it is taken away too.
+// A significant error, and the RMS of the residual after adding it to the earlier ones.
 struct AddedError {
   const Effect* effect = nullptr;
   double rms_um = 0.0;
@@ -117,42 +119,43 @@ struct AddedError {
 
 struct MachineErrors {
   std::vector<MachineError> errors;
-  Eigen::MatrixXd covariance;               // of the values, in the order of errors
+  Eigen::MatrixXd covariance;               // of the values in `errors`, in that order
   std::vector<RankedError> ranked;          // by rank, then the others by falling IC
   double circularity_um = 0.0;              // max - min of all readings about the fitted centre
-  double circularity_without_all_um = 0.0;  // that remains if all significant errors are mended
-  double circle_rms_um = 0.0;               // that the circles alone leave
-  double residual_rms_um = 0.0;             // that all errors leave
-  // Significant errors one by one, each time the one that leaves least beside the circles and those before it.
+  double circularity_without_all_um = 0.0;  // circularity if all significant errors are corrected
+  double circle_rms_um = 0.0;               // residual of the circles alone
+  double residual_rms_um = 0.0;             // residual of all errors
+  // Significant errors in the order of forward selection: each step adds the one that lowers the residual most.
   std::vector<AddedError> one_by_one;
-  double repeatability_um = 0.0;     // what of the residual is not the same in both directions; NaN: one direction
-  std::optional<LeftHarmonic> left;  // what the model does not explain; nothing: nothing clear
-  // What the readings do not tell apart: "scale_mismatch with straightness_b, centre_a".
+  double repeatability_um = 0.0;     // part of the residual that differs between directions; NaN: one direction
+  std::optional<LeftHarmonic> left;  // a harmonic that the model does not explain; nullopt: none is significant
+  // Errors that the readings cannot separate: "scale_mismatch with straightness_b, centre_a".
   std::vector<std::string> undetermined;
   std::vector<PriorOfError> prior;  // of as_instrument
   std::vector<FittedGain> gains;
   Noise noise;  // the most likely one
 };
 
-// Of both axes, from the joint covariance of scale and mismatch; nothing where the readings do not tell them.
+// The scale errors of both axes, from the joint covariance of scale and mismatch.
 struct AxisScales {
   double a_ppm = 0.0, b_ppm = 0.0;
   Eigen::Matrix2d covariance;  // ppm^2
 };
+// Returns nullopt where the readings do not determine them.
 std::optional<AxisScales> axis_scales(const MachineErrors& found, double nominal_length_mm);
 
-// The row of the angle between the axes.
+// The row of the squareness; nullopt: there is none.
 std::optional<MachineError> squareness_of(const MachineErrors& found);
 
-// Recordings of one plane, one bar and linear axes, of one test or of several at the same place. Throws Error for
-// others, and for fewer readings than the errors need. O(n) in readings, some 2 ms for 2 times 1500.
+// Takes recordings of one plane, one bar and linear axes, from one test or several at the same place. Throws Error for
+// others, and for too few readings. O(n) in readings; about 2 ms for 2 times 1500.
 MachineErrors machine_errors(std::span<const Recording> recordings, const MachineErrorOptions& options = {});
 
-// The same of trace_of() such recordings.
+// The same for trace_of() of such recordings.
 MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOptions& options = {});
 
-// What one ranked error, or all that are in the fit (nullptr; without the circle), adds to each reading, um; n in the
-// order of the recordings.
+// The contribution of one ranked error, or of all fitted errors without the circle (nullptr), to each reading in um; n
+// values in the order of the recordings.
 std::vector<double> curve_of(const MachineErrors& found, const Effect* effect, std::span<const Recording> recordings);
 
 }  // namespace ballbar

@@ -1,13 +1,13 @@
-// Long work that whoever asked for it may end: fits, filters and searches ask as they go on.
+// Lets a caller end long work: fits, filters and searches check for an interruption regularly.
 #pragma once
 
 #include <functional>
 
 namespace ballbar {
 
-// As long as it lives, work of this thread calls `ask` now and then, at least every 0.1 s in fits and searches; what
-// `ask` throws ends the work. Of several the newest is asked. A helper thread of in_parallel() ends when its caller's
-// work does.
+// While it exists, work of this thread calls `ask` regularly, at least every 0.1 s in fits and searches. An exception
+// from `ask` ends the work. If there are several, the newest is called. Helper threads of in_parallel() end with the
+// work of their caller.
 class Interruption {
  public:
   explicit Interruption(std::function<void()> ask);
@@ -15,7 +15,7 @@ class Interruption {
   Interruption& operator=(const Interruption&) = delete;
   ~Interruption();
 
-  // What the newest of this thread asks; empty: there is none.
+  // The `ask` of the newest one in this thread; empty: there is none.
   static std::function<void()> newest();
 
  private:
@@ -24,7 +24,7 @@ class Interruption {
   Interruption* before_;
 };
 
-// Asks; where nobody wants to know, nothing.
+// Calls the newest `ask`, if there is one.
 void expect_no_interruption();
 
 }  // namespace ballbar

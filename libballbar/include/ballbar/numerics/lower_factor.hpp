@@ -2,8 +2,8 @@
 //
 //   |L' x|^2 = sum_j (sum_{i >= j} L_ij x_i)^2
 //
-// n^2 / 2 products for each x, half of what a prediction costs. Both sums run upwards, product by product, so that one
-// x alone, several at once and any processor give the same to the last bit.
+// n^2 / 2 products for each x, half of the cost of a prediction. Both sums run upwards, product by product, so that one
+// x, several at once, and any processor give identical results.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,13 +18,13 @@ class LowerFactor {
   static constexpr std::size_t kAtOnce = 8;
   using Eight = std::array<double, kAtOnce>;
 
-  // n by n; what is above its diagonal is not read.
+  // n by n; the part above the diagonal is ignored.
   explicit LowerFactor(const Eigen::MatrixXd& lower);
 
-  // Of one x, n finite numbers; `room` are n numbers. Takes no memory.
+  // |L' x|^2 of one x of n finite numbers. `room`: workspace of n numbers. Allocates no memory.
   double squared_norm(const double* x, double* room) const;
 
-  // Of eight at once: x[i] are the i-th numbers of each.
+  // The same for eight vectors at once: x[i] holds the i-th number of each.
   Eight squared_norms(const Eight* x) const;
 
  private:
@@ -36,7 +36,7 @@ class LowerFactor {
   const double* numbers() const { return reinterpret_cast<const double*>(rows_.data()); }
 
   std::size_t n_ = 0, stride_ = 0;
-  std::vector<Line> rows_;  // row by row, 0 above the diagonal and in rows and columns that fill up lines
+  std::vector<Line> rows_;  // row by row; 0 above the diagonal and in the padding
 };
 
 }  // namespace ballbar

@@ -9,7 +9,7 @@
 
 namespace ballbar {
 
-// The value with `rank` others before it, rank below their number; none of them NaN. O(n).
+// The value of the given rank, counted from 0 upwards; rank < number of values, no NaN. O(n).
 template <class T>
 T order_statistic(std::vector<T> values, std::size_t rank) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
@@ -24,7 +24,7 @@ T median(std::vector<T> values) {
   return order_statistic(std::move(values), middle);
 }
 
-// Median of the steps by which time goes on; 0 where it never does. O(n).
+// Median of the positive time steps; 0 if there are none. O(n).
 double median_step_s(std::span<const double> time_s);
 
 }  // namespace ballbar

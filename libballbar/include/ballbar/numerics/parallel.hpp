@@ -1,4 +1,4 @@
-// Work that falls into independent parts, shared out among the processor's cores.
+// Runs independent parts of work on all cores.
 #pragma once
 
 #include <cstddef>
@@ -6,10 +6,10 @@
 
 namespace ballbar {
 
-// part(i) for every i < count, in no order, by several threads at a time. Parts write to places of their own alone, so
-// that nothing depends on the number of threads. Once one throws, no more are begun, and it is thrown here when those
-// that were begun have ended: of several the first by i. Interruption is asked before each part. Parts that are shared
-// out once more run one after the other.
+// Calls part(i) for every i < count, in any order, from several threads. Each part must write only to its own place;
+// then the result does not depend on the number of threads. If a part throws, no further part starts, and the exception
+// is rethrown when the running parts have ended; of several exceptions the one with the lowest i. Each part starts with
+// a check for an Interruption. Nested calls run sequentially.
 void in_parallel(std::size_t count, const std::function<void(std::size_t)>& part);
 
 }  // namespace ballbar

@@ -1,11 +1,11 @@
-// How far values go.
+// The range of values.
 #pragma once
 
 #include <span>
 
 namespace ballbar {
 
-// Largest less smallest value, 0 of none.
+// Largest minus smallest value; 0 without values.
 double range_of(std::span<const double> values);
 
 }  // namespace ballbar

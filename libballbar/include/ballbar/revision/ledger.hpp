@@ -1,7 +1,7 @@
-// The story of a model: one row a revision, what it changed, what it bought, and whether the data demanded it.
+// The ledger of a model: one row per revision, with the change, its benefit and the evidence for it.
 //
-// A falling error alone is no evidence: every row also carries 2 ln B, the value from which that counts, and
-// the fall that a surrogate effect would have bought, where these are known.
+// A smaller error alone is no evidence. Every row therefore has 2 ln B, its threshold, and the fall of the error by the
+// best surrogate effect, as far as these are known.
 #pragma once
 
 #include <cstddef>
@@ -24,34 +24,33 @@ struct LedgerRow {
   // "+ lagged_expansion(T_air_degC), - speed_heating(speed_rpm)"; "= expansion(T_air_degC).gain_um_per_K 3.2 held"
   std::string change = "start";
   Level level = Level::series;              // of the model
-  std::string target;                       // which the figures are of
-  std::vector<std::string> data;            // files, as they were named
+  std::string target;                       // to which the figures refer
+  std::vector<std::string> data;            // file names as given
   std::size_t parameters = 0;               // free ones
   double rmse_um = 0.0;                     // of the fit to all rows
   double times_floor = kUnknown;            // RMSE over the floor
-  double held_out_um = kUnknown;            // RMSE of cycles (recordings) left out, each predicted from the others
+  double held_out_um = kUnknown;            // RMSE of left-out cycles (recordings), each predicted from the others
   double likelihood_ratio = kUnknown;       // 2 ln B of the change (effect_test.hpp)
-  double threshold = kUnknown;              // from which that counts
+  double threshold = kUnknown;              // of the likelihood ratio
   double best_surrogate_fall = kUnknown;    // relative fall of the RMSE by the best of 200 surrogates
-  double forecast_um = kUnknown;            // RMSE of rows forecast from earlier ones alone (growth.hpp)
-  double surrogate_forecast_um = kUnknown;  // the same with as many surrogates in place of the effects
-  double discrepancy_um = kUnknown;         // standard deviation of the slow curve that is left, of grown models
-  // "start", "named", "supported", "time only", "not supported"; of grown models "driver known": what drives it is, its
-  // form is not; "empirical": it predicts, no cause is claimed; "by hand": who keeps the model wants it so, no test of
-  // it
+  double forecast_um = kUnknown;            // RMSE of rows forecast from earlier rows (growth.hpp)
+  double surrogate_forecast_um = kUnknown;  // the same with surrogates replacing the effects
+  double discrepancy_um = kUnknown;         // grown models: standard deviation of the slow part of the residual
+  // "start", "named", "supported", "time only", "not supported". Grown models: "driver known" (the driver is known, its
+  // form is not), "empirical" (it predicts, without a claimed cause). "by hand": the user's choice, not tested.
   std::string verdict = "start";
-  std::vector<std::string> still_needed, no_longer_needed;  // labels of earlier effects, tested anew
+  std::vector<std::string> still_needed, no_longer_needed;  // labels of earlier effects after this revision
 };
 
-// Figures of a model that is fitted to all rows. held_out_um: cycles are stretches between changes of speed (without
-// one, five parts of the time), the noise that of the model itself; series with more than 1500 values of the target by
-// every second, third ... value. The rest is as of a model that starts.
+// The row of a model fitted to all rows. held_out_um leaves out the stretches between changes of speed, or fifths of
+// the time without a speed, with the noise of the model itself. Series with more than 1500 values of the target use
+// every second, third ... value for it. The other members have their default values.
 LedgerRow row_of(const Model& model, const Series& data, std::size_t target = 0);
 
 // "Revision 2 added lagged_expansion(T16_degC): RMSE 12.3 -> 3.1 um (4.0 -> 1.0 times the floor), left-out cycles
 // 14.0 -> 3.9 um; 2 ln B 431, which counts from 10, and a surrogate effect would have bought up to 27 %;
-// speed_heating(speed_rpm) is still needed." Without figures from before where `before` is nullptr or of another
-// target or other data; of recordings "left-out recordings".
+// speed_heating(speed_rpm) is still needed." Has no earlier figures if `before` is nullptr or refers to another target
+// or other data. For recordings it says "left-out recordings".
 std::string sentence(const LedgerRow& row, const LedgerRow* before);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// Effects of a model that others explain better: each is a hypothesis again once the model has grown.
+// Effects of a model that other effects explain better. Each effect becomes a hypothesis again when the model grows.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@
 
 namespace ballbar {
 
-// An effect that stood in for others: without it the data name these, and not it.
+// An effect that other effects replace: a diagnosis of the model without it names the others and not this one.
 struct Replacement {
   std::size_t term = 0;  // of the model
   std::string label;     // of that term
-  double p = 0.0;        // that it is missing from the model without it
-  Diagnosis without;     // of the model without it: `named` are the others
+  double p = 0.0;        // probability that it is missing from the model without it
+  Diagnosis without;     // of the model without it; `named` holds the others
 };
 
-// terms: those that are asked, one by one. The base of a model and what is all held are passed over. Throws Error as
-// diagnose.
+// terms: indices of the terms to examine, one by one. Base effects and terms with all parameters held are skipped.
+// Throws Error as diagnose() does.
 std::vector<Replacement> replacements(const Model& model, std::span<const std::size_t> terms, const Series& data,
                                       std::size_t target, const DiagnosisOptions& options);
 

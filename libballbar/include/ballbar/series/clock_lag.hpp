@@ -1,4 +1,4 @@
-// How much later one logger's clock is than another's, from a quantity that both logged.
+// The lag between the clocks of two loggers, from a quantity that both logged.
 #pragma once
 
 #include <optional>
@@ -9,20 +9,20 @@
 namespace ballbar {
 
 struct ClockLag {
-  std::string column, other;  // what was compared: of the first and of the second series
-  double lag_s = 0.0;         // to be added to the times of the second
+  std::string column, other;  // compared columns of the first and the second series
+  double lag_s = 0.0;         // add this to the times of the second series
   double sigma_s = 0.0;
-  double correlation = 0.0;  // of the two at that lag, where rows of both stand
+  double correlation = 0.0;  // of the two columns at that lag
 };
 
-// Of the pairs of columns that show the same: of one name, both speeds, a speed and a load, both of the room, both of
-// the coolant. Each pair is compared where both have values, the second moved by lags up to `range_s` either way and
-// scaled by least squares; the pair of the largest correlation is taken. Nullopt where there is no such pair, where
-// none correlates by 0.7, or where a lag elsewhere fits nearly as well: two clocks that nothing tells apart.
+// Compares pairs of columns that may show the same quantity: equal names, two speeds, a speed and a load, two room
+// temperatures, two coolant temperatures. For each pair the second column is shifted by lags up to +-`range_s` and
+// scaled by least squares, where both have values. The pair with the largest correlation is used. Returns nullopt where
+// there is no such pair, where no correlation reaches 0.7, or where a different lag fits nearly as well.
 //
-// sigma: of the least sum of squares in the lag, readings that depend on each other counted as fewer. A quantity that
-// changes in steps between the rows tells no more than their distance, since the steps of a programme may all lie at
-// one place between them: sigma is at least the distance over the square root of 12. O(lags n), n at most 4000 rows.
+// sigma comes from the curvature of the sum of squares in the lag, with the effective number of independent readings.
+// It is at least the distance of the rows over the square root of 12: the steps of a programme may all lie at the same
+// place between two rows. O(lags n), n at most 4000 rows.
 std::optional<ClockLag> clock_lag(const Series& first, const Series& second, double range_s);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// What looks broken in the columns of a series: for a first look, not for a verdict.
+// Possible faults in the columns of a series, for a first check of the data. A diagnosis does not use them.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@ struct ColumnFault {
   std::string what;    // "does not change: 21.5 in all rows"
 };
 
-// A column that does not change, or not for the last tenth of the rows after it did; more than a twentieth gaps; single
-// values that jump away and back by more than 20 times the usual change (its median from row to row, or the step to
-// which values are written); rows apart more than 10 times the usual. O(n) a column.
+// Finds columns that are constant, or constant in the last tenth of the rows after changes before; columns with more
+// than 5 % gaps; single values that jump away and back by more than 20 times the usual change (the median change per
+// row, or the resolution of the values); gaps in time of more than 10 usual steps. O(n) per column.
 std::vector<ColumnFault> column_faults(const Series& series);
 
 }  // namespace ballbar

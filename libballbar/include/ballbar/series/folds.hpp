@@ -1,4 +1,4 @@
-// The stretches of a record by which a model is tested: each is left out in turn and predicted from the others.
+// The folds of a record for cross-validation: each is left out in turn and predicted from the others.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 
 namespace ballbar {
 
-// Fold of every row, from 0: stretches between changes of speed, short ones merged with their neighbour, those of more
-// than a fifth of the rows cut into equal pieces; without a speed five parts of the time. Of a trace each recording is
-// one; a single recording is left out by quarters of its sweep.
+// The fold of each given row, from 0. Folds are stretches between changes of speed. Short ones are merged with a
+// neighbour, those of more than a fifth of the rows are cut into equal pieces. Without a speed the time is cut into
+// five. In a trace each recording is a fold; a single recording has the quarters of its sweep.
 std::vector<std::size_t> folds_of(const Series& data, const std::vector<std::size_t>& rows);
 
 }  // namespace ballbar

@@ -1,8 +1,8 @@
-// Several runs of one machine as one series: stacked, the time of each from 0 again.
+// Several runs of one machine as one series, stacked. The time of each run starts again.
 //
-// Where `time_s` falls, another run begins. What has a memory (the filters of effects, noise) begins there anew, and a
-// model has an offset for each run (run_terms.hpp), because a set-up is never made twice alike. What happens at a place
-// of a temperature (a kink, a viscosity) is counted from the first row of the first run, as the machine is one.
+// A new run begins where `time_s` falls. The memory of effects and noise restarts there, and a model has an offset for
+// each run (run_terms.hpp), because no set-up repeats exactly. Thresholds in temperature (a kink, a viscosity) refer to
+// the first row of the first run, because all runs are of one machine.
 #pragma once
 
 #include <cstddef>
@@ -19,28 +19,28 @@ struct RowRange {
   std::size_t begin = 0, end = 0;  // rows [begin, end)
 };
 
-// One range a run; none of no rows.
+// One range per run; empty without rows.
 std::vector<RowRange> runs_of(std::span<const double> time_s);
 
-// The rows of one run alone.
+// The series of one run.
 Series rows_of(const Series& data, const RowRange& range);
 
-// Times that go on from run to run, each a day after the longest: for what only has to draw or to count.
+// Rising times over all runs, with at least a day between runs; only for drawing and counting.
 std::vector<double> unrolled(std::span<const double> time_s);
 
-// Times with one run right after another, for a picture or a file: a run begins a step of the clock after the last row.
+// Rising times with the runs end to end, for a picture or a file. A run begins one clock step after the last row.
 std::vector<double> one_after_another(std::span<const double> time_s);
 
 struct Stacked {
   Series series;
-  std::vector<std::string> remarks;  // whole sentences: what was left out
+  std::vector<std::string> remarks;  // whole sentences: which columns were left out
 };
 
-// Runs one after another, in their order; of one run itself. Columns that not all have are left out; roles are those of
-// the first. A run begins warm where it began less than 8 h after the end of another, or where its speed is not 0
-// in the first row. zeros_s: the wall clock at time_s = 0 of each run (Series::started), s since any one day; empty:
-// not known. Throws Error, with the names: runs of fewer than two rows, with no column in common, a column in other
-// units (T_bed_degC, T_bed_K), the same rows twice, wall clocks that overlap.
+// Stacks the runs in their order; a single run is returned unchanged. Columns that some runs lack are left out. Roles
+// are those of the first run. A run begins warm if it began less than 8 h after the end of another, or if its speed is
+// not 0 in the first row. zeros_s: the wall clock at time_s = 0 of each run (Series::started), in s since a common day;
+// empty: not known. Throws Error, with the names of the runs: fewer than two rows, no common column, a column in
+// different units (T_bed_degC, T_bed_K), the same rows twice, wall clocks that overlap.
 Stacked stacked(const std::vector<Series>& runs, const std::vector<std::string>& names,
                 const std::vector<std::optional<double>>& zeros_s = {});
 

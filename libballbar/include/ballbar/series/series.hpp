@@ -10,7 +10,7 @@
 
 namespace ballbar {
 
-// What a column stands for in a model. Where a file does not say, the unit decides: `_rpm` speed,
+// The role of a column in a model. Unless the file states it, the unit decides: `_rpm` speed,
 // `_degC` structure, `_um`, `_mm` and `_urad` measured, `_A`, `_W`, `_Nm` and `_percent` load; anything else is an
 // event.
 enum class Role { structure, ambient, coolant, bearing, mean_point, housing, speed, load, event, measured };
@@ -32,7 +32,7 @@ struct FiveProbe {
   std::array<std::string, 5> columns{"X1_um", "X2_um", "Y1_um", "Y2_um", "Z_um"};  // of the series, as kProbes
 };
 
-// How a run began: from rest, in equilibrium with its surroundings, or still on its way from what went before.
+// How a run began: at rest in thermal equilibrium, or still warm from earlier work.
 enum class RunStart { rest, warm };
 
 // One of several runs.
@@ -43,12 +43,12 @@ struct RunOrigin {
 
 // Rows in the order of time.
 struct Series {
-  std::vector<double> time_s;  // strictly rising; of several runs (runs.hpp) in each
+  std::vector<double> time_s;  // strictly rising; with several runs (runs.hpp) within each
   std::vector<Column> columns;
-  std::optional<FiveProbe> five_probe;  // where the file has a [five_probe] table
-  std::optional<std::string> started;   // wall clock at time_s = 0, "2026-11-22T13:05:10", no zone, where it is known
-  std::vector<RunOrigin> runs;          // one a run where there are several; else none
-  bool has_clock = true;                // false: time_s numbers the rows, 0, 1, 2 ..., for no file tells the time
+  std::optional<FiveProbe> five_probe;  // from the file's [five_probe] table
+  std::optional<std::string> started;   // wall clock at time_s = 0, "2026-11-22T13:05:10", no zone; nullopt: not known
+  std::vector<RunOrigin> runs;          // one per run if there are several; else empty
+  bool has_clock = true;                // false: no file states the time, and time_s numbers the rows 0, 1, 2 ...
 };
 
 // Unit at the end of a column's name ("um", "mm", "urad", "degC", "rpm", "A", "W", "K", "percent", "Nm", "bar",
@@ -64,10 +64,10 @@ const Column* find_column(const Series& series, std::string_view name);
 
 std::vector<std::string> column_names(const Series& series);
 
-// What a model could explain: measured, and no sigma of another column.
+// Whether a model could explain the column: it is measured, and not the sigma of another column.
 bool is_target(const Column& column);
 
-// The name, with a number before its unit where it is taken already; it is taken then.
+// The name, with a number before its unit if it is already in `taken`. Adds the result to `taken`.
 std::string free_name(std::string_view name, std::set<std::string>& taken);
 
 }  // namespace ballbar

@@ -14,10 +14,10 @@ struct SpeedStep {
   std::size_t end = 0;
 };
 
-// A new step begins where the speed leaves the step's first value by more than 2 % of the largest speed; a step shorter
-// than 60 s (a ramp) joins the one after it. Where the speed of the step before comes back within
-// 60 s (a stray row), to 2 % of the largest speed as well, that step goes on. A row without speed continues its step.
-// The steps cover all rows; a run begins one. O(n).
+// A new step begins where the speed differs from the step's first value by more than 2 % of the largest speed. A step
+// shorter than 60 s (a ramp) joins the next one. If the earlier speed returns within 60 s (a stray row), to 2 % of the
+// largest speed, the earlier step continues. A row without speed continues its step. The steps cover all rows; a run
+// begins a new step. O(n).
 std::vector<SpeedStep> speed_steps(const std::vector<double>& time_s, const Column& speed);
 
 }  // namespace ballbar

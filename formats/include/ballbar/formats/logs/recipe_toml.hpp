@@ -1,5 +1,5 @@
-// A recipe, .toml: how a kind of log is read. `ballbar import LOG --save recipe.toml` writes one, `--recipe` applies
-// it.
+// A recipe (.toml) states how to read a kind of log. `ballbar import LOG --save recipe.toml` writes one, `--recipe`
+// applies it.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace ballbar {
 
-// What signs are called in a recipe and on the command line.
+// Names of signs in a recipe and on the command line.
 inline constexpr std::pair<std::string_view, char> kDelimiterNames[] = {
     {"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"bar", '|'}, {"blank", ' '}};
 inline constexpr std::pair<std::string_view, char> kDecimalNames[] = {{"comma", ','}, {"point", '.'}};

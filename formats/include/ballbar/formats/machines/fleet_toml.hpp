@@ -1,5 +1,5 @@
-// Virtual fleet `fleet.toml`: a plant of machines that `ballbar simulate` makes the tests of. All but the format is
-// optional; what is not given has the default of virtual_fleet.hpp. The keys are fleet_keys() of keys.hpp.
+// Virtual fleet `fleet.toml`: the machines whose tests `ballbar simulate` makes. All keys but the format are optional,
+// with the defaults of virtual_fleet.hpp. The keys are fleet_keys() of keys.hpp.
 //
 //   format = "ballbar-fleet 1"
 //   machines = 40
@@ -20,11 +20,11 @@
 
 namespace ballbar {
 
-// Whether the bytes say that they are a fleet; text of another format, and what is no TOML, is none.
+// Whether the bytes are TOML with the format of a fleet.
 bool is_fleet(std::string_view bytes);
 
-// `name` stands in messages. Unknown keys are errors. Throws Error with name:line:column; stories of machines and
-// errors that are not there are left to fleet_tests().
+// `name` is used in messages. Unknown keys are errors. Throws Error with name:line:column. fleet_tests() checks that
+// the machines and errors of the stories exist.
 VirtualFleet read_fleet(std::string_view bytes, std::string_view name);
 
 }  // namespace ballbar

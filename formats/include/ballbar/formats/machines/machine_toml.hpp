@@ -1,6 +1,6 @@
-// Virtual machine `machine.toml`: what `ballbar simulate` reads. All but the format is optional; what is not
-// given has the default of simulate.hpp, where each quantity and its sign is explained. The keys, with units, meanings
-// and defaults, are machine_keys(), spindle_keys() and image_keys() of keys.hpp; formats/README.md has them as tables.
+// Virtual machine `machine.toml`, the input of `ballbar simulate`. All keys but the format are optional, with the
+// defaults of simulate.hpp, which explains each quantity and its sign. The keys, with units, meanings and defaults, are
+// machine_keys(), spindle_keys() and image_keys() of keys.hpp; formats/README.md has them as tables.
 //
 //   format = "ballbar-machine 1"
 //   method = "two_arcs"            # two_arcs | spindle_rotation | circles | series
@@ -11,9 +11,9 @@
 //   time_min = 16.0
 //   y_um = 12.0
 //
-// A spindle in the place of the truth: its physics (finite_volume_spindle.hpp) moves the ball, and its sensors are
-// signals, beside any [[signal]]. method = "series" has no ballbar: of the rest only title and seed may be given, and
-// x_um, y_um, z_um are measured as densely as the sensors.
+// A [spindle] replaces the truth: its physics (finite_volume_spindle.hpp) moves the ball, and its sensors are signals
+// in addition to any [[signal]]. method = "series" has no ballbar. It allows only title and seed as further keys, and
+// measures x_um, y_um, z_um as densely as the sensors.
 #pragma once
 
 #include <string_view>
@@ -22,8 +22,8 @@
 
 namespace ballbar {
 
-// `name` stands in messages. Unknown keys are errors. Throws Error with name:line:column; contradictions
-// between well-formed values are left to simulate().
+// `name` is used in messages. Unknown keys are errors. Throws Error with name:line:column. simulate() checks
+// for contradictions between well-formed values.
 VirtualMachine read_machine(std::string_view bytes, std::string_view name);
 
 }  // namespace ballbar

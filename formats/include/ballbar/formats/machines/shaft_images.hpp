@@ -1,5 +1,5 @@
-// [[spindle.image]] of a machine.toml: pictures of the shaft's temperature that `ballbar simulate` writes beside the
-// other files (shaft_picture.hpp paints them).
+// [[spindle.image]] of a machine.toml: pictures of the shaft temperature that `ballbar simulate` writes with the other
+// files (shaft_picture.hpp paints them).
 //
 //   [[spindle.image]]
 //   time_min = 240
@@ -8,8 +8,8 @@
 //
 // Read by ballbar::formats; painted by ballbar::images.
 //
-// A PNG holds the painted pixels. The bytes of both, and the pixels of a JPEG, depend on the library that encodes them:
-// another version of it may write others from the same machine.
+// A PNG holds exactly the painted pixels. The bytes of both formats, and the pixels of a JPEG, depend on the version of
+// the library that encodes them.
 #pragma once
 
 #include <string>
@@ -29,11 +29,11 @@ struct ShaftImage {
   ShaftPictureStyle style;
 };
 
-// `name` stands in messages. No table: no images. Throws Error with name:line:column; numbers that contradict the
-// spindle are left to shaft_picture().
+// `name` is used in messages. Empty without such a table. Throws Error with name:line:column. shaft_picture() checks
+// the numbers against the spindle.
 std::vector<ShaftImage> read_shaft_images(std::string_view bytes, std::string_view name);
 
-// Every picture names its time and speed. Throws Error, beginning with the file's name: what shaft_picture throws.
+// Every picture names its time and speed. Throws the errors of shaft_picture(), preceded by the name of the file.
 std::vector<SimulatedFile> shaft_image_files(const std::vector<ShaftImage>& images, const VirtualSpindle& spindle,
                                              const std::vector<ShaftProfile>& profiles);
 

@@ -1,10 +1,10 @@
-// Where a compensation stands, so that it goes on after a restart without a jump: a JSON file.
+// The state of a compensation, a JSON file, so that it resumes without a jump after a restart.
 //
 //   {"format": "ballbar-compensation 1",
 //    "signals": {"file": "/logs/live.csv", "inode": 1234, "bytes": 56789},
 //    "axes": [{"name": "z", "model": "...", "resolution_um": 0.1, "counts": -31, "offset_um": -3.12, ...}]}
 //
-// It is written by ballbar for ballbar; `counts` and `offset_um` are for people too.
+// ballbar writes it for itself; `counts` and `offset_um` are also useful to people.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace ballbar {
 
-// A file of signals, and how much of it has been taken: after a restart the rest alone is new.
+// A file of signals and how many of its bytes have been read. After a restart only the rest is new.
 struct SignalsPlace {
   std::string file;
   std::uint64_t inode = 0;
@@ -26,20 +26,20 @@ struct SignalsPlace {
 
 struct StoredAxis {
   std::string name;
-  std::string model;  // a digest, which must be the same to go on; of older versions its text
+  std::string model;  // a digest that must match on resume; in files of older versions the text of the model
   Compensator::State state;
   LiveModel::State live;
 };
 
 struct StoredCompensation {
   std::vector<StoredAxis> axes;
-  std::optional<SignalsPlace> signals;  // nothing: a pipe
+  std::optional<SignalsPlace> signals;  // nullopt: a pipe
 };
 
 std::string write_compensation(const StoredCompensation& stored);
 
-// `name` stands in messages. Throws Error for anything but what write_compensation wrote; whether the numbers suit the
-// model is for Compensator::resume.
+// `name` is used in messages. Throws Error for anything that write_compensation() would not write.
+// Compensator::resume() checks the numbers against the model.
 StoredCompensation read_compensation(std::string_view bytes, std::string_view name);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// Model file of a regression on effects, `.json`: what `predict` and `compensate` need of it.
+// Model file `.json` of a regression on effects, as `predict` and `compensate` need it.
 //
 //   {"format": "ballbar-effect-regression 1",
 //    "target": "z_um",
@@ -15,8 +15,8 @@
 //    "end": {"time_s": 28800.0, "step_s": 10.0, "discrepancy_um": -0.4,
 //      "rows": 3, "times_s": [0.0, 28790.0, 28800.0], "inputs": [three a column], "kept": [...]}}
 //
-// All keys are there, in any order. held_um is null where it is not known (NaN in the struct). `inputs` are in the
-// order in which the terms first name the columns, `kept` what the effects hand from row to row.
+// All keys are required, in any order. held_um is null if it is not known (NaN in the struct). `inputs` are in the
+// order in which the terms first name the columns; `kept` is the memory of the effects.
 #pragma once
 
 #include <string>
@@ -28,19 +28,20 @@ namespace ballbar {
 
 inline constexpr std::string_view kRegressionFormat = "ballbar-effect-regression 1";
 
-// Numbers read back to the same doubles, but those of factor_um, which are rounded to 9 digits: half widths to 1e-6 of
-// them. Throws Error where one is not finite, which the reader would refuse.
+// Numbers are written so that they read back exactly, except factor_um, which is rounded to 9 digits (half widths are
+// then accurate to 1e-6). Throws Error for a number that is not finite.
 std::string write_effect_regression(const EffectRegression& regression);
 
-// `name` stands in messages. Throws Error "name: ..." with the path of the value, and line and column where the text is
-// no JSON: an unknown, missing or double key, a value of another type, an effect that takes no part in regressions
-// (with the nearest), other columns or parameters than it has, a shape beyond its bounds, a column that `columns` lacks
-// or no term reads, a range low above high, an array of another length than the terms ask for, a negative sigma or
-// length, a scale below 1, a state at the end that is not of these terms.
+// `name` is used in messages. Throws Error "name: ..." with the path of the value, or line and column if the text is
+// not JSON: an unknown, missing or duplicate key, a value of another type, an effect that is not used in regressions
+// (with the nearest name), a wrong number of columns or parameters of an effect, a shape outside its bounds, a column
+// that `columns` lacks or no term reads, low above high, an array whose length does not fit the terms, a negative sigma
+// or length, a scale below 1, an end state that does not fit the terms.
 EffectRegression read_effect_regression(std::string_view bytes, std::string_view name,
                                         const Catalogue& catalogue = built_in_catalogue());
 
-// Whether the head of a model's file is that of one of these. A batch model (batch_model_json.hpp) is JSON too.
+// Whether the head of a model file is that of a regression on effects. A batch model (batch_model_json.hpp) is JSON
+// too.
 bool is_effect_regression_json(std::string_view head);
 
 }  // namespace ballbar

@@ -1,8 +1,8 @@
-// Where a live prediction by a regression on effects stands, so that the next rows go on from there: a JSON file.
+// The state of a live prediction by a regression on effects, a JSON file, so that the next rows continue it.
 //
 //   {"format": "ballbar-prediction 1", "model": "digest of its file", "since_end": true, "live": {...}}
 //
-// It is written by ballbar for ballbar.
+// ballbar writes it for itself.
 #pragma once
 
 #include <string>
@@ -13,15 +13,15 @@
 namespace ballbar {
 
 struct StoredPrediction {
-  std::string model;       // what tells it from others
-  bool since_end = false;  // it went on from the end of training
+  std::string model;       // digest of the model file
+  bool since_end = false;  // it continues from the end of training
   LiveModel::State live;
 };
 
 std::string write_prediction_state(const StoredPrediction& stored);
 
-// `name` stands in messages. Throws Error for anything but what write_prediction_state wrote; whether the numbers suit
-// the model is for LivePrediction::resume.
+// `name` is used in messages. Throws Error for anything that write_prediction_state() would not write.
+// LivePrediction::resume() checks the numbers against the model.
 StoredPrediction read_prediction_state(std::string_view bytes, std::string_view name);
 
 }  // namespace ballbar

@@ -1,11 +1,11 @@
-// Renishaw `.b5r`: one ballbar test with its runs and the results the instrument's software stored.
+// Renishaw `.b5r`: one ballbar test with its runs and the results that the instrument's software stored.
 //
 // UTF-8 or UTF-16 XML, root TEST_DOCUMENT. length = NOMINAL_LENGTH + reading; readings START_INDEX to END_INDEX
 // inclusive are used, the rest is overshoot; angles are not stored: uniform at mid-sample,
 // CCW START + (i + 1/2) arc / N, CW END - (i + 1/2) arc / N, arc = (END - START) mod 360, 0 meaning 360.
 //
-// A file may hold results alone, without READINGS, or of one run. Text that is "-" or empty is not stated: an empty
-// string, or nothing.
+// A file may hold only results, without READINGS, or only one run. A text of "-" or an empty one counts as not stated:
+// it becomes an empty string or nullopt.
 #pragma once
 
 #include <cstdint>
@@ -19,27 +19,27 @@
 
 namespace ballbar {
 
-// The same NAME is mm in a run and um in an analysis: the key is parent + name + data_type.
+// A stored value. The same NAME is in mm in a run and in um in an analysis; the key is parent + name + data_type.
 struct StoredFeature {
   std::string parent;     // "run 0", "run 1", or "NAME version" of the analysis, "ISO230_4 2005"
   std::string name;       // "AF_CENTRE_OFFSET_A"
   std::string data_type;  // "UT_LENGTH_MM"
   double value = 0.0;     // in data_type's unit
   bool valid = true;      // VALID="False" in the file
-  std::string status{};   // "AF_TOLERANCE_OK": what the instrument's software said of it
+  std::string status{};   // "AF_TOLERANCE_OK": judgement of the instrument's software
 };
 
 // A BALLBAR_RUN, with readings or without.
 struct StoredRun {
   std::string parent;                    // of its stored values: "run 0"
   std::optional<Direction> direction;    // one without readings may lack it
-  std::optional<std::size_t> recording;  // its place among the recordings, where it has readings
+  std::optional<std::size_t> recording;  // index of its recording; nullopt: no readings
 };
 
-// The software's own model of a run.
+// The simulated curve of a run from the software's own model.
 struct SimulatedCurve {
   Direction direction = Direction::CCW;
-  std::vector<double> deviation_um;  // length less nominal length, one a reading of the first such run
+  std::vector<double> deviation_um;  // length minus nominal length, one value per reading of the first such run
 };
 
 struct Calibrator {
@@ -61,7 +61,7 @@ struct B5r {
   std::string ballbar_model;  // EQUIPMENT/BALLBAR/MODEL
   std::string serial_number;  // of the ballbar
   std::string certificate;
-  std::string last_calibrated;         // 2024-04-16, or as it stands in the file where that is no date
+  std::string last_calibrated;         // 2024-04-16; if not a date, the text of the file
   std::optional<double> scale_factor;  // of the ballbar
   Calibrator calibrator;
   std::string software_title, software_version;
@@ -76,7 +76,7 @@ struct B5r {
   std::string spindle_number, nc_program;
 
   std::vector<Recording> runs;  // those with readings, in the file's order; feed_mm_per_min is the calculated one
-  std::vector<StoredRun> run_results;  // all, in the file's order
+  std::vector<StoredRun> run_results;  // all runs, in the order of the file
   std::vector<StoredFeature> stored;
   std::vector<Limit> limits;
   std::vector<SimulatedCurve> simulated_um;  // at most one a direction
@@ -84,27 +84,27 @@ struct B5r {
                                              // and curves are read
 };
 
-// `name` stands in messages. Throws Error with name:line:column; what can be done without is a remark.
+// `name` is used in messages. Throws Error with name:line:column; minor faults become remarks.
 B5r read_b5r(std::string_view bytes, std::string_view name);
 
-// The stored value of that key, or nothing (absent or not valid).
+// The stored value of that key; nullopt: absent or not valid.
 std::optional<double> stored_value(const B5r& test, std::string_view parent, std::string_view name,
                                    std::string_view data_type);
 
-// "um", "um/m", "mm/min": the unit that a data_type means; a type that is not known stands as it is.
+// The unit of a data_type: "um", "um/m", "mm/min". An unknown type is returned unchanged.
 std::string_view unit_of_data_type(std::string_view data_type);
 
-// Parent of the values stored for that recording of the file: "run 0".
+// The parent of the stored values of a recording: "run 0".
 std::string parent_of(const B5r& test, std::size_t recording);
 
-// The curve of that direction; null where there is none.
+// The curve of that direction; nullptr: none.
 const SimulatedCurve* simulated_curve(const B5r& test, Direction direction);
 
-// A file in the instrument's layout with these runs (uniform angles at mid-sample, no overshoot beyond
-// `overshoot_readings` copied from the ends), head, stored features, limits and curves. Recordings need plane,
-// direction, nominal_length_mm, started_s, feed_mm_per_min, angle_rad, length_mm; what they hold is taken from them,
-// not from the test. Without recordings there must be `run_results` or stored features. Readings are written as the
-// instrument does: mm, five decimals.
+// The bytes of a file in the instrument's layout with these runs, head, stored features, limits and curves. Angles are
+// uniform at mid-sample; the overshoot is `overshoot_readings` copied from the ends. Recordings need plane, direction,
+// nominal_length_mm, started_s, feed_mm_per_min, angle_rad, length_mm; these override the values of the test. Without
+// recordings there must be `run_results` or stored features. Readings are in mm with five decimals, as the instrument
+// writes them.
 std::string write_b5r(const B5r& test, std::size_t overshoot_readings = 0);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// Ballbar log `.csv`: one recording with its header. Comment lines first; each, without its `# `, is TOML.
+// Ballbar log `.csv`: one recording with its header. The file begins with comment lines, which are TOML after the `# `.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace ballbar {
 
-// `name` stands in messages. Throws Error with name:line:column.
+// `name` is used in messages. Throws Error with name:line:column.
 Recording read_ballbar_log(std::string_view bytes, std::string_view name);
 
-// What its comment lines say, without readings. `bytes`: its first lines, or all.
+// The recording without readings, from the comment lines. `bytes`: the first lines of the file, or all of it.
 Recording read_ballbar_log_header(std::string_view bytes, std::string_view name);
 
-// Reads back to the same doubles (lengths in mm, angles in deg: to one unit in the last place).
+// The text reads back to the same doubles (lengths in mm; angles in deg: within one unit in the last place).
 std::string write_ballbar_log(const Recording& recording);
 
 }  // namespace ballbar

@@ -1,14 +1,14 @@
-// A circle as other instruments and controls export it: a table of text whose numbers are a circle. It is known by
-// what the numbers are, whatever the header: two coordinates that lie on a circle (grid encoders such as KGM, the
-// circularity tests of CNCs), or an angle that runs through a turn beside a radius, a length or a deviation.
+// Circles exported by other instruments and controls, as a table of text. The format is recognised by the numbers,
+// whatever the header: two coordinates that lie on a circle (grid encoders such as KGM, circularity tests of CNCs), or
+// an angle that covers a turn with a radius, a length or a deviation.
 //
-// Separators, decimal signs and encodings are those of a log (log.hpp). Runs of both directions may follow each other,
-// or stand as two columns of radius whose names say CCW and CW. Coordinates are taken from the centre of their circle
-// unless that is within a hundredth of the radius of their zero. Readings that stand still before and after a run, and
-// points off the circle by more than a fiftieth of its radius (the way in and out), are left out.
+// Separators, decimal signs and encodings are those of a log (log.hpp). The runs of both directions follow one another,
+// or are two columns of radius with CCW and CW in their names. Coordinates count from the centre of their circle,
+// unless it is within a hundredth of the radius from their zero. Readings at standstill before and after a run, and
+// points off the circle by more than a fiftieth of the radius (feed-in and feed-out), are left out.
 //
-// Units are those of the header. Without one an angle is in deg or, where it runs to 2 pi, in rad; lengths are in mm,
-// above 2000 in um; deviations that spread over less than 0.3 are in mm, others in um.
+// Units are those of the header. Without a unit an angle is in deg, or in rad if it runs to 2 pi; lengths are in mm, or
+// in um if above 2000; deviations are in mm if they spread over less than 0.3, else in um.
 #pragma once
 
 #include <optional>
@@ -21,8 +21,8 @@ namespace ballbar {
 // Whether the first bytes of a file hold a circle.
 bool holds_circle(std::string_view head);
 
-// The recordings, and a remark that says how they were read. Throws Error with `name`: no circle, or one whose nominal
-// radius is neither in the header nor stated.
+// The recordings, with a remark on how they were read. Throws Error with `name`: no circle, or a nominal radius that is
+// neither in the header nor stated.
 RecordingFile read_circle_table(std::string_view bytes, std::string_view name, const StatedCircle& stated);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// Opens a recording whatever its format: picked by content, never by the file's name.
+// Opens a recording of any format. The format is recognised by content, never by the name of the file.
 #pragma once
 
 #include <filesystem>
@@ -15,30 +15,29 @@ namespace ballbar {
 
 struct RecordingFile {
   std::vector<Recording>
-      recordings;  // two for most `.b5r`, one for a log, one a run of a table; none where a `.b5r` has results alone
+      recordings;  // usually two of a `.b5r`, one of a log, one per run of a table; empty: a `.b5r` with results only
   std::optional<B5r> b5r;              // stored results and equipment, where the file is a `.b5r`; its
                                        // runs and remarks are moved out
   std::vector<std::string> remarks{};  // whole sentences with name:line:column
 };
 
-// What a person states of a circle whose file lacks it (circle_table.hpp); other files state their own.
+// What the user states about a circle if the file does not (circle_table.hpp). Other formats ignore it.
 struct StatedCircle {
-  std::optional<double> radius_mm;  // nominal, above 0; goes before what the file says
+  std::optional<double> radius_mm;  // nominal, above 0; overrides the file
 };
 
-// A file whose content is that of a recording, a .b5r, an archive of one, a log or a table, though it may have faults.
+// Whether the content looks like a recording: a .b5r, an archive with one, a log or a table. It may still have faults.
 bool is_recording_file(const Source& source, std::span<const Reader> readers = known_readers());
 
-// A path through an archive, or an archive of one `.b5r` file, is a `.b5r` (archive.hpp). Throws Error; lists the known
-// formats if none fits.
+// A path into an archive, or an archive with one `.b5r` file, counts as a `.b5r` (archive.hpp). Throws Error, with the
+// known formats if none fits.
 RecordingFile open_recording(const Source& source, std::span<const Reader> readers = known_readers(),
                              const StatedCircle& stated = {});
 
-// Of a recording: whether two linear axes drive it. Its head alone is read; a fault there is told where it is read
-// whole.
+// Whether two linear axes drive the recording. Reads only the head of the file and does not report its faults.
 bool is_of_linear_axes(const Source& file);
 
-// Throws Error where the file has no recording: for what needs readings.
+// Throws Error if the file has no readings.
 void expect_readings(const RecordingFile& file, const std::filesystem::path& path);
 
 }  // namespace ballbar

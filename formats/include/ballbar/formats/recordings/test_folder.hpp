@@ -1,4 +1,4 @@
-// The recordings in folders and archives, and what of them could not be read.
+// Finds the recordings in folders and archives, with a list of those that could not be read.
 #pragma once
 
 #include <filesystem>
@@ -15,23 +15,22 @@ struct SkippedFile {
 };
 
 struct FoundFiles {
-  std::vector<std::filesystem::path> files;  // by their names, each once
-  std::vector<SkippedFile> faults;           // folders that cannot be listed, archives that are damaged
+  std::vector<std::filesystem::path> files;  // sorted by name, each once
+  std::vector<SkippedFile> faults;           // folders that cannot be listed, damaged archives
 };
 
-// A folder without a session.toml, or an archive.
+// Whether the path is a folder without a session.toml, or an archive.
 bool is_folder_of_tests(const std::filesystem::path& path);
 bool any_folder_of_tests(const std::vector<Source>& sources);
 
-// Files as they are given, and all regular ones in the folders given and those below: hidden ones and links to folders
-// are passed over, and in place of an archive stand the `.b5r` files inside it. Throws Error for a path that is not
-// there.
+// The given files, and all regular files in and below the given folders, without hidden ones and links to folders. An
+// archive is replaced by the `.b5r` files inside it. Throws Error for a path that does not exist.
 FoundFiles files_below(const std::vector<std::string>& paths);
 
-// Of those the recordings, by content or by the ending .b5r; a file that is given stays whatever it is.
+// The recordings among files_below(), by content or by the extension .b5r. Explicitly given files are always kept.
 FoundFiles recordings_below(const std::vector<std::string>& paths);
 
-// The recordings below the folders in place of these; what a program holds stays. Nothing found: as it was.
+// Replaces folders by the recordings below them; sources in memory stay. If nothing is found, `sources` is unchanged.
 FoundFiles put_recordings_below(std::vector<Source>& sources);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// What an operator does before, during and after a test: plain text, to be printed.
+// The check list of an operator before, during and after a test: plain text, to be printed.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace ballbar {
 
-// Times are hours and minutes of the schedule: stops and ballbar tests put them off. `columns_to_log`: names of columns
-// of a series, which end in their unit. Title and columns may hold any UTF-8 text; control characters in them are
-// blanks. Throws Error as spindle_program.
+// Times are hours and minutes of the schedule; stops and ballbar tests delay them. `columns_to_log`: names of columns
+// of a series, with their units. Title and columns may have any UTF-8 text; control characters become blanks. Throws
+// Error as spindle_program() does.
 std::string check_list(const Schedule& schedule, const ProgramOptions& options,
                        const std::vector<std::string>& columns_to_log, std::string_view title);
 

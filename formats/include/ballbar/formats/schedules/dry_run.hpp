@@ -1,4 +1,4 @@
-// What a program of spindle_program does, read back from its text in the units and words of its control.
+// A dry run of a program from spindle_program(): reads back what it does, in the units and words of its control.
 #pragma once
 
 #include <string>
@@ -18,22 +18,22 @@ struct DrivenCircle {
 };
 
 struct DryRun {
-  std::vector<Dwell> dwells;  // speed and duration; waits at one speed in a row are one, whatever stands between
-  double duration_s = 0.0;    // of all
+  std::vector<Dwell> dwells;  // speed and duration; consecutive waits at one speed are merged
+  double duration_s = 0.0;    // of all dwells dwells
   double highest_rpm = 0.0;
-  double driven_s = 0.0;           // the axes' ways at their feeds
-  double longest_wait_s = 0.0;     // of one block
+  double driven_s = 0.0;           // duration of the axis moves
+  double longest_wait_s = 0.0;     // longest wait in one block
   int orientations = 0;            // of the spindle
   std::vector<std::string> stops;  // the message of each programmed stop
   std::vector<DrivenCircle> circles;
 };
 
-// Knows the words that such programs have and no others: it is no interpreter of the control. Throws Error with
-// name:line:column at a word that it does not know, a stop or a move while the spindle turns, a wait longer than the
-// control takes, a move before G54 or without a feed, an arc that is no full circle, a program without its end.
+// Knows only the words that such programs use; it is not an interpreter for the control. Throws Error with
+// name:line:column: an unknown word, a stop or a move while the spindle turns, a wait longer than the control accepts,
+// a move before G54 or without a feed, an arc that is not a full circle, a program without an end.
 DryRun dry_run_of(std::string_view program, Dialect dialect, std::string_view name = "program");
 
-// The dwells of a schedule as a dry run has them: whole rpm, whole milliseconds, equal speeds in a row are one.
+// The dwells of a schedule as a dry run returns them: whole rpm, whole milliseconds, equal consecutive speeds merged.
 std::vector<Dwell> driven_dwells(const Schedule& schedule);
 
 }  // namespace ballbar

@@ -1,15 +1,15 @@
-// A schedule as a program of a machine's control: the spindle turns, dwells and stops as the schedule says, and between
-// the dwells a ballbar test may be driven.
+// Writes a schedule as a program for the control of a machine. The spindle turns, dwells and stops by the schedule;
+// ballbar tests may take place between the dwells.
 //
-// No axis moves but in the ballbar tests, and there only in the plane: from the start position X = R + feed-in, Y = 0
-// in to X = R, a full circle CCW, out, in, a full circle CW, out. The zero of the workpiece (G54; the preset of
-// Heidenhain) is the centre of the fixed ball. The axis Z stays where the operator left it. Before the first move, and
-// with each bar that is mounted or taken off, the program stops (M0) with a message; it stops so, too, where load, room
-// or coolant are to be set. At each such stop the spindle is at rest, on every control.
+// Axes move only in the ballbar tests, and only in the plane: from the start position X = R + feed-in, Y = 0 in to
+// X = R, a full circle CCW, out, in, a full circle CW, out. The zero of the workpiece (G54; the preset of Heidenhain)
+// is the centre of the fixed ball. The Z axis does not move. The program stops (M0) with a message before the first
+// move, whenever the bar is to be mounted or removed, and whenever load, room or coolant are to be set. At each such
+// stop the spindle is at rest, on every control.
 //
-// Speeds are whole rpm, times whole milliseconds of the schedule's own clock, so that nothing adds up. Dwells are
-// split into blocks of 5 minutes and less, each with a comment of the minutes that have passed; the time of the stops
-// and the tests comes on top of the schedule.
+// Speeds are whole rpm. Times are whole milliseconds on the clock of the schedule, so that rounding errors do not add
+// up. Dwells are split into blocks of at most 5 minutes, each with a comment of the minutes passed. Stops and tests
+// take extra time.
 #pragma once
 
 #include <optional>
@@ -34,11 +34,11 @@ std::string_view file_name_of(Dialect dialect);  // "fanuc.nc", "siemens.mpf", "
 struct BallbarTest {
   double radius_mm = 100.0;  // of the path; the length of the bar
   double feed_mm_per_min = 1000.0;
-  double feed_in_mm = 1.5;  // the start position is so far outside the circle
-  // 0: a test before the first dwell and after each; else before the first, each time the schedule has gone on for so
-  // long, and at the end.
+  double feed_in_mm = 1.5;  // distance of the start position from the circle
+  // 0: a test before the first dwell and after each dwell. Else a test before the first dwell, after every such
+  // interval of the schedule, and at the end.
   double every_min = 0.0;
-  bool orient = false;  // the spindle is oriented before each test: M19, of Siemens SPOS, where the machine has it
+  bool orient = false;  // orient the spindle before each test: M19, for Siemens SPOS
 };
 
 struct ProgramOptions {
@@ -50,9 +50,9 @@ struct ProgramOptions {
   std::optional<int> range_m;  // M function of the spindle's range, 40 to 49; LinuxCNC has none
 };
 
-// Plain ASCII, in capitals, lines of at most 80 characters that end in \n. Of the texts of the options other characters
-// than letters, digits and "+-.,=" are blanks. Throws Error as expect_schedule, where a dwell is above max_rpm, and
-// where an option is not what it may be.
+// The text is ASCII in capitals, with lines of at most 80 characters that end in \n. In the texts of the options all
+// characters but letters, digits and "+-.,=" become blanks. Throws Error as expect_schedule() does, for a speed above
+// max_rpm, and for an invalid option.
 std::string spindle_program(const Schedule& schedule, Dialect dialect, const ProgramOptions& options);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// A drift series as bytes: CSV (a series), JSON and MATLAB .mat v5.
+// Writes a drift series as CSV (a series), JSON or MATLAB .mat v5.
 #pragma once
 
 #include <filesystem>
@@ -12,14 +12,14 @@
 
 namespace ballbar {
 
-// Columns x_um, x_sigma_um, ... as far as the method has them; gaps where one test lacks what others have.
+// Columns x_um, x_sigma_um, ... as far as the method has them, with gaps where a test lacks a value.
 Series series_of(const DriftSeries& drift);
 
-// The result FiveProbeDrift as text: there may be a million rows.
+// The result FiveProbeDrift as text, because there may be a million rows.
 std::string json_text(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps);
 
-// Writes by the extension: .csv, .json or .mat (one variable a column, same names). Throws Error for any other, and for
-// .mat in a build without matio (BALLBAR_MAT=OFF), saying what to install.
+// The extension selects the format: .csv, .json or .mat (one variable per column, same names). Throws Error for any
+// other, and for .mat in a build without matio (BALLBAR_MAT=OFF), with what to install.
 void write_drift(const DriftSeries& drift, const std::filesystem::path& path);
 void write_drift(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps,
                  const std::filesystem::path& path);  // of five probes

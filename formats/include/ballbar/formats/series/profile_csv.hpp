@@ -1,5 +1,5 @@
-// Temperatures along a spindle, `.csv`: first column x_mm, then one or more columns in degC, each one state (a time, a
-// speed). A column NAME_sigma_degC is the standard uncertainty of NAME_degC.
+// Temperatures along a spindle, `.csv`: first column x_mm, then one or more columns in degC, one for each state (a
+// time, a speed). A column NAME_sigma_degC is the standard uncertainty of NAME_degC.
 //
 //   # comments, only here
 //   x_mm,T_600s_degC,T_3600s_degC
@@ -20,13 +20,13 @@ struct NamedProfile {
   TemperatureProfile profile;
 };
 
-// At least one, in the order of the columns. `name` stands in messages. Throws Error with name:line:column: a first
-// column that is not x_mm, another that does not end in _degC, a sigma without its column or below 0, no number in a
-// cell, x that does not rise, less than two rows.
+// At least one profile, in the order of the columns. `name` is used in messages. Throws Error with name:line:column: a
+// first column that is not x_mm, another one that does not end in _degC, a sigma without its column or below 0, a cell
+// without a number, x that does not rise, less than two rows.
 std::vector<NamedProfile> read_profiles(std::string_view bytes, std::string_view name);
 
-// At the places of the first; the others are straight between theirs. Reads back to the same doubles. Sigmas where a
-// profile has them.
+// Writes the profiles at the positions of the first one; the others are interpolated linearly. Includes the sigmas of
+// profiles that have them. Numbers read back exactly.
 std::string write_profiles(const std::vector<NamedProfile>& profiles);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// DATA of the commands that fit models: a series, a session with its signals, or recordings.
+// The argument DATA of the commands that fit models: a series, a session with its signals, or recordings.
 #pragma once
 
 #include <filesystem>
@@ -18,26 +18,26 @@ namespace ballbar {
 
 struct ModelData {
   Level level = Level::series;
-  std::shared_ptr<const Series> series;  // target and inputs on one clock; recordings: trace_of them
+  std::shared_ptr<const Series> series;  // target and inputs on one clock; for recordings trace_of() them
   std::vector<std::string>
-      targets;  // what a model could explain: the measured columns in um, else the measured columns; no sigmas
-  std::vector<std::filesystem::path> files;  // all that were read
+      targets;  // possible targets: the measured columns in um, else all measured columns; without sigmas
+  std::vector<std::filesystem::path> files;  // all files that were read
   std::string title;
-  std::optional<Motion> motion;      // recordings: what drove all of them
-  std::vector<std::string> remarks;  // what a log was taken for, whole lines
+  std::optional<Motion> motion;      // recordings: their common motion
+  std::vector<std::string> remarks;  // whole lines: how a log was interpreted
 };
 
-// A list of runs, the sheets of a workbook under the same names and the logs of a folder without recordings are runs.
-// A session: its drift (drift_of with the options) merged with its signals; a series: its gaps closed as `merged` does;
-// one or more recordings (.b5r, logs) of one plane: their trace. Throws Error for anything else, a mixture, or the same
-// file twice.
+// A session gives its drift (drift_of() with the options) merged with its signals. A series has its gaps closed as in
+// merged(). One or more recordings (.b5r, logs) of one plane give their trace. Several runs come from a list of runs,
+// the sheets of a workbook with the same column names, or the logs of a folder without recordings. Throws Error for
+// anything else, a mixture, or the same file twice.
 ModelData open_model_data(const std::vector<Source>& sources, const DriftOptions& options, double max_gap_s,
                           std::span<const Reader> readers = known_readers(), const StatedCircle& stated = {});
 
-// Whether a source stands for several runs. Throws Error where it is a damaged workbook.
+// Whether a source contains several runs. Throws Error for a damaged workbook.
 bool stands_for_runs(const Source& source, std::span<const Reader> readers = known_readers());
 
-// The same of a series or a session that is open already. A series in which nothing is to be closed is not copied.
+// The same for a series or a session that is already open. A series without gaps is not copied.
 ModelData model_data_of(const DriftData& source, const std::string& name, const DriftOptions& options, double max_gap_s,
                         std::span<const Reader> readers = known_readers());
 

@@ -1,4 +1,4 @@
-// What holds a drift: a session, a folder of recordings, or a series. Told by content, not by name.
+// Opens data with a drift: a session, a folder of recordings, or a series. Recognised by content, not by name.
 #pragma once
 
 #include <filesystem>
@@ -15,22 +15,22 @@
 
 namespace ballbar {
 
-// One of the two.
+// Either a session or a series.
 struct DriftData {
   std::optional<SessionFiles> session;
   std::shared_ptr<const Series> series;
-  std::vector<std::filesystem::path> files;  // all that were read
-  std::vector<std::string> remarks;          // what a log was taken for, whole lines; none of a ballbar series
+  std::vector<std::filesystem::path> files;  // all files that were read
+  std::vector<std::string> remarks;          // whole lines: how a log was interpreted; empty for a ballbar series
 };
 
-// What `open_series` says besides.
+// A series with the remarks of its reader.
 struct OpenedSeries {
   std::shared_ptr<const Series> series;
   std::vector<std::string> remarks;
 };
 OpenedSeries opened_series(const Source& source, std::span<const Reader> readers = known_readers());
 
-// Throws Error with what was found where the file is neither.
+// Throws Error, with what was found, if the file is neither.
 DriftData open_drift_data(const Source& source, std::span<const Reader> readers = known_readers());
 
 Series open_series(const Source& source, std::span<const Reader> readers = known_readers());

@@ -1,4 +1,4 @@
-// The runs of one machine, a file that lists them, such as `machine.toml`.
+// A file that lists the runs of one machine, such as `machine.toml`.
 //
 //   format = "ballbar-runs 1"
 //   title = "spindle 2"
@@ -22,7 +22,7 @@ namespace ballbar {
 
 struct RunOfMachine {
   std::string file;               // a series or a session, inside the folder of the list
-  std::optional<RunStart> start;  // nothing: told by the clocks and the first speed
+  std::optional<RunStart> start;  // nullopt: derived from the clocks and the first speed
 };
 
 struct RunsOfMachine {
@@ -30,7 +30,7 @@ struct RunsOfMachine {
   std::vector<RunOfMachine> runs;  // at least one, at most 1000
 };
 
-// `name` stands in messages. Throws Error with name:line:column.
+// `name` is used in messages. Throws Error with name:line:column.
 RunsOfMachine read_run_list(std::string_view bytes, std::string_view name);
 
 // Whether the file is such a list.
