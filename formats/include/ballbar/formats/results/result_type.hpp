@@ -1,5 +1,5 @@
-// Results described once. A type of result lists its fields: the name with its unit, where the value is had from, and a
-// line of meaning. Its JSON follows from that list, and so does its schema, of which the types of TypeScript and the
+// Describes each type of result once. A type lists its fields: the name with its unit, the source of the value, and one
+// line of meaning. The JSON is made from this list, and so is the schema, from which the types of TypeScript and the
 // tables of READMEs are written (schema.hpp).
 #pragma once
 
@@ -29,35 +29,35 @@ struct Field {
 template <class Get>
 Field(std::string_view, Get, std::string_view) -> Field<Get>;
 
-// Value of a field that a result may lack; a std::optional without value is there, and null.
+// A field that a result may lack. A std::optional without value is present as null instead.
 template <class Value>
 struct MayLack {
   std::optional<Value> value;
 };
 
-// Values by a text, in their order.
+// Values by name, in order.
 template <class Value>
 using TableOf = std::vector<std::pair<std::string, Value>>;
 
-// Value of a field whose name ends in the unit that it is had in: "rmse" of um is `rmse_um`; of no unit `rmse`.
+// A field whose name ends in the unit of its value: "rmse" in um becomes `rmse_um`; without a unit `rmse`.
 template <class Value>
 struct OfUnit {
   Value value;
   std::string unit;
 };
 
-// Values that are keys of the result itself, by names that are known once it is made.
+// Values that become keys of the result itself, by names that are only known at run time.
 template <class Value>
 struct KeysOf {
   TableOf<Value> values;
 };
 
-// A long column of numbers, seven digits of each: what a picture and its numbers need of a reading, at half the size.
+// A long column of numbers with seven digits each: enough for pictures, at half the size.
 struct Bulk {
   std::vector<double> values;
 };
 
-// Numbers that are known whatever the data are: never null.
+// Numbers that are always known, never null.
 template <class Value>
 struct Known {
   Value value;
@@ -73,8 +73,8 @@ constexpr auto known(MayLack<Value> Type::*member) {
   };
 }
 
-// Of each type of result: `name`, as TypeScript and Python have it, `meaning`, and `fields`, a tuple of Field, in the
-// order of the JSON. A type that has another's fields joins them by std::tuple_cat and fields_through().
+// Specialised for each type of result: `name` for TypeScript and Python, `meaning`, and `fields`, a tuple of Field in
+// the order of the JSON. A type includes the fields of another by std::tuple_cat and fields_through().
 template <class Type>
 struct ResultType;
 
@@ -104,7 +104,7 @@ concept Named = std::is_enum_v<Type> && requires(Type value) {
 template <Described Type>
 nlohmann::ordered_json json_of(const Type& result);
 
-// A number that is not finite is null, which JSON has no number for.
+// A number that is not finite becomes null, because JSON has no such numbers.
 inline nlohmann::ordered_json json_value(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
@@ -166,7 +166,7 @@ nlohmann::ordered_json json_value(const std::vector<Type>& values) {
   return json;
 }
 
-// `json` with the field, where the result has it.
+// Adds the field to `json` if the result has it.
 template <class Value>
 void add_value(nlohmann::ordered_json& json, std::string_view name, const Value& value) {
   json[std::string(name)] = json_value(value);

@@ -1,4 +1,4 @@
-// What types of results hold, for whoever reads their JSON in another language.
+// The schema of the types of results, for readers of their JSON in other languages.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 namespace ballbar {
 
 enum class ValueKind {
-  number,  // or null, where it is not known
+  number,  // or null if not known
   known,   // a number
   whole,   // a whole number
   truth,   // true or false
@@ -34,7 +34,7 @@ enum class KeyKind {
   always,
   may_lack,
   with_unit,  // NAME_UNIT
-  made,       // known once the result is made
+  made,       // known at run time
 };
 
 struct FieldSchema {
@@ -49,11 +49,11 @@ struct ResultSchema {
   const void* of = nullptr;  // the list of fields
 };
 
-// Adds the type, and behind it those that its fields mention, each once. Throws Error where two have one name.
+// Adds the type, and after it the types of its fields, each once. Throws Error if two types have the same name.
 template <Described Type>
 void add_schema(std::vector<ResultSchema>& all);
 
-// The type of a value, with the types that it mentions.
+// The type of a value; adds the types that it refers to.
 template <class Value>
 struct SchemaOf {
   static ValueSchema of(std::vector<ResultSchema>& all) {
@@ -154,13 +154,13 @@ void add_schema(std::vector<ResultSchema>& all) {
   all[place].fields = std::move(fields);
 }
 
-// "rmse_um"; "rmse_UNIT" where the unit is known once the result is made.
+// "rmse_um"; "rmse_UNIT" if the unit is only known at run time.
 std::string key_text(const FieldSchema& field);
 
 // "export interface Misfit { ... }", one after the other.
 std::string typescript_of(const std::vector<ResultSchema>& schemas);
 
-// A class of Python for what a function answers: the keys of the results that it may be.
+// A Python class for the return value of a function, with the keys of the results that it may be.
 struct PythonClass {
   std::string name, function;
   std::vector<std::string> results;  // names of schemas, the usual one first

@@ -1,4 +1,4 @@
-// Session `session.toml`: which files belong to which test of a warm-up series; or a folder of `.b5r`.
+// Session `session.toml`: the files of each test of a warm-up series; or a folder of `.b5r` files.
 #pragma once
 
 #include <cstddef>
@@ -15,21 +15,21 @@
 
 namespace ballbar {
 
-// Where along the five-probe bar the ballbar's ball was, from plane 1 towards plane 2: ball_from_plane_1_mm and
+// Position of the ballbar's ball along the five-probe bar, from plane 1 towards plane 2: ball_from_plane_1_mm and
 // ball_sigma_mm under [five_probe].
 struct BallPlace {
   std::optional<double> from_plane_1_mm;
   std::optional<double> sigma_mm;
 };
 
-// The session file as written: paths relative to its folder, nothing opened yet.
+// The content of the session file, with paths relative to its folder. No other file is open yet.
 struct SessionPlan {
   struct Test {
     double elapsed_s = 0.0;
     std::string c_arc, a_arc, rotation, axial, circle;  // empty: not given
     std::optional<double> axial_length_mm;
   };
-  // Which of a test's files stands under which key.
+  // The key of each file of a test.
   struct File {
     std::string_view key;
     std::string Test::*member;
@@ -50,31 +50,30 @@ struct SessionPlan {
   BallPlace ball;               // of [five_probe]
 };
 
-// `name` stands in messages. Throws Error with name:line:column; refuses paths that are absolute or leave the folder.
+// `name` is used in messages. Throws Error with name:line:column, also for absolute paths and paths out of the folder.
 SessionPlan read_session_plan(std::string_view bytes, std::string_view name);
 
 std::string write_session_plan(const SessionPlan& plan);
 
 struct TestFile {
   std::filesystem::path file;
-  std::size_t test = 0;  // of Session::tests
+  std::size_t test = 0;  // index into Session::tests
 };
 
-// Everything the plan names, read. A path may not leave the folder, not through a link either.
+// All data of a session. Paths must stay inside its folder, links included.
 struct SessionFiles {
   Session session;
-  std::vector<Source> signals;  // read as the user says of the session
+  std::vector<Source> signals;  // read with the recipe of the session
   std::optional<Source> five_probe;
   BallPlace ball;
   std::vector<TestFile> recordings;          // in the order of the tests
-  std::vector<std::filesystem::path> files;  // all that make up the session, itself included
-  std::vector<SkippedFile> skipped;          // of a folder without session.toml: files at fault
-  std::vector<std::string> remarks;          // of the same: how its circles were read, whole sentences
+  std::vector<std::filesystem::path> files;  // all files of the session, with the session file
+  std::vector<SkippedFile> skipped;          // folder without session.toml: files that could not be read
+  std::vector<std::string> remarks;          // likewise, whole sentences: how its circles were read
 };
 
-// A session.toml, or a folder: of a session.toml, else of `.b5r` files (each a test at its DATE_STARTED,
-// counted from the first; other files are ignored); or an archive of `.b5r` files. A test with results alone has its
-// stored circles.
+// Opens a session.toml, a folder with one, a folder of `.b5r` files, or an archive of them. Each `.b5r` is a test at
+// its DATE_STARTED, counted from the first; other files are ignored. A test with results only has its stored circles.
 SessionFiles open_session(const Source& source, std::span<const Reader> readers = known_readers());
 
 }  // namespace ballbar

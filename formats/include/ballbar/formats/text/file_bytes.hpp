@@ -1,4 +1,4 @@
-// Whole files in, whole files out. Sizes are bounded, nothing is written half.
+// Reads and writes whole files. Sizes are bounded, and a file is written completely or not at all.
 #pragma once
 
 #include <cstddef>
@@ -45,12 +45,11 @@ std::string read_head(const std::filesystem::path& path, std::size_t most);
 // Writes to a temporary file beside `path` and renames it. Throws Error; then `path` is as it was.
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 
-// The same for a state that must outlive a failure of power: on the disk when this returns. Takes milliseconds.
-// Throws Error; then `path` is as it was, or written and perhaps not yet on the disk.
+// The same for a state that must survive a power failure: it is on disk when this returns. Takes milliseconds.
+// After an Error `path` is unchanged, or written but perhaps not yet on disk.
 void write_bytes_durably(const std::filesystem::path& path, std::string_view bytes);
 
-// The same as write_bytes for a library that writes a file itself: `write` is called with the name of the temporary
-// file, which exists and is empty.
+// As write_bytes() for a library that writes files itself: `write` is called with the name of an empty temporary file.
 void write_through(const std::filesystem::path& path,
                    const std::function<void(const std::filesystem::path& temporary)>& write);
 

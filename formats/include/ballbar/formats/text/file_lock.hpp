@@ -1,5 +1,4 @@
-// A file that one program holds at a time. It is let go of when the program ends, however that comes about; the file,
-// which is empty, stays.
+// A lock file, held by one program at a time. The lock ends with the program, even after a crash; the empty file stays.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +9,7 @@ namespace ballbar {
 
 class FileLock {
  public:
-  // Makes the file where there is none. Nothing: another holds it. Throws Error where it can be neither made nor
+  // Creates the file if needed. Returns nullopt if another program holds it. Throws Error if it cannot be created or
   // locked.
   static std::optional<FileLock> of(const std::filesystem::path& path);
 

@@ -10,7 +10,7 @@ namespace ballbar {
 
 struct Key {
   std::string_view name;
-  std::string_view holds;  // a unit, or what else stands there: "text", "true or false", "table"
+  std::string_view holds;  // a unit, or the type: "text", "true or false", "table"
   std::string_view meaning;
 };
 

@@ -1,4 +1,4 @@
-// What a user knows of a log (log.hpp) that its file does not tell.
+// What a user states about a log (log.hpp) in addition to its file.
 #pragma once
 
 #include <optional>
@@ -9,33 +9,33 @@
 
 namespace ballbar {
 
-// What a user knows of one column of the log.
+// What a user states about one column of the log.
 struct ColumnRecipe {
-  std::string source;  // its header, with or without the unit; "T*": all columns like this that state no unit, no role
-  std::string name;    // in the series; empty: made from the header
-  std::string unit;    // as written in the log, or a scale: "2.5um" a unit; empty: found out
-  std::optional<Role> role;  // empty: found out
+  std::string source;        // its header, with or without unit; "T*": all matching columns without unit and role
+  std::string name;          // in the series; empty: derived from the header
+  std::string unit;          // as written in the log, or a scale: "2.5um"; empty: detected
+  std::optional<Role> role;  // nullopt: detected
   bool left_out = false;
 
   bool operator==(const ColumnRecipe&) const = default;
 };
 
-// What a user knows of a log; all that is empty is found out. `ballbar import --save` keeps one for the next log.
+// What a user states about a log. Empty members are detected. `ballbar import --save` stores one for the next log.
 struct LogRecipe {
-  std::string file;                  // that it was read from; empty: none
-  std::vector<std::string> words;    // of a command line that state it
-  std::string sheet;                 // of a workbook; empty: the first that holds a table
+  std::string file;                  // the recipe file; empty: none
+  std::vector<std::string> words;    // the words of the command line that state it
+  std::string sheet;                 // of a workbook; empty: the first one with a table
   std::optional<char> delimiter;     // ' ': runs of blanks
   std::optional<char> decimal;       // ',' or '.'
   std::optional<bool> month_first;   // 03/04/2026 is the fourth of March
-  std::string time;                  // header of the column of time; "none": rows are numbered
-  std::string time_unit;             // "s", "ms", "min", "h", "d" of a time that is a number
-  std::optional<double> every_s;     // no column of time: rows so far apart
-  std::vector<std::string> missing;  // cells that hold no value, besides the usual ones
-  bool may_lack_columns = false;     // columns below that a file has not are passed over
-  bool skip_bad_rows = false;        // however many; without it two and one in a hundred
-  bool burst_means = false;          // rows that come in bursts: one row a burst, the mean of its rows
-  std::vector<std::string> join;     // files whose columns stand beside these, row by row; of no recipe file
+  std::string time;                  // header of the time column; "none": rows are numbered
+  std::string time_unit;             // for numeric times: "s", "ms", "min", "h", "d"
+  std::optional<double> every_s;     // interval of the rows without a time column
+  std::vector<std::string> missing;  // further texts that mean a missing value
+  bool may_lack_columns = false;     // ignore columns below that the file lacks
+  bool skip_bad_rows = false;        // any number of them; false: two plus one in a hundred
+  bool burst_means = false;          // replace each burst of rows by its mean
+  std::vector<std::string> join;     // files with further columns, row by row; not part of a recipe file
   std::vector<ColumnRecipe> columns;
 
   bool operator==(const LogRecipe&) const = default;

@@ -1,4 +1,4 @@
-// Folders that are written whole or not at all.
+// Writes folders completely or not at all.
 #pragma once
 
 #include <filesystem>
@@ -8,17 +8,17 @@
 
 namespace ballbar {
 
-// Throws Error where `folder` is a file or a folder that holds anything.
+// Throws Error if `folder` is a file or a folder that is not empty.
 void expect_new_folder(const std::filesystem::path& folder);
 
-// A new folder beside `folder` that nobody else has, to be filled and renamed. Throws Error.
+// Creates a new, uniquely named folder next to `folder`, to be filled and renamed. Throws Error.
 std::filesystem::path new_folder_beside(const std::filesystem::path& folder);
 
-// Without the slash that may end it, and absolute, so that another can stand beside it. Throws Error where it is empty.
+// The absolute path without a final slash, so that a sibling can be created. Throws Error for an empty path.
 std::filesystem::path folder_to_write(const std::filesystem::path& folder);
 
-// Writes files, name and bytes, to a new or an empty folder; its parents are made too. Throws Error; then there is no
-// such folder, or it is as empty as it was.
+// Writes files (name and bytes) to a new or an empty folder, and creates its parents. After an Error the folder does
+// not exist, or is empty as before.
 void write_folder(const std::filesystem::path& folder, const std::vector<std::pair<std::string, std::string>>& files);
 
 }  // namespace ballbar
