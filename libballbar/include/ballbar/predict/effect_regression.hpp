@@ -1,25 +1,25 @@
-// A model that predicts without naming causes: every effect of the catalogue that can, on every column that it accepts,
-// at a few shapes each, in one ridge regression beside a discrepancy that remembers.
+// A regression that predicts without naming causes: all suitable effects of the catalogue, on every accepted column and
+// at a few shapes each, in one ridge regression with a correlated discrepancy.
 //
 //   y = b + sum_k g_k x_k + e,   e ~ N(0, s^2 (0.98 exp(-|dt| / l) + 0.02))
 //
-// Which effects (sources of heat, temperatures, feedback of a source, differences of temperatures, and of several runs
-// the temperatures that they start from), how far gains are held near 0, and l in {0, 1800, 7200, 30 000 s} are those
-// of the largest restricted likelihood of every k-th training row, at most 830; of five or more runs those that predict
-// a run best from the others (ridge.hpp). Gains are no physical constants: temperatures that move together share them.
+// Three choices maximise the restricted likelihood of every k-th training row, at most 830, or with five or more runs
+// minimise the error of left-out runs (ridge.hpp): the dictionary of effects (sources of heat, temperatures, feedback
+// of a source, differences of temperatures, and with several runs their start temperatures), the ridge penalty, and l
+// in {0, 1800, 7200, 30 000 s}. The gains are not physical constants, because correlated temperatures share them.
 //
-// Effects that are known to act, those of a model, join the regression: their gains are no longer held near 0 with the
-// others. They stay where forecasts, or of five or more runs those left out, are better with them than without.
+// Known effects, those of a given model, join the regression with gains that are not penalised. They are kept if the
+// forecasts, or with five or more runs the predictions of left-out runs, are better with them.
 //
-// A regression of other machines is a start: with its gains g0, their covariance C0 and its s0 the gains are
+// A regression of other machines can be a start. With its gains g0, their covariance C0 and its s0 the prior is
 //
 //   g ~ N(g0, C0 + s^2 v (P + C0 / s0^2))
 //
-// where v, how far machines are apart, is that of the largest likelihood of the new rows: a hierarchy of two levels
-// (Gelman and others 2013, Bayesian Data Analysis, chapter 5). 0: the machines are alike.
+// where v, the variation between machines, maximises the likelihood of the new rows: a two-level hierarchical model
+// (Gelman and others 2013, Bayesian Data Analysis, chapter 5). v = 0: the machines are equal.
 //
-// How far it can be relied on is tested by forecasts, the whole procedure done again on earlier rows alone; a record
-// that ends in a drift which none of its columns drives shows there that to hold the last value is as good.
+// The accuracy is tested by forecasts, for which the whole procedure is repeated on earlier rows only. If a record ends
+// in a drift that no column drives, these forecasts show that holding the last value is as good.
 //
 // Accuracy: measured record of a spindle over 28 h (sample-runs/spindle-46h), forecasts up to 8 h from three origins:
 // mean absolute error 1.0, 1.2, 2.1, 1.8, 1.8 um of its five channels, 94 % within the interval of 95 %.
@@ -47,9 +47,9 @@
 
 namespace ballbar {
 
-// Forecasts of rows that the training did not have, on all of which these are means.
+// Errors of forecasts of rows outside the training data, averaged over all these rows.
 struct Forecasts {
-  std::size_t count = 0;  // of origins, or of runs left out
+  std::size_t count = 0;  // number of origins, or of left-out runs
   double error_um = 0.0;  // mean absolute
   double rmse_um = 0.0;
   double held_um =
@@ -60,7 +60,7 @@ struct Forecasts {
 struct DriverStability {
   DriverShare share;
   double low_um = 0.0, high_um = 0.0;
-  bool stable = false, flips = false;  // flips: its sign, where it makes more than a twentieth of the range
+  bool stable = false, flips = false;  // flips: the sign changes, with more than a twentieth of the range
 };
 
 struct CancellingColumns {
@@ -68,17 +68,16 @@ struct CancellingColumns {
   double first_um = 0.0, second_um = 0.0, sum_um = 0.0;  // ranges
 };
 
-// What may be said of the columns, and what not.
+// How far the contributions of the columns can be interpreted.
 //
-//   low, high        of a share over refits, each without one cycle of speed or one run
-//   stable           the same sign in all of them, and the largest at most three times the smallest
+//   low, high        range of a share over refits, each without one cycle of speed or one run
+//   stable           the same sign in all refits, and the largest at most three times the smallest
 //   not needed       ln L (ridge.hpp) falls by less than 1 without the column
-//   interchangeable  columns that are not needed and go together, |correlation| at least 0.98: any of them will do
-//   cancelling       two columns whose contributions go against each other, correlation below -0.9, each more than
-//   twice
-//                    as far as their sum: neither may be read by itself
+//   interchangeable  columns that are not needed and have |correlation| of at least 0.98: any one of them is enough
+//   cancelling       two columns with opposite contributions (correlation below -0.9), each with more than twice the
+//                    range of their sum: they cannot be interpreted separately
 struct DriverReport {
-  double range_um = 0.0;  // of what is predicted on the training rows
+  double range_um = 0.0;  // of the prediction on the training rows
   std::size_t refits = 0;
   std::vector<DriverStability> drivers;  // the largest share first
   std::vector<std::string> not_needed;
@@ -87,60 +86,59 @@ struct DriverReport {
 };
 
 struct EffectRegression {
-  Model model;  // one target, constant and all parameters held; `trained` of every column
-  // Of each term for a gain of 1, over the training rows.
+  Model model;  // one target, constant and all parameters held, `trained` for every column
+  // Mean and standard deviation of each term for a gain of 1, over the training rows.
   Eigen::VectorXd mean_um, sd_um;
-  std::size_t named = 0;                // of its last terms: effects of a model that was given
-  std::vector<std::string> dictionary;  // kinds of effects, as printed: "sources", "temperatures" ...
+  std::size_t named = 0;                // number of its last terms that come from a given model
+  std::vector<std::string> dictionary;  // kinds of effects as printed: "sources", "temperatures" ...
   double prior_variance = 0.0;          // v, of a family's scaled gains over s^2
   double sigma_um = 0.0;                // s
   double length_s = 0.0;                // l; 0: no memory
   Eigen::MatrixXd factor_um;       // lower, m + 2: its square is the covariance of the constant at the means, of the
                                    // scaled gains, and of the discrepancy at the end
   double interval_scale = 1.0;     // of the interval, from the forecasts; at least 1
-  std::size_t rows = 0, runs = 0;  // trained on
-  double rmse_um = 0.0;            // of them, without the discrepancy
-  std::optional<Forecasts> forecasts;  // none: too few rows before and after an origin
-  std::vector<Role> roles;             // of model.trained, as the data state them
-  std::vector<std::string> left_out;   // columns with gaps or that stand still
+  std::size_t rows = 0, runs = 0;  // number of training rows and runs
+  double rmse_um = 0.0;            // on the training rows, without the discrepancy
+  std::optional<Forecasts> forecasts;  // nullopt: too few rows before and after an origin
+  std::vector<Role> roles;             // roles of the columns in model.trained
+  std::vector<std::string> left_out;   // columns with gaps and constant columns
 
-  // Where training ended: a record that goes on from there is predicted as one.
+  // The state at the end of training. A record that continues from there is predicted as one.
   double end_s = 0.0;
   double end_step_s = 0.0;  // median of its rows
   double end_discrepancy_um = 0.0;
   LiveModel::State end;
 };
 
-// What the effects of a model add beside all others, and whether they help.
+// The contribution of the effects of a given model, and whether they improve the prediction.
 struct NamedEffect {
   std::string label;
-  double share_um = 0.0, sigma_um = 0.0;  // as a driver's share; sigma: of its gain alone
+  double share_um = 0.0, sigma_um = 0.0;  // as in DriverShare; sigma: from its gain alone
 };
 struct NamedEffects {
   std::vector<NamedEffect> effects;  // empty: left out
-  double rest_um = 0.0;              // share of all others
-  // RMSE of forecasts with them and without; one is not known where the likelihood had chosen, or of five or more runs
-  // those left out.
+  double rest_um = 0.0;              // share of all other effects
+  // RMSE of forecasts with and without them; nullopt where the choice was made by the likelihood or by left-out runs.
   std::optional<double> with_um, without_um;
 };
 
-// A regression that another one started from.
+// The use of another regression as a start.
 struct Start {
-  bool used = false;      // false: forecasts are better without it
-  double own_um = 0.0;    // share of what is predicted that departs from it
-  double start_um = 0.0;  // and that is its own
-  // Of the variance that it leaves open, what the new rows do not settle either; 0 to 1. That much is borrowed.
+  bool used = false;      // false: not used, because forecasts are better without it
+  double own_um = 0.0;    // share of the prediction that differs from the start
+  double start_um = 0.0;  // share of the prediction that comes from the start
+  // Share, 0 to 1, of the variance of the start that the new rows do not reduce: the borrowed part.
   double borrowed = 0.0;
-  // RMSE of forecasts with it and of these rows alone; not known without forecasts, or of five or more runs.
+  // RMSE of forecasts with the start and without it; nullopt without forecasts, or with five or more runs.
   std::optional<double> adapted_um, alone_um;
 };
 
 struct EffectRegressionOptions {
-  std::function<void(const std::string& what)> progress = {};  // told before each longer part
-  bool few = false;  // a few effects, of nine selections the mean, in place of the whole dictionary
-  // Its effects are among those of the regression, their gains free, where that predicts better than without them.
+  std::function<void(const std::string& what)> progress = {};  // called before each longer step
+  bool few = false;  // the mean of nine small selections of effects instead of the whole dictionary
+  // A model whose effects join the regression with free gains, if that improves the prediction.
   std::optional<Model> named = std::nullopt;
-  // Of other machines: its gains, with their covariance and a spread, are where the gains of this one start.
+  // A regression of other machines: its gains, covariance and spread are the prior of the gains.
   const EffectRegression* start = nullptr;
   bool forecasts = true, report = true;
 };
@@ -148,13 +146,13 @@ struct EffectRegressionOptions {
 struct TrainedRegression {
   EffectRegression regression;
   DriverReport drivers;
-  std::optional<HeldOutErrors> left_out;  // the runs, of five or more
+  std::optional<HeldOutErrors> left_out;  // of left-out runs; only with five or more runs
   NamedEffects named;
   std::optional<Start> start;
 };
 
-// From records that each begin with a machine as it then is. Throws Error: no such target, fewer than 40 values, a
-// column of the first that another lacks, no column to train on.
+// Trains on runs, each of which starts from its own thermal state. Throws Error: no such target, fewer than 40 values,
+// a column of the first run that another one lacks, no usable column.
 TrainedRegression trained_regression(std::span<const Series> runs, const std::string& target,
                                      const EffectRegressionOptions& options = {},
                                      const Catalogue& catalogue = built_in_catalogue());
@@ -164,38 +162,38 @@ EffectRegression effect_regression(std::span<const Series> runs, const std::stri
                                    const EffectRegressionOptions& options = {},
                                    const Catalogue& catalogue = built_in_catalogue());
 
-// The effects that may be its terms: of the catalogue those with one gain that read a column, and that of a run's
-// start, which no catalogue has.
+// The effects that a regression may use: those of the catalogue with one gain and an input, and the effect of the start
+// of a run, which is not in the catalogue.
 Catalogue predictor_effects(const Catalogue& catalogue = built_in_catalogue());
 
-// As the terms of its model are: every parameter held at its value, of which there is one each.
+// A term with every parameter held at its value, as in the model of a regression. One value per parameter.
 Term held_term(std::shared_ptr<const Effect> effect, std::vector<std::string> columns,
                const std::vector<double>& parameters);
 
 // "speeds and temperatures"
 std::string dictionary_text(const EffectRegression& regression);
 
-// Row by row, as signals arrive.
+// Predicts row by row, as signals arrive.
 class LivePrediction {
  public:
   explicit LivePrediction(const EffectRegression& regression);  // which must outlive it
 
   struct At {
     double predicted_um = 0.0;
-    double half_width_um = 0.0;  // of a 95 % interval: gains, discrepancy and noise
-    bool outside = false;        // a column leaves its trained range by more than a tenth of it
+    double half_width_um = 0.0;  // of the 95 % interval from gains, discrepancy and noise
+    bool outside = false;        // a column is outside its trained range by more than a tenth of that range
   };
 
   std::span<const std::string> columns() const { return live_.columns(); }
 
-  // As LiveModel::next; takes no memory. NaN where the row gives no finite value.
+  // As LiveModel::next(). Allocates no memory. NaN if the row gives no finite value.
   At next(double time_s, std::span<const double> values);
 
-  // Columns that contributions are counted for: the first of each term, each once.
+  // The columns to which contributions are assigned: the first column of each term, each once.
   std::span<const std::string> drivers() const { return drivers_; }
   std::span<const Eigen::Index> driver_of_term() const { return driver_of_; }
 
-  // n rows of a series: their times, n values of each of columns(), and what they give.
+  // n rows of a series: times, n values of each of columns(), and the places of the results.
   struct Rows {
     std::span<const double> time_s;
     std::vector<std::span<const double>> values;
@@ -203,20 +201,20 @@ class LivePrediction {
     Eigen::Ref<Eigen::MatrixXd> drivers_um;  // n by drivers(), to which contributions are added
   };
 
-  // Many rows at once, shared out among the cores: each as if it came alone, to the last bit. False, and nothing has
-  // changed, where a row may give no finite value: then they are to come one by one.
+  // Many rows at once, on all cores, with the same results bit by bit. Returns false and changes nothing if a result
+  // may not be finite; pass the rows one by one then.
   bool next(const Rows& rows);
 
-  // The next row goes on from the end of training.
+  // Continues with the next row from the end of training.
   void go_on();
-  // The next row is the first of the last training run, which goes on after its end.
+  // Starts again with the first row of the last training run.
   void begin_training_again();
-  // The state of an earlier prediction; `since_end`: it went on from training.
+  // Restores the state of an earlier prediction. `since_end`: it continued from the end of training.
   void resume(const LiveModel::State& state, bool since_end);
   const LiveModel::State& state() const { return live_.state(); }
   bool goes_on() const { return goes_on_; }
 
-  // Of the last row that came alone, in the order of the model's terms.
+  // Contributions to the last row that was passed by itself, in the order of the terms.
   std::span<const double> contributions_um() const { return contributions_um_; }
   double discrepancy_um() const { return discrepancy_um_; }
 
@@ -237,9 +235,9 @@ class LivePrediction {
   bool goes_on_ = false;
 };
 
-// from: where an earlier prediction stood, all rows after it; without it the series begins a run, or goes on from the
-// training where its times say so. Throws Error where a column is missing (with the nearest), or where `from` is of
-// another model.
+// from: the state of an earlier prediction, before all rows of the series. Without it the series begins a run, or
+// continues from training if its times say so. Throws Error for a missing column (with the nearest name), or if `from`
+// is of another model.
 RegressionPrediction predict(const EffectRegression& regression, const Series& series,
                              const std::optional<PredictionState>& from = std::nullopt);
 

@@ -1,5 +1,5 @@
-// Whether what no effect is named for can be predicted all the same: the forecasts of a regression on every effect
-// (effect_regression.hpp) beside those of the model as it is, of the same rows.
+// Whether an unexplained part can be predicted although no effect is named: compares the forecasts of a regression on
+// all effects (effect_regression.hpp) with those of the model, on the same rows.
 #pragma once
 
 #include <functional>
@@ -13,19 +13,19 @@
 namespace ballbar {
 
 struct Predictability {
-  Forecasts forecasts;      // of the regression: those of a later stretch of one run, or of runs left out
-  double model_um = 0.0;    // RMSE of the model, fitted to the same earlier rows, or to the other runs
-  bool with_model = false;  // the regression was offered the effects of the model
-  bool is_better = false;   // than the model, than the last value held, and than a random walk comes by chance
+  Forecasts forecasts;      // of the regression: later rows of one run, or left-out runs
+  double model_um = 0.0;    // RMSE of the model, fitted to the earlier rows or the other runs
+  bool with_model = false;  // the effects of the model were available to the regression
+  bool is_better = false;   // better than the model, than the last value, and than a random walk by chance
 };
 
-// Of the model's first target, as `train` does it. Nothing where no regression can be made or tested: too few rows, no
-// column that moves. Throws Error as fit.
+// For the first target of the model, as `train` does it. Returns nullopt if no regression can be trained or tested: too
+// few rows, or only constant columns. Throws Error as fit() does.
 std::optional<Predictability> predictability(const Model& model, const Series& data,
                                              const std::function<void(const std::string& what)>& progress = {},
                                              const Catalogue& catalogue = built_in_catalogue());
 
-// Of forecasts alone: better than where the last value is held, and than a random walk comes by chance.
+// Whether the forecasts are better than holding the last value, and than a random walk by chance.
 bool is_predicted(const EffectRegression& regression);
 
 }  // namespace ballbar

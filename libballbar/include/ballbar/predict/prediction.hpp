@@ -1,4 +1,4 @@
-// What a regression predicts for a series, where that leaves what was trained, and what is left of the measured.
+// The prediction of a regression for a series, the places outside the trained range, and the prediction error.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,33 +14,33 @@
 
 namespace ballbar {
 
-// A column, its rise, or a component of the temperatures that leaves its trained range.
+// A column, its rise, or a component of the temperatures outside its trained range.
 struct OutsideRange {
   std::string what;                           // "T_front_degC", "T_front_degC rise", "component 2"
-  double value = 0.0, low = 0.0, high = 0.0;  // the farthest; in training
+  double value = 0.0, low = 0.0, high = 0.0;  // the most extreme value; range in training
   double time_s = 0.0;                        // first time outside
   std::size_t rows = 0;
 };
 
-// By a tenth of its span at either end: what is still taken for inside.
+// The range widened by a tenth of its span at either end. Values within count as inside.
 ColumnRange with_margin(const ColumnRange& range);
 
-// Nothing where no row is beyond with_margin. NaN is not.
+// Returns nullopt if no row is outside with_margin(). NaN does not count as outside.
 std::optional<OutsideRange> outside_of(const ColumnRange& range, std::span<const double> values,
                                        std::span<const double> time_s);
 
-// How much of what is predicted goes with a column: shares of the range of the prediction, which add up to it; the
-// share of x is range cov(x, y) / var(y). A term with several columns counts for its first.
+// The share of a column in the prediction. Shares add up to the range of the prediction; the share of x is range
+// cov(x, y) / var(y). A term with several columns counts for its first column.
 struct DriverShare {
   std::string column;
   Role role = Role::structure;
   double share_um = 0.0;
 };
 
-// Where a prediction by effects stands, so that later rows go on from there.
+// The state of a prediction by effects, so that later rows can continue it.
 struct PredictionState {
   LiveModel::State live;
-  bool since_end = false;  // it went on from the end of training
+  bool since_end = false;  // it continued from the end of training
 };
 
 struct RegressionPrediction {
@@ -48,22 +48,22 @@ struct RegressionPrediction {
   std::vector<double> half_width_um;  // of a 95 % interval
   std::vector<OutsideRange> outside;
 
-  // By temperatures. The half width grows with T2 as the mean of a regression does, and where Q is beyond training by
-  // all that the model makes of the rest.
-  std::vector<double> T2_of_largest, Q_of_largest;  // each over the largest in training: above 1 is outside
-  // Sensors of which one looks broken: with the reading that the others suggest for it nearly every odd row is
-  // ordinary. More than one where the others do not tell which.
+  // Regression on temperatures. The half width grows with T2 like the variance of the regression, and if Q exceeds
+  // training by the full contribution of the unexplained part of the inputs.
+  std::vector<double> T2_of_largest, Q_of_largest;  // divided by the largest in training; above 1 is outside
+  // Sensors of which one seems broken: replacing its reading by the value expected from the others makes nearly all odd
+  // rows ordinary. Several sensors if the others do not show which one it is.
   std::vector<std::string> broken;
 
-  // By effects. The half width is that of gains, discrepancy and noise.
-  Eigen::MatrixXd drivers_um;        // n by drivers, what each adds
+  // Regression on effects. The half width comes from gains, discrepancy and noise.
+  Eigen::MatrixXd drivers_um;        // n by drivers: contribution of each
   std::vector<DriverShare> drivers;  // the largest first
-  bool goes_on = false;              // the series goes on from the end of training, or from an earlier prediction
-  bool holds = false;                // it holds the training rows: it goes on in itself
+  bool goes_on = false;              // the series continues training or an earlier prediction
+  bool holds = false;                // the series contains the training rows
   PredictionState end;               // after the last row
 };
 
-// Measured less predicted.
+// The error of a prediction: measured minus predicted.
 struct PredictionError {
   std::size_t rows = 0;
   double mean_um = 0.0;  // of the absolute error
@@ -71,15 +71,16 @@ struct PredictionError {
   double within_share = 0.0;  // within the 95 % interval: 0 to 1
 };
 
-// measured_um: one a row of the prediction, NaN where it was not; of rows from `first` on. Nothing where no row was.
+// measured_um: one value per row of the prediction, NaN: not measured. Uses the rows from `first` on. Returns nullopt
+// if none of them was measured.
 std::optional<PredictionError> error_of(const RegressionPrediction& prediction, std::span<const double> measured_um,
                                         std::size_t first = 0);
 
-// Rows where a regression on temperatures extrapolates.
+// Numbers of rows in which a regression on temperatures extrapolates.
 struct Extrapolation {
-  std::size_t far = 0;   // farther out than any in training (Hotelling T2)
-  std::size_t odd = 0;   // unlike all in training (Q)
-  bool matters = false;  // of either more than 2 rows and than 2 %: the limits are single rows, a few pass by chance
+  std::size_t far = 0;   // rows farther out than any in training (Hotelling T2)
+  std::size_t odd = 0;   // rows unlike all in training (Q)
+  bool matters = false;  // one of them exceeds 2 rows and 2 %; a few rows pass the limits by chance
 };
 Extrapolation extrapolation_of(const RegressionPrediction& prediction);
 

@@ -44,31 +44,31 @@ struct Regression {
 // Throws Error: more components than inputs, or none.
 Regression regress(const Moments& moments, const RegressionSettings& settings);
 
-// All of a method's settings at one go: the decomposition is done once.
+// The regressions of several settings of one method; the decomposition is done once.
 std::vector<Regression> regress(const Moments& moments, std::span<const RegressionSettings> settings);
 
-// Root mean square error over the rows of the moments: from them, no reading is looked at again.
+// Root mean square error over the rows of the moments, computed without the readings.
 double rmse_um(const Moments& moments, const Regression& regression);
 
-// The fewest components that explain `share` (0 to 1) of the inputs' variance.
+// The smallest number of components that explains `share` (0 to 1) of the variance of the inputs.
 std::size_t components_for(const Moments& moments, double share);
 
-// Settings worth trying: 1 to min(m, 20) components, or 19 penalties from 1e-6 to 1e3 K^2.
+// The settings to try: 1 to min(m, 20) components, or 19 penalties from 1e-6 to 1e3 K^2.
 std::vector<RegressionSettings> settings_of(RegressionMethod method, std::size_t inputs);
 
-// Every batch predicted by a regression to all the others, by their weights: batches by settings, um. Throws Error
-// below 2 batches. O(batches settings m^2) and one decomposition a batch.
+// RMSE in um of each batch, predicted by a weighted regression on all others: a matrix of batches by settings. Throws
+// Error for fewer than 2 batches. O(batches settings m^2), and one decomposition per batch.
 Eigen::MatrixXd held_out_um(std::span<const Batch> batches, std::span<const RegressionSettings> settings,
                             std::span<const double> weights = {});
 
-// Those of settings_of with the least mean square of held_out_um over batches.
+// The settings of settings_of() with the smallest mean square of held_out_um() over the batches.
 RegressionSettings best_settings(std::span<const Batch> batches, RegressionMethod method);
 
-// What the training data span. A row x has the scores z = L_p' (x - mean); then
-//   T2 = sum z_j^2 / d_j  (Hotelling; d_j the variance of z_j),   Q = |x - mean - L_p z|^2  (what no component draws)
+// The range of the training data. A row x has the scores z = L_p' (x - mean); then
+//   T2 = sum z_j^2 / d_j  (Hotelling; d_j the variance of z_j),   Q = |x - mean - L_p z|^2  (outside the components)
 struct TrainedRange {
   Eigen::VectorXd mean_degC;                  // m
-  Eigen::MatrixXd loadings;                   // m by p: what explains 99.9 % of the variance
+  Eigen::MatrixXd loadings;                   // m by p: the components that explain 99.9 % of the variance
   Eigen::VectorXd variance_K2;                // p
   Eigen::VectorXd score_low_K, score_high_K;  // p: over all training rows
   Eigen::VectorXd low_degC, high_degC;        // m: of each input
@@ -76,7 +76,7 @@ struct TrainedRange {
   double largest_Q_K2 = 0.0;
 };
 TrainedRange range_of(const Moments& moments);
-// The same, widened to hold these rows (n by m).
+// The range, widened to include these rows (n by m).
 TrainedRange widened(const TrainedRange& range, const Eigen::MatrixXd& inputs);
 
 struct TrainedBatch {
@@ -84,10 +84,10 @@ struct TrainedBatch {
   std::size_t rows = 0;
   double weight = 1.0;
   double rmse_um = 0.0;
-  double held_out_um = 0.0;  // NaN: not left out
+  double held_out_um = 0.0;  // RMSE when left out; NaN: was not left out
 };
 
-// A regression with what it was trained on, as a model file holds it.
+// A regression with a record of its training, as in a model file.
 struct TemperatureRegression {
   BatchColumns columns;
   RegressionSettings settings;
@@ -95,21 +95,21 @@ struct TemperatureRegression {
   TrainedRange range;
   double rmse_um = 0.0;
   double held_out_rmse_um = 0.0;
-  // 95 % of the errors of batches left out are smaller, if each is normal with its batch's RMSE
+  // 95 % of the errors of left-out batches are smaller, if the errors of each are normal with its RMSE
   double half_width_um = 0.0;
   std::vector<TrainedBatch> batches;
 };
 
-// At least 2 batches of weight above 0. `series_of` reads a batch again (for the trained range); called once for each
-// of them, in order.
+// Needs at least 2 batches with a weight above 0. `series_of` reads a batch again, for the trained range; it is called
+// once for each of them, in order.
 TemperatureRegression temperature_regression(std::span<const Batch> batches, std::span<const double> weights,
                                              const BatchColumns& columns, const RegressionSettings& settings,
                                              const std::function<Series(std::size_t)>& series_of);
 
-// Within it lie 95 % of a mixture of normal distributions about 0, one for each sigma, in the shares of the weights.
+// The half width that contains 95 % of a mixture of normal distributions about 0, one per sigma, with these weights.
 double half_width_95_um(std::span<const double> sigma_um, std::span<const double> weights = {});
 
-// As many batches of one weight: (sum w)^2 / sum w^2 (Kish).
+// The effective number of equally weighted batches: (sum w)^2 / sum w^2 (Kish).
 double effective_batches(std::span<const double> weights);
 
 // Throws Error as inputs_of.
