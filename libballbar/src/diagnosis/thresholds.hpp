@@ -1,6 +1,6 @@
-// Thresholds of a diagnosis that more than one file needs; the others stand in the file that uses them.
+// Thresholds of a diagnosis that several files use; the others are in the file that uses them.
 //
-// d: root of the fall of chi^2. ln: of a likelihood. P, shares: 0 to 1.
+// d: root of the fall of chi^2. ln: natural logarithm of a likelihood. P, shares: 0 to 1.
 #pragma once
 
 #include <array>
@@ -11,33 +11,35 @@
 namespace ballbar {
 
 // Inputs as they were logged.
-inline constexpr double kJumpTime = 0.35;   // sd of when in its sample an input changed, in samples
-inline constexpr double kClockTime = 0.6;   // sd of how late a clock is, in samples
-inline constexpr double kUnknownRow = 1e6;  // variance of a reading that tells nothing, of the others'
+inline constexpr double kJumpTime =
+    0.35;  // standard deviation of the time of an input change within its sample, in samples
+inline constexpr double kClockTime = 0.6;   // standard deviation of the delay of a clock, in samples
+inline constexpr double kUnknownRow = 1e6;  // relative variance of a reading without information
 
-// Detectability: what a signature could show, before any residual is looked at.
-inline constexpr double kFound = 7.0;      // d from which a diagnosis finds an effect
-inline constexpr double kAbsorbed = 0.05;  // share of a signature's square: with less left it is the model's
+// Detectability of an effect before any residual is examined.
+inline constexpr double kFound = 7.0;  // d from which a diagnosis finds an effect
+inline constexpr double kAbsorbed =
+    0.05;  // remaining share of the square of a signature, below which the model absorbs it
 
 // Priors.
-inline constexpr std::size_t kMostEffects = 8;                                         // of a sum of single effects
-inline constexpr std::array<double, 6> kGainSizes{4.0, 8.0, 16.0, 32.0, 64.0, 128.0};  // d of a gain, alike
+inline constexpr std::size_t kMostEffects = 8;  // largest number of single effects
+inline constexpr std::array<double, 6> kGainSizes{4.0, 8.0, 16.0, 32.0, 64.0, 128.0};  // d of a gain, with equal priors
 
 // Tests of a member of a set.
-inline constexpr double kSameGain = 0.01;  // p_same_gain below which gains differ
+inline constexpr double kSameGain = 0.01;  // gains differ if p_same_gain is smaller
 
 // Verdict.
-inline constexpr double kNothing = 0.5;      // P of nothing from which nothing is said
+inline constexpr double kNothing = 0.5;      // P of nothing from which the verdict is `nothing`
 inline constexpr double kSureDriver = 0.9;   // P
-inline constexpr double kDiscrepancy = 0.5;  // P of a slow drift without a cause from which it is said
-inline constexpr double kMinor = 0.05;       // of the RMSE
+inline constexpr double kDiscrepancy = 0.5;  // P of a slow drift without a cause from which it is reported
+inline constexpr double kMinor = 0.05;       // share of the RMSE
 
 // A run that is followed.
-inline constexpr double kFalselyDecided = 0.02;   // of runs in which nothing is hidden, at most; of what is decided
-inline constexpr std::size_t kLooksToDecide = 3;  // in a row that say the same
+inline constexpr double kFalselyDecided = 0.02;   // largest share of false decisions
+inline constexpr std::size_t kLooksToDecide = 3;  // consecutive equal looks for a decision
 
 // The next test.
-inline constexpr double kSureEnough = 0.95;    // P(right) of a test from which no longer one is looked for
-inline constexpr double kSureOfNothing = 0.8;  // P of nothing from which no test is looked for
+inline constexpr double kSureEnough = 0.95;    // P(right) of a test from which no longer test is considered
+inline constexpr double kSureOfNothing = 0.8;  // P of nothing from which no test is planned
 
 }  // namespace ballbar

@@ -1,6 +1,6 @@
-// A model as a straight line about some parameters, with what is not known of the times of its inputs.
+// A model linearised about some parameters, with the uncertainty of the times of its inputs.
 //
-//   y = X a + E e      a free: a constant, gains; e ~ N(0, 1) um: shapes of the model, and when its inputs changed
+//   y = X a + E e      a free: constant and gains; e ~ N(0, 1) um: shapes of the model, and times of input changes
 #pragma once
 
 #include <Eigen/Core>
@@ -14,42 +14,42 @@
 
 namespace ballbar {
 
-// What a column of the line is.
+// The meaning of a column of the linearised model.
 struct BaseColumn {
   enum class Kind { constant, gain, shape, time };
   Kind kind = Kind::constant;
-  std::size_t parameter = 0;  // by its place, of constant, gain and shape
-  double scale = 1.0;         // coefficient 1 changes the parameter by so much
+  std::size_t parameter = 0;  // index of the parameter, for constant, gain and shape
+  double scale = 1.0;         // change of the parameter per unit of the coefficient
   bool is_free() const { return kind == Kind::constant || kind == Kind::gain; }
 };
 
 struct BaseColumns {
-  Eigen::VectorXd y;                // what is held taken off
-  std::vector<BaseColumn> columns;  // of `values`
+  Eigen::VectorXd y;                // without the contribution of held parameters
+  std::vector<BaseColumn> columns;  // one per column of `values`
   Eigen::MatrixXd values;           // n by p
 };
 
-// A shape that a fit is free in moves about by a factor of e (of an exponent by half): its reach, one sigma.
+// The prior sigma ("reach") of a free shape: a factor of e, for an exponent one half.
 double reach_of(const Parameter& parameter, double value);
 
 class BaseModel {
  public:
-  // Refers to all.
+  // Keeps references to its arguments.
   BaseModel(const Model& model, const LoggedInputs& logged, const Eigen::VectorXd& y,
             const std::vector<std::size_t>& rows);
 
   const Model& model() const { return model_; }
   std::size_t parameters() const { return static_cast<std::size_t>(rows_.parameters()); }
 
-  // About these parameters. free: shapes, by their place, that are free though the model holds them; fixed: one that is
-  // held though the model does not, 0: none.
+  // The model linearised about these parameters. free: indices of held shapes to set free. fixed: index of a free
+  // parameter to hold; 0: none.
   BaseColumns at(const std::vector<double>& parameters, const std::vector<std::size_t>& free = {},
                  std::size_t fixed = 0) const;
 
-  // Columns of Kind::time about these parameters: what moving the changes of its inputs by what a log leaves open adds.
+  // Columns of Kind::time about these parameters: the effect of shifting the input changes within their uncertainty.
   Eigen::MatrixXd times_at(const std::vector<double>& parameters) const;
 
-  // The curve of the term of this parameter, um.
+  // The curve in um of the term that has this parameter.
   Eigen::VectorXd term_at(std::size_t parameter, const std::vector<double>& parameters) const;
 
   const Setting& setting(std::size_t parameter) const { return *settings_[parameter]; }

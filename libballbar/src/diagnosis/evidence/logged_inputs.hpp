@@ -1,10 +1,10 @@
-// What the inputs did, as far as a log tells: a log holds, rounds, and is late.
+// Reconstructs the true inputs from a log, because a logger holds, rounds and delays values.
 //
-//   stepped     speed and load: between two rows at which it differs, an input was the old value and then the new one.
-//               Drawn as a step in the middle of the time in which it may have happened, which is one sample of the
-//               logger: the rows for which a value is held, or of a straight line between two samples
-//   continuous  temperatures: of a coarse column (few values, long runs of the same) the smoothest curve that the runs
-//               allow, by a Kalman smoother of an integrated random walk; of one that is held, through the first of
+//   stepped     speed and load: between two rows with different values, the input steps from the old to the new value.
+//               The step is placed in the middle of the possible interval, which is one sample of the logger: the rows
+//               over which a value is held, or the rows of a straight line between two samples
+//   continuous  temperatures: for a coarse column (few values, long runs of equal ones) the smoothest curve within the
+//               runs, by a Kalman smoother of an integrated random walk; for a held column through the first row of
 //               each run
 #pragma once
 
@@ -25,19 +25,19 @@ struct Jump {
 struct LoggedInput {
   std::string column;
   bool is_stepped = false;
-  double sample_s = 0.0;    // of its logger
-  std::vector<Jump> jumps;  // of a continuous one its largest changes, on an unknown way
+  double sample_s = 0.0;    // sampling interval of its logger
+  std::vector<Jump> jumps;  // for a continuous input its largest changes, of unknown shape
 };
 
 struct LoggedInputs {
-  Series series;  // the data, with these inputs drawn anew
+  Series series;  // the data with the reconstructed inputs
   std::vector<LoggedInput> inputs;
 };
 
-// targets: columns that are no inputs. Rows and names stay.
+// targets: columns that are not inputs. Rows and names do not change.
 LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& targets);
 
-// The column with this jump a sample of its width earlier (shift = 1) or later (-1), 0 < |shift| <= 1.
+// The column with this jump moved earlier (shift > 0) or later (shift < 0) by `shift` times its width, |shift| <= 1.
 std::vector<double> with_jump_moved(const std::vector<double>& values, const Jump& jump, bool earlier);
 
 }  // namespace ballbar

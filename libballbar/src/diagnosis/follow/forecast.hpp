@@ -1,4 +1,4 @@
-// Whether a run that is open may be decided yet.
+// Whether an open run may still be decided.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace ballbar {
 
-// From which on a look may name something.
+// The threshold from which a look may name an effect.
 double least_log_bayes_factor();
 
-// Why, at the last look, nothing would be decided by the planned end; empty where it may be.
+// Why, by the last look, nothing will be decided by the planned end; empty: a decision is possible.
 std::string why_it_stays_open(const FollowState& state);
 
 }  // namespace ballbar

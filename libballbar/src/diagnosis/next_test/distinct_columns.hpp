@@ -1,4 +1,4 @@
-// Columns that are one: no test can tell which of them drives something.
+// Equal columns: no test can decide which of them drives an effect.
 #pragma once
 
 #include <string>
@@ -15,16 +15,15 @@ struct Twin {
 };
 
 struct DistinctColumns {
-  Series data;  // without the others
+  Series data;  // without the duplicates
   std::vector<Twin> twins;
 };
 
-// Inputs in one unit of which one is the other, but for a factor and a constant, as far as they are resolved. Those of
-// the model stay.
+// Inputs in one unit that are equal up to a factor and a constant, within their resolution. Inputs of the model stay.
 DistinctColumns distinct_columns_of(const Series& data, const Model& model);
 
-// Effects of the diagnosis of `distinct.data` that are missing by P >= 0.2 and read a column that has a twin: each with
-// the same on the twin.
+// Effects of the diagnosis of `distinct.data` with P >= 0.2 that read a column with a duplicate: each with the same
+// effect on the duplicate.
 std::vector<std::vector<BoundEffect>> inseparable_effects(const Diagnosis& diagnosis, const DistinctColumns& distinct);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// The tests that a shop can do, as schedules, with nothing expected of them yet.
+// The menu of possible tests, as schedules without expected outcomes.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace ballbar {
 
-// Kinds by lengths of 4, 8, 12, 24 h up to most_hours, and that; a reading as often as the data have one, at most 2000.
-// Of a machine whose data have no speed, only what stands beside it: the room, the coolant.
+// Every kind with lengths of 4, 8, 12, 24 h below most_hours, and most_hours itself. Readings are as frequent as in the
+// data, at most 2000. For data without a speed only the room and the coolant change.
 std::vector<ExpectedTest> menu_of(const Series& data, const std::string& target, const TestPlanOptions& options);
 
 }  // namespace ballbar

@@ -1,10 +1,10 @@
-// What a logger would show in a test that nobody has run yet.
+// Simulates the logged inputs of a planned test.
 //
-// Speeds are as scheduled; a load follows the speed as in the data, times what the schedule says. The room goes on as
-// it did: the data's own values from a drawn moment on, forwards and backwards, with the steps that are scheduled.
-// Every other column follows speed, room and coolant as it did (thermal_forecast.hpp), and what that leaves of it in
-// the data goes on in the same way; a column that follows nothing (R2 < 0.5) is its own values alone. All are rounded
-// as logged. Columns that are one in the data stay one.
+// Speeds are as scheduled. A load follows the speed as in the data, times the factor of the schedule. The room
+// continues with the values of the data from a random moment on, forwards and backwards, plus the scheduled steps.
+// Every other column follows speed, room and coolant as in the data (thermal_forecast.hpp), with its residual continued
+// like the room; a column that follows nothing (R2 < 0.5) continues with its own values. All values are rounded as
+// logged. Equal columns stay equal.
 #pragma once
 
 #include <random>
@@ -19,15 +19,15 @@ namespace ballbar {
 
 class PlannedInputs {
  public:
-  // Refers to the data. Of several runs the longest tells how a column wanders.
+  // Keeps a reference to the data. With several runs the longest provides the random variation of a column.
   PlannedInputs(const Series& data, std::string target);
 
-  // All columns of the data but the target's, from time 0, a row each schedule.reading_s.
+  // All columns of the data but those of the target, from time 0, one row per schedule.reading_s.
   Series under(const Schedule& schedule, std::mt19937_64& random) const;
 
  private:
   struct Wandering {
-    std::vector<double> values;  // of the longest run, no gaps
+    std::vector<double> values;  // of the longest run, without gaps
     double resolution = 0.0;
     double mean = 0.0, at_rest = 0.0, turning = 0.0;
   };
@@ -43,7 +43,7 @@ class PlannedInputs {
   double turning_rpm_ = 0.0;
 };
 
-// The first column of speed that is not at rest all the time; nullptr: none.
+// The first speed column that is not always at rest; nullptr: none.
 const Column* first_speed(const Series& data);
 
 }  // namespace ballbar

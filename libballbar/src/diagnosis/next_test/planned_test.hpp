@@ -1,6 +1,6 @@
-// The menu of next_test.hpp: what each test would look like as data.
+// The menu of next_test.hpp, with the data of each test.
 //
-// A test drives the circles of the data again the other way round, at another feed or radius.
+// A test repeats the circles of the data in the other direction, or with another feed or radius.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@ namespace ballbar {
 
 struct PlannedTest {
   std::string name;               // "the other direction"
-  std::string doing;              // "the same circles clockwise": what follows its name and a colon
-  Series inputs;                  // columns of the data but the target's, from time 0
-  std::vector<std::size_t> rows;  // of `inputs`, rising: where a reading is taken
+  std::string doing;              // the text after the name: "the same circles clockwise"
+  Series inputs;                  // columns of the data without the target, from time 0
+  std::vector<std::size_t> rows;  // rising indices of rows of `inputs` with a reading
   double duration_s = 0.0;
-  bool new_set_up = false;  // what depends on time alone starts again; else it goes on
+  bool new_set_up = false;  // effects of time alone start again; false: they continue
 };
 
-// rows: of the trace, rising, with a reading of the target; at least two.
+// rows: rising indices of rows of the trace with a reading of the target; at least two.
 std::vector<PlannedTest> recording_tests(const Series& trace, const std::string& target,
                                          const std::vector<std::size_t>& rows);
 

@@ -1,4 +1,4 @@
-// Tests that nobody has run, simulated on what may be true, each with the diagnosis that would come of it.
+// Simulates planned tests for possible truths and diagnoses the results.
 #pragma once
 
 #include <cstddef>
@@ -18,13 +18,13 @@ namespace ballbar {
 
 class SimulatedTests {
  public:
-  // Refers to data and options. Throws Error for recordings.
+  // Keeps references to data and options. Throws Error for recordings.
   SimulatedTests(const Model& model, const Series& data, std::size_t target, const TestPlanOptions& options);
 
-  // What the data at hand name already.
+  // What the data at hand already name.
   void know(const std::vector<BoundEffect>& named) { named_now_ = named; }
 
-  bool can_draw() const { return truths_.has_value(); }  // the others want it
+  bool can_draw() const { return truths_.has_value(); }  // required by the functions below
   const Posterior& posterior() const { return inference_.posterior; }
   const Truths& truths() const { return *truths_; }
   const PlannedInputs& planned() const { return *planned_; }
@@ -32,12 +32,12 @@ class SimulatedTests {
   // The same truths at each stage of a design.
   std::vector<Truth> drawn(std::size_t count, std::uint64_t stage) const;
 
-  // A whole diagnosis of each truth. done: told of how many are, by the thread that asked.
+  // A full diagnosis for each truth. done: called with the number of finished ones, in the calling thread.
   ExpectedTest expected(ExpectedTest test, const std::vector<Truth>& truths,
                         const std::function<void(std::size_t)>& done) const;
 
-  // P(right) of the run alone with a thermometer where an effect's heat goes: it shows that heat, whether it moves
-  // anything or not. To name an effect of its column is then to name that effect.
+  // P(right) of the run alone, with an additional thermometer where the effect heats. The thermometer shows that heat
+  // whether or not it causes a drift. Naming an effect of its column counts as naming that effect.
   double p_right_with_sensor(const Schedule& schedule, std::size_t set, const std::vector<Truth>& truths) const;
 
   void tell(const std::string& step) const;

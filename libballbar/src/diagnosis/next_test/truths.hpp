@@ -1,4 +1,4 @@
-// What may be true, drawn from a posterior, and what would then be read in a test.
+// Possible truths drawn from a posterior, and the readings of a test for each of them.
 #pragma once
 
 #include <cstddef>
@@ -13,32 +13,32 @@
 namespace ballbar {
 
 struct Truth {
-  std::size_t set = 0;  // of Posterior::sets
+  std::size_t set = 0;  // index into Posterior::sets
   bool slow = false;    // with a slow curve without a cause
 };
 
 class Truths {
  public:
-  // Refers to it.
+  // Keeps a reference to the posterior.
   explicit Truths(const Inference& inference);
 
-  // Truths of about the posterior's weights, as even as so many can be.
+  // Truths with frequencies as close to the weights of the posterior as their number allows.
   std::vector<Truth> drawn(std::size_t count, std::mt19937_64& random) const;
 
   std::vector<BoundEffect> effects_of(const Truth& truth) const;
-  bool is_nothing(const Truth& truth) const;  // no effect, no other value of the model, no slow curve
+  bool is_nothing(const Truth& truth) const;  // no effect, no wrong held value, no slow curve
   bool has_other_value(const Truth& truth) const { return inference_.posterior.sets[truth.set].own > 0; }
 
-  // On the rows of one run, without noise; what is of a set-up left out.
+  // The curve on the rows of one run, without noise and without effects of the set-up.
   Eigen::VectorXd drift_um(const Truth& truth, const Series& run) const;
 
-  // What one effect of the set adds, the model left out.
+  // The contribution of one effect of the set, without the model.
   Eigen::VectorXd member_um(const Truth& truth, std::size_t member, const Series& run) const;
 
-  // By the parameters of the model about those of the set, n by its parameters: what the model can make of a curve.
+  // Derivatives by the parameters of the model at those of the set, n by parameters: what the model can absorb.
   Eigen::MatrixXd model_slopes(const Truth& truth, const Series& run) const;
 
-  // With noise, rounded as the target is.
+  // The readings with noise, rounded like the target.
   std::vector<double> readings_um(const Truth& truth, const Series& run, double resolution_um,
                                   std::mt19937_64& random) const;
 
@@ -56,7 +56,7 @@ class Truths {
                            const std::function<bool(std::size_t)>& is_included) const;
 
   const Inference& inference_;
-  mutable std::map<std::size_t, Fitted> fitted_;  // as they are asked for, before anything runs in parallel
+  mutable std::map<std::size_t, Fitted> fitted_;  // computed on request, before any parallel work
 };
 
 }  // namespace ballbar

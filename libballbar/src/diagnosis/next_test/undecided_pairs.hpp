@@ -1,4 +1,4 @@
-// Which candidates of a diagnosis a test has to tell apart.
+// The pairs of candidates of a diagnosis that a test should separate.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace ballbar {
 
-// Indices of DiscriminationMatrix::competitors; `others`: of the rest of the best set, fitted beside them.
+// Indices into DiscriminationMatrix::competitors; `others`: those of the rest of the best set, fitted with them.
 struct Pair {
   std::size_t a = 0, b = 0;
   std::vector<std::size_t> others;
@@ -22,8 +22,8 @@ struct UndecidedPairs {
   std::vector<Pair> pairs;
 };
 
-// Pairs within the groups of the diagnosis; a group of one is paired with itself as what does not come again. Without
-// groups the strongest two candidates that are not named. Refers to all three arguments.
+// Pairs within the groups of the diagnosis. A group of one is paired with a copy that does not occur again. Without
+// groups the two strongest candidates that are not named. Keeps references to all three arguments.
 UndecidedPairs undecided_pairs_of(const Model& model, const Series& data, const Diagnosis& diagnosis);
 
 }  // namespace ballbar

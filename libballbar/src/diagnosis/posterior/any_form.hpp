@@ -1,6 +1,7 @@
-// An input whose form is open: smoothed, lagged and squared, each with a gain of its own.
+// An input in any form: smoothed, lagged and squared columns of the input, each with its own gain.
 //
-// What any effect of that one input adds is nearly a sum of these columns, so that they are the rival of every form.
+// The curve of any effect of that input is nearly a sum of these columns, so that they are a rival of every such
+// effect.
 #pragma once
 
 #include "diagnosis/evidence/logged_inputs.hpp"
@@ -8,10 +9,10 @@
 
 namespace ballbar {
 
-// The "effect" of such a family; in no catalogue.
+// The "effect" of such a family; not in the catalogue.
 const Effect& any_form();
 
-// A family of one signature for each input that some effect of the library reads, put behind the others.
+// Appends a family of one signature for each input that an effect of the library reads.
 void add_any_forms(SignatureLibrary& library, const Series& data, const std::vector<std::size_t>& rows);
 
 }  // namespace ballbar

@@ -1,8 +1,8 @@
-// The columns of all identities at one covariance: white, and freed of the line.
+// The columns of all identities at one covariance: whitened, and made orthogonal to the linear model ("the line").
 //
-// With X the columns, W the filter and P what takes the line off, all that a single effect needs is X' W' P W y
-// ("along"), the squares of P W X ("left"), and products of P W X with a curve. Lengths in um, not divided by the
-// scatter.
+// With X the columns, W the filter and P the projection orthogonal to the line, a single effect only needs
+// X' W' P W y ("along"), the squares of P W X ("left"), and products of P W X with a curve. Lengths are in um, not
+// divided by the scatter.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -18,22 +18,22 @@
 
 namespace ballbar {
 
-// A little of every input in every form: what no single effect is.
+// The background: a small contribution of every input in every form, for physics that is not a single effect.
 struct DenseBackground {
-  RowMajorMatrix columns;           // n by K, of deviation 1
+  RowMajorMatrix columns;           // n by K, each with standard deviation 1
   std::vector<std::size_t> family;  // of each column
-  double d = 0.0;                   // of all of it together, in units of the scatter; 0: none
+  double d = 0.0;                   // of the whole background, in units of the scatter; 0: none
 };
 
-// Columns of a shape of several gains, or of one identity of several, turned so that they are independent.
+// The columns of a shape with several gains, rotated so that they are independent.
 struct BlockProduct {
   std::size_t shape = 0;                                   // of Identities::shapes
-  double settled = -1.0;                                   // variance of the scatter that the four below are about
+  double settled = -1.0;                                   // variance of the scatter for the four members below
   Eigen::MatrixXd vectors;                                 // w by w
-  Eigen::VectorXd values;                                  // w: square of each direction, of columns of length 1
+  Eigen::VectorXd values;                                  // w: square of each direction, for columns of length 1
   Eigen::VectorXd length;                                  // w: of each column
   std::array<double, kGainSizes.size()> half_log_width{};  // of each size of gains
-  Eigen::MatrixXd white;  // w by w: products of the columns before the line is taken off
+  Eigen::MatrixXd white;                                   // w by w: products of the columns before the projection
 };
 
 struct ColumnSpan {
@@ -42,31 +42,31 @@ struct ColumnSpan {
 
 class ColumnsAt {
  public:
-  // Refers to all but the background.
+  // Keeps references to all arguments but the background.
   ColumnsAt(const Problem& problem, const Identities& identities, const Variant& variant, const Point& point,
             const DenseBackground& background);
 
-  // What is known of the line is in um: it needs the variance of the scatter. Before it `square`, `degrees` and
-  // `constant` alone are there, about the scatter that nothing at all leaves.
+  // Sets the variance of the scatter, because the priors of the line are in um. Before this call only `square`,
+  // `degrees` and `constant` are valid, for the scatter without any effect.
   void settle(double variance);
 
   double settled = 0.0;         // variance of the scatter
-  double square = 0.0;          // of what is left of the readings
-  double degrees = 0.0;         // n less the columns that are free
-  double constant = 0.0;        // of ln of the evidence, without the scatter
-  Eigen::VectorXd along, left;  // of all columns; left: 0 where too little is left of one
+  double square = 0.0;          // residual sum of squares of the readings
+  double degrees = 0.0;         // n minus the number of free columns
+  double constant = 0.0;        // part of ln of the evidence without the scatter
+  Eigen::VectorXd along, left;  // per column; left: 0 if too little of the column remains
   const BlockProduct& block(std::size_t shape);
 
-  // Of what the background makes of the readings, the share of each family of its columns. line: of the curve of all
-  // single effects, which is taken off before.
+  // The share of each family of columns in the background's part of the readings. line: the curve of all single
+  // effects, which is subtracted first.
   std::vector<std::pair<std::size_t, double>> background_shares(const Eigen::VectorXd& line) const;
 
-  // A curve out of some columns, white, and what the line makes of it.
+  // A whitened combination of columns, with the part that the line absorbs.
   struct Curve {
     Eigen::VectorXd white, line;
   };
   Curve curve_of(const std::vector<std::pair<Eigen::Index, double>>& coefficients) const;
-  // With what is left of some columns: of the others 0.
+  // Products of the curve with the remaining parts of some columns; 0 for the others.
   Eigen::VectorXd products(const Curve& curve, const std::vector<ColumnSpan>& columns) const;
   double product(const Curve& a, const Curve& b) const { return a.white.dot(b.white) - a.line.dot(b.line); }
 
@@ -79,16 +79,16 @@ class ColumnsAt {
   const Identities& identities_;
   const Whitening& filter_;
   double log_determinant_ = 0.0, background_d_ = 0.0;
-  Eigen::Index line_ = 0;             // columns of the line, the background's behind them
+  Eigen::Index line_ = 0;             // columns of the line, followed by those of the background
   std::vector<char> is_free_;         // of the line's
-  Eigen::MatrixXd pool_, cross_;      // products of y and the line, and of these with all columns
+  Eigen::MatrixXd pool_, cross_;      // products of y and the line with each other, and with all columns
   Eigen::VectorXd squares_;           // of all columns
   std::vector<BlockProduct> blocks_;  // by their shape, rising
   std::vector<std::size_t> family_of_background_;
   Eigen::VectorXd precision_;  // of the background's columns, in units of the scatter
 
-  // The line's columns that no scatter changes, `fixed`, and behind them the open ones, freed of these and turned so
-  // that each is by itself: of another scatter they only have another length.
+  // The columns of the line with flat priors (`fixed`), followed by those with normal priors (`open`). The open ones
+  // are made orthogonal to the fixed ones and to each other, so that another scatter only changes their lengths.
   std::vector<Eigen::Index> fixed_, open_;  // of pool_
   Eigen::VectorXd scale_;                   // of the fixed ones
   Eigen::LLT<Eigen::MatrixXd> factor_;

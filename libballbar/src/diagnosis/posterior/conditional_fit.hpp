@@ -1,4 +1,4 @@
-// The model's parameters where a set of effects beside it makes the readings likeliest.
+// The most likely parameters of the model with a given set of effects.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,21 +16,21 @@ struct ConditionalFit {
   Eigen::VectorXd coefficients;         // of the columns of Problem::signatures
 };
 
-// Gauss-Newton from where the variant has them.
+// Gauss-Newton from the parameters of the variant.
 ConditionalFit conditional_fit(const Problem& problem, const Variant& variant,
                                const std::vector<std::size_t>& signatures, const Point& point);
 
-// What a strong effect leaves where the truth lies between two points of the grid another effect would fill in: the
-// shapes of the set at their likeliest become signatures of the library, and of the set in the place of the old ones.
+// Adds the most likely shapes of the set to the library, and replaces the signatures of the set by them. Without this,
+// another effect would explain the residual of a strong effect whose true shape lies between two points of the grid.
 ConditionalFit sharpened(Problem& problem, const Variant& variant, ConditionalFit conditional, const Point& point);
 
-// Its parameters, all times that it is free in put here.
+// The variant at these parameters, with all free times.
 std::vector<double> with_times(const Problem& problem, std::vector<double> parameters, double time_s);
 
-// What is not known of the times of the inputs of the model and of the set: columns of Kind::time.
+// The uncertainty of the input times of the model and of the set: columns of Kind::time.
 Eigen::MatrixXd input_times_of(const Problem& problem, const ConditionalFit& conditional);
 
-// Whether a shape of the model is no longer where the variant has it, by this share of its reach.
+// Whether a shape of the model differs from that of the variant by more than this share of its prior sigma.
 bool is_elsewhere(const Problem& problem, const Variant& variant, const std::vector<double>& parameters, double reach);
 
 }  // namespace ballbar

@@ -12,30 +12,30 @@ namespace ballbar {
 
 struct Found {
   Point point;
-  double background = 0.0;  // d of a little of every input
+  double background = 0.0;  // d of the background
   Ascent ascent;
-  double log_weight = kLogZero;                        // bound and prior of the covariance
+  double log_weight = kLogZero;                        // lower bound plus ln prior of the covariance
   std::vector<std::pair<std::size_t, double>> shares;  // of the background, by family
 };
 
-// Falls from the likeliest.
+// Sorted, the most likely first.
 void sort_found(std::vector<Found>& found);
 
-// largest: number of single effects. without: an identity that none of them may be, or kNoSignature.
+// largest: largest number of single effects. without: an identity to exclude, or kNoSignature.
 AscentOptions ascent_options(const Problem& problem, const Identities& identities, std::size_t largest,
                              std::size_t without = kNoSignature);
 
-// A block of many columns can stand in for several effects: the ascent begins with it, and without it.
+// Starts the ascent with and without blocks, because a block of many columns can replace several effects.
 Ascent best_ascent(ColumnsAt& at, const Problem& problem, const Identities& identities, const AscentOptions& options,
                    const Ascent& start);
 
-// From where each single effect is one of these identities.
+// Starts the ascent with one single effect for each of these identities.
 Ascent ascended_from(ColumnsAt& at, const Identities& identities, const AscentOptions& options,
                      const std::vector<std::size_t>& set);
 
 std::size_t likeliest_identity(const SingleEffect& one);
 
-// That of each single effect that is likelier there than not.
+// The identity of each single effect that is more likely present than absent.
 std::vector<std::size_t> likeliest_set(const Ascent& ascent);
 
 DenseBackground background_of(const Problem& problem, double d);

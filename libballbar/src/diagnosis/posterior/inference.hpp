@@ -1,4 +1,4 @@
-// A model, data, and the posterior over sets of effects: what every command that judges an effect starts from.
+// A model, data, and the posterior over sets of effects: the basis of every command that judges an effect.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,16 @@ namespace ballbar {
 
 struct Inference {
   std::unique_ptr<Problem> problem;
-  Posterior posterior;      // empty where nothing can be said
-  std::size_t largest = 0;  // effects of a set, by the number of values
-  bool is_still = false;    // the readings do not move
+  Posterior posterior;      // empty: no statement possible
+  std::size_t largest = 0;  // largest number of effects in a set, from the number of values
+  bool is_still = false;    // the readings are constant
 };
 
-// Once more with every value about a jump that is found; and where clocks prove late, or readings lie far from the
-// others, without what that spoils. Throws Error as fit does.
+// Repeats the inference with every value near a detected jump, and without the rows that delayed clocks or outliers
+// spoil. Throws Error as fit() does.
 Inference inference(const Model& model, const Series& data, std::size_t target, const ProblemOptions& options);
 
-// The family of the library; nothing: it has none.
+// The family of the library; nullopt: none.
 std::optional<std::size_t> family_of(const Problem& problem, const BoundEffect& bound);
 
 }  // namespace ballbar

@@ -1,5 +1,4 @@
-// What may be missing, as a sum of single effects (ascent.hpp), averaged over the covariances at which the readings are
-// likely.
+// The posterior of the missing part as a sum of single effects (ascent.hpp), averaged over the likely covariances.
 #pragma once
 
 #include <cstddef>
@@ -14,16 +13,16 @@
 namespace ballbar {
 
 // One of the single effects: at most one of its identities is missing.
-inline constexpr double kPriorOfNone = 0.8;          // that a single effect is nothing
-inline constexpr double kPriorOfDiscrepancy = 0.15;  // that there is a slow one
+inline constexpr double kPriorOfNone = 0.8;          // prior that a single effect is nothing
+inline constexpr double kPriorOfDiscrepancy = 0.15;  // prior of a slow discrepancy
 
 struct SinglePosterior {
-  std::vector<double> p;  // of each identity: families of the library, then held values
+  std::vector<double> p;  // per identity: families of the library, then held values
   double p_any() const;
 };
 
-// One identity for some of the single effects: a set of effects beside the model, or beside it with one of its held
-// parameters free.
+// A set of effects: one identity for some of the single effects, added to the model, or to the model with one held
+// parameter free.
 struct EffectSet {
   std::vector<std::size_t> families;  // rising
   std::size_t own = 0;                // as Variant::own
@@ -32,38 +31,38 @@ struct EffectSet {
   // Where it is likeliest:
   std::vector<std::size_t> signatures;
   std::size_t point = 0, variant = 0;
-  std::vector<std::size_t> single;  // of each family the single effect that it is; empty of a set that was asked for
+  std::vector<std::size_t> single;  // per family the index of its single effect; empty for a requested set
 };
 
 struct Posterior {
-  std::vector<Point> points;      // covariances, the likeliest first
+  std::vector<Point> points;      // covariances, the most likely first
   std::vector<double> weight;     // of each
-  std::vector<Variant> variants;  // the model about its likeliest parameters; behind it with a held one free
+  std::vector<Variant> variants;  // the model at its most likely parameters, then with one held parameter free
   std::vector<SinglePosterior> effects;
   std::vector<double> family, own;  // P of each family and each held value
-  double nothing = 1.0;             // P of no effect, no other value, no discrepancy, no background
-  double none = 1.0;                // P of no effect and no other value, whatever else
+  double nothing = 1.0;             // P of no effect, wrong held value, discrepancy and background
+  double none = 1.0;                // P of no effect and no wrong held value
   double discrepancy = 0.0;         // P of a slow discrepancy
-  std::vector<double> background;   // P of a little of every input, by the family of any form that it mostly is
+  std::vector<double> background;   // P of the background, by its main family of any form
   std::vector<EffectSet> sets;  // the most probable first; that of the likeliest identity of each single effect that is
                                 // likely to be there is `best`; the first of no effects is always there
   std::size_t best = 0;
   double log_total = 0.0;                                           // of the sets
-  mutable std::map<std::vector<std::size_t>, double> log_evidence;  // of sets that were asked for (log_bayes_factor)
+  mutable std::map<std::vector<std::size_t>, double> log_evidence;  // of requested sets (log_bayes_factor)
 
   double p(const EffectSet& set) const;
 };
 
-// largest: number of effects. so_far: told of P of each identity whenever more is known; may be empty. Shapes of likely
-// effects between the points of the grid are added to the library.
+// largest: largest number of effects. so_far: called with P of each identity as the search proceeds; may be empty.
+// Shapes of likely effects between the points of the grid are added to the library.
 Posterior posterior_of(Problem& problem, std::size_t largest,
                        const std::function<void(const std::vector<double>&)>& so_far = {});
 
-// A set of effects that is asked for, put behind the others where it is not one of them; its place.
+// The index of a requested set of effects; appends it if it is new.
 std::size_t set_of(Problem& problem, Posterior& posterior, std::vector<std::size_t> families);
 
-// 2 ln of how much more likely the readings are with this set beside the model than without: gains, shapes and noise
-// integrated out. -infinity: nothing is left of it beside the model.
+// 2 ln of the Bayes factor of the model with this set against the model alone; gains, shapes and noise are integrated
+// out. -infinity: the model absorbs the set.
 double log_bayes_factor(const Problem& problem, const Posterior& posterior, const std::vector<std::size_t>& families);
 
 }  // namespace ballbar

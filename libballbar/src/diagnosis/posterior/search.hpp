@@ -1,4 +1,4 @@
-// Where the model has its parameters beside what is missing, and which sums of single effects are likely there.
+// Searches for the parameters of the model together with the likely sums of single effects.
 #pragma once
 
 #include <cstddef>
@@ -8,23 +8,23 @@
 
 namespace ballbar {
 
-inline constexpr double kOfBackground = 20.0;  // d of it where it stands for all effects
+inline constexpr double kOfBackground = 20.0;  // d of the background if it replaces all effects
 
-// A sum of single effects that is no neighbour of the best one: without an identity of it.
+// Another mode: a sum of single effects that excludes an identity of the best one.
 struct Mode {
-  std::size_t without = 0;       // that identity
-  std::vector<std::size_t> set;  // the likeliest identity of each of its single effects
+  std::size_t without = 0;       // the excluded identity
+  std::vector<std::size_t> set;  // the most likely identity of each of its single effects
 };
 
 struct Searched {
   Variant variant;
   Identities identities;
   Found best;
-  std::vector<Mode> modes;  // nearly as likely
+  std::vector<Mode> modes;  // other modes that are nearly as likely
 };
 
-// largest: number of single effects; grid: covariances of noise. Shapes of likely effects between those of the grid are
-// added to the library.
+// largest: largest number of single effects; grid: covariances of noise. Shapes of likely effects between the points of
+// the grid are added to the library.
 Searched searched(Problem& problem, std::size_t largest, const std::vector<Covariance>& grid);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// A set of effects as columns, white and not, where it is most likely: what its tests need.
+// A set of effects as columns at its most likely parameters, whitened and not, for its tests.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace ballbar {
 
-// White columns have rows more, one a column of prior N(0, 1): that it is nothing.
+// White columns have additional rows, one for each column with the prior N(0, 1).
 struct SetAt {
   Eigen::VectorXd y;                       // n
   Eigen::MatrixXd line;                    // n by p
@@ -21,10 +21,10 @@ struct SetAt {
   double variance = 0.0;  // of the scatter with the set, in units of the covariance
   double degrees = 0.0;
 
-  Eigen::MatrixXd white(const Whitening& filter, const Eigen::MatrixXd& columns) const;  // rows of 0 more
+  Eigen::MatrixXd white(const Whitening& filter, const Eigen::MatrixXd& columns) const;  // with additional rows of 0
   Eigen::MatrixXd white_columns() const;                        // of the line, then of all members
   Eigen::MatrixXd white_columns_but(std::size_t member) const;  // without those of one member
-  Eigen::MatrixXd columns_but(std::size_t member) const;        // likewise, not white
+  Eigen::MatrixXd columns_but(std::size_t member) const;        // likewise, not whitened
 };
 
 SetAt set_at(const Problem& problem, const Posterior& posterior, const EffectSet& set);

@@ -1,4 +1,4 @@
-// Sets of effects out of a sum of single effects: one identity, or none, of each.
+// Sets of effects from a sum of single effects: one identity of each, or none.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace ballbar {
 
-// The signature of a shape; of a jump it is put into the library. Nothing: it has none.
+// The signature of a shape; that of a jump is added to the library. nullopt: it has none.
 std::optional<std::size_t> signature_of(Problem& problem, const Identities& identities, std::size_t shape);
 
-// The most probable sets, their shapes as they are likeliest at the likeliest covariance; Posterior::sets and best.
+// Sets Posterior::sets and best: the most probable sets, with their most likely shapes at the most likely covariance.
 void add_sets(Problem& problem, const Identities& identities, const Ascent& likeliest, Posterior& posterior);
 
 }  // namespace ballbar

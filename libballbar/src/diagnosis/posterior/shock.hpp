@@ -1,5 +1,5 @@
-// A jump of the readings, or one large change of noise with a memory, which dies away over it: a level shift or an
-// innovational outlier (Chen and Liu 1993, J. Am. Stat. Assoc. 88, 284).
+// Distinguishes a jump of the readings (a level shift) from one large change of correlated noise, which decays over the
+// correlation time (an innovational outlier; Chen and Liu 1993, J. Am. Stat. Assoc. 88, 284).
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace ballbar {
 
-// Whether a member of a set begins at a moment (time alone, an onset), and such a change there would do nearly as well:
-// chi^2 of the member is less by under 4.4, which is nine to one.
+// Whether a member of a set has an onset and depends on time alone, and a change of the noise there explains the data
+// nearly as well: chi^2 differs by less than 4.4 (nine to one).
 bool may_be_shock(const Problem& problem, const Posterior& posterior, const EffectSet& set, const SetAt& at,
                   std::size_t member);
 

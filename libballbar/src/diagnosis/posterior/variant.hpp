@@ -1,4 +1,4 @@
-// The model about some parameters, as a line: what a set of effects is added to.
+// The model linearised about some parameters, to which a set of effects is added.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,21 +10,21 @@
 namespace ballbar {
 
 struct Variant {
-  std::size_t own = 0;  // 0: the model as it is; else OwnParameter own - 1 is free
+  std::size_t own = 0;  // 0: the unchanged model; else OwnParameter own - 1 is free
   std::vector<double> parameters;
   Eigen::MatrixXd times;  // n by the columns of Kind::time
-  RowMajorMatrix pool;    // n by 1 + columns of the line: y first
+  RowMajorMatrix pool;    // n by 1 + columns of the linear model, y first
   Line line;
 };
 
-// times: those about the parameters themselves where nothing else is given.
+// times: by default those at the parameters.
 Variant variant_at(const Problem& problem, std::size_t own, std::vector<double> parameters);
 Variant variant_at(const Problem& problem, std::size_t own, std::vector<double> parameters, Eigen::MatrixXd times);
 
-// The place of the parameter that is free though the model holds it, as BaseModel::at wants it; none for own = 0.
+// The index of the held parameter that is set free, for BaseModel::at(); none for own = 0.
 std::vector<std::size_t> free_of(const Problem& problem, std::size_t own);
 
-// These signatures as columns of the line, their gains free, flat.
+// These signatures as columns of the linear model, with flat priors of their gains.
 Variant with_signatures(const Problem& problem, Variant variant, const std::vector<std::size_t>& signatures);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// A curve with the phases of its waves drawn anew: as smooth as it was, and without its cause.
+// A curve with random phases: the same spectrum, without the cause.
 #pragma once
 
 #include <complex>
@@ -7,17 +7,18 @@
 
 namespace ballbar {
 
-// Of a curve on an even grid. The line through the ends is taken off first and put back, unless the curve goes round.
+// For a curve on an even grid. Unless the curve is periodic, the line through its ends is subtracted first and added
+// again.
 struct Spectrum {
   std::vector<std::complex<double>> waves;
   double first = 0.0, rise = 0.0;
 };
 Spectrum spectrum_of(std::vector<double> values, bool goes_round = false);
 
-// A phase for each wave of a curve of `count` values.
+// A random phase for each wave of a curve of `count` values.
 std::vector<double> random_phases(std::size_t count, std::mt19937_64& random);
 
-// Each wave turned by its phase.
+// The curve with each wave shifted by its phase.
 std::vector<double> phase_randomised(const Spectrum& spectrum, const std::vector<double>& phases);
 
 }  // namespace ballbar

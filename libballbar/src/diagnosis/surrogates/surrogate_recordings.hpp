@@ -1,11 +1,10 @@
-// Surrogates of an effect on a recording: curves over the angle as smooth as what it adds, and without its cause.
+// Surrogates of an effect on recordings: curves over the angle with the same smoothness, without the cause.
 //
-// What the effect adds is taken as a function of the angle, on each recording apart, and its phases are drawn at
-// random. Recordings on which it adds the same share the phases: the surrogate of a squareness is the same both ways,
-// that of a play of the axis is another curve in each direction.
+// The curve of the effect over the angle gets random phases, separately on each recording. Recordings with equal curves
+// share the phases: the surrogate of a squareness is the same in both directions, that of a play differs.
 //
-// An effect of one or two waves a turn has no surrogates: turned by a random angle it is still nearly itself, or the
-// effect that stands beside it in the catalogue.
+// An effect with one or two waves per turn has no surrogates: rotated by a random angle it is still nearly itself, or a
+// related effect of the catalogue.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +15,8 @@
 
 namespace ballbar {
 
-// The best of `count`, fitted with as many gains as the effect. nullopt: more than 1 % of them are the effect itself
-// (coherence above 0.95, freed of the model), so that to beat them means nothing. rows: of the fit.
+// The best of `count` surrogates, fitted with as many gains as the effect. nullopt: more than 1 % of them equal the
+// effect (coherence above 0.95 after removing the model), so that the comparison is meaningless. rows: of the fit.
 std::optional<BestSurrogate> best_recording_surrogate(const SurrogateSource& traced, const Series& data,
                                                       const std::vector<std::size_t>& rows,
                                                       const Background& background, std::size_t count,

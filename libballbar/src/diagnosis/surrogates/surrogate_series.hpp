@@ -1,4 +1,4 @@
-// The best surrogate of an effect on a drift series: what a curve without any cause would buy.
+// The best surrogate of an effect on a drift series: the improvement by a curve without any cause.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,19 +16,19 @@ namespace ballbar {
 struct SurrogateSource {
   BoundEffect bound;
   std::vector<std::vector<double>> points;  // all parameters of each shape that has surrogates
-  Eigen::VectorXd added_um;                 // n: what the effect adds as it was fitted; of recordings
+  Eigen::VectorXd added_um;                 // n: fitted curve of the effect; for recordings
 };
 
-// The best of `count` surrogates: what the effect adds with random phases, the same spectrum and no cause.
+// The best of `count` surrogates: the curve of the effect with random phases.
 struct BestSurrogate {
   double gain = 0.0;  // largest fall of chi^2
   double fall = 0.0;  // largest relative fall of the RMSE by least squares
 };
-// What they are added to.
+// The fit to which the surrogates are added.
 struct Background {
   std::vector<std::size_t> row;                                        // n, of the data
   std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)> whiten = {};  // n by k
-  Freed white, plain;                                                  // columns that are there, and what they leave
+  Freed white, plain;                                                  // existing columns and their residual
 };
 
 BestSurrogate best_surrogate(const SurrogateSource& effect, const Series& data, const Background& background,

@@ -1,4 +1,4 @@
-// Terms that are added to a model: where a fit of the model with them begins.
+// Start values for terms that are added to a model.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,17 @@ namespace ballbar {
 
 std::vector<BoundEffect> bounds_of(const std::vector<Term>& terms);
 
-// The set of all of these effects; nothing: one of them adds nothing of its own. Until another one is asked for.
+// The set of all these effects, valid until the next request; nullptr: the model absorbs one of them.
 const EffectSet* set_of_all(Inference& found, const std::vector<BoundEffect>& bounds);
 
-// Its place in the set, which has it.
+// The index of the term in the set, which must contain it.
 std::size_t member_of(const Inference& found, const EffectSet& set, const BoundEffect& bound);
 
-// Their shapes begin where they are likeliest together, but where a start is stated. `found` has these terms among what
-// may be missing.
+// The terms with their shapes at the most likely joint values, except stated starts. The identities of `found` must
+// include these terms.
 std::vector<Term> begun(Inference& found, std::vector<Term> terms);
 
-// The model with these terms, begun.
+// The model with these terms at their start values.
 Model model_with(Inference& found, Model model, std::vector<Term> terms);
 
 }  // namespace ballbar

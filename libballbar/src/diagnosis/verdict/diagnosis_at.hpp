@@ -1,4 +1,4 @@
-// The two steps of a diagnosis: the posterior, and what is decided of it.
+// The two steps of a diagnosis: the posterior and the verdict.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,13 @@
 
 namespace ballbar {
 
-// The posterior with the catalogue of the options, and with these terms as they are stated. covariances: of the noise,
-// and the slow curve; none: any.
+// The posterior with the catalogue of the options and these stated terms. covariances: noise and slow curve to use;
+// empty: all.
 Inference inference_of(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
                        const std::vector<Term>& terms = {}, const std::vector<Covariance>& covariances = {});
 
-// What the posterior says. It is of that model, these data and options. Sets that are asked for are put behind its own.
+// The diagnosis from the posterior, which must be of the same model, data and options. Requested sets are appended to
+// those of the posterior.
 Diagnosis diagnosis_of(Inference& inference, const Model& model, const Series& data, std::size_t target,
                        const DiagnosisOptions& options);
 

@@ -1,4 +1,4 @@
-// A set of effects fitted beside the model, shapes free, where it is most likely.
+// A set of effects fitted together with the model, with free shapes, at its most likely parameters.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,16 @@
 namespace ballbar {
 
 struct FittedSet {
-  Model model;                                           // with the effects behind its terms, their shapes begun here
+  Model model;                                           // with the effects after its terms, and their shapes as starts
   std::vector<FittedParameter> parameters;               // as Fit::parameters
   std::vector<Interval> intervals;                       // 95 %
-  std::vector<double> amplitude_um, amplitude_sigma_um;  // of each effect
-  double together_um = 0.0;                              // as amplitude_um, of the sum of the effects
+  std::vector<double> amplitude_um, amplitude_sigma_um;  // per effect
+  double together_um = 0.0;                              // amplitude of the sum of the effects
   double rmse_um = 0.0;
 };
 
-// At the covariance and about the parameters where the set is most likely. Throws Error as fit does.
-// with_profiles: intervals of the added effects by the profile of the likelihood, else by its curvature.
+// Fits at the most likely covariance and parameters of the set. Throws Error as fit() does. with_profiles: intervals of
+// the added effects from the profile likelihood, else from its curvature.
 FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const EffectSet& set, bool with_profiles);
 
 }  // namespace ballbar

@@ -8,8 +8,8 @@
 
 namespace ballbar {
 
-// Gains of the model and of the set that differ: chi^2 of one for each run against one for all, p below kSameGain over
-// the number of gains. None of one run.
+// The gains of the model and of the set that differ between runs: chi^2 of separate gains against a common one, with p
+// below kSameGain over the number of gains. Empty for one run.
 std::vector<GainByRun> gains_by_run(const Problem& problem, const Posterior& posterior, const EffectSet& set,
                                     const SetAt& at);
 

@@ -1,5 +1,5 @@
-// A member of a set as a candidate: what it adds, how probable it is, and its tests beside the others, which a
-// posterior cannot replace.
+// A member of a set as a candidate: its contribution, probability, and tests with the other members present. The tests
+// complement the posterior.
 #pragma once
 
 #include <cstddef>
@@ -14,28 +14,28 @@
 
 namespace ballbar {
 
-// The candidate with its tests: gains of cycles, cycles left out, fall of chi^2, surrogates. fold: of each of the n
-// rows. seed, surrogates: which and how many.
+// The candidate with its tests: gains by cycle, left-out cycles, fall of chi^2, surrogates. fold: the fold of each of
+// the n rows. seed, surrogates: seed and number of surrogates.
 Candidate with_tests(Candidate one, const Problem& problem, const Posterior& posterior, const EffectSet& set,
                      const SetAt& at, std::size_t member, const std::vector<std::size_t>& fold, std::size_t surrogates,
                      std::uint64_t seed);
 
-// RMSE of cycles (recordings) left out, each predicted from the others, of the model alone.
+// RMSE of the model alone in left-out cycles (recordings), each predicted from the others.
 double held_out_um(const Inference& inference);
 
 // Phrases of Candidate::doubts.
 std::vector<std::string> doubts_of(const Candidate& tested, const Effect& effect);
 
-// `member` of the set: its parameters, intervals and amplitude, its probability, its likelihood ratio
-// beside the others.
+// `member` of the set: parameters, intervals, amplitude, probability, and likelihood ratio with the other members
+// present.
 Candidate described_member(const Inference& inference, const EffectSet& set, const FittedSet& fitted,
                            std::size_t member);
 
-// The same with its tests. surrogates: how many, 0: none.
+// The same with its tests. surrogates: their number; 0: none.
 Candidate tested_member(const Inference& inference, const EffectSet& set, const FittedSet& fitted, const SetAt& at,
                         std::size_t member, std::size_t surrogates, std::uint64_t seed);
 
-// 2 ln of how much more likely the readings are with the set than without this member.
+// 2 ln of the Bayes factor of the set against the set without this member.
 double log_bayes_factor_of_member(const Inference& inference, const EffectSet& set, std::size_t member);
 
 }  // namespace ballbar

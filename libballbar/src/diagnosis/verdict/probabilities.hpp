@@ -1,4 +1,4 @@
-// What a posterior says of columns, and of what may stand in the place of an effect.
+// Probabilities of columns and of alternatives to an effect, from a posterior.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace ballbar {
 
-// Columns by P that something which reads them is missing, from P = 0.5; the most probable first.
+// Columns with the probability that an effect of theirs is missing, if P >= 0.5; the most probable first.
 std::vector<Driver> drivers_of(const Problem& problem, const Posterior& posterior);
 
-// The credible set of a single effect: identities that hold 95 % of its probability, the most probable first.
+// The credible set of a single effect: the identities with 95 % of its probability, the most probable first.
 std::vector<std::size_t> credible_set(const SinglePosterior& effect);
 
-// ln of how much more likely the readings are with any effect or other value than with none of them.
+// ln of the Bayes factor of any effect or wrong held value against none.
 double log_bayes_factor_of_any(const Posterior& posterior);
 
 }  // namespace ballbar
