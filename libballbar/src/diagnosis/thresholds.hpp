@@ -11,15 +11,13 @@
 namespace ballbar {
 
 // Inputs as they were logged.
-inline constexpr double kJumpTime =
-    0.35;  // standard deviation of the time of an input change within its sample, in samples
-inline constexpr double kClockTime = 0.6;   // standard deviation of the delay of a clock, in samples
+inline constexpr double kJumpTime = 0.35;   // sd of the time of an input change within its sample, in samples
+inline constexpr double kClockTime = 0.6;   // sd of the delay of a clock, in samples
 inline constexpr double kUnknownRow = 1e6;  // relative variance of a reading without information
 
 // Detectability of an effect before any residual is examined.
-inline constexpr double kFound = 7.0;  // d from which a diagnosis finds an effect
-inline constexpr double kAbsorbed =
-    0.05;  // remaining share of the square of a signature, below which the model absorbs it
+inline constexpr double kFound = 7.0;      // d from which a diagnosis finds an effect
+inline constexpr double kAbsorbed = 0.05;  // remaining share of a signature's square below which it is absorbed
 
 // Priors.
 inline constexpr std::size_t kMostEffects = 8;  // largest number of single effects

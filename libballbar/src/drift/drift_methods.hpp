@@ -20,7 +20,7 @@ DriftSeries drift_by_circles(const Session& session, const DriftOptions& options
 // The test nearest to the wanted time, or the first.
 std::size_t reference_index(const std::vector<double>& times_s, const std::optional<double>& wanted_s);
 
-// Runs `work`; an Error in it is told with the test it came from.
+// Runs `work`; adds the name of the test to an Error from it.
 template <class Work>
 auto in_test(const SessionTest& test, Work work) {
   try {

@@ -1,15 +1,15 @@
-// Whether the samples of an axis agree, one by one.
+// The agreement of the samples of an axis, one by one.
 #pragma once
 
 #include "ballbar/drift/comparison.hpp"
 
 namespace ballbar {
 
-// counted, within, agreement, samples_agree and deviation, from the differences and their sigma; the reference does not
-// count.
+// Sets counted, within, agreement, samples_agree and deviation from the differences and their sigma, without the
+// reference.
 void decide_by_samples(AxisComparison& axis, double reference_s);
 
-// What the samples of an axis come to.
+// Statistics of the samples of an axis.
 
 // Deviations, limits of agreement and correlation, from the samples and their sigma.
 void describe_samples(AxisComparison& axis, double reference_s);

@@ -11,9 +11,9 @@ struct Slopes {
   std::vector<double> per_s, variance;  // n rows
 };
 
-// Of the parabola (least squares) through the rows around each, 3 of them or 1/30 of all, at most 101. Nothing: fewer
-// than 5 rows, or the parabolas do not follow the rows: their slopes leave more than a tenth (of the squares) of the
-// steps from row to row, scatter of `variance` set aside.
+// The slope of a least squares parabola through the rows around each row: 3 rows or 1/30 of all, at most 101. Returns
+// nullopt for fewer than 5 rows, or if the parabolas do not fit: their slopes leave more than a tenth of the sum of
+// squares of the steps from row to row, after subtracting the scatter of `variance`.
 std::optional<Slopes> slopes_of_rows(std::span<const double> time_s, std::span<const double> value,
                                      std::span<const double> variance);
 

@@ -1,4 +1,4 @@
-// A sine of unknown phase, shared by the cycles that nobody logged.
+// A sine of unknown phase, for cycles without a logged input.
 #pragma once
 
 #include <ceres/jet.h>
@@ -24,7 +24,7 @@ struct Cycle {
   }
 };
 
-// As many as the length of the rows tells apart.
+// As many as the length of the rows can resolve.
 inline std::vector<double> cycle_periods(const EffectRows& rows, double lower, double upper, std::size_t most) {
   return wave_lengths(lower, upper, range_in(rows.time_s), most);
 }

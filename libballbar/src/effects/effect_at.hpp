@@ -1,4 +1,4 @@
-// What an effect adds at some of the rows it is evaluated on, and its slopes there.
+// The values and derivatives of an effect at selected rows.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@ struct EffectAt {
   Eigen::VectorXd values;  // n
   Eigen::MatrixXd slopes;  // n by all parameters
 
-  // Those by its gains: what a unit of each adds.
+  // The derivatives by the gains: the curves of unit gains.
   Eigen::MatrixXd gains(const Effect& effect) const;
 };
 EffectAt effect_at(const Effect& effect, const EffectRows& inputs, const std::vector<double>& parameters,

@@ -1,8 +1,8 @@
-// From an effect's one template to values and exact derivatives: it is instantiated for double and for ceres::Jet over
-// all of the effect's parameters. A functor is of one of two kinds:
+// Makes values and exact derivatives from the template of an effect, which is instantiated for double and for
+// ceres::Jet over all parameters of the effect. A functor has one of two forms:
 //
 //   of rows    template <class T> T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const
-//              the value at row i, from rows 0, i - 1 and i and kKept numbers that it hands on: can run live
+//              the value at row i, from rows 0, i - 1 and i and a memory of kKept numbers; can run live
 //   of all     template <class T> void operator()(const EffectRows& rows, const T* p, T* out) const
 //              writes n values
 #pragma once
@@ -27,7 +27,7 @@ Evaluate by_row(Functor functor) {
       *values = functor(rows, begin, parameters, kept);
       return;
     }
-    std::array<double, kNumbers> numbers{};  // of their own, so that they stay in registers
+    std::array<double, kNumbers> numbers{};  // a local array, so that it stays in registers
     std::copy_n(kept, kKept, numbers.begin());
     for (std::size_t i = begin; i < end; ++i) values[i - begin] = functor(rows, i, parameters, numbers.data());
     std::copy_n(numbers.begin(), kKept, kept);

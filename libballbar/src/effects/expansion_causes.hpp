@@ -1,4 +1,4 @@
-// What a body that grows with its temperature explains of a finite-volume spindle, shared by the expansions.
+// The causes of a finite-volume spindle that thermal expansion of a body explains, shared by the expansion effects.
 #pragma once
 
 #include <vector>

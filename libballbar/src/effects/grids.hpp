@@ -1,4 +1,4 @@
-// Starts that depend on the rows: of what repeats, and of what is a share of how far a signal goes.
+// Start values that depend on the rows: for periodic effects, and for shares of the range of a signal.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ inline double rise_in(std::span<const double> values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end()) - values[0];
 }
 
-// Waves in a unit of what they run over, from lowest to highest in steps of half a wave over the span, at most `most`.
+// Wave numbers (waves per unit) from lowest to highest, in steps of half a wave over the span, at most `most`.
 inline std::vector<double> wave_numbers(double lowest, double highest, double span, std::size_t most) {
   std::vector<double> result;
   if (!(span > 0.0) || !(highest > lowest)) return result;

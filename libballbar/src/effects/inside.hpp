@@ -1,4 +1,4 @@
-// Columns that can be the temperature of a part inside the spindle, shared by the effects of its bearings.
+// Whether a column can be the temperature of a part inside the spindle; shared by the effects of its bearings.
 #pragma once
 
 #include "ballbar/series/series.hpp"

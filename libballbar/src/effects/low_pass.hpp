@@ -17,7 +17,7 @@
 
 namespace ballbar {
 
-// Of a body that follows in 10 s to 56 h.
+// Time constants from 10 s to 56 h.
 inline Parameter time_constant(std::vector<double> grid, const char* meaning) {
   return {"time_constant_s", "s", ParameterKind::shape, 1800.0, 10.0, 200000.0, std::move(grid), meaning};
 }
@@ -56,8 +56,8 @@ void low_pass(std::span<const double> time_s, const U& u, const T& tau_s, T* out
   }
 }
 
-// The same a row at a time, for an effect of rows (evaluate.hpp). Kept: x, u and the step of the row before, which
-// serves again where the rows' step is the same and tau is not another one.
+// The same row by row, for an effect of rows (evaluate.hpp). Memory: x, u and the coefficients of the previous row,
+// which are reused if step and tau have not changed.
 inline constexpr int kLowPassKept = 5;
 
 template <class T>

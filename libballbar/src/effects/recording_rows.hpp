@@ -1,4 +1,4 @@
-// What the effects on a recording share: their inputs, and where the two axes of the plane are at a reading.
+// Common parts of the effects on recordings: their inputs, and the state of the two axes at a reading.
 #pragma once
 
 #include <ceres/jet.h>
@@ -18,7 +18,7 @@ inline Input sweep_input() { return {"sweep", {"s"}, "time since the middle of t
 inline Input recording_input() { return {"recording", {"1"}, "number of the recording: 0, 1 ..."}; }
 inline Input bar_input() { return {"bar", {"degC"}, "temperature of the bar"}; }
 
-// Play where an axis reverses at one end of its travel, `row` of the table of errors.
+// A parameter for the play at one reversal of an axis; `row`: its row in the table of errors.
 inline Parameter play_at_end(const char* name, const char* row, const char* meaning) {
   return {name, "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, meaning, false, ShapeOf::curve, {}, {}, row};
 }
@@ -29,7 +29,7 @@ inline Parameter recording_parameter() {
       ShapeOf::recording};
 }
 
-// Whether a term whose parameter names the recording `chosen` has this row; -1: all rows.
+// Whether a row belongs to the recording `chosen` of a term; -1: all rows.
 template <class T>
 bool belongs_to(const T& chosen, double recording) {
   return chosen < T(-0.5) || (chosen > T(recording - 0.5) && chosen < T(recording + 0.5));
@@ -37,8 +37,8 @@ bool belongs_to(const T& chosen, double recording) {
 
 enum class Axis { A, B };
 
-// One axis of the plane at a reading: where it is, where the other one is (both over the radius), and which way it
-// moves: +1, -1, 0 at a reversal.
+// One axis of the plane at a reading: its position, that of the other axis (both over the radius), and its direction of
+// motion: +1, -1, 0 at a reversal.
 //
 //   A: cos theta, other sin theta, velocity - dir sin theta        B: sin theta, other cos theta, velocity dir cos
 //   theta

@@ -1,4 +1,4 @@
-// Effects that no catalogue has: what the set-up of one of several runs adds (runs.hpp).
+// Effects outside the catalogue that describe the set-up of one of several runs (runs.hpp).
 #pragma once
 
 #include <memory>
@@ -7,10 +7,10 @@
 
 namespace ballbar {
 
-// Where the zero of a run lies beside that of the first.
+// The offset of the zero of a run from that of the first run.
 const std::shared_ptr<const Effect>& offset_of_run();
 
-// What is left of whatever went before a run that did not begin at rest.
+// The decaying drift from earlier work in a run that did not begin at rest.
 const std::shared_ptr<const Effect>& start_of_run();
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// A step whose onset a fit can find; shared by `step` and `mounting_slip`.
+// A step with an onset that can be fitted; shared by `step` and `mounting_slip`.
 #pragma once
 
 #include <algorithm>
@@ -9,10 +9,10 @@
 
 namespace ballbar {
 
-// k H_i, H_i the share of the time from row i - 1 to row i that lies after the onset: 0 before it, 1 after it. An onset
-// on a row's time gives the exact step just after that row. In between, one row takes the share, so that value and
-// derivative agree and a solver can move the onset within the step of a row; over longer ways a search over the rows'
-// times must bring it near. The first row takes the width of the second.
+// k H_i, where H_i is the share of the interval from row i - 1 to row i that lies after the onset: 0 before it, 1 after
+// it. An onset at the time of a row gives an exact step just after that row. Between two rows one row has a partial
+// value, so that value and derivative agree and a solver can move the onset within the interval. Longer moves need a
+// search over the times of the rows. The first row uses the interval of the second.
 struct Step {
   template <class T>
   T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {

@@ -1,6 +1,6 @@
-// An effect that no catalogue has: what of an error goes with how warm the machine is as a run begins.
+// An effect outside the catalogue: the part of an error that depends on the temperature at the start of a run.
 //
-// Of one run it is a constant; of several a regression needs it (effect_regression.hpp).
+// For one run it is a constant; with several runs a regression needs it (effect_regression.hpp).
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The rounds of a fit: starts, robust weights, noise.
+// The iterations of a fit: starts, robust weights (IRLS), noise (GLS).
 #pragma once
 
 #include <Eigen/Core>
@@ -24,27 +24,28 @@ struct SolvedFit {
   std::vector<std::size_t> discounted;
 };
 
-// A few steps from every start, then to the end from the best of them. Throws Error where the model is finite nowhere.
+// A few steps from every start, then the full fit from the best one. Throws Error if the model is not finite at any
+// start.
 Minimum best_of(const FitProblem& problem, const Weighting& weighting, const std::vector<Eigen::VectorXd>& starts);
 
-// How the rows are weighted where those discounted are left out of the noise's filter.
+// The weighting of the rows, with discounted rows left out of the filter of the noise.
 using WeightingWithout = std::function<Weighting(const std::vector<std::size_t>& discounted)>;
 
-// Weighted again and again by what is left (Tukey), until the weights stay. A row that turns out to be an outlier is
-// left out of the filter in the next round, so that it does not discount the rows after it.
+// Repeats the fit with Tukey weights of the residual until the weights converge. An outlier is left out of the filter
+// in the next iteration, so that it does not affect the rows after it.
 SolvedFit reweighted(const FitProblem& problem, const WeightingWithout& weighting_without, SolvedFit solved);
 
 struct Whitened {
   SolvedFit solved;
   Noise noise;
-  bool misfit = false;  // then `solved` is as it was
+  bool misfit = false;  // `solved` is then unchanged
 };
 
-// The fit again with the noise of what it left, some rounds. What is discounted counts in no noise. `data`: times and
-// sigma.
+// Repeats the fit with the noise of its residual, for some iterations. Discounted rows do not count for the noise.
+// `data`: times and sigmas.
 Whitened whitened(const FitProblem& problem, const Fit& data, const SolvedFit& least_squares, bool robust);
 
-// White noise with what was stated taken off.
+// White noise without the stated part.
 Noise white_noise(const std::vector<double>& left_um, const std::vector<double>& sigma_um, std::size_t free);
 
 std::vector<double> vector_of(const Eigen::VectorXd& values);

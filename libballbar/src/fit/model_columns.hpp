@@ -1,4 +1,4 @@
-// The columns that a fit was free in: the model as a straight line about its solution.
+// The columns of the free parameters of a fit: the model linearised at its solution.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,13 +8,13 @@
 
 namespace ballbar {
 
-// Parameters that the fit was free in, by their place.
+// Indices of the free parameters of the fit.
 std::vector<Eigen::Index> used_parameters(const Fit& fit);
 
 // Their columns of the Jacobian, scaled to unit length.
 Eigen::MatrixXd model_columns(const Fit& fit);
 
-// The model's columns made orthonormal and what they leave of the residual; as they are, or both whitened.
+// An orthonormal basis of the model's columns, and the residual orthogonal to it; whitened or not.
 struct Freed {
   Eigen::MatrixXd basis;     // n by the rank of the model
   Eigen::VectorXd residual;  // n

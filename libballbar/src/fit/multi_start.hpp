@@ -1,4 +1,4 @@
-// Where a fit starts: shape parameters from their grids, gains by linear least squares at every point.
+// The starts of a fit: shape parameters from their grids, gains by linear least squares at every point.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,9 +8,9 @@
 
 namespace ballbar {
 
-// At most `count` parameter vectors, the best first. Term by term, twice round, every point of the term's grid is tried
-// with the gains of all terms solved for; a shape that the user started, a held one, and one without a grid stay. An
-// onset is tried at the data's times. O(points x rows).
+// At most `count` parameter vectors, the best first. For each term in turn, twice, every point of its grid is tried
+// with the gains of all terms solved. Shapes with a stated start, held ones, and those without a grid do not change. An
+// onset is tried at the times of the data. O(points x rows).
 std::vector<Eigen::VectorXd> starts(const Model& model, const ModelRows& rows, const Eigen::VectorXd& target_um,
                                     const Eigen::VectorXd& weight, std::size_t count);
 

@@ -1,4 +1,4 @@
-// The one cost of all models of a series: target less model, weighted or whitened, in one Ceres problem.
+// The cost function of all models of a series: target minus model, weighted or whitened, in one Ceres problem.
 //
 // n rows enter through the Gram matrix of [J r] alone, as in least_squares.hpp: Ceres gets its triangular factor
 // [U q; 0 e], P + 1 residuals, and takes the steps that all n would give. The rows are made, whitened and summed block
@@ -14,9 +14,9 @@
 
 namespace ballbar {
 
-// How residuals are made comparable: a weight a row, then the filter of the noise, then a robust fit's discount.
+// The weighting of residuals: a weight per row, then the filter of the noise, then the weights of a robust fit.
 struct Weighting {
-  Eigen::VectorXd row;  // n; 1 over sigma, or 1 where the filter knows sigma
+  Eigen::VectorXd row;  // n; 1 / sigma, or 1 if the filter includes sigma
   std::optional<Whitening> whitening = {};
   Eigen::VectorXd discount = {};  // n square roots of robust weights; empty: none
 };
@@ -31,11 +31,11 @@ struct Bounds {
 
 struct Minimum {
   Eigen::VectorXd parameters;
-  double cost = 0.0;  // half the sum of squares; infinite: the model has no finite values there
+  double cost = 0.0;  // half the sum of squares; infinite: the model is not finite
   bool converged = false;
 };
 
-// A positive parameter whose bounds are more than a factor of 100 apart moves by its logarithm.
+// A positive parameter with bounds more than a factor of 100 apart is fitted by its logarithm.
 Minimum minimise(const ModelRows& rows, const Eigen::VectorXd& target_um, const Weighting& weighting,
                  const Bounds& bounds, const Eigen::VectorXd& start, int most_iterations = 100);
 

@@ -1,4 +1,4 @@
-// Bars that were exchanged or calibrated anew, over all machines that they were used on.
+// Bars that were exchanged or recalibrated, over all machines on which they were used.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace ballbar {
 
-// Where all scales of two machines at least step in common at one date, with one bar that both were tested with, it is
-// that bar which was calibrated anew: their findings become FindingKind::instrument.
+// If all scales of at least two machines step together at one date, and both were tested with the same bar, then that
+// bar was recalibrated: their findings become FindingKind::instrument.
 void note_common_bars(const AllSeries& all, History& history);
 
-// Every exchange of a bar, with the mean step of the scales over the machines, found or not.
+// Every exchange of a bar, with the mean step of the scales over the machines, whether or not it is a finding.
 std::vector<BarChange> bar_changes_of(const AllSeries& all, const Scatter& scatter);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// What was found in single quantities, of which events are made.
+// Findings in single quantities, which are later combined into events.
 #pragma once
 
 #include <optional>
@@ -13,24 +13,24 @@
 
 namespace ballbar {
 
-// One p value, with q: of FindingKind::step, trend, season, or instrument (a step where the bar is exchanged).
+// One p-value with its q, of FindingKind::step, trend, season, or instrument (a step at a change of the bar).
 struct Call {
-  std::size_t series = 0;  // place in AllSeries::series
+  std::size_t series = 0;  // index into AllSeries::series
   FindingKind kind = FindingKind::step;
   double p_value = 1.0, q_value = 1.0;
   StepPlace place;
-  // Of the curve with all that was found in the series.
+  // From the curve with all findings of the series.
   double size = 0.0, sigma = 0.0;
   double before = 0.0, after = 0.0;  // levels on either side of a step
-  double peak_year = 0.0;            // of a season: where in the year it is highest, 0 to 1
+  double peak_year = 0.0;            // season: time of its maximum in the year, 0 to 1
 };
 
 inline const QuantitySeries& series_of(const AllSeries& all, const Call& call) { return all.series[call.series]; }
 
-// All p values with their q; in the order of the series.
+// All p-values with their q, in the order of the series.
 std::vector<Call> calls_of(const AllSeries& all, const Scatter& scatter);
 
-// The curve of a series with these calls, all of it: level, steps, trend, season.
+// The complete curve of a series with these findings: level, steps, trend, season.
 struct SeriesCurve {
   std::vector<double> fitted;
   double level = 0.0, sigma = 0.0;  // at the last value
@@ -40,13 +40,13 @@ struct SeriesCurve {
 SeriesCurve curve_with(const QuantitySeries& series, const SeriesScatter& scatter, const FamilyScatter& family,
                        const std::vector<Call*>& calls);
 
-// p values of many questions at a time.
+// Corrections for many p-values.
 
-// q of each: of those with q below a rate no larger share is by chance (Benjamini and Hochberg 1995),
-// for p values that are independent or rise and fall together. O(n log n).
+// The q-value of each: of those with q below a rate at most that share is by chance (Benjamini and Hochberg 1995), for
+// p-values that are independent or positively dependent. O(n log n).
 std::vector<double> q_values(std::span<const double> p_values);
 
-// That nothing at all is behind these (Simes 1986): min of n p_(i) / i. 1 of none.
+// The joint p-value of all null hypotheses (Simes 1986): min of n p_(i) / i; 1 without p-values.
 double simes(std::vector<double> p_values);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// An event in a sentence, and what to do.
+// Sentences for events and their remedies.
 #pragma once
 
 #include <string>

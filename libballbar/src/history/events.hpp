@@ -1,4 +1,4 @@
-// Findings of one machine from what was found in its quantities: one event a date, one wear a cause.
+// Combines the findings in the quantities of one machine: one event per date, one trend per cause.
 #pragma once
 
 #include <vector>
@@ -10,18 +10,18 @@ namespace ballbar {
 
 struct Event {
   FindingKind kind = FindingKind::step;
-  std::vector<const Call*> calls;  // the clearest first
+  std::vector<const Call*> calls;  // the most significant first
   double from_s = 0.0, to_s = 0.0;
   std::optional<int> axis;
   bool is_common_scale = false;
-  bool to_the_worse = false;  // two kinds of errors at least, most of them farther from 0 than before
+  bool to_the_worse = false;  // at least two kinds of errors, most of them farther from 0 than before
   std::string bar_before, bar_after;
 };
 
 // Steps whose dates agree are one event:
-//   instrument      scales alone step, all by as much, where the bar's serial number changes
-//   replaced_part   two kinds of errors of one axis at least, all nearer to 0 than before, and none of another axis or
-//                   of the angle of the axes farther
+//   instrument      only scales step, all by the same amount, when the serial number of the bar changes
+//   replaced_part   at least two kinds of errors of one axis, all nearer to 0 than before; no error of another axis and
+//                   no squareness is farther from 0
 //   step            all others
 // Trends are one event for each axis and kind of error; all seasons are one.
 std::vector<Event> events_of(const AllSeries& all, const std::vector<const Call*>& calls);

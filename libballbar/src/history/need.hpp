@@ -1,4 +1,4 @@
-// What a machine needs, why, and in which order.
+// The need of each machine, its reason, and the order of machines.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace ballbar {
 
-// From its findings and tolerances: need and reason.
+// Sets need and reason from the findings and tolerances.
 void say_need(MachineHistory& machine);
 
-// Beyond a tolerance first, the farthest first; then those that will be, the soonest first; then clear findings, those
-// of the machine before those of the season and the instrument; then nothing. By name where they are equal.
+// Order: beyond a tolerance, the farthest first; expected to exceed it, the soonest first; findings, those of the
+// machine before season and instrument; nothing. Equal ones by name.
 void rank(std::vector<MachineHistory>& machines);
 
 }  // namespace ballbar

@@ -1,8 +1,8 @@
-// Least squares with Huber's loss, each value with a scatter that is known.
+// Least squares with Huber's loss, for values with known scatter.
 //
 //   minimise 2 sum rho((y_i - x_i' b) / s_i),    rho(z) = z^2 / 2 up to |z| = c, c |z| - c^2 / 2 beyond, c = 2
 //
-// by weights, begun from the plain fit; the loss is convex, so that it has one minimum.
+// by iterative weights, starting from ordinary least squares. The loss is convex and has one minimum.
 //
 // Source: P. J. Huber, Robust Statistics (1981), chapter 7.
 #pragma once
@@ -21,7 +21,7 @@ using FitGains = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMost
 
 struct RobustFit {
   FitGains gains;
-  FitNormal covariance;    // of the gains, for values that scatter by s_i and independently
+  FitNormal covariance;    // of the gains, for independent values with scatter s_i
   Eigen::VectorXd scores;  // (y_i - x_i' b) / s_i, not clipped
   double loss = 0.0;       // 2 sum rho: as chi^2
 };
@@ -31,18 +31,18 @@ inline double clipped(double z, double clip) { return z > clip ? clip : z < -cli
 // n rows, at most kMostColumns columns, n values, n scatters above 0.
 RobustFit robust_fit(const FitColumns& columns, std::span<const double> values, std::span<const double> scatter);
 
-// The columns of the curves that values over time are held against.
+// The columns of the curves that are fitted to values over time.
 
 // 1, and years since the middle of the dates.
 FitColumns trend_columns(std::span<const double> time_s);
 
-// sin and cos of the time of the year; each of 1970-01-01T00:00:00 begins one.
+// sin and cos of the time of the year, counted from 1970-01-01T00:00:00.
 FitColumns season_columns(std::span<const double> time_s);
 
-// 0 before place k, 1 from it on.
+// 0 before index k, 1 from it on.
 FitColumns step_column(std::size_t n, std::size_t k);
 
-// Two sets side by side.
+// The columns of both sets.
 FitColumns joined(const FitColumns& left, const FitColumns& right);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// How likely the sum of a few scores is that large: their distribution in the tests, and its convolutions.
+// The distribution of the sum of a few scores, by convolution of their empirical distribution.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace ballbar {
 
 inline constexpr double kTailStep = 0.1;  // of a score
 
-// How many scores were that large, on either side of 0, in steps; the last holds all beyond kShortRunClip.
+// Counts of scores by absolute size in steps; the last one has all beyond kShortRunClip.
 class TailCounts {
  public:
   void add(std::span<const double> scores);
@@ -21,8 +21,8 @@ class TailCounts {
   double total = 0.0;
 };
 
-// P(sum of k + 1 scores >= i steps), i from 0. Where there are few, those of all quantities count too, with
-// a few of Student's t with 4 degrees of freedom.
+// P(sum of k + 1 scores >= i steps), i from 0. If there are few scores, those of all quantities are included, with a
+// few of Student's t with 4 degrees of freedom.
 std::array<std::vector<double>, kLongestShortRun> tails_of(const TailCounts& own, const TailCounts& of_all);
 
 // Of one score, from its tail.

@@ -1,11 +1,11 @@
-// What instrument software would say of a test: its estimator, worked out from values and curves that it stores.
+// The estimator of instrument software, derived from the values and curves that it stores.
 //
 //   b = (X' X + L)^-1 X' y
 //
-// y: deviations as they are read, freed of the cyclic errors; unweighted, over all readings farther than 1.5 deg from a
-// reversal, with the usual prior L always. On two measured files the normal equations with the stored values leave
-// nothing but rounding. A reversal spike is its largest reading from 0.3 to 9 deg after the reversal, less the model
-// without cyclic errors: by this most stored ones are met within 0.5 um, for the software's own rule is not known.
+// y: measured deviations without the cyclic errors; unweighted, over all readings farther than 1.5 deg from a reversal,
+// always with the usual prior L. For two measured files the stored values solve these normal equations within rounding.
+// A reversal spike is the largest reading from 0.3 to 9 deg after the reversal, minus the model without cyclic errors.
+// This reproduces most stored spikes within 0.5 um; the rule of the software is not known.
 #pragma once
 
 #include <vector>
@@ -15,12 +15,12 @@
 
 namespace ballbar {
 
-// The gains of the spikes among ErrorFitted::as_instrument, from the others there: of recordings the larger, or their
-// mean.
+// Sets the gains of the spikes in ErrorFitted::as_instrument from the others: the larger one of all recordings, or
+// their mean.
 void add_spikes_as_instrument(ErrorFitted& fitted, CyclicOfRuns of_runs);
 
-// Circularities, shares and ranks by falling circularity. Of an error: peak to peak of its curve over all recordings;
-// of a spike or a cyclic error the largest amplitude.
+// Sets circularities, shares and ranks, by falling circularity. The circularity of an error is the peak to peak value
+// of its curve over all recordings; for a spike or a cyclic error the largest amplitude.
 void add_ranks_as_instrument(const ErrorFitted& fitted, const std::vector<MachineError>& rows,
                              std::vector<RankedError>& ranked);
 

@@ -1,4 +1,4 @@
-// The cyclic errors of both axes, on what the errors that are fitted together leave.
+// Fits the cyclic errors of both axes to the residual of the jointly fitted errors.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace ballbar {
 
-// Some effects with their columns, those of all in one; FittedEffect::columns are places in it.
+// Effects with their columns in one matrix; FittedEffect::columns are indices into it.
 struct Part {
   ErrorColumns columns;
   std::vector<FittedEffect> effects;
@@ -30,7 +30,7 @@ struct CyclicPart {
 CyclicPart cyclic_part(const std::vector<const Effect*>& effects, const ErrorRows& rows, const ErrorSetUp& set_up,
                        const Eigen::MatrixXd& together, const Block& first, const Eigen::VectorXd& left);
 
-// After another first fit.
+// The same after another first fit.
 void with_first(CyclicPart& cyclic, const Block& first);
 
 // The inverse of its block where the first fit, of the same weights, has this inverse: what that takes of the cyclic

@@ -11,7 +11,7 @@ namespace ballbar {
 using Indices = std::vector<Eigen::Index>;
 Indices range_of(Eigen::Index first, Eigen::Index count);
 
-// Of a column's own square: so little of it that it is told apart all the same.
+// The remaining share of the square of a column that is still sufficient to determine it.
 inline constexpr double kRidge = 1e-9;
 
 // (X' W X + L)^-1 and W X, W the weights of the rows.
@@ -25,11 +25,11 @@ struct Block {
 Block block_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& weight, const Eigen::MatrixXd& precision);
 Eigen::MatrixXd inverse_of(Eigen::MatrixXd normal, const Eigen::MatrixXd& precision);  // reads the lower half
 
-// Columns of one effect that say something in the rows of these weights: not the far tail of a spike whose reversal is
-// elsewhere.
+// Whether the columns of one effect are relevant in the rows with these weights: not the far tail of a distant spike.
 ErrorColumns present(const ErrorColumns& all, const Eigen::VectorXd& weight);
 
-// The shape of `shapes` whose columns lower most what is left of the data, freed of the columns of `base` (none: null).
+// The shape of `shapes` whose columns lower the residual of the data most, orthogonal to the columns of `base`
+// (nullptr: none).
 struct Base {
   const Eigen::MatrixXd* columns = nullptr;
   const Block* fit = nullptr;
@@ -45,8 +45,8 @@ struct GainMap {
   Eigen::MatrixXd open;
 };
 
-// What the stages are made of. p columns that are fitted together, c cyclic ones on what the first fit leaves, e extra
-// ones beside those together, s spikes on what all these leave near their own reversals.
+// The stages: p columns fitted jointly, c cyclic ones fitted to the residual of the first fit, e extra ones fitted
+// jointly with the p, s spikes fitted to the residual of all these near their own reversals.
 struct GainStages {
   const ErrorRows* rows = nullptr;
   const Eigen::VectorXd* far = nullptr;  // weights without the reversals

@@ -1,4 +1,4 @@
-// The linear least squares of a machine's errors: gains, their covariance, and what is left.
+// The linear least squares fit of a machine's errors: gains, their covariance, and the residual.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,15 +12,15 @@
 
 namespace ballbar {
 
-// One effect of the fit: where its columns stand, and its chance to be nothing.
+// One effect of the fit: its columns and its significance.
 struct FittedEffect {
   const Effect* effect = nullptr;
   std::optional<double> shape;
-  std::vector<std::size_t> columns;  // among ErrorFitted::columns
-  double searched = 1.0;             // independent shapes that were tried
-  double looked_at = 1.0;            // errors of its kind: the four spikes, or all that are not spikes
-  bool in_the_fit = true;            // false: fitted beside it, to be looked at alone
-  double p_damped = 0.0;             // chance that noise shows what the usual prior lets through of it; 0: no prior
+  std::vector<std::size_t> columns;  // indices into ErrorFitted::columns
+  double searched = 1.0;             // number of independent shapes tried
+  double looked_at = 1.0;            // number of errors of its kind: the four spikes, or all others
+  bool in_the_fit = true;            // false: fitted separately, for inspection
+  double p_damped = 0.0;             // p-value with the usual prior; 0: no prior
 };
 
 struct ErrorFitted {
@@ -29,7 +29,7 @@ struct ErrorFitted {
   Eigen::VectorXd gains;          // one a column
   Eigen::VectorXd as_instrument;  // likewise, by the estimator of as_instrument.hpp; NaN: it has none
   Eigen::MatrixXd covariance;     // of the gains
-  Eigen::VectorXd curve_gains;    // that curves are drawn with and residuals left by: on an arc damped ones
+  Eigen::VectorXd curve_gains;    // gains for curves and residuals; regularised on an arc
   Eigen::MatrixXd map, weighted;  // curve gains = map weighted' deviation of the rows
   Eigen::MatrixXd normal;         // X' X of the columns together and the extra ones
   std::vector<FittedEffect> effects;
@@ -39,24 +39,24 @@ struct ErrorFitted {
   Eigen::VectorXd second_order_um;  // of the fine rows, taken off
   double slow_variance_um2 = 0.0;
   double arc_rad = 0.0;
-  std::vector<double> freed_um;  // readings freed of the centre as fitted
+  std::vector<double> freed_um;  // readings without the fitted centre
   double within_um2 = 0.0;       // mean square of readings about the mean of their row
 
   // Fine rows of the curve of one effect; nullptr: the circles.
   Eigen::VectorXd fine_curve(const Effect* effect) const;
-  // Rows: deviation less all that is in the fit.
+  // Per row: deviation minus the fit.
   Eigen::VectorXd residual() const;
-  // RMS of readings of which the rows leave this.
+  // RMS of the readings for this residual of the rows.
   double rms_um(const Eigen::VectorXd& left) const;
 };
 
-// Chance that noise alone shows these gains: all together (chi^2), or the clearest of them.
+// p-value of these gains: all together (chi^2), or the most significant one.
 double p_of(const Eigen::VectorXd& values, const Eigen::MatrixXd& covariance);
 
-// Significance of one effect among `looked_at`: 1 % that any of a kind is found in noise.
+// Significance level for one effect among `looked_at`: 1 % that any of a kind is found in noise.
 inline constexpr double kFalseErrors = 0.01;
 
-// What is the same for all readings of a test.
+// Properties of a test as a whole.
 struct ErrorSetUp {
   double arc_rad = 0.0;     // that the longest recording covers
   double middle_rad = 0.0;  // mean direction of all readings
@@ -71,9 +71,9 @@ ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options
 
 // Arc that the longest recording of a trace covers.
 double longest_arc_rad(const Series& trace);
-inline constexpr double kShortestArc_rad = 60.0 * kPi / 180.0;  // below it the errors are all alike
+inline constexpr double kShortestArc_rad = 60.0 * kPi / 180.0;  // shorter arcs cannot separate the errors
 
-// Whether it is of the centre: of all, or of one recording beside it; not what CCW and CW differ by.
+// Whether the column is of the centre, common or of one recording; not the difference between CCW and CW.
 bool is_centre(const ErrorColumn& column);
 
 }  // namespace ballbar

@@ -1,7 +1,7 @@
-// What mending each error gains: the circularity now less that without its curve, and the ranks by it.
+// The benefit of correcting each error: the circularity minus that without its curve, and the ranks by it.
 //
-// Sigma by resampling: what is left of the readings, in blocks of 10 deg of one recording drawn with replacement, is
-// put in place of itself; the gains of the fit follow it, and both circularities. 40 times, always with the same draws.
+// Sigma by block bootstrap: the residual is resampled in blocks of 10 deg of one recording, with replacement. The gains
+// of the fit and both circularities are recomputed, 40 times with fixed seeds.
 #pragma once
 
 #include "ballbar/machine_errors/machine_errors.hpp"
@@ -9,8 +9,8 @@
 
 namespace ballbar {
 
-// Fills circularities and gains of `found`, whose ranked errors are there, and ranks and orders these. A rank has what
-// is significant and lowers the circularity by at least 0.05 um, half of the digit that is printed.
+// Sets circularities, gains, ranks and order of the ranked errors in `found`. An error has a rank if it is significant
+// and its correction lowers the circularity by at least 0.05 um, half of the last printed digit.
 void add_gains(MachineErrors& found, const ErrorFitted& fitted, bool with_sigmas);
 
 }  // namespace ballbar

@@ -12,15 +12,15 @@
 
 namespace ballbar {
 
-inline constexpr double kFullTurn_rad = 2.0 * kPi * 0.995;  // with what a reading's share may lack
+inline constexpr double kFullTurn_rad = 2.0 * kPi * 0.995;  // with tolerance for a missing reading
 
-// What one gain adds: of an effect, or of the circle (effect nullptr).
+// The column of one gain, of an effect or of the circle (effect nullptr).
 struct ErrorColumn {
   std::string name;  // as in the table: "squareness", "backlash_a_pos", "centre_a"
   std::string unit;
   const Effect* effect = nullptr;
-  std::size_t gain = 0;                       // among the effect's gains
-  std::optional<std::size_t> recording = {};  // of this one alone
+  std::size_t gain = 0;                       // index among the effect's gains
+  std::optional<std::size_t> recording = {};  // the one recording to which it belongs; nullopt: all
 };
 
 struct ErrorColumns {
@@ -31,33 +31,33 @@ struct ErrorColumns {
   Eigen::Index size() const { return values.cols(); }
 };
 
-// Centre, radius, and how those of CW and of further recordings differ: 3 for each recording.
+// Centre and radius, and their differences for CW and further recordings: 3 columns per recording.
 ErrorColumns circle_columns(const ErrorRows& rows);
 
-// Of one effect; `recordings`: for each recording its own.
+// The columns of one effect; `recordings`: separate ones for each recording.
 ErrorColumns effect_columns(const Effect& effect, double shape, const ErrorRows& rows, bool of_each_recording);
 
 ErrorColumns joined(const std::vector<const ErrorColumns*>& parts, const ErrorRows& rows);
 
-// One statement of the prior: sum of coefficients times gains = 0, as `readings` readings would say.
+// One statement of the prior: sum of coefficients times gains = 0, with the weight of `readings` readings.
 struct PriorStatement {
   std::string name;
   std::string unit;
   Eigen::VectorXd coefficients;           // one a column
   double precision = 0.0;                 // to be added to X' X
-  double alone = 0.0, alone_sigma = 0.0;  // the sum by the readings alone
+  double alone = 0.0, alone_sigma = 0.0;  // the sum from the readings without the prior
 };
 
-// What holds for so many readings of one recording over an arc (2 pi: a full turn) about this middle.
+// The statements for this number of readings of one recording, over an arc (2 pi: a full turn) with this middle.
 std::vector<PriorStatement> prior_of(const ErrorColumns& columns, double readings_of_one, double arc_rad,
                                      double middle_rad);
 
 Eigen::MatrixXd precision_of(const std::vector<PriorStatement>& prior, Eigen::Index columns);
 
-// Combinations of columns that these readings do not tell apart, as phrases: of the undamped X' X.
+// Combinations of columns that the readings cannot separate, as phrases; from X' X without the prior.
 std::vector<std::string> undetermined(const Eigen::MatrixXd& normal, const std::vector<ErrorColumn>& columns);
 
-// The same of one combination, by the share of each column in it.
+// The phrase for one combination, from the share of each column.
 std::string undetermined_names(const Eigen::VectorXd& direction, const std::vector<ErrorColumn>& columns);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// The noise that the full model of a ballbar test leaves, and what sums of its readings scatter by.
+// The residual noise of the full model of a ballbar test, and the variance of sums of readings.
 //
 // White (w^2 a reading) and with a memory (Ornstein-Uhlenbeck: q^2, theta). A row is a mean of c readings dt apart;
 // with h = dt / (2 theta), k = sinh(c h) / (c sinh h):
@@ -10,7 +10,8 @@
 //
 //   -2 ln L = (n - p) ln(s^2) + ln det V + ln det(X' V^-1 X),      s^2 = r' V^-1 r / (n - p)
 //
-// and all points of the grid count by their likelihood: one of them alone would be taken for too certain.
+// and all points of the grid are weighted by their likelihood; the best point alone would underestimate the
+// uncertainty.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,7 +27,7 @@ struct WeightedNoise {
   Noise noise;          // white_um a reading
 };
 
-// Of the deviation and the columns that are fitted to it, row by row; falling weight, those far less likely left out.
+// From the deviation and the fitted columns, row by row. Sorted by falling weight; unlikely points are left out.
 std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::MatrixXd& columns);
 
 // V Z of columns Z (rows by k), V over all points of the grid.
@@ -40,7 +41,8 @@ Eigen::MatrixXd scatter_of(const Eigen::MatrixXd& columns, const ErrorRows& rows
 // Of these rows alone, ascending and of one recording.
 Eigen::MatrixXd covariance_of(const ErrorRows& rows, const std::vector<Eigen::Index>& which, const Noise& noise);
 
-// Variance of one reading by which a mean of many scatters as if its readings were independent: that of slow columns.
+// The variance of one reading for which a mean of many independent readings would scatter as observed; for slow
+// columns.
 double slow_variance_um2(const ErrorRows& rows, const std::vector<WeightedNoise>& noises);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// From the gains of a fit to the table: rows, circularity, shares and ranks.
+// Makes the table from the gains of a fit: rows, circularity, shares and ranks.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,18 +15,18 @@ struct ErrorTable {
   Eigen::MatrixXd covariance;  // of the rows' values
 };
 
-// A row a gain; of sine and cosine, which may be each recording's own, one amplitude. The sigma of an amplitude is
-// widened where its 95 % interval reaches 0: an amplitude is never negative, and in noise alone it is not 0.
+// One row per gain; sine and cosine, possibly of each recording, give one amplitude. The sigma of an amplitude is
+// widened if its 95 % interval reaches 0, because an amplitude is never negative, and not 0 in pure noise.
 ErrorTable error_table(const ErrorFitted& fitted, CyclicOfRuns cyclic_of_runs);
 
-// Falling IC, without ranks: these are by the gain (error_gains.hpp).
+// Sorted by falling IC, without ranks, which error_gains.hpp sets.
 std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTable& table);
 
-// RMS of the rows of one direction, the errors of these effects taken from the readings of the other (all else as
-// fitted), both ways; one direction alone: NaN.
+// RMS of the rows of each direction with the errors of these effects from the readings of the other direction (all else
+// as fitted), both ways; NaN for one direction.
 double held_out_rms_um(const ErrorFitted& fitted, const std::set<const Effect*>& effects);
 
-// RMS that the circles leave, fitted anew beside the errors of these effects.
+// RMS of the residual of the circles and the errors of these effects, fitted again.
 double rms_with_um(const ErrorFitted& fitted, const std::set<const Effect*>& effects);
 
 }  // namespace ballbar

@@ -1,8 +1,8 @@
-// Readings of recordings joined to means, on which the errors of a machine are fitted.
+// Averages the readings of recordings to rows, to which the errors of a machine are fitted.
 //
-// Two steps, since what an effect adds must be followed closely, a least squares needs fewer: fine rows of up to 0.5
-// deg (readings within 9 deg of a reversal alone), on which effects are evaluated; and rows of up to 1 deg, means of
-// fine ones, on which is fitted. No row lies across a reversal, or across 1.5 deg from one.
+// There are two steps, because effects need a finer resolution than the least squares fit. Effects are evaluated on
+// fine rows of up to 0.5 deg (single readings within 9 deg of a reversal). The fit uses rows of up to 1 deg, means of
+// fine ones. No row crosses a reversal, or the limit of 1.5 deg from one.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,8 +16,8 @@
 
 namespace ballbar {
 
-inline constexpr double kAtReversal_deg = 1.5;    // readings that near are not those of the path
-inline constexpr double kNearReversal_deg = 9.0;  // as far as a spike reaches
+inline constexpr double kAtReversal_deg = 1.5;    // nearer readings do not show the path
+inline constexpr double kNearReversal_deg = 9.0;  // length of a spike
 
 struct ErrorRows {
   Series fine;                                                 // columns of trace_of, means of readings
