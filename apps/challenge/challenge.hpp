@@ -1,5 +1,5 @@
-// Effects hidden in simulated data, for whoever looks for them: `ballbar simulate --hidden`, further runs of such a
-// machine, and the score.
+// Blind tests with hidden effects in simulated data: `ballbar simulate --hidden`, further runs of such a machine, and
+// the score.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ struct HiddenSetsOptions {
   bool json = false;
 };
 
-// Writes the sets and their sealed answers, and prints where. Throws Error where `out` holds anything.
+// Writes the sets and their sealed answers, and prints the paths. Throws Error if `out` is not empty.
 void make_hidden_sets(const HiddenSetsOptions& options);
 
 struct FurtherRunOptions {
@@ -36,7 +36,7 @@ struct FurtherRunOptions {
   bool json = false;
 };
 
-// The machine of a set once more, under a schedule. Throws Error where `out` exists or the answers are not the sealed
+// Runs the machine of a set again with a schedule. Throws Error if `out` exists or the answers differ from the sealed
 // ones.
 void make_further_run(const FurtherRunOptions& options);
 

@@ -1,11 +1,11 @@
-// The files of a blind test: data sets for whoever is to find what is hidden, and the sealed answers.
+// The files of a blind test: data sets with hidden effects, and the sealed answers.
 //
 //   DIR/01/data.csv, model.toml   the data and the model to start from, set after set
 //   DIR/README.txt                what to do
 //   DIR/SEAL                      "SHA256  answers.json", as sha256sum writes it: the digest of the answers
 //   DIR/answers.json              {"format": "ballbar-blind 1", "answers": BASE64}; in it the truth of every set and
 //                                 the digests of its files. May be kept elsewhere
-// Whoever has the answers' file can read them: the seal shows that nobody changed answers or data, it keeps no secret.
+// Anyone with the file of answers can read it. The seal shows that answers and data are unchanged; it does not encrypt.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ struct SealedSet {
   BlindAnswer answer;
   std::string data_sha256, model_sha256;
   std::uint64_t seed = 0;      // of blind_set
-  std::string machine_sha256;  // of DIR/machine.toml.base64, which moved in place of a blind set's machine; empty: none
+  std::string machine_sha256;  // of DIR/machine.toml.base64, which replaces the machine of a blind set; empty: none
 };
 
 // data.csv of a set.
@@ -36,16 +36,15 @@ std::string data_of(const BlindSet& set);
 std::string write_blind(const std::filesystem::path& folder, const std::filesystem::path& answers, std::size_t count,
                         std::uint64_t seed, const std::function<void(std::size_t)>& progress);
 
-// Throws Error: no answers or no SEAL, other answers than were sealed, other data or another model than were made.
+// Throws Error: no answers or no SEAL; answers, data or a model that differ from the sealed ones.
 std::vector<SealedSet> read_blind(const std::filesystem::path& folder, const std::filesystem::path& answers);
 
-// data.csv of a set's folder, which need not be there, and what further runs it has, run2.csv, run3.csv ..., in their
-// order.
+// data.csv of the folder of a set, which need not exist, and its further runs run2.csv, run3.csv ... in order.
 std::vector<std::filesystem::path> runs_of_set(const std::filesystem::path& set_folder);
 
-// A person's verdicts, one line a set: `set,verdict,effects` with that heading. Effects as on the command line, joined
-// by ";", behind `named` (what is missing) and `equivalent` (which of these it is); none behind the other verdicts.
-// Throws Error "name:line: ..." for anything else, a set that is not there, missing or twice. In the order of `sets`.
+// Verdicts of a person, one line per set, with the header `set,verdict,effects`. Effects are written as on the command
+// line, joined by ";": for `named` all missing effects, for `equivalent` the alternatives, none for other verdicts.
+// Throws Error "name:line: ..." for anything else, and for an unknown, missing or repeated set. In the order of `sets`.
 std::vector<BlindVerdict> read_verdicts(std::string_view bytes, std::string_view name,
                                         const std::vector<SealedSet>& sets);
 

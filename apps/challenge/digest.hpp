@@ -14,8 +14,8 @@ void expect_seal();
 // SHA-256 (FIPS 180-4, by OpenSSL) in 64 hexadecimal digits.
 std::string sha256(std::string_view bytes);
 
-// RFC 4648 with padding, one line: not read at a glance, and no secret.
+// Base64 by RFC 4648 with padding, in one line. Hides the text from a casual look; it is not encryption.
 std::string base64(std::string_view bytes);
-std::optional<std::string> from_base64(std::string_view text);  // nothing: not base64
+std::optional<std::string> from_base64(std::string_view text);  // nullopt: not base64
 
 }  // namespace ballbar

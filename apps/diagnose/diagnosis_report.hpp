@@ -1,4 +1,4 @@
-// What a model lacks, for the terminal, a program and the page.
+// The report of a diagnosis, for the terminal, programs and the page.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,10 @@ namespace ballbar {
 
 struct DiagnoseOptions {
   DiagnosisOptions diagnosis;  // tolerance, seed, most rows
-  bool progress = true;        // shown on a terminal
+  bool progress = true;        // show progress on a terminal
 };
 
-// An effect of the model that stood in for others.
+// An effect of the model that other effects replace.
 struct StandIn {
   std::string effect;   // its label
   std::string by;       // labels of the others
@@ -30,46 +30,46 @@ struct DiagnosisReport {
   ResidualReport residual_report;
   Diagnosis diagnosis;
   std::vector<NextTest> next_tests;
-  std::string command;                      // to paste next; empty: none
-  bool is_for_plan = false;                 // whether a test of a series would decide more
-  std::string plan_command;                 // that plans it; empty: none, or data that nobody can type
-  std::optional<Predictability> predicted;  // where something is left that nothing is named for
-  std::string train_command;                // that makes what predicts it; empty: not better, or nobody can type it
-  std::string hint;                         // what to do where no command does it, a sentence; or empty
+  std::string command;                      // the next command; empty: none
+  bool is_for_plan = false;                 // whether another test of the series could decide more
+  std::string plan_command;                 // plans such a test; empty: none, or the data have no name
+  std::optional<Predictability> predicted;  // if a part remains unexplained
+  std::string train_command;                // trains a predictor; empty: not better, or the data have no name
+  std::string hint;                         // a sentence, if the next step is not a command; or empty
   std::vector<StandIn> stand_ins;
-  std::vector<std::string> unsupported;  // labels of effects of the model that were kept although no data
-                                         // supported them
+  std::vector<std::string> unsupported;  // labels of effects of the model that no data
+                                         // supported
 };
 
-// The effects that were added to the model's file, each a hypothesis again: what stood in for others.
+// Examines the effects that were added to the model's file again: those that other effects replace.
 std::vector<StandIn> stand_ins_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
                                   const ModelData& data);
 
-// What is searched for, and its progress, which begins with the target.
+// The options of the search, with progress texts that begin with the target.
 DiagnosisOptions diagnosis_options(const DiagnoseOptions& how_to, const std::string& target);
 
-// Throws Error, with the file that is at fault.
+// Throws Error with the faulty file.
 DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& bench);
 
-// An effect of the diagnosis as a term, with its moment and its held shapes (an exponent) where the search found them.
+// An effect of the diagnosis as a term, with its onset and its held shapes (an exponent) at the values of the search.
 Term as_diagnosed(const BoundEffect& bound, const Diagnosis& found);
 
-// What the verdict names, or calls probable; empty where it does neither.
+// The named or probable effects of the verdict; empty: none.
 const std::vector<BoundEffect>& best_of(const Diagnosis& found);
 
-// The test that would tell what is left open, whole sentences; empty where nothing is left to tell.
+// Whole sentences: the test that could decide the open question; empty: no open question.
 std::string next_text(const DiagnosisReport& diagnosis_report);
 
-// What of the model is not supported, a sentence; empty: nothing.
+// One sentence: the effects of the model that are not supported; empty: none.
 std::string unsupported_text(const DiagnosisReport& report);
 
-// Whether what is left can be predicted, a sentence; empty: not known.
+// One sentence: whether the unexplained part can be predicted; empty: not known.
 std::string predicted_text(const DiagnosisReport& report);
 
 // The first few, and how many more there are: "A or B or one of 3 more".
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between);
 
-// What was not searched of the columns that the data offer: "gradient_bending on 16 of 528 choices of columns".
+// The effects whose column choices were not all searched: "gradient_bending on 16 of 528 choices of columns".
 std::string not_searched_text(const Diagnosis& found);
 
 // The same for the terminal, the verdict first.

@@ -7,7 +7,7 @@
 
 namespace ballbar {
 
-// "The data support X.", or why they do not.
+// "The data support X.", or the reasons against it.
 std::string conclusion(const EffectTest& effect_test);
 
 // Error before and after, added effects with 2 ln B and surrogates, earlier effects tested anew, all

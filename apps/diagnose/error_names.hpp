@@ -1,5 +1,5 @@
-// Names of a machine's errors as a machinist reads them: the catalogue's axes a and b are X and Y in the plane XY, and
-// reversal_spike_a is "reversal spike of X".
+// Readable names of the errors of a machine: the axes a and b of the catalogue become X and Y in the plane XY, and
+// reversal_spike_a becomes "reversal spike of X".
 #pragma once
 
 #include <string>

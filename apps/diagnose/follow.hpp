@@ -1,4 +1,4 @@
-// `ballbar diagnose --follow`: a diagnosis again and again while a log grows.
+// `ballbar diagnose --follow`: repeated diagnosis of a growing log.
 #pragma once
 
 #include <optional>
@@ -15,19 +15,19 @@ namespace ballbar {
 struct FollowOptions {
   bool follow = false;
   std::optional<double> planned_hours;
-  std::optional<double> every_s;     // between looks at the file; without: 1
-  std::optional<double> patience_s;  // ends where nothing came for so long
-  bool keep = false;                 // goes on once it is decided, or will not be
+  std::optional<double> every_s;     // interval of checks of the file; nullopt: 1
+  std::optional<double> patience_s;  // end if no rows arrive for so long
+  bool keep = false;                 // continue after a decision or stop
 };
 
 void add_follow_options(CLI::App& command, FollowOptions& options);
 
-// Throws CLI::ValidationError where one of them is given without --follow.
+// Throws CLI::ValidationError if one of these options is given without --follow.
 void expect_follow(const FollowOptions& options);
 
-// A row a look on the standard output (with json a line of JSON each), then what is decided. Ends where that is so, or
-// it will not be; with the standard input; with SIGINT or SIGTERM. Throws Error: more than one file or target, what
-// GrowingLog throws, what opening DATA and its model throws.
+// Prints one row per look on the standard output (with json one line of JSON), then the decision. Ends when a decision
+// is made or impossible, at the end of the standard input, and on SIGINT or SIGTERM. Throws Error for more than one
+// file or target, and the errors of GrowingLog and of opening DATA and the model.
 void follow(const ModelOptions& model, const DiagnoseOptions& how, const FollowOptions& options, bool json);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// What `diagnose --follow` prints: a row a look, then what is decided.
+// The output of `diagnose --follow`: one row per look, then the decision.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ void print_follow_heading(const std::string& name, const std::string& target);
 void print_look(const FollowState& state, bool json);
 
 struct NextStep {
-  std::string command;  // to paste; empty: none
-  std::string hint;     // what to do where no command does it, a sentence; or empty
+  std::string command;  // the next command; empty: none
+  std::string hint;     // a sentence, if the next step is not a command; or empty
 };
 void print_outcome(const FollowState& state, const NextStep& next, bool json);
 

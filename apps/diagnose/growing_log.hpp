@@ -1,4 +1,4 @@
-// A log that another program still writes: its whole lines, as a file that stands still.
+// A log that another program is still writing: its complete lines, as a file that does not change.
 #pragma once
 
 #include <cstddef>
@@ -7,24 +7,24 @@
 
 namespace ballbar {
 
-// Copies what has come, up to the end of the last whole line, to a file in memory, which goes with the program.
+// Copies the log, up to the end of the last complete line, to a file in memory that ends with the program.
 class GrowingLog {
  public:
-  // "-": the standard input. Throws Error where it cannot be opened, or is no text of a row a line.
+  // "-": the standard input. Throws Error if it cannot be opened, or is not a text with one row per line.
   explicit GrowingLog(const std::string& name);
   ~GrowingLog();
   GrowingLog(const GrowingLog&) = delete;
   GrowingLog& operator=(const GrowingLog&) = delete;
 
-  // Takes what has come without waiting; whether anything had. Throws Error where the file became shorter, or another
-  // one has its name.
+  // Reads new data without waiting; returns whether there were any. Throws Error if the file became shorter or was
+  // replaced.
   bool take();
 
-  bool has_ended() const { return has_ended_; }      // the standard input: no more will come
-  std::size_t lines() const { return lines_; }       // whole ones
-  const std::string& copy() const { return copy_; }  // name of that file
+  bool has_ended() const { return has_ended_; }      // end of the standard input
+  std::size_t lines() const { return lines_; }       // number of complete lines
+  const std::string& copy() const { return copy_; }  // name of the copy
 
-  // The text with the name of the log where it has that of the copy: of a message.
+  // A message with the name of the copy replaced by that of the log.
   std::string with_its_name(std::string text) const;
 
  private:
@@ -34,7 +34,7 @@ class GrowingLog {
   std::string name_;
   int descriptor_ = 0, copy_descriptor_ = -1;
   std::string copy_;
-  std::string rest_;  // of a line that is not whole
+  std::string rest_;  // of an incomplete line
   std::size_t lines_ = 0, taken_ = 0;
   bool has_ended_ = false;
 };

@@ -1,5 +1,5 @@
-// What `ballbar add --auto` does where no cause can be named: a model grown to predict (growth.hpp), a few effects
-// a revision.
+// The last step of `ballbar add --auto`, if no cause can be named: grows the model for prediction (growth.hpp), with a
+// few effects per revision.
 #pragma once
 
 #include <optional>
@@ -16,25 +16,25 @@
 namespace ballbar {
 
 struct GrownModel {
-  std::string bytes;  // of the model's file, with the revisions
+  std::string bytes;  // content of the model's file with the revisions
   Growth growth;
   std::optional<Forecasts> train;  // of the regression on all effects, as `train` prints them
   LedgerRow before;
   std::vector<LedgerRow> rows;  // of the revisions
 };
 
-// `file`: name in messages. drivers: columns that are known to drive what is missing.
+// `file`: name in messages. drivers: columns that are known to drive the missing part.
 GrownModel grown_model(const std::string& bytes, const std::string& file, const Model& model, const ModelData& data,
                        const std::vector<std::string>& data_names, const std::vector<Driver>& drivers);
 
-// "18 effects predict new rows to 1.8 um RMSE, 20.6 um today ..."; `causes`: labels that were named before.
+// "18 effects predict new rows to 1.8 um RMSE, 20.6 um today ..."; `causes`: labels named earlier.
 std::string conclusion(const GrownModel& grown, const std::vector<std::string>& causes,
                        const std::vector<Driver>& drivers);
 
-// Revision by revision: error, forecasts, and how far these are from those of all effects.
+// For each revision: error, error of forecasts, and the difference from the forecasts of all effects.
 std::string tables(const GrownModel& grown);
 
-// Without a further effect, then of each revision.
+// Without further effects, then for each revision.
 std::vector<GrowthStep> steps_of(const GrownModel& grown);
 
 }  // namespace ballbar

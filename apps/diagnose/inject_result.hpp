@@ -34,12 +34,12 @@ struct ResultType<DetectionLimit> {
       Field{"diagnoses", &DetectionLimit::diagnoses, "that were made"}};
 };
 
-// An effect put into data, the diagnosis without and with it.
+// An effect added to data, with the diagnoses before and after.
 struct Injected {
   Injection injection;
   double amplitude_um = 0.0;
-  Fit base;        // of the model, without it
-  double d = 0.0;  // of that amplitude, by the noise of that fit
+  Fit base;        // of the model, without the effect
+  double d = 0.0;  // of this amplitude, with the noise of the fit
   Diagnosis without, with;
   DetectionLimit smallest;
 

@@ -1,4 +1,4 @@
-// Whether an effect could have been seen in data: it is added to them, and looked for.
+// Tests whether an effect could be detected in data: adds it and diagnoses the result.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace ballbar {
 
 struct InjectionOptions {
   std::string effect;                  // as `add` takes it
-  std::optional<double> amplitude_um;  // largest less smallest; nothing: from which it should be named
+  std::optional<double> amplitude_um;  // range (max - min); nullopt: that from which it should be named
   std::vector<std::string> shapes;     // NAME=VALUE
   std::uint64_t seed = 1;
   std::string out;  // .csv; empty: none
 };
 
-// The verdicts with and without it, and the smallest amplitude that is found. Throws Error: several targets, an effect
-// that the model has or the data have no columns for, --out with recordings.
+// The verdicts with and without it, and the smallest detected amplitude. Throws Error: several targets, an effect that
+// the model has or for which the data have no columns, --out with recordings.
 void show_injection(const InjectionOptions& options, const ModelOptions& of, const Model& model, const ModelData& data,
                     bool json);
 

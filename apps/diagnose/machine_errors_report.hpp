@@ -1,5 +1,4 @@
-// The errors of a machine from its ballbar files: fitted, beside what the files store, for the terminal, a program and
-// the page.
+// The errors of a machine from its ballbar files, fitted and as stored, for the terminal, programs and the page.
 #pragma once
 
 #include <optional>
@@ -16,22 +15,22 @@ namespace ballbar {
 
 struct ErrorsOptions {
   bool prior = true;
-  bool strict = false;                 // a file that cannot be read ends all
+  bool strict = false;                 // an unreadable file is an error
   std::optional<double> tolerance_um;  // of the circularity
-  std::set<std::string> in_the_model;  // effects that a model has already
-  StatedCircle circle;                 // of files that do not state theirs
+  std::set<std::string> in_the_model;  // effects that the model already has
+  StatedCircle circle;                 // for files that do not state it
 };
 
-// One group of recordings: those of one plane and one bar, whatever their feed.
+// One group of recordings: one plane and one bar, with any feed.
 struct ErrorsReport {
   std::vector<std::string> files;
   std::vector<Recording> recordings;
-  std::optional<B5r> b5r;  // of the only file, where it is a `.b5r`; its runs are in `recordings`
+  std::optional<B5r> b5r;  // the only file, if it is a `.b5r`; its runs are in `recordings`
   MachineErrors found;
   ErrorsOptions options;
 };
 
-// A file that stores results without readings: those that are valid.
+// The valid results of a file without readings.
 struct StoredAlone {
   std::string file;
   std::vector<StoredFeature> stored;
@@ -44,25 +43,24 @@ struct ErrorsReports {
   std::vector<std::string> remarks;
 };
 
-// Reads and fits. Throws Error where a file cannot be read and is the only one, or with `strict`.
+// Reads and fits the files. Throws Error for an unreadable file if it is the only one, or with `strict`.
 ErrorsReports errors_reports_of(const std::vector<Source>& files, const ErrorsOptions& options);
 
-// What stands in the file about each row and effect.
+// The stored values of the file for each row and effect.
 std::optional<double> stored_value_of(const ErrorsReport& report, const MachineError& error);
 std::optional<int> stored_rank_of(const ErrorsReport& report, const RankedError& ranked);
 
-// Whether the file stores what our estimator of the instrument's software says: within 0.1 um, 1 um/m, 0.01 ms and half
-// of the digit it is printed with.
+// Whether the stored value equals that of our estimator of the instrument's software, within 0.1 um, 1 um/m, 0.01 ms
+// and half of the last printed digit.
 std::optional<bool> same_as_stored(const ErrorsReport& report, const MachineError& error);
 
-// The one to mend first: the first rank, else the first that is significant; nullptr: none.
+// The error to correct first: the first rank, else the first significant one; nullptr: none.
 const RankedError* first_of(const MachineErrors& found);
 
-// Where ours and the instrument's value differ by more than 2 sigma and 0.3 um: both, and what makes the difference. A
-// line each.
+// One line for each value that differs from the instrument's by more than 2 sigma and 0.3 um, with the reason.
 std::vector<std::string> difference_texts(const ErrorsReport& report);
 
-// Whole sentences: what is out most, and what is left.
+// Whole sentences: the most important errors, and the residual.
 std::string conclusion(const ErrorsReport& report);
 std::string left_text(const ErrorsReport& report);
 

@@ -1,5 +1,5 @@
-// A model's file beside data: its text and its workbench go from revision to revision together. What it holds is
-// written by who has it, when all went well.
+// The file of a model with data: its text and its workbench are revised together. The caller writes the text to the
+// file after success.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,17 @@
 
 namespace ballbar {
 
-// The options without the name of a file that is not there yet: there is nothing to read.
+// The options without the name of a model file that does not exist yet.
 ModelOptions readable(ModelOptions options);
 
 class RevisedModel {
  public:
-  // model: of the options' file, of one target. `text` is that of the file, begun anew where there is none yet. Throws
-  // Error with the file that is at fault.
+  // model: that of the file in the options, with one target. `text` is that of the file, or a new one if there is no
+  // file. Throws Error with the faulty file.
   RevisedModel(const ModelOptions& options, const std::shared_ptr<const ModelData>& data, const Model& model,
                DiagnosisOptions diagnosis = {});
 
-  bool is_new() const { return is_new_; }  // its file is not there yet
+  bool is_new() const { return is_new_; }  // its file does not exist yet
   const std::string& text() const { return text_; }
   Workbench& bench() { return bench_; }
   const Model& model() const { return bench_.model(); }
@@ -36,16 +36,16 @@ class RevisedModel {
   void remove(const std::vector<std::string>& labels);
   void set(Model model);
 
-  // What was changed becomes a revision of the file, without a test of it. Returns the row.
+  // Writes the change as a revision of the file, without a test. Returns the row.
   LedgerRow revise_by_hand();
-  bool is_by_hand() const { return !by_hand_.empty(); }  // else an effect was added, which revise() tests
+  bool is_by_hand() const { return !by_hand_.empty(); }  // false: an effect was added, which revise() tests
 
-  // The text of the file with fitted values to start from; those that are not determined stay, and of several targets
-  // all do.
+  // The text of the file with the fitted values as starts. Undetermined parameters keep their starts; with several
+  // targets all do.
   std::string text_as_fitted();
 
-  // What was added becomes a revision of the file, its row with the test. prune: earlier effects that are no longer
-  // needed are taken out. named: they were found by a diagnosis, not chosen.
+  // Writes the added effects as a revision of the file, with their test in the row. prune: remove earlier effects that
+  // are no longer needed. named: the effects were found by a diagnosis, not chosen.
   struct Choice {
     bool prune = false;
     bool named = false;
@@ -53,13 +53,13 @@ class RevisedModel {
   EffectTest revise(const Choice& choice);
   EffectTest revise() { return revise({}); }
 
-  // The model before what was added last, of which there is no revision yet.
+  // Returns to the model before the last addition, which has no revision yet.
   void take_back();
 
-  // The revision that had this text, with all that was computed of it; false: none had.
+  // Returns to the revision with this text, with all its results; false: there is none.
   bool go_back_to(const std::string& text);
 
-  // Another text, with the same model, such as one of a model that was grown.
+  // Sets another text with the same model, such as that of a grown model.
   void set_text(std::string text) { text_ = std::move(text); }
 
  private:
@@ -77,7 +77,7 @@ class RevisedModel {
   bool is_new_ = false;
   Workbench bench_;
   std::string text_;
-  std::size_t not_in_file_ = 0;  // terms at the front of the model that the file does not name
+  std::size_t not_in_file_ = 0;  // number of leading terms of the model that are not in the file
   std::vector<std::string> replaced_;
   std::vector<std::size_t> removed_;  // effects of the file that were replaced
   std::vector<std::string> by_hand_;  // changes without a test, as a row of the ledger has them

@@ -1,10 +1,10 @@
-// One axis: from what its model wants to the increments that LinuxCNC must still be given. No HAL here.
+// One axis: converts the wanted offset of its model to changes of the counts for LinuxCNC. Independent of HAL.
 //
 // LinuxCNC does not take axis.L.eoffset-counts as a position. It adds the *change* of the counts times
 // eoffset-scale to its offset, and only while the machine is on, homed and eoffset-enable is true; a change at another
-// time is lost. When the machine is turned on the offset begins at zero again whatever the counts are (2.9, seen in
-// tests/hal/machine.py). Counts that simply follow the model would therefore leave an offset wrong by its whole
-// size after the machine was off and on once. So
+// time is lost. When the machine is turned on, the offset starts at zero, whatever the counts are (2.9, observed in
+// tests/hal/machine.py). Counts that simply follow the model would therefore give a wrong offset after the machine
+// was turned off and on. So
 //
 //   in force = eoffset-request / scale        what the control has
 //   change   = wanted - in force              wanted: the compensator's, walking from what is in force at its own rate
@@ -20,8 +20,7 @@
 
 namespace ballbar::hal {
 
-// The numbers of the pin hold-reason; they stay as they are. 1 to 8 are those of Compensator, the first in the list of
-// what is wrong.
+// The numbers of the pin hold-reason, which must not change. 1 to 8 are those of Compensator; of several the first.
 enum class Reason {
   none = 0,
   no_value = 1,
@@ -51,8 +50,8 @@ struct Step {
   Reason reason = Reason::none;
 };
 
-// One row: begin(), the compensator's next(), end(). The compensator follows its sensors while the offset is held, too:
-// what it knows of the past is then right afterwards.
+// One row: begin(), next() of the compensator, end(). The compensator also follows its sensors while the offset is
+// held, so that its memory is right afterwards.
 class Axis {
  public:
   explicit Axis(const CompensationLimits& limits);
@@ -69,8 +68,8 @@ class Axis {
   double resolution_um_, largest_um_;
   double most_counts_;  // whole ones in largest_um_
   std::optional<std::int64_t> in_force_;
-  bool doubt_ = false;    // this row found another offset than was given
-  bool doubted_ = false;  // the last one did
+  bool doubt_ = false;    // at this row the control has a different offset than requested
+  bool doubted_ = false;  // likewise at the last row
   bool enable_ = false;   // the pin was true at this row and the last one
   bool enabled_ = false;  // at this one
 };

@@ -1,4 +1,4 @@
-// The component's place in HAL: its pins, as values. The only file that knows LinuxCNC's library.
+// The HAL component with its pins as values. The only file that uses the library of LinuxCNC.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ class Component {
 
   // Before ready(): connecting a pin gives its value to the signal, which may still have that of a killed component.
   void begin_at(std::size_t axis, std::int64_t counts);
-  void ready();  // what loadusr -W waits for
+  void ready();  // loadusr -W waits for this
 
   std::vector<double> values() const;  // as columns
   double clock_s() const;              // of the pin; only with `clock`

@@ -1,4 +1,4 @@
-// Tests of folders and what became of their machines, as `history` and the page find both.
+// The tests in folders and the history of their machines, for `history` and the page.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ struct FoundHistory {
   MachineGeometry geometry;  // of one machine
 };
 
-// Tests that name no machine are of the folder they lie in, where there are several `folders`. Of one machine there is
-// every quantity. Throws Error for a tolerance of what no test has.
+// With several `folders`, tests without a machine name belong to the machine of their folder. A single machine has all
+// quantities. Throws Error for a tolerance of an unknown quantity.
 FoundHistory found_history(TestFiles files, const std::vector<std::string>& folders, HistoryOptions how);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// What `ballbar history` prints.
+// The output of `ballbar history`.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Many machines on one screen: the conclusion, the machines that need something, what to do.
+// Many machines on one screen: the conclusion, the machines that need attention, and the remedies.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +17,10 @@ std::string ranking_text(const History& history, bool all = false, const std::ve
 std::vector<std::string> conclusion(const History& history);
 std::string questions_text(const History& history);
 
-// Why a machine stands where it does, what was found of it and what to do.
+// The reason for the rank of a machine, its findings and the remedies.
 std::string explanation(const MachineHistory& machine);
 
-// Of the table of machines that need something.
+// For the table of machines that need attention.
 std::vector<std::string> ranking_heading();
 std::vector<std::string> ranking_row(const MachineHistory& machine);
 

@@ -1,5 +1,4 @@
-// A test of which a `.b5r` keeps the instrument's results alone, and the limits that one states: in the names and units
-// of MachineErrors.
+// A test from a `.b5r` with stored results only, and the limits in the file, with the names and units of MachineErrors.
 #pragma once
 
 #include <string>
@@ -11,10 +10,10 @@
 
 namespace ballbar {
 
-// Its stored values, without sigma; no quantities where it stores none of these.
+// The stored values, without sigma; without quantities if none of these is stored.
 MachineTest stored_test(const B5r& b5r);
 
-// Of its limits those that hold for a quantity of the machine; where one warns and one fails, the one that fails.
+// The limits of quantities of the machine; of a warning and a failing limit the failing one.
 std::vector<Tolerance> stated_tolerances(const B5r& b5r);
 
 }  // namespace ballbar

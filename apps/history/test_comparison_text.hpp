@@ -11,10 +11,10 @@ namespace ballbar {
 // "backlash_a fell from 8.10 to 1.20 um, circularity from 9.32 to 5.20 um; nothing else differs clearly."
 std::string conclusion(const TestComparison& comparison);
 
-// What the tests were made with that is not the same, a sentence each.
+// One sentence for each condition in which the tests differ.
 std::vector<std::string> condition_texts(const TestComparison& comparison);
 
-// What is clear, what one of the tests shows, and the circularity; `all`: every quantity.
+// Clear differences, quantities that are significant in one test, and the circularity; `all`: every quantity.
 std::string comparison_text(const TestComparison& comparison, bool all);
 
 }  // namespace ballbar

@@ -14,7 +14,7 @@ namespace ballbar {
 struct SkippedTest {
   std::string file;
   std::string sentence;                // with the file's name
-  std::optional<std::string> copy_of;  // the file before it of whose test it is a copy
+  std::optional<std::string> copy_of;  // the earlier file of which it is a copy
 };
 
 struct TestFiles {
@@ -24,16 +24,16 @@ struct TestFiles {
   std::vector<std::filesystem::path> files;  // all that were read
 };
 
-// Recordings in the folders and those below them, and in archives; a path may be a file too. Hidden ones and links to
-// folders are passed over, and files that are no recording, unless their name ends in .b5r. Two logs that stand one
-// after the other and differ in direction alone are one test. Throws Error for a path that is not there; strict: at the
-// first file that would be skipped.
+// The recordings in the folders, their subfolders and archives; a path may also be a file. Ignores hidden files, links
+// to folders, and files that are not recordings, unless their name ends in .b5r. Two consecutive logs that differ only
+// in direction are one test. Throws Error for a path that does not exist; strict: also for the first file that would be
+// skipped.
 TestFiles tests_below(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated = {});
 
-// The same without a fit: what each test was made with. Of `.b5r` files without readings with what they store.
+// The same without a fit: the conditions of each test. `.b5r` files without readings have their stored values.
 TestFiles test_heads_below(const std::vector<std::string>& paths, const StatedCircle& stated = {});
 
-// The same, where no test at all is an Error.
+// The same, but throws Error if there is no test.
 TestFiles read_tests(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated = {});
 
 }  // namespace ballbar

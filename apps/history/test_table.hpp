@@ -1,4 +1,4 @@
-// Tests as a table: one row a test, with every error and its sigma.
+// Tests as a table: one row per test, with every error and its sigma.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ std::string test_table_csv(const std::vector<MachineTest>& tests);
 // "scale_mismatch_um", "squareness_um_per_m".
 std::string column_name(const TestQuantity& quantity, bool of_sigma = false);
 
-// The larger end of the error that is to be mended first; nullptr: none.
+// The larger end of the error to correct first; nullptr: none.
 const TestQuantity* first_to_mend(const MachineTest& test);
 
 // For the terminal.

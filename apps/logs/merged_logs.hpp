@@ -11,11 +11,11 @@
 namespace ballbar {
 
 struct ClockOptions {
-  bool keep_clocks = false;  // by their dates alone
+  bool keep_clocks = false;  // align by dates only
   std::optional<double> range_s, max_gap_s;
 };
 
-// The clock of the first log counts. Throws Error: a log that cannot be read, or that comes twice.
+// The result has the clock of the first log. Throws Error for a log that cannot be read, or is given twice.
 MergedSeries merged_series(const std::vector<Source>& logs, const ClockOptions& clocks);
 
 void print_text(const MergedSeries& merged, const ClockOptions& clocks);

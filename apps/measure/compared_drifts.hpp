@@ -21,10 +21,10 @@ struct ComparedDriftOptions {
 struct ComparedDrifts {
   MeasuredDrift a, b;
   std::vector<std::filesystem::path> files;
-  std::string title;  // of a session with its own five probes; two files are named by what they are
+  std::string title;  // of a session with its own five probes; two files have names instead
 };
 
-// Throws Error where one is no drift, or there is no second one.
+// Throws Error if one is not a drift, or if there is no second one.
 ComparedDrifts compared_drifts_of(const ComparedDriftOptions& options);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// What is said of a drift series.
+// Sentences about a drift series.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace ballbar {
 
 bool any_has(const DriftSeries& series, std::optional<Estimate> DriftPoint::*member);
 
-// "y 30.1 ± 0.0 um at 64 min": the largest of each quantity that the series has.
+// "y 30.1 ± 0.0 um at 64 min": the largest drift of each quantity in the series.
 std::vector<std::string> largest_drifts(const DriftSeries& series);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// `ballbar drift` of five probes: what it prints and writes.
+// `ballbar drift` of five probes: its output and files.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct FiveProbeReport {
 
 void report_five_probe(const FiveProbeReport& report);
 
-// What a user states about five probes on the command line, over what their file states.
+// What a user states about five probes on the command line, overriding the file.
 
 struct FiveProbeOptions {
   std::vector<std::string> probes;  // "X1=ch1_um"
@@ -37,14 +37,14 @@ struct FiveProbeOptions {
 
 void add_five_probe_options(CLI::App& command, FiveProbeOptions& options);
 
-// The series with its five_probe as stated. Throws Error: a probe or a column that is not there, twice the same.
+// The series with the stated five_probe. Throws Error for an unknown or repeated probe or column.
 Series stated(Series series, const FiveProbeOptions& options);
 
-// Where drift is wanted: as the options say, else where the session says the ball was, else at plane 1. Throws
-// Error: a distance from the nose where it is not known where plane 1 is.
+// The position for the drift: from the options, else the position of the ball in the session, else plane 1. Throws
+// Error for a distance from the nose if the position of plane 1 is not known.
 FivePointOptions place_of(const Series& series, const FiveProbeOptions& options, const BallPlace& ball = {});
 
-// The drift of five probes; `name` of their file stands in messages.
+// The drift of five probes; `name`: their file, for messages.
 MeasuredDrift five_point_of(const Series& series, const FivePointOptions& how, const std::string& name);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// What `ballbar fit` found in the files it was given: one entry a recording, one a CCW/CW pair.
+// The results of `ballbar fit`: one entry per recording and one per CCW/CW pair.
 #pragma once
 
 #include <optional>
@@ -14,15 +14,15 @@
 
 namespace ballbar {
 
-// A result under its name, beside what the file stores for it (circle through the polar points).
+// A named result with the stored value of the file (circle through the polar points).
 struct Compared {
   std::string key;    // in JSON: "g_ccw_um"
   std::string label;  // on the terminal
   int decimals = 2;
   double ours = 0.0;
   std::optional<double> stored;
-  LimitRange limits{};                   // that the file states for it
-  std::optional<Judgement> judgement{};  // of ours, by them
+  LimitRange limits{};                   // stated in the file
+  std::optional<Judgement> judgement{};  // of our value, by the limits
 };
 
 struct FittedRecording {
@@ -59,13 +59,12 @@ struct Fitted {
 
 enum class Faults { end_all, skip };
 
-// Opens and fits every file. A pair is the two directions of one `.b5r`, or two logs that stand one after the
-// other and differ only in direction. Throws Error with the file's name, or skips that file; throws where all are
-// skipped.
+// Opens and fits every file. A pair is the two directions of one `.b5r`, or two consecutive logs that differ only
+// in direction. Throws Error with the name of the file, or skips that file; throws if all are skipped.
 Fitted fit_files(const std::vector<Source>& files, const CircleOptions& options, Faults faults = Faults::end_all,
                  const StatedCircle& stated = {});
 
-// What a file without readings stores, as a table for the terminal.
+// The stored results of a file without readings, as a table for the terminal.
 std::string text_of(const ResultsAlone& alone);
 
 }  // namespace ballbar

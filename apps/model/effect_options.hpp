@@ -1,4 +1,4 @@
-// What `add` and `could` share: EFFECT..., the model's file, DATA, and one target.
+// Common arguments of `add` and `could`: EFFECT..., the model's file, DATA, and one target.
 #pragma once
 
 #include <optional>
@@ -20,19 +20,19 @@ struct EffectOptions {
 
 void add_effect_options(CLI::App& command, EffectOptions& options, const std::string& words);
 
-// An EFFECT is a name of the catalogue, with or without columns, or any other plain word that is no file. `effects`:
-// whether there must be one or must be none; nothing: either. Throws CLI::ValidationError: an EFFECT too few or too
-// many, or one that is not known (expect_known_effect); no DATA.
+// An EFFECT is a name of the catalogue, with or without columns, or any other plain word that is not a file. `effects`:
+// whether there must be an EFFECT or must be none; nullopt: either. Throws CLI::ValidationError: too few or too many
+// EFFECTs, an unknown one (expect_known_effect), no DATA.
 void split_words(EffectOptions& options, std::optional<bool> effects);
 
-// Throws CLI::ValidationError, with the nearest name where one is near, for a word, NAME, NAME:ROLE=COLUMN or
-// NAME(COLUMN), whose name no effect of either level has. No file is read for that.
+// Throws CLI::ValidationError, with the nearest name, for a word NAME, NAME:ROLE=COLUMN or NAME(COLUMN) whose name is
+// not an effect of any level. Reads no file.
 void expect_known_effect(const std::string& word);
 
-// Throws Error where the model has several targets and the command line does not choose one.
+// Throws Error if the model has several targets and the command line does not select one.
 void expect_one_target(const ModelOptions& options, const Model& model);
 
-// EFFECTs as terms, each beside those before it. Throws Error, where they do not suit the data or the model too.
+// The EFFECTs as terms, each added to those before it. Throws Error, also if they do not suit the data or the model.
 std::vector<Term> terms_of(const std::vector<std::string>& effects, const Model& model, const ModelData& data);
 
 }  // namespace ballbar
