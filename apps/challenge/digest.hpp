@@ -1,5 +1,5 @@
-// A digest (SHA-256), which nobody can keep while changing what it was made of, and base64. In a build without OpenSSL
-// (BALLBAR_BLIND=OFF) every function throws an Error that says what to install.
+// SHA-256 digests and base64. In a build without OpenSSL (BALLBAR_BLIND=OFF) every function throws an Error that states
+// what to install.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace ballbar {
 
-// Before anything is made that will be sealed, or read that was.
+// Call this before creating data to be sealed, and before reading sealed data.
 void expect_seal();
 
 // SHA-256 (FIPS 180-4, by OpenSSL) in 64 hexadecimal digits.

@@ -27,12 +27,12 @@ class RevisedModel {
   Workbench& bench() { return bench_; }
   const Model& model() const { return bench_.model(); }
 
-  // The model with these effects, in the place of those of the labels `replaced`; its file stays until revise().
-  // Throws Error where a label is none of the file's.
+  // Adds these effects to the model, replacing those with the labels `replaced`. The file does not change before
+  // revise(). Throws Error for a label that the file does not have.
   void add(const std::vector<Term>& terms, const std::vector<std::string>& replaced = {});
 
-  // The model without the effects of these labels, and with these settings, one for each parameter of each term, in
-  // the place of its own; its file stays until revise(). Throws as add().
+  // Removes the effects with these labels and sets these settings, one per parameter of each term. The file does not
+  // change before revise(). Throws Error as add() does.
   void remove(const std::vector<std::string>& labels);
   void set(Model model);
 

@@ -10,12 +10,12 @@
 
 namespace ballbar {
 
-// Of one machine the conclusion, a table a group, squareness and scales; of several the ranking; then what has no date
-// and what was skipped. `all`: quantities without anything to state, and all machines, too.
+// One machine: the conclusion, one table per group, squareness and scales. Several machines: the ranking. Then undated
+// tests and skipped files. `all`: also quantities without findings, and all machines.
 std::string history_text(const TestFiles& files, const History& history, const MachineGeometry& geometry, bool all);
 
-// One machine for a page and the text: what stands above the tables, and the rows of the table of a group, whose
-// columns are quantity, unit, last, change, sigmas, a year, tolerance, met; "-" where there is nothing to state.
+// One machine, for the page and the text: the conclusion above the tables, and the rows of the table of a group. Its
+// columns are quantity, unit, last, change, sigmas, a year, tolerance, met; "-": no value.
 std::vector<std::string> machine_conclusion(const History& history);
 std::vector<std::string> quantity_row(const MachineHistory& machine, std::size_t series);
 

@@ -1,4 +1,4 @@
-// `--leave-out-times FROM..TO`: readings that are not to be explained, such as those while the machine stood open.
+// `--leave-out-times FROM..TO`: readings to ignore, such as those while a door of the machine was open.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ class App;
 
 namespace ballbar {
 
-// Both ends included. Of several runs in the time of one after the other, as the page draws them.
+// Both ends included. With several runs, times of the runs end to end, as the page draws them.
 struct TimeRange {
   double from_s = 0.0, to_s = 0.0;
   bool operator==(const TimeRange&) const = default;
@@ -23,8 +23,8 @@ std::string text_of(const TimeRange& range);
 
 void add_left_out_times(CLI::App& command, std::vector<TimeRange>& left_out);
 
-// The data without the measured values within these times. What effects read there stays, so that one with a memory
-// goes on through them. Throws Error for recordings, and for times within which nothing was measured.
+// The data without the measured values within these times. The inputs of effects stay, so that effects with memory
+// continue. Throws Error for recordings, and for times without measured values.
 ModelData without_times(ModelData data, const std::vector<TimeRange>& left_out);
 
 }  // namespace ballbar

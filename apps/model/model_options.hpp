@@ -1,4 +1,4 @@
-// What the commands about models share: DATA, the model file, and how they are read.
+// Common options of the commands about models: DATA, the model file, and how to read them.
 #pragma once
 
 #include <optional>
@@ -26,11 +26,11 @@ struct ModelOptions {
   std::vector<std::string> also_input;  // targets that effects may read
   std::vector<std::string> set;         // parameters held: with_held_values()
   std::optional<double> max_gap_s;
-  std::vector<TimeRange> left_out;  // readings that are not explained
+  std::vector<TimeRange> left_out;  // readings to ignore
   StatedCircle circle;
   bool robust = false;
   bool white = false;
-  Catalogue catalogue = built_in_catalogue();  // of effects that models may have, and that are searched
+  Catalogue catalogue = built_in_catalogue();  // effects for models and searches
 };
 
 void add_model_options(CLI::App& command, ModelOptions& options, bool model_required);
@@ -38,7 +38,7 @@ void add_model_options(CLI::App& command, ModelOptions& options, bool model_requ
 // --max-gap
 void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s);
 
-// --also-input, for the commands that look for effects.
+// --also-input, for the commands that search for effects.
 void add_also_input(CLI::App& command, ModelOptions& options);
 
 // --robust, --white and --set, for the commands that print the fit.
@@ -48,41 +48,41 @@ constexpr double kUsualGap_s = 600.0;
 
 ModelData open_data(const ModelOptions& options);
 
-// Throws Error where the rows of the data are numbered; `what` needs a clock: "to plan from".
+// Throws Error for data without a clock; `what`: why a clock is needed, "to plan from".
 void expect_clock(const ModelData& data, std::string_view what);
 
 // A series or a session of drift. Throws Error for recordings.
 ModelData open_drift(const Source& data, const std::optional<double>& max_gap_s);
 
-// The model of the file, its targets replaced where the command line says so; without a file a constant (or, on
-// recordings, a circle each). Throws Error: a model of drift for recordings or the other way round, one that does not
-// suit the data (expect_suits) with the file's name, a target that is not in um. Targets that --target leaves out are
-// no inputs (Model::not_inputs) but where --also-input says so.
+// The model of the file, with the targets of the command line if given. Without a file a constant, or on recordings one
+// circle each. Throws Error: a model of drift for recordings or vice versa, a model that does not suit the data
+// (expect_suits) with the name of the file, a target that is not in um. Targets that --target leaves out are not inputs
+// (Model::not_inputs), except with --also-input.
 Model open_model(const ModelOptions& options, const ModelData& data);
 
-// What every model has before any effect, in words.
+// In words: the part that every model has without effects.
 std::string_view start_of(Level level);
 
-// Says on the standard error what a model without a file is: a constant, or the circles of recordings.
+// Prints on the standard error that a model without a file is a constant, or the circles of recordings.
 void say_start(const ModelOptions& options, const ModelData& data);
 
-// Throws Error where an effect of that label would read one of Model::not_inputs.
+// Throws Error if an effect with this label would read one of Model::not_inputs.
 void expect_no_target(const std::string& label, const std::vector<std::string>& columns, const Model& model);
 
-// The model of one of its targets: the others are no inputs but where --also-input says so. Several targets are looked
-// at one by one, each by its own model.
+// The model for one of its targets. The others are not inputs, except with --also-input. Several targets are processed
+// one by one, each with its own model.
 Model of_one_target(const Model& model, const ModelOptions& options, std::size_t target);
 
-// Throws Error, with the model's file, where nothing of it is free.
+// Throws Error, with the model's file, if no parameter is free.
 void expect_to_fit(const ModelOptions& options, const Model& model, const ModelData& data);
 
 // --robust and --white, for fit().
 FitOptions fit_options(const ModelOptions& options);
 
-// fit() as the options say. Throws Error with the file that is at fault: the model's (expect_to_fit), or DATA's.
+// fit() with the options. Throws Error with the faulty file: that of the model (expect_to_fit) or DATA.
 Fit fit_of(const ModelOptions& options, const Model& model, const ModelData& data, std::size_t target);
 
-// What `work` returns; what it throws gets the source in front, "model.toml: ...", where there is one.
+// Returns the result of `work`; prefixes its errors with the source, "model.toml: ...", if there is one.
 template <class Work>
 auto with_source(const std::string& source, Work work) -> decltype(work()) {
   if (source.empty()) return work();
@@ -93,7 +93,7 @@ auto with_source(const std::string& source, Work work) -> decltype(work()) {
   }
 }
 
-// "12.3 ± 0.4", "held", "not determined" with as many digits as sigma deserves.
+// "12.3 ± 0.4", "held", "not determined"; the number of digits follows from sigma.
 std::string value_text(const FittedParameter& parameter);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// What data could show, before any residual.
+// Which effects the data could show, before any residual is examined.
 #pragma once
 
 #include <string>
@@ -10,11 +10,10 @@
 
 namespace ballbar {
 
-// A table of all effects, of each target of the model. Throws Error where the data cannot be fitted.
+// A table of all effects for each target of the model. Throws Error if the data cannot be fitted.
 void show_preflight(const ModelOptions& options, const Model& model, const ModelData& data, bool json);
 
-// Why effects could not be tested, what several have in common once: each reason with their names, in the order of the
-// detectabilities.
+// Why effects are not testable: each reason once with the names of its effects, in the order of the detectabilities.
 std::vector<std::pair<std::string, std::vector<std::string>>> by_reason(const std::vector<Detectability>& untestable);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// A model held against data, as `check` and `diagnose` show it.
+// The comparison of a model with data, as `check` and `diagnose` show it.
 #pragma once
 
 #include <memory>
@@ -15,8 +15,8 @@
 
 namespace ballbar {
 
-// The workbench of a request. model: of one target. Throws Error where the model does not suit the data, with the file
-// that is at fault.
+// The workbench of a request. model: with one target. Throws Error with the faulty file if the model does not suit the
+// data.
 Workbench workbench_of(const ModelOptions& options, const std::shared_ptr<const ModelData>& data, const Model& model,
                        DiagnosisOptions diagnosis = {});
 
@@ -26,13 +26,13 @@ std::string heading(const Fit& fit);
 // The three sentences, wrapped.
 void print_sentences(const ResidualReport& residual_report);
 
-// RMSE, the floor and where it comes from, how many values are independent.
+// RMSE, the floor with its source, and the effective number of values.
 std::string floor_text(const Fit& fit);
 
-// Enough that a residual of this size shows two digits.
+// The number of decimals for two significant digits of a residual of this size.
 int decimals_of(double rmse_um);
 
-// Absent where none is known.
+// Absent if not known.
 std::optional<double> floor_um(const ResidualReport& report);
 
 // What `check --json` prints of one target.

@@ -8,8 +8,8 @@
 
 namespace ballbar {
 
-// An effect with the columns that were not named: the trace's own on recordings; else the only one whose unit the input
-// takes and that is not `target`. Throws Error where there is none or a choice, with the choices.
+// Completes the columns of an effect: on recordings those of the trace; else the only column in a unit of the input
+// that is not `target`. Throws Error if there is none, or several, with the choices.
 BoundEffect resolve_columns(const EffectText& text, const Series& data, std::string_view target);
 
 }  // namespace ballbar

@@ -1,5 +1,5 @@
-// What apps/page is built to: bytes for a page, with the hashes that its content security policy names. Empty where
-// the program was built without it (BALLBAR_PAGE=OFF).
+// The output of apps/page: the bytes for a page, with the hashes for its content security policy. Empty in a build
+// without it (BALLBAR_PAGE=OFF).
 #pragma once
 
 #include <string_view>

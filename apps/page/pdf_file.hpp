@@ -6,11 +6,11 @@
 
 namespace ballbar {
 
-// Throws Error, beginning with `option`, where the program was built without; to be called before the work is done.
+// Throws Error, beginning with `option`, in a build without PDF. Call it before doing the work.
 void expect_pdf(std::string_view option);
 
-// One page of A4 with the SVG on all of it. The text stays text; the date in it is that of page_date(). Throws Error
-// where the SVG cannot be drawn.
+// One A4 page filled with the SVG. Text stays text; the date is that of page_date(). Throws Error if the SVG cannot be
+// drawn.
 std::string pdf_of(const std::string& svg, const std::string& title);
 
 }  // namespace ballbar

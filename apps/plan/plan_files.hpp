@@ -1,4 +1,4 @@
-// The folder of a plan: what a shop needs to run a test.
+// The folder of a plan: everything needed to run a test.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace ballbar {
 
-// What one of the rival hypotheses expects of the target over the schedule.
+// The curve of the target over the schedule that one hypothesis predicts.
 struct PlanCurve {
   std::string label;
   double p = 0.0;                            // of the hypothesis today
@@ -20,10 +20,10 @@ struct PlanCurve {
 
 struct PlanContents {
   Schedule schedule;
-  std::string title, text;        // text: what the plan is expected to tell, in sentences
+  std::string title, text;        // text: sentences on the expected outcome of the plan
   std::vector<PlanCurve> curves;  // in any order
-  // How well each time tells the hypotheses apart, one for each time_s of the first curve, 0 and above in any unit: the
-  // picture is shaded the darker the larger it is. May be empty.
+  // How well the hypotheses are separated at each time_s of the first curve, >= 0 in any unit; a larger value gives a
+  // darker shade in the picture. May be empty.
   std::vector<double> separation;
   std::vector<std::string> columns_to_log;
   ProgramOptions options;
@@ -33,15 +33,16 @@ struct PlanContents {
 // spindle_program.
 std::vector<std::pair<std::string, std::string>> plan_files(const PlanContents& contents);
 
-// Throws Error where `folder` is a file or holds anything, another plan too: to be called before the work is done.
+// Throws Error if `folder` is a file or is not empty. Call it before doing the work.
 void expect_plan_folder(const std::filesystem::path& folder);
 
-// Writes them to a new or an empty folder, all or nothing. Throws Error as both, and where they cannot be written.
+// Writes the files to a new or an empty folder, completely or not at all. Throws Error as the two functions above, and
+// if they cannot be written.
 void write_plan(const std::filesystem::path& folder, const PlanContents& contents);
 
-// SVG of 960 px: title and text, the schedule's speed (and load, room and coolant, where they are set), below it what
-// each hypothesis expects with a band of one sigma, the six of the largest p; shaded where they part. Any text is
-// escaped, what is not finite is left out, a long curve is drawn by 500 of its points.
+// An SVG of 960 px: title and text; speed of the schedule (and load, room and coolant if set); below them the predicted
+// curves of the six hypotheses with the largest p, with a band of one sigma, shaded where they differ. Text is escaped,
+// values that are not finite are left out, and a long curve is drawn with 500 points.
 std::string plan_picture(const PlanContents& contents);
 
 }  // namespace ballbar

@@ -7,10 +7,10 @@
 
 namespace ballbar {
 
-// Text for XML: what it takes for its own is escaped, controls are blanks, what is not UTF-8 is a question mark.
+// Text for XML: escaped, with control characters as blanks and invalid UTF-8 as question marks.
 std::string escaped_xml(std::string_view text);
 
-// Lines of at most `most` characters: broken at blanks, and within a word that no line holds.
+// Lines of at most `most` characters, broken at blanks, or within a word that is too long.
 std::vector<std::string> broken_lines(std::string_view text, std::size_t most);
 
 // A range of values over a range of pixels.
@@ -26,7 +26,7 @@ double axis_step(double range, int count);
 // Its own height is known last.
 class Svg {
  public:
-  // `more`: attributes, which begin with a blank behind a text.
+  // `more`: further attributes, beginning with a blank.
   void add(std::string_view element);
   void text(double x, double y, std::string_view words, std::string_view more = "");
   void line(double x1, double y1, double x2, double y2, std::string_view more);

@@ -14,13 +14,13 @@ struct ChildProcess {
   std::string out, err;
 };
 
-// `arguments`: the program, found on PATH, and what it is called with. The environment is the caller's but for
-// variables that begin with `without`. Throws Error, beginning with `option`: no room for its input, or it could not be
-// started for another reason than that it is not there.
+// `arguments`: the program, found on PATH, and its arguments. The environment is that of the caller, without variables
+// that begin with `without`. Throws Error, beginning with `option`, if its input cannot be stored, or if an existing
+// program cannot be started.
 ChildProcess child_process(const std::string& option, const std::vector<std::string>& arguments, std::string_view in,
                            std::string_view without = {});
 
-// Starts it and does not wait: a viewer, which goes on when we have ended. False where there is no such program.
+// Starts a program without waiting: a viewer that outlives this process. Returns false if the program does not exist.
 bool started(const std::vector<std::string>& arguments);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// Columns and recordings as arrays of numpy: copied once on the way in, seen without a copy on the way out.
+// Columns and recordings as numpy arrays: copied once on input, exposed without a copy on output.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -12,8 +12,8 @@ namespace ballbar::python {
 
 using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
 
-// Floats and integers as they are; of objects each a number; NaN where a mask covers one, for None and for pandas' NA.
-// Throws Error otherwise, with the name of what it is: of truth values, texts, dates and complex numbers.
+// Accepts floats, integers, and objects that are numbers. Masked values, None and pandas' NA become NaN. Throws Error
+// with the type for anything else: booleans, texts, dates and complex numbers.
 Numbers numbers_of(const pybind11::object& data, const std::string& name);
 
 // As numbers_of, of one dimension.

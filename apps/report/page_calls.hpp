@@ -1,5 +1,4 @@
-// What a page asks of the program while a person works with it: calls upon one subject, which is kept from call to
-// call.
+// The calls from an interactive page to the program. They refer to one subject, which is kept between calls.
 #pragma once
 
 #include <memory>
@@ -17,7 +16,7 @@ namespace ballbar {
 //
 //   report     the report with the fit, without a search
 //   fitted     its parts that the model changes: check, ledger, summary, files, fit of recordings
-//   search     what is missing: diagnose, summary, fit of recordings
+//   search     the diagnosis: diagnose, summary, fit of recordings
 //   hold       the fit with "settings", EFFECT.PARAMETER=VALUE each, in the place of fitted values
 //   add        the fit with "effects"; the model's file stays as it was
 //   with       the RMSE that "effects" would leave; the model stays

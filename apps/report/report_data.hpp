@@ -1,4 +1,4 @@
-// What a report says of data, before any model.
+// The parts of a report about the data, without a model.
 #pragma once
 
 #include <filesystem>

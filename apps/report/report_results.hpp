@@ -15,7 +15,7 @@
 
 namespace ballbar {
 
-// What of a report changes with the model.
+// The parts of a report that change with the model.
 struct ModelPart {
   std::vector<std::string> files, summary;
   MayLack<FitPart> fit;
@@ -83,7 +83,7 @@ struct ResultType<PageReport> {
       std::tuple{Field{"batch", &PageReport::batch, "with a model of train"}});
 };
 
-// What a page is told of steps that it asks for.
+// Results of the steps that a page requests.
 struct HeldPart {
   CheckParts check;
 };
@@ -122,7 +122,7 @@ struct ResultType<RevisedPart> {
                                      Field{"ledger", &RevisedPart::ledger, ""}};
 };
 
-// What could be added to a model: an effect with each choice of columns.
+// An effect that can be added to a model, with each choice of columns.
 struct EffectChoice {
   std::string name;
   std::vector<BoundEffect> choices;  // none: no column suits
@@ -161,7 +161,7 @@ struct ResultType<EffectChoices> {
   static constexpr std::tuple fields{Field{"effects", &EffectChoices::effects, "of the catalogue"}};
 };
 
-// A model with effects that might be missing.
+// The fit of a model with possibly missing effects.
 struct FittedHypothesis {
   std::vector<std::string> effects;
   CheckParts check;

@@ -1,5 +1,5 @@
-// Data that are looked at, with a model beside them that may change: opened once, computed once. `report` makes one
-// report of it; a page keeps it, and asks for the parts that a step changes.
+// The data of a report with a model that may change, opened and computed once. `report` makes one report of it. A page
+// keeps it and requests the parts that a step changes.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace ballbar {
 
-// A change of a model that nobody proposed.
+// A change of the model by the user.
 struct HandChange {
   std::vector<std::string> removed;      // labels of effects
   std::vector<std::string> held, freed;  // EFFECT.PARAMETER=VALUE: held there; free from there
@@ -23,27 +23,26 @@ class ReportSubject {
  public:
   explicit ReportSubject(ReportRequest request);
 
-  // Where there is a model, with its fit; search: and with what is missing from it.
+  // The report, with the fit if there is a model; search: also with the diagnosis.
   Report report(bool search);
 
-  // Parts of a report, by its keys. Each throws Error where there is no target, or several.
+  // Parts of a report, by its keys. Each throws Error if there is not exactly one target.
   ModelPart fitted();                                       // the fit
-  ModelPart found();                                        // what is missing
+  ModelPart found();                                        // the diagnosis
   HeldPart held(const std::vector<std::string>& settings);  // the fit with these values, as --set has them
-  ModelPart add(const std::vector<std::string>& effects);   // the fit with them; its file stays as it was
-  WithPart with(const std::vector<std::string>& effects);   // what add() would leave
-  ModelPart change(const HandChange& change);               // the fit after it; its file stays as it was
-  // What add() or change() changed, written to the file; an addition that the data do not support is taken back, but
-  // for keep.
+  ModelPart add(const std::vector<std::string>& effects);   // the fit with them; the file does not change
+  WithPart with(const std::vector<std::string>& effects);   // the RMSE after add()
+  ModelPart change(const HandChange& change);               // the fit after it; the file does not change
+  // Writes the result of add() or change() to the file. Reverts an addition that the data do not support, unless keep.
   RevisedPart revise(const std::string& file, bool keep);
-  void take_back();                                                             // what add() or change() changed
-  EffectChoices choices();                                                      // what could be added
+  void take_back();                                                             // reverts add() or change()
+  EffectChoices choices();                                                      // effects that can be added
   Hypotheses compare(const std::vector<std::vector<std::string>>& hypotheses);  // effects of each; the model stays
   ModelText text_as_fitted();                                                   // of the model's file
 
-  // Whether the request is of these data, read as they were, none of whose files has changed since.
+  // Whether the request is for the same data with the same recipe, and no file has changed since.
   bool is_of(const ReportRequest& request) const;
-  // Another target or model of the same data; a model whose file has changed is read anew.
+  // Sets another target or model for the same data; reads a changed model file again.
   void look_at(const ReportRequest& request);
 
  private:
@@ -56,9 +55,9 @@ class ReportSubject {
   void add_model(ModelPart& made, Parts parts);
   void add_target(ModelPart& made, RevisedModel& model, Parts parts);
   ModelPart of_model(Parts parts);
-  std::vector<std::filesystem::path> files() const;  // that a report is made of
+  std::vector<std::filesystem::path> files() const;  // all files of the report
 
-  ReportRequest request_, given_;  // with folders as the files in them; as it came
+  ReportRequest request_, given_;  // with folders replaced by their files; as given
   ReportData data_;
   std::vector<Mark> marks_;
   std::vector<std::string> targets_;

@@ -1,4 +1,4 @@
-// Where one sensor should sit so that it tells the axial elongation: `ballbar compensate --from-picture`.
+// The best position of a single sensor for the axial elongation: `ballbar compensate --from-picture`.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -17,11 +17,11 @@ struct ShaftPictureArguments {
   bool json = false;
 };
 
-// Prints the places and writes what is asked for. Throws Error with the file or the option that is at fault.
+// Prints the positions and writes the requested files. Throws Error with the faulty file or option.
 void show_shaft_picture(const ShaftPictureArguments& options);
 
-// Throws Error where the name ends in neither .svg nor .png, or in .svg and the program was built without the page; to
-// be called before the work is done.
+// Throws Error if the name ends in neither .svg nor .png, or in .svg in a build without the page. Call it before doing
+// the work.
 void expect_shaft_plot(const std::string& path);
 
 // .svg: T(x) of all states, each mean a dashed line, each mean-value point a dot; the best place of several states a

@@ -1,5 +1,5 @@
-// What `ballbar compensate --from-picture` looks at: temperatures along a spindle, from pictures or from a table, each
-// with its mean-value points.
+// The input of `ballbar compensate --from-picture`: temperatures along a spindle, from pictures or a table, each with
+// its mean-value points.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ struct ShaftPictureOptions {
   double expansion_ppm_per_K = 11.7;  // of steel
 };
 
-// How a picture became a profile.
+// How a picture was converted to a profile.
 struct PictureState {
   Picture picture;
   ColourScale scale;
@@ -34,11 +34,11 @@ struct PictureState {
   bool vertical = false;
 };
 
-// A mean-value point, and how well it is known: NaN where it is not.
+// A mean-value point with its uncertainty; NaN: not known.
 struct SensorPlace {
   MeanPoint point;
   double sigma_mm = 0.0, sigma_slope_degC_per_mm = 0.0;
-  double misplaced_um_per_mm = 0.0;  // um of elongation for each mm that the sensor is off
+  double misplaced_um_per_mm = 0.0;  // error of the elongation per mm of misplacement
 };
 
 struct ShaftState {

@@ -1,4 +1,4 @@
-// The commands and their options as completions and the man page tell them, taken from what the program understands.
+// The commands and their options for completions and the man page, from the command line parser of the program.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ class App;
 
 namespace ballbar {
 
-// What a value or a place of the command line takes.
+// An option or a positional argument of the command line.
 enum class Takes { nothing, text, words, file, folder, effect, effect_or_file };
 
 struct OptionWords {
@@ -36,7 +36,8 @@ std::vector<CommandWords> command_words(const CLI::App& app);
 // Of both levels, each once.
 std::vector<std::string> effect_words();
 
-// What makes a shell complete commands, options, effects and files: `ballbar help --completion bash|zsh|fish`.
+// The completion script of a shell for commands, options, effects and files: `ballbar help --completion
+// bash|zsh|fish`.
 std::string bash_completion(const std::vector<CommandWords>& commands);
 std::string zsh_completion(const std::vector<CommandWords>& commands);
 std::string fish_completion(const std::vector<CommandWords>& commands);

@@ -1,5 +1,4 @@
-// What is wrong with a command line, in one sentence: what was expected and found, the nearest name where one is near,
-// and the help to look at.
+// One sentence for an error in a command line: what was expected and found, the nearest name, and the help to read.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Who called a command: a person at a terminal, or a program that has it run in its own process and takes what it says.
+// The caller of a command: a person at a terminal, or a program that runs it in its own process and takes its output.
 #pragma once
 
 #include <functional>
@@ -8,19 +8,19 @@
 
 namespace ballbar {
 
-// Takes these instead of the streams; where one is empty, they go to the streams.
+// Functions that replace the output streams; an empty one leaves the stream.
 struct Caller {
   std::function<void(const nlohmann::ordered_json& json)> result;  // of a command with --json
   std::function<void(const std::string& line)> remark;             // a line of the standard error
   std::function<void(const std::string& file)> wrote;              // a file that was written
-  // The line that the next one replaces; text, or JSON with what is known so far; empty: no longer.
+  // The progress line, which the next one replaces: text, or JSON with the results so far; empty: end.
   std::function<void(std::string_view line)> progress;
 };
 
 // The program that called a command in this thread; nullptr: a person at a terminal.
 const Caller* caller();
 
-// For as long as it lives, commands in this thread are called by `program`, which outlives it.
+// While it exists, `program` is the caller of commands in this thread. `program` must outlive it.
 class CalledBy {
  public:
   explicit CalledBy(const Caller& program);
@@ -36,7 +36,7 @@ class CalledBy {
 // line).
 void print_json(const nlohmann::ordered_json& json, int indent = 2);
 
-// What only a person reads: to the standard output, and not said to a program that takes results.
+// Text for people only: to the standard output, but not to a program that takes results.
 void print_for_people(const std::string& text);
 
 // As print_json, of a text that is JSON already, laid out for people.

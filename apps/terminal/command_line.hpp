@@ -1,4 +1,4 @@
-// The command line of a program that runs commands, and the data that its words stand for.
+// The command line of a program with commands, and the data that its words refer to.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -20,7 +20,7 @@ struct LogRecipes {
   bool has_place = false;  // for data
 };
 
-// A word for data is a path, or the name of a value that the program holds.
+// A word for data is a path, or the name of a value in memory.
 class CommandLine : public CLI::App {
  public:
   using CLI::App::App;
@@ -33,7 +33,7 @@ class CommandLine : public CLI::App {
 CommandLine* line_of(CLI::App& command);
 const CommandLine* line_of(const CLI::App& command);
 
-// What a word of the command stands for.
+// The data that a word of the command refers to.
 Source source_of(const CLI::App& command, const std::string& word);
 
 // That of the command line that a command belongs to.

@@ -1,4 +1,4 @@
-// What a value of an option may be, checked before any file is read. A fault is the command line's: exit status 2.
+// Checks of option values, before any file is read. A failure is an error in the command line: exit status 2.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -42,13 +42,13 @@ void add_radius(CLI::App& command, StatedCircle& circle);
 void add_choice(CLI::App& command, const std::string& name, std::vector<std::string> words,
                 const std::string& otherwise, const std::string& help, const std::function<void(std::size_t)>& at);
 
-// That none of these was given, for they mean nothing without `needed`. Throws CLI::ValidationError.
+// Throws CLI::ValidationError if one of these options is given, because they need `needed`.
 void expect_none_given(const std::vector<CLI::Option*>& options, std::string_view needed);
 
 // "--sequential: expected no --equal-radii with it": of options that were both given, though one excludes the other.
 std::string exclusion_text(const CLI::App& command);
 
-// For all options: an empty value is none.
+// For all options: an empty value is an error.
 void expect_values(CLI::App& app);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// What a command may write over.
+// Protects input files from being overwritten.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace ballbar {
 
-// Throws Error where an output is one of the inputs: a measurement is not written over.
+// Throws Error if an output is one of the inputs, so that a measurement is never overwritten.
 // `option`: that named the outputs.
 void expect_no_input(const std::vector<std::string>& outputs, const std::vector<std::filesystem::path>& inputs,
                      std::string_view option = "--out");

@@ -1,5 +1,5 @@
-// How far a command is: one line, which the next one replaces. On a terminal it is shown there, and nothing is written
-// where standard error is none; a program that called takes it. Nothing ever to standard output.
+// The progress of a command: one line, which the next one replaces. It is shown if standard error is a terminal, or is
+// passed to the calling program. It never goes to standard output.
 #pragma once
 
 #include <string_view>
@@ -8,10 +8,10 @@ namespace ballbar {
 
 void show_progress(std::string_view line);  // empty: takes the line away
 
-// Whether somebody takes lines that are not for reading: JSON, with what is known so far.
+// Whether the caller takes progress as JSON with the results so far.
 bool progress_is_taken();
 
-// Takes the line away when a command ends, by an error too.
+// Removes the line when a command ends, also after an error.
 struct ProgressLine {
   ProgressLine() = default;
   ProgressLine(const ProgressLine&) = delete;

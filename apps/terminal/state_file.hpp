@@ -1,4 +1,4 @@
-// Files that keep where a live command stands.
+// State files of live commands.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@
 
 namespace ballbar {
 
-// To tell models apart in a state that is written every second; no seal. "cbf29ce484222325, 0 bytes"
+// Identifies a model in a state that is written every second; not cryptographic. "cbf29ce484222325, 0 bytes"
 std::string digest_of(std::string_view text);
 
-// Held while the program runs, so that no other keeps the same state. Nothing where no state can be: writing it says
-// so. Throws Error where another program holds it.
+// A lock for the lifetime of the program, so that no other program uses the same state. Returns nullopt if no state
+// file can exist there; writing it then reports the error. Throws Error if another program holds the lock.
 std::optional<FileLock> only_program(const std::filesystem::path& state);
 
 }  // namespace ballbar

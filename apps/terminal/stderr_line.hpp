@@ -1,4 +1,4 @@
-// A line on the standard error. Never throws: that nobody can read it is no reason to stop.
+// Prints a line on the standard error. Never throws: a failure to print does not stop the program.
 #pragma once
 
 #include <cstdio>
@@ -14,10 +14,10 @@ void wrote_line(const std::string& file);
 
 // A line each, after "ballbar: ".
 void tell(const std::vector<std::string>& remarks);
-// "ballbar: " in front, in red: why the work was not done.
+// With "ballbar: " in front, in red: an error.
 void error_line(const std::string& text);
 
-// The line in yellow: the work was done, but not as one may think.
+// The line in yellow: a warning about completed work.
 void warning_line(const std::string& text);
 
 // Colour where a person reads: only on a terminal that is not dumb, and not where NO_COLOR is set (no-color.org). What

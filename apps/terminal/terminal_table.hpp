@@ -14,8 +14,8 @@ class Table {
  public:
   explicit Table(std::vector<std::string> heading) : rows_{std::move(heading)} {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-  void add_wrapped(std::vector<std::string> row, std::size_t width);  // the last cell goes on below itself
-  // Rows wider than `most` characters: the widest column gives way, then the next, and its cells go on below.
+  void add_wrapped(std::vector<std::string> row, std::size_t width);  // wraps the last cell
+  // If rows exceed `most` characters, the widest column is narrowed, then the next, and its cells are wrapped.
   std::string text(std::size_t most = 10000) const;
   std::string left_aligned(std::size_t most = 10000) const;  // all columns to the left: tables of words
 
@@ -27,17 +27,17 @@ class Table {
 // Characters of a line: of the terminal, where the standard output is one.
 std::size_t table_width(std::size_t elsewhere = 120);
 
-// "7.40 ± 0.02"; the sigma "?" where it is not known, "undetermined" where the readings do not determine it.
+// "7.40 ± 0.02"; the sigma is "?" if not known; "undetermined" if the readings do not determine the value.
 std::string with_sigma(double value, double sigma, int decimals);
 std::string with_sigma(const Estimate& estimate, int decimals = 2);
 
 // "-0.00" is "0.00"; from 1e9 on "1.36e+12", whatever the decimals.
 std::string fixed(double value, int decimals);
 
-// One line of at most `width` characters, with "..." where some were left out and ? for what a terminal would obey.
+// One line of at most `width` characters, with "..." for omitted text and ? for control characters.
 std::string shortened(const std::string& text, std::size_t width);
 
-// A name as it is, with ? for what a terminal would obey; only what nobody would read to the end is shortened.
+// A name with ? for control characters; only extremely long names are shortened.
 std::string one_line(const std::string& text);
 
 // Breaks at spaces so that no line is longer than `width`.

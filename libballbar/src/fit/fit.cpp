@@ -49,8 +49,8 @@ std::vector<std::size_t> rows_with_value(const Column& target) {
   return rows;
 }
 
-// Sigma of the target at the rows; empty where the data have none, or where a row has none or 0 (a reference's own
-// row is 0 by definition: it gets the smallest of the others).
+// Sigma of the target at the rows; empty if the data have none, or if a row has none or 0 (the row of the reference is
+// 0 by definition and gets the smallest of the others).
 std::vector<double> stated_sigma_um(const Series& data, const std::string& target,
                                     const std::vector<std::size_t>& rows) {
   const std::string unit(unit_of(target));
@@ -169,7 +169,7 @@ Fit fit(const Model& stated, const Series& data, std::size_t target, const FitOp
     for (const std::size_t row : result.discounted) counted.row[static_cast<Eigen::Index>(row)] = 0.0;
     add_uncertainty_under_noise(result, weighted(counted, jacobian), bounds, counted.row);
   } else {
-    // The scatter that is left, for the parameters spent; never below what was stated.
+    // The scatter of the residual, corrected for the number of parameters; never below the stated one.
     best.weighting.discount.resize(0);
     const double spent = std::max(1.0, static_cast<double>(kept) - static_cast<double>(free));
     double variance = with_noise ? 1.0 : 2.0 * best.minimum.cost / spent;

@@ -18,7 +18,7 @@ namespace {
 constexpr int kRobustRounds = 8;
 constexpr int kNoiseRounds = 2, kRobustNoiseRounds = 4;
 constexpr int kMostSteps = 100;
-constexpr double kWorseByWhitening = 1.5;  // rms: the slow part of the data was given up
+constexpr double kWorseByWhitening = 1.5;  // ratio of rms: whitening discarded the slow part of the data
 
 Eigen::VectorXd residual_of(const FitProblem& problem, const SolvedFit& solved) {
   return problem.target_um - problem.rows.sum(solved.minimum.parameters, nullptr);
@@ -35,8 +35,8 @@ Eigen::MatrixXd jacobian_of_free(const FitProblem& problem, const Eigen::VectorX
   return spent;
 }
 
-// A memory longer than a tenth of the record is no noise that the record could show: it is what the model lacks. To
-// whiten it would difference the data and fit the fast part alone.
+// A correlation time longer than a tenth of the record indicates a missing effect rather than noise. Whitening by it
+// would difference the data and fit only the fast part.
 bool is_misfit(const Noise& noise, const std::vector<double>& time_s) {
   return noise.correlated_um > noise.white_um && noise.correlation_time_s > 0.1 * range_of(time_s);
 }
@@ -97,7 +97,7 @@ Whitened whitened(const FitProblem& problem, const Fit& data, const SolvedFit& l
   Whitened result{least_squares, {}, false};
   const int rounds = robust ? kRobustNoiseRounds : kNoiseRounds;
   for (int round = 0; round < rounds; ++round) {
-    // The last time with the parameters that the fit has spent (REML).
+    // In the last iteration corrected for the fitted parameters (REML).
     const Eigen::MatrixXd spent = round + 1 == rounds ? jacobian_of_free(problem, result.solved.minimum.parameters)
                                                       : Eigen::MatrixXd(problem.target_um.size(), 0);
     result.noise = noise_left_by(result.solved, spent);

@@ -21,14 +21,14 @@ bool is_error(const Term& term) {
   return true;
 }
 
-// Where the parameters of a term begin among those of the model; 0 is the constant.
+// Index of the first parameter of each term in the model; 0 is the constant.
 Eigen::Index offset_of(const Model& model, std::size_t term) {
   Eigen::Index offset = 1;
   for (std::size_t t = 0; t < term; ++t) offset += static_cast<Eigen::Index>(model.terms[t].settings.size());
   return offset;
 }
 
-// The value of a gain, and as what sum of the fit's gains: of recordings that have their own, the mean.
+// The value of a gain as a linear combination of the fit's gains; the mean for separate gains of recordings.
 Eigen::RowVectorXd sum_of(const ErrorFitted& errors, const Effect& effect, std::size_t gain) {
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(errors.gains.size());
   for (std::size_t k = 0; k < errors.columns.columns.size(); ++k) {
@@ -94,7 +94,7 @@ Fit fit_of_machine_errors(const Model& model, const Series& data, std::size_t ta
   const Eigen::VectorXd measured = Eigen::VectorXd::Map(result.measured_um.data(), n);
   const ModelRows rows(model, data, result.row);
 
-  // The errors as they stand beside all others.
+  // The errors from the joint fit.
   Eigen::VectorXd values = Eigen::VectorXd::Zero(rows.parameters());
   Eigen::MatrixXd of_gains = Eigen::MatrixXd::Zero(rows.parameters(), errors.gains.size());
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
@@ -114,7 +114,7 @@ Fit fit_of_machine_errors(const Model& model, const Series& data, std::size_t ta
   }
   result.covariance = of_gains * errors.covariance * of_gains.transpose();
 
-  // The circles by least squares on what they leave; the length equation is nearly linear in them.
+  // The circles by least squares on the residual of the errors; the length equation is nearly linear in them.
   const std::vector<Eigen::Index> circles = circle_gains(model);
   for (int step = 0; step < 2 && !circles.empty(); ++step) {
     const Eigen::VectorXd left = measured - rows.sum(values, &result.jacobian);

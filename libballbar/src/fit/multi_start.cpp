@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostPoints = 1500;  // of one term's grid
 constexpr std::size_t kCoarseOnsets = 200;
-constexpr Eigen::Index kMostRows = 1500;  // of the target, for the screening alone
+constexpr Eigen::Index kMostRows = 1500;  // of the target, only for the screening
 constexpr int kRounds = 2;
 
 using Points = std::vector<std::vector<double>>;
@@ -47,7 +47,7 @@ Points grid_of(const Term& term, const EffectRows& rows) {
   return points;
 }
 
-// An onset is found from the row next to it alone: every row about the coarse one.
+// All rows near a coarse onset, because an onset is only found from the adjacent row.
 Points finer(const Term& term, const EffectRows& rows, const std::vector<double>& point) {
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
     const bool is_onset = term.effect->parameters[k].shape_of == ShapeOf::onset;
@@ -65,9 +65,9 @@ Points finer(const Term& term, const EffectRows& rows, const std::vector<double>
   return {};
 }
 
-// What the gains of one point can make, and what the held ones add.
+// The columns of the free gains at one point, and the contribution of the held ones.
 struct Basis {
-  Eigen::MatrixXd columns;  // one a free gain
+  Eigen::MatrixXd columns;  // one per free gain
   Eigen::VectorXd offset;
 };
 
@@ -124,7 +124,7 @@ class Screening {
       solution.cost = b.squaredNorm();
       return solution;
     }
-    // Columns to unit length, a trace of ridge: two effects that are the same share what they explain.
+    // Columns scaled to unit length with a small ridge, so that equal effects share their contribution.
     const Eigen::VectorXd scale = a.colwise().norm().cwiseMax(1e-300);
     const Eigen::MatrixXd unit = a * scale.cwiseInverse().asDiagonal();
     Eigen::MatrixXd gram = unit.transpose() * unit;

@@ -18,7 +18,7 @@ Regime later(double since_s, double before_rpm, double speed_rpm, double largest
   return rise > 0.02 * largest_rpm && since_s < kWarming_s ? Regime::warming : Regime::steady;
 }
 
-// Without the short rests in which a test is made: the stretches around them are one.
+// Removes short rests for tests by joining the stretches around them.
 std::vector<SpeedStep> without_stops(const std::vector<double>& time_s, const std::vector<SpeedStep>& steps,
                                      double largest_rpm) {
   const auto length_s = [&](const SpeedStep& step) { return time_s[step.end - 1] - time_s[step.begin]; };

@@ -70,7 +70,7 @@ void by_regime(const Fit& fit, const Series& data, Groups& groups) {
   }
 }
 
-// Four digits, or as many as a tenth of the whole needs: a clock may have started long before.
+// Four digits, or as many as a tenth of the range needs, because a clock may have started long before.
 std::string printed_time(double time_s, double whole_s) {
   const bool in_s = whole_s < 600.0;
   const double time = in_s ? time_s : min_from_s(time_s);
@@ -166,12 +166,12 @@ std::string with_sigma(double value, double sigma) {
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sigma, decimals);
 }
 
-// Three digits, whole micrometres above 1000; what is absurd gets an exponent.
+// Three digits, whole micrometres above 1000, exponents for absurd values.
 std::string digits(double value_um) {
   return value_um < 999.5 || value_um >= 1e9 ? fmt::format("{:.3g}", value_um) : fmt::format("{:.0f}", value_um);
 }
 
-// What an engineer is told; the word for it and where it is from come after that.
+// The result for an engineer first; the term and its source follow.
 std::string of_floor(const Fit& fit) {
   const double floor_um = fit.floor.rms_um;
   if (!(floor_um > 0.0) || fit.floor.source.empty()) {
@@ -206,7 +206,7 @@ std::string place_of(const Misfit& group) {
   return fmt::format("where {} is {}", group.what, range());
 }
 
-// What is furthest above its own share of the readings, and worth a sentence; nullptr: none.
+// The group whose share of the misfit exceeds its share of the readings most, if worth a sentence; nullptr: none.
 const Misfit* worst_of(const Fit& fit, const std::vector<Misfit>& where) {
   constexpr double kWorthIt = 0.1;
   const auto n = static_cast<double>(fit.residual_um.size());

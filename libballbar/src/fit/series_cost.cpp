@@ -79,7 +79,7 @@ class SeriesCost : public ceres::CostFunction {
   }
 
  private:
-  // Where a free parameter's derivative stands; the constant has none.
+  // The source of the derivative of a free parameter; the constant has none.
   struct Source {
     std::size_t term = 0, parameter = 0, parameters = 0;
   };
@@ -164,7 +164,7 @@ struct Search {
     return {rows, target_um, weighting, bounds, start, free};
   }
 
-  // exp log of a bound is the bound but for rounding.
+  // exp(log(bound)) equals the bound up to rounding.
   bool at_lower(const Eigen::VectorXd& p, Eigen::Index k) const {
     return p[k] <= bounds.lower[k] + kRounding * std::abs(bounds.lower[k]);
   }
@@ -172,7 +172,7 @@ struct Search {
     return p[k] >= bounds.upper[k] - kRounding * std::abs(bounds.upper[k]);
   }
 
-  // Free parameters but those on a bound that the gradient pushes out.
+  // Free parameters, except those on a bound with the gradient pointing outwards.
   std::vector<Eigen::Index> movable(const Eigen::VectorXd& p, const std::vector<Eigen::Index>& free) const {
     const auto on_bound = [&](Eigen::Index k) { return at_lower(p, k) || at_upper(p, k); };
     if (std::none_of(free.begin(), free.end(), on_bound)) return free;
@@ -250,7 +250,7 @@ Pass pass_of(const Search& search, const Eigen::VectorXd& start, const std::vect
   ceres::Solve(options, &problem, &summary);
   Pass pass;
   pass.minimum.parameters = cost.parameters_of(u.data());
-  // A start where the model is not finite is no minimum, whatever Ceres leaves there.
+  // A start where the model is not finite is not a minimum, whatever Ceres returns.
   const bool usable = summary.IsSolutionUsable() && std::isfinite(summary.final_cost) && summary.final_cost >= 0.0;
   pass.minimum.cost = usable ? summary.final_cost : std::numeric_limits<double>::infinity();
   pass.minimum.converged = summary.termination_type == ceres::CONVERGENCE;
@@ -261,9 +261,9 @@ Pass pass_of(const Search& search, const Eigen::VectorXd& start, const std::vect
 
 }  // namespace
 
-// A projected step is a poor one for the parameters that are not on a bound: it lacks what the others should have done.
-// So a parameter that meets a bound is held there, the rest goes on without it, and in the end it is let go where the
-// gradient points back in.
+// A projected step is poor for the parameters that are not on a bound, because the others did not move as assumed. A
+// parameter that meets a bound is therefore held there while the others continue. In the end it is released if the
+// gradient points inwards.
 Minimum minimise(const ModelRows& rows, const Eigen::VectorXd& target_um, const Weighting& weighting,
                  const Bounds& bounds, const Eigen::VectorXd& start, int most_iterations) {
   std::vector<Eigen::Index> free;

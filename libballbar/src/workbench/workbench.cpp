@@ -15,10 +15,10 @@
 namespace ballbar {
 namespace {
 
-// A fit as the tests of effects have it.
+// A fit in the form that the tests of effects need.
 bool is_plain(const FitOptions& options) { return !options.robust && !options.white && !options.noise; }
 
-// A fit with where it fails, and what is to be known of its inputs.
+// A fit with its misfits, and the inference about missing effects.
 ResidualReport report_of(Fit fit, const Model& model, const Series& data) {
   ResidualReport report{std::move(fit), {}, {}};
   report.where = where_it_fails(report.fit, data);
@@ -41,26 +41,27 @@ ResidualReport residual_report_of(const Model& model, const Series& data, std::s
   return report_of(fit(model, data, target, options), model, data);
 }
 
-// Effects that were fitted beside a model: it with them, their shapes begun. Its fit is soon made anew, and large.
+// A model with additional effects, their shapes at start values. The fit is not stored: it is large and quick to
+// repeat.
 struct Tried {
   std::vector<Term> terms;  // as they were given
   Model model;
   double rmse_um = 0.0;
 };
 
-// A model, and what was computed of it.
+// A model with its results.
 struct Workbench::Step {
   Model model;
-  std::vector<Tried> tried;           // beside it
-  std::vector<Term> added;            // to the step before, as they were given
-  std::optional<Inference> of_added;  // of the step before with these terms; none: its own
+  std::vector<Tried> tried;           // additional effects that were tried
+  std::vector<Term> added;            // to the previous step, as given
+  std::optional<Inference> of_added;  // of the previous step with these terms; nullopt: its own
   std::optional<Fit> fit;             // as the tests of effects have it
   std::optional<LedgerRow> row;
   std::optional<ResidualReport> check;
   std::optional<Inference> inference;
   std::optional<Diagnosis> diagnosis;
   std::optional<std::optional<Predictability>> predictability;
-  std::optional<EffectTest> test;  // of what was added
+  std::optional<EffectTest> test;  // of the added terms
 
   const Tried* find_tried(const std::vector<Term>& terms) const {
     const auto known = std::find_if(tried.begin(), tried.end(), [&](const Tried& one) { return one.terms == terms; });
@@ -157,7 +158,7 @@ double Workbench::rmse_um_with(const std::vector<Term>& terms) {
 
 void Workbench::add(const std::vector<Term>& terms) {
   steps_.push_back(step_with(terms));
-  if (steps_.size() > 2) steps_[steps_.size() - 3]->inference.reset();  // the largest part, and nobody asks for it
+  if (steps_.size() > 2) steps_[steps_.size() - 3]->inference.reset();  // large and no longer needed
 }
 
 const EffectTest& Workbench::added() {

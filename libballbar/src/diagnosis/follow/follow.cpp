@@ -12,7 +12,7 @@
 namespace ballbar {
 namespace {
 
-constexpr double kLookGrowth = 13.0 / 12.0;  // values of a look, of those of the look before
+constexpr double kLookGrowth = 13.0 / 12.0;  // ratio of the numbers of values of successive looks
 
 bool is_in(const std::vector<std::string>& labels, const std::string& label) {
   return std::find(labels.begin(), labels.end(), label) != labels.end();
@@ -48,7 +48,7 @@ constexpr double kSure = 1.0 - kFalselyDecided;
 
 bool is_likely(const Diagnosis& diagnosis) { return diagnosis.log_bayes_factor >= least_log_bayes_factor(); }
 
-// Labels that all tests name, and that are as sure as a run that is looked at often needs.
+// Labels that all tests name, with the probability that repeated looks require.
 std::vector<std::string> sure_of(const Diagnosis& diagnosis, const std::vector<Hypothesis>& hypotheses,
                                  const TwiceLogged& logged_twice) {
   if (diagnosis.verdict != Verdict::named || !is_likely(diagnosis)) return {};

@@ -13,9 +13,9 @@
 namespace ballbar {
 namespace {
 
-constexpr double kForecastSigmas = 2.0;  // of ln of odds, forecast to the planned end
-constexpr double kTwinMoves = 0.2;       // ln of the odds of both, over the last half of the values
-constexpr double kTwinNow = 0.1;         // P of a rival that no reading tells from the first
+constexpr double kForecastSigmas = 2.0;  // width of the forecast of ln of odds to the planned end
+constexpr double kTwinMoves = 0.2;       // change of ln of the odds over the last half of the values
+constexpr double kTwinNow = 0.1;         // P of a rival that the readings cannot separate from the first
 
 double log_odds(double p) {
   constexpr double kLeast = 1e-9;  // P is a sum of rounded shares
@@ -39,7 +39,7 @@ std::size_t look_of_half(const std::vector<Look>& looks) {
   return looks.size();
 }
 
-// Largest less smallest of ln of the odds of two labels, since the look `half`.
+// Range (max - min) of ln of the odds of two labels since the look `half`.
 double moved(const std::vector<Look>& looks, std::size_t half, const std::string& first, const std::string& other) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (std::size_t k = half; k < looks.size(); ++k) {
@@ -51,7 +51,7 @@ double moved(const std::vector<Look>& looks, std::size_t half, const std::string
   return high - low;
 }
 
-// Why another label is as good as the first; empty: none is.
+// Why another label is as good as the first; empty: there is none.
 std::string why_not_the_first(const std::vector<Look>& looks, std::size_t half) {
   const Look& now = looks.back();
   if (now.p_nothing > kNothing || now.hypotheses.empty()) return "";
@@ -70,7 +70,7 @@ std::string why_not_the_first(const std::vector<Look>& looks, std::size_t half) 
   return "";
 }
 
-// Of ln of odds that are `now`, and were `before` at an earlier time.
+// The forecast for ln of odds with the values `now`, and `before` at an earlier time.
 double at_most(double before, double now, double further) {
   const double gained = std::max(0.0, now - before);
   return now + further * gained + kForecastSigmas * std::sqrt((further * further + further) * (2.0 * gained + 1.0));

@@ -24,13 +24,13 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kComparedShapes = 12;  // of one family, compared with those of the others
-constexpr double kInseparable = 0.95;        // coherence of two effects that cannot be told apart
+constexpr double kInseparable = 0.95;        // coherence of two inseparable effects
 
 auto block(const Projected& projection, const Signature& signature) {
   return projection.columns.middleCols(signature.first, signature.width);
 }
 
-// Smallest canonical correlation: 1 where one space holds the other.
+// Smallest canonical correlation: 1 if one space contains the other.
 double coherence(const Eigen::MatrixXd& between) {
   if (between.size() == 1) return std::abs(between(0, 0));
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(between);
@@ -44,7 +44,7 @@ std::vector<std::size_t> some_shapes(const Family& family) {
   return shapes;
 }
 
-// Coherence that most of the shapes of `a` have with some shape of `b`: the lower median of the largest.
+// The lower median, over the shapes of `a`, of the largest coherence with a shape of `b`.
 double imitated(const SignatureLibrary& library, const Projected& projection, const Family& a, const Family& b) {
   std::vector<double> largest;
   const std::vector<std::size_t> others = some_shapes(b);
@@ -63,7 +63,7 @@ double imitated(const SignatureLibrary& library, const Projected& projection, co
   return std::min(1.0, order_statistic(std::move(largest), lower));
 }
 
-// Range of the effect with d = 1, of the shape that shows best.
+// Range of the effect with d = 1, for the most detectable shape.
 double um_for_unit_d(const SignatureLibrary& library, const Projected& projection, const Family& family) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = family.first; i < family.first + family.count; ++i) {

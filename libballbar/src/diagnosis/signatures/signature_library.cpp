@@ -18,7 +18,7 @@
 namespace ballbar {
 namespace {
 
-constexpr double kNothingLeft = 1e-8;    // share of a column's square that is rounding
+constexpr double kNothingLeft = 1e-8;    // share of a column's square that is rounding error
 constexpr std::size_t kMostWaves = 400;  // of one shape on recordings
 constexpr std::size_t kMostPeriods = 200;
 constexpr std::size_t kMostOnsets = 400;
@@ -32,7 +32,7 @@ bool is_whole(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
-// One column a gain, at the rows of the fit; none where a value is not finite or nothing varies.
+// One column per gain, at the rows of the fit; empty if a value is not finite or all are constant.
 std::vector<Eigen::VectorXd> gains_of(const Effect& effect, const EffectRows& inputs, const std::vector<double>& point,
                                       const std::vector<std::size_t>& rows) {
   std::vector<Eigen::VectorXd> gains;
@@ -50,7 +50,7 @@ std::size_t gain_count(const Effect& effect) {
                     [](const Parameter& parameter) { return parameter.kind == ParameterKind::gain; }));
 }
 
-// With this shape it is another effect of its first input.
+// Whether the effect equals another effect of its first input at this shape.
 bool is_same_as_input(const Effect& effect, const EffectRows& inputs, const std::vector<std::size_t>& rows,
                       const Eigen::VectorXd& gain) {
   if (!effect.rules.same_as_input) return false;
@@ -135,7 +135,7 @@ struct Shaped {
   std::vector<std::vector<Eigen::VectorXd>> gains;  // of each point
 };
 
-// Shapes that the term holds as it holds them, each point once.
+// The points with held shapes at their held values, each point once.
 std::vector<std::vector<double>> as_held(std::vector<std::vector<double>> points, const Term& term) {
   for (std::vector<double>& point : points) {
     for (std::size_t k = 0; k < point.size(); ++k) {

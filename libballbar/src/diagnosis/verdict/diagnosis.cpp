@@ -28,9 +28,9 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kMostShown = 12;  // candidates
-constexpr double kCancelled = 1.5;      // amplitude of a member, of that of all together
+constexpr double kCancelled = 1.5;      // amplitude of a member relative to that of all together
 
-// Nothing is said of effects that are not searched.
+// No statement about effects that are not searched.
 std::vector<Detectability> detectability_but(const SearchOptions& options, std::vector<Detectability> detectability) {
   const auto left_out = [&](const std::string& name) {
     return std::find(options.without.begin(), options.without.end(), name) != options.without.end();
@@ -101,7 +101,7 @@ class Decision {
     return std::move(result_);
   }
 
-  // Of the effects that blind challenges hide the one that shows worst, each in the middle of the shapes of its grid.
+  // The least detectable effect among those that blind challenges hide, each at its middle shape.
   void find_what_could_hide(const Projected& projection) {
     result_.hidden_um = 0.0;
     for (std::size_t f = 0; f < problem().effects; ++f) {
@@ -170,7 +170,7 @@ class Decision {
     }
   }
 
-  // As a fit of the model with these effects has it, that of `add` and `check`.
+  // As in a fit of the model with these effects by `add` and `check`.
   double rmse_um_with(const FittedSet& fitted) const { return fit(fitted.model, data_, target_).rmse_um; }
 
   void test_members() {
@@ -198,7 +198,7 @@ class Decision {
     }
   }
 
-  // Whether a single effect is likelier an input of any form than an effect of the catalogue.
+  // Whether a single effect is more likely an input in any form than an effect of the catalogue.
   bool is_of_any_form(std::size_t l) const {
     const std::vector<double>& p = posterior().effects[l].p;
     const auto first = p.begin() + static_cast<std::ptrdiff_t>(problem().effects),
@@ -206,7 +206,7 @@ class Decision {
     return std::accumulate(first, end, 0.0) > std::accumulate(p.begin(), first, 0.0);
   }
 
-  // Whether beside it an input of any form is likelier missing than not, of a column that it reads.
+  // Whether a column that the effect reads is probably missing in any form as well.
   bool reads_an_open_form(std::size_t f) const {
     const std::vector<std::string>& columns = family(f).bound.columns;
     double without = 1.0;
@@ -278,14 +278,14 @@ class Decision {
     }
   }
 
-  // Whether nothing that may be missing reads a column.
+  // Whether no possibly missing effect reads a column.
   bool is_of_time_alone() const {
     const auto goes_with_time = [](const BoundEffect& bound) { return bound.effect->time_only; };
     return std::all_of(result_.equivalent.begin(), result_.equivalent.end(),
                        [&](const auto& group) { return std::all_of(group.begin(), group.end(), goes_with_time); });
   }
 
-  // Behind the best set what else is probable, beside the rest of its own best set.
+  // After the best set the other probable effects, each with the rest of its own best set.
   void show_candidates() {
     for (const EffectProbability& effect : result_.effects) {
       if (result_.candidates.size() >= kMostShown) break;
@@ -313,7 +313,8 @@ class Decision {
     }
   }
 
-  // Each by itself, as `add` fits it: what is promised is what comes. No pointer into the sets outlives it.
+  // Each effect by itself, as `add` fits it, so that the reported RMSE is the later one. This invalidates pointers into
+  // the sets.
   void fit_candidates() {
     best_ = nullptr;
     for (std::size_t k = 0; k < result_.candidates.size(); ++k) {

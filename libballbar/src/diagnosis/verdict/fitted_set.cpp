@@ -16,7 +16,7 @@ namespace ballbar {
 namespace {
 
 constexpr double k95 = 1.959964;
-constexpr double kFall = 0.5 * k95 * k95;  // of the logarithm of the likelihood, at the ends of an interval
+constexpr double kFall = 0.5 * k95 * k95;  // fall of ln of the likelihood at the ends of an interval
 constexpr int kMostTries = 6;              // for an end
 
 Model with_set(const Problem& problem, const EffectSet& set) {
@@ -42,8 +42,7 @@ Model with_set(const Problem& problem, const EffectSet& set) {
   return model;
 }
 
-// Where the likelihood, all other parameters at their most likely, has fallen so far: an end of a 95 % interval.
-// towards: a first guess of it.
+// An end of the 95 % interval: where the profile likelihood has fallen by kFall. towards: a first guess.
 double profile_end(const BaseModel& model, const Refined& best, std::size_t parameter, double towards,
                    const Eigen::MatrixXd& times, const Whitening& filter, const KnownScatter& known, double degrees) {
   const double value = best.parameters[parameter];
@@ -136,7 +135,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
       interval = {one.value - k95 * one.sigma, one.value + k95 * one.sigma};
     }
   }
-  // The ends of what the added effects are free in, by the profile of the likelihood.
+  // Intervals of the free parameters of the added effects, by the profile likelihood.
   std::size_t first_added = 1;
   for (const Term& term : problem.model.terms) first_added += term.settings.size();
   for (std::size_t k = first_added; k < result.parameters.size() && with_profiles; ++k) {
@@ -145,7 +144,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     interval.low = profile_end(model, best, k, interval.low, variant.times, filter, problem.known, solution.degrees);
     interval.high = profile_end(model, best, k, interval.high, variant.times, filter, problem.known, solution.degrees);
   }
-  // Where between two rows something begins no reading tells.
+  // The readings do not determine an onset between two rows.
   const std::vector<double>& time_s = problem.time_s;
   const bool is_one_run = std::is_sorted(time_s.begin(), time_s.end());
   for (std::size_t k = first_added; k < result.parameters.size() && is_one_run; ++k) {
@@ -155,7 +154,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     if (after != time_s.begin()) interval.low = std::min(interval.low, *(after - 1));
     if (after != time_s.end()) interval.high = std::max(interval.high, *after);
   }
-  // What each adds, by its columns and their covariance about its largest difference.
+  // The amplitude of each effect: its largest difference, with sigma from the covariance of its columns there.
   const ModelRows rows(result.model, problem.logged.series, problem.base.row);
   Eigen::VectorXd sum = Eigen::VectorXd::Constant(problem.y.size(), best.parameters[0]);
   Eigen::VectorXd together = Eigen::VectorXd::Zero(problem.y.size());
@@ -182,7 +181,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     }
     place += result.model.terms[t].settings.size();
   }
-  // A fit of this model begins where it has the shapes.
+  // A fit of this model starts at these shapes.
   place = first_added;
   for (std::size_t t = problem.model.terms.size(); t < result.model.terms.size(); ++t) {
     for (std::size_t k = 0; k < result.model.terms[t].settings.size(); ++k, ++place) {

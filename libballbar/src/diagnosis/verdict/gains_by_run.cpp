@@ -37,7 +37,7 @@ std::vector<GainColumn> gain_columns(const Problem& problem, const Posterior& po
   for (std::size_t m = 0; m < set.signatures.size(); ++m) {
     const Signature& signature = problem.library.signatures[set.signatures[m]];
     const BoundEffect& bound = problem.library.families[signature.family].bound;
-    if (at.width[m] != 1) continue;  // of several gains each tells nothing alone
+    if (at.width[m] != 1) continue;  // one of several gains is not meaningful alone
     for (const Parameter& parameter : bound.effect->parameters) {
       if (parameter.kind != ParameterKind::gain) continue;
       gains.push_back({label_of(bound), parameter.name, parameter.unit, at.white_line.cols() + at.first[m],
@@ -47,7 +47,7 @@ std::vector<GainColumn> gain_columns(const Problem& problem, const Posterior& po
   return gains;
 }
 
-// Columns with each of these gains in the place of one for each run.
+// The columns with a common gain replacing the separate gains of each run.
 Eigen::MatrixXd columns_by_run(const Eigen::MatrixXd& all, const std::vector<Eigen::Index>& gains,
                                const std::vector<RowRange>& runs) {
   const auto count = static_cast<Eigen::Index>(runs.size());
@@ -68,8 +68,8 @@ Eigen::MatrixXd columns_by_run(const Eigen::MatrixXd& all, const std::vector<Eig
   return x;
 }
 
-// The set where the readings are likeliest with all gains of their own in each run, its scatter what that leaves: one
-// gain for all would make noise of what differs.
+// The set at its most likely parameters with separate gains in each run, and the scatter of that fit. With a common
+// gain the differences would count as noise.
 SetAt set_with_gains_by_run(const Problem& problem, const Posterior& posterior, EffectSet set,
                             const std::vector<Eigen::Index>& gains, const std::vector<RowRange>& runs) {
   SetAt best;

@@ -18,7 +18,7 @@
 namespace ballbar {
 namespace {
 
-constexpr double kHeldOutEvidence = 3.0;  // ln, of cycles left out, without the best one
+constexpr double kHeldOutEvidence = 3.0;  // gain in ln likelihood of left-out cycles, without the best one
 
 constexpr double kLeftOutRidge = 1e-4;  // prior precision of a white column of length 1
 constexpr double kOwnDirection = 1e-3;  // pivot of a gain of one cycle, of the largest, that is one
@@ -44,7 +44,7 @@ double p_same_gain(const SetAt& at, const Eigen::MatrixXd& others, const Eigen::
   return chi2_upper_tail(chi2, static_cast<std::size_t>(degrees));
 }
 
-// Readings of each fold predicted from all others: ln of their likelihood, and what was not predicted, um.
+// The readings of each fold, predicted from all others: ln of their likelihood, and the residual in um.
 struct LeftOut {
   std::vector<double> log_likelihood;  // of each fold
   double rmse_um = 0.0;

@@ -42,7 +42,7 @@ std::string in_words(const Effect& effect) {
   return words;
 }
 
-// ", time constant 51 min 39 s": the first shape that is a time and was found; else empty
+// ", time constant 51 min 39 s": the first fitted shape that is a time; else empty
 std::string time_text(const Candidate& one) {
   constexpr std::string_view kUnit = "_s";
   for (const FittedParameter& parameter : one.parameters) {
@@ -57,7 +57,7 @@ std::string time_text(const Candidate& one) {
   return "";
 }
 
-// "step, a jump of -2.4 um at 9 h 24 min: very likely (over 99 %)"; empty: it does not begin at a moment
+// "step, a jump of -2.4 um at 9 h 24 min: very likely (over 99 %)"; empty: no onset
 std::string jump_text(const Diagnosis& d, const Candidate& one) {
   const auto onset = std::find_if(one.parameters.begin(), one.parameters.end(), [](const FittedParameter& parameter) {
     return parameter.shape_of == ShapeOf::onset;
@@ -99,7 +99,7 @@ std::string model_text(const Diagnosis& d, std::string_view the) {
   return d.target.empty() ? fmt::format("{} model", the) : fmt::format("{} model of {}", the, d.target);
 }
 
-// Of the values that the model holds, each a sentence.
+// One sentence for each wrong held value.
 std::string own_text(const Diagnosis& d, double least) {
   std::string text;
   for (const OwnValue& own : d.own) {
@@ -121,7 +121,7 @@ std::string drivers_text(const Diagnosis& d) {
     names.push_back(driver.column);
     least = std::min(least, driver.p);
   }
-  double size_um = 0.0;  // of what the most probable set has
+  double size_um = 0.0;  // of the most probable set
   for (const Candidate& one : d.candidates) {
     const std::vector<std::string>& columns = one.bound.columns;
     const bool reads = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
@@ -167,7 +167,7 @@ std::string equivalent_text(const Diagnosis& d) {
                      effects == 1 ? "In question is" : "It may be", open_text(d), likely_drivers_text(d));
 }
 
-// "linear_drift, about 10.6 um": what goes with time alone.
+// "linear_drift, about 10.6 um": an effect of time alone.
 std::string drifts_text(const Diagnosis& d) {
   std::vector<std::string> texts;
   for (const Candidate& one : d.candidates) {
