@@ -1,5 +1,5 @@
-// The noise as a linear model of few states, and the Kalman filter of it for fixed times: what of it does not depend on
-// the readings. Every likelihood, whitening and grid of a noise with a memory takes its model from here.
+// The noise as a linear model with few states, and its Kalman filter for fixed times, as far as it does not depend on
+// the readings. All likelihoods, whitenings and grids of correlated noise use this model.
 //
 //   y_i = h_i s_i + m_i + e_i
 //
@@ -40,17 +40,17 @@ Covariance variances_of(const Noise& noise);
 // White noise and a memory of `total` variance: e^log_white is the white variance over what is new of s in a step.
 Covariance with_memory(double total, double log_white, double step_s, double memory_s);
 
-// What is known of each row; empty: nothing of any. Read by the constructor of the filter alone.
+// Properties of each row; empty: defaults. Only the constructor of the filter reads them.
 struct RowScatter {
   std::span<const double> variance = {};           // stated: added to the white part
-  std::span<const double> relative_variance = {};  // of the white part; 1 where the reading is as good as the others
-  std::span<const double> shock = {};              // factor on the variance of what is new in the memory there
+  std::span<const double> relative_variance = {};  // factor on the white part; 1: a normal reading
+  std::span<const double> shock = {};              // factor on the variance of the innovation of s in this row
   std::span<const double> memory_share = {};       // h
   // Variance of the memory in the row, of q^2; h^2 unless given. Of a mean of many readings it is far below h^2: what
   // the row shares with others goes on to grow within it.
   std::span<const double> memory_variance = {};
-  std::span<const std::size_t> left_out = {};  // rows, rising: their innovations are there, but no row after them knows
-  std::span<const std::size_t> starts = {};    // rows, rising, that remember nothing though time goes on
+  std::span<const std::size_t> left_out = {};  // rising rows that are predicted but not used for later rows
+  std::span<const std::size_t> starts = {};    // rising rows at which the correlation restarts
 };
 std::vector<double> squares_of(std::span<const double> sigma_um);
 
@@ -68,7 +68,7 @@ StateEstimate<n> predicted(const StateEstimate<n>& from, const Eigen::Matrix<dou
   return {transition * from.x, transition * from.p * transition.transpose() + added};
 }
 
-// A reading of H x that scatters by `variance`.
+// Updates by a reading of H x with this variance.
 template <int n>
 struct StateUpdate {
   Eigen::Matrix<double, n, 1> gain;

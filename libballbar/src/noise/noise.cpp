@@ -88,7 +88,7 @@ Covariance white(Likelihood& likelihood) {
     if (value < best.value) best = {{largest - down}, value};
   }
   best = nelder_mead<1>(cost, best.x, {0.5}, 1e-7, 100);
-  // A white part that a thousandth of the stated one hides, or that does not help, is none.
+  // A white part below a thousandth of the stated one, or without benefit, is set to 0.
   if (-likelihood.log_likelihood_of(none) <= best.value + 1e-3) return none;
   return {std::exp(best.x[0]), 0.0, 0.0};
 }
@@ -120,7 +120,7 @@ struct Cost {
   }
 };
 
-// From the two best of a grid of starts the way down.
+// Minimises from the two best of a grid of starts.
 Minimum<3> best_of_grid(Likelihood& likelihood) {
   constexpr int kTimes = 6;
   const Cost cost{likelihood};

@@ -1,5 +1,5 @@
-// Noises among which the readings tell the likelier: white, and with memories from a step to a sixth of the time, alone
-// or beside a slow discrepancy.
+// A grid of noise models: white, and with correlation times from a step to a sixth of the record, with or without a
+// slow discrepancy.
 #pragma once
 
 #include <span>

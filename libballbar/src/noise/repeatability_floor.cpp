@@ -16,7 +16,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kFewestOfRepeat = 8, kFewestOfStandstill = 20;
-// Fewer residuals are taken as white, and their innovations are the residual itself: it would be its own floor.
+// Fewer residuals count as white; their innovations equal the residual, which would then be its own floor.
 constexpr std::size_t kFewestOfResidual = 30;
 constexpr double kShortestStandstill_s = 600.0;
 constexpr double kSettled_s = 7200.0;

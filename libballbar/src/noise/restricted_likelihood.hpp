@@ -1,4 +1,4 @@
-// Likelihood of a noise with a memory, restricted to what fitted columns leave of a residual (REML, noise.hpp).
+// Restricted likelihood (REML, noise.hpp) of correlated noise, for a residual after fitting columns.
 #pragma once
 
 #include <Eigen/Core>

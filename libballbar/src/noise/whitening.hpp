@@ -1,5 +1,5 @@
-// Columns by the filter of the noise: its innovations over their standard deviation. W is linear, W' W the inverse of
-// the covariance.
+// Whitens columns by the filter of the noise: innovations over their standard deviation. W is linear, and W' W is the
+// inverse of the covariance.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,8 +21,7 @@ class Whitening {
  public:
   Whitening() = default;  // of no rows
   explicit Whitening(const Covariance& covariance, std::span<const double> time_s, const RowScatter& rows = {});
-  // left_out: rows, rising, of which the filter does not learn (outliers): each still gives its innovation, on what the
-  // other rows tell.
+  // left_out: rising rows that the filter ignores (outliers). Each still has an innovation, predicted from other rows.
   Whitening(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um,
             std::span<const std::size_t> left_out = {});
 

@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::size_t kMostTimes = 40;     // columns, and
 constexpr std::size_t kRowsForATime = 10;  // rows for each
-constexpr double kChangeTime = 0.25;       // sd of where between straight and at once it went
+constexpr double kChangeTime = 0.25;       // sd of the position between a linear and a sudden change
 
 double deviation_of(const Eigen::VectorXd& column) {
   const double mean = column.mean();
   return std::sqrt((column.array() - mean).square().mean());
 }
 
-// The column as it was so much later, straight lines between the rows, constant beyond them.
+// The column shifted in time, linear between the rows and constant beyond them.
 std::vector<double> shifted(const std::vector<double>& time_s, const std::vector<double>& values, double by_s) {
   std::vector<double> result = values;
   for (const RowRange& run : runs_of(time_s)) {

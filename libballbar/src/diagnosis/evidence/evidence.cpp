@@ -8,7 +8,7 @@
 namespace ballbar {
 namespace {
 
-constexpr double kJitter = 1e-10;  // of a diagonal of 1: columns that are nearly the same
+constexpr double kJitter = 1e-10;  // added to a diagonal of 1, for nearly equal columns
 
 }  // namespace
 
@@ -43,7 +43,7 @@ Solved solved(const Gram& gram, const Line& line, const KnownScatter& known) {
   const Eigen::VectorXd xy = gram.pool(line.columns, Eigen::seqN(line.y, 1));
   const double yy = gram.pool(line.y, line.y);
   result.degrees = std::max(1.0, static_cast<double>(gram.rows) - n_free);
-  // The prior of e is in um: it needs s.
+  // The prior of e is in um, and therefore needs s.
   double variance = 0.0;
   Eigen::LLT<Eigen::MatrixXd> factor;
   Eigen::VectorXd scale(p), white(p);

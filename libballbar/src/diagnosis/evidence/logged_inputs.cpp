@@ -20,11 +20,11 @@ namespace {
 constexpr std::size_t kMostChanges = 20;    // of a temperature
 constexpr double kLargeChange = 3.0;        // times the usual change of a temperature from sample to sample
 constexpr double kLongestSample_s = 120.0;  // of a logger
-constexpr double kLongestRamp_s = 90.0;     // a change that takes longer is none at once
+constexpr double kLongestRamp_s = 90.0;     // a longer change is not sudden
 constexpr double kJump = 0.03;              // of a column's range, from row to row
 constexpr std::size_t kLongestHeld = 12;    // rows
 constexpr double kBends = 0.9;              // share of the square of a column's bends, at the samples it joins
-constexpr std::size_t kFewestChanges = 8;   // of a column, for its sample to be told
+constexpr std::size_t kFewestChanges = 8;   // of a column, to determine its sampling interval
 
 bool is_whole(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
@@ -81,7 +81,7 @@ std::size_t ramped_rows(const std::vector<double>& values) {
   return best;
 }
 
-// Every row with the same step to the next.
+// Whether all steps between rows are equal.
 bool is_even(const std::vector<double>& time_s) {
   const double step = median_step_s(time_s);
   for (std::size_t i = 1; i < time_s.size(); ++i) {
@@ -90,7 +90,7 @@ bool is_even(const std::vector<double>& time_s) {
   return true;
 }
 
-// Changes of more than a share of the range, neighbours together unless that takes longer than a ramp does.
+// Changes of more than a share of the range; adjacent ones are joined up to the length of a ramp.
 std::vector<Jump> jumps_of(const std::vector<double>& time_s, const std::vector<double>& values, std::size_t held,
                            double longest_s) {
   const double least = kJump * range_within(values);
@@ -112,7 +112,7 @@ std::vector<Jump> jumps_of(const std::vector<double>& time_s, const std::vector<
   return jumps;
 }
 
-// Mostly at rest: what its few large changes do not tell is little.
+// Whether the column is mostly constant, so that a few large changes describe it.
 bool changes_in_jumps(const std::vector<double>& values, const std::vector<Jump>& jumps) {
   if (jumps.empty()) return false;
   double all = 0.0, in_jumps = 0.0;
@@ -125,7 +125,8 @@ bool changes_in_jumps(const std::vector<double>& values, const std::vector<Jump>
   return in_jumps > 0.5 * all && 2 * rows < values.size();
 }
 
-// Old value up to the middle of the time in which it changed, the new one from there: between two rows half way.
+// The old value up to the middle of the interval of the change, then the new one; the step is half way between two
+// rows.
 void draw_step(std::vector<double>& values, const Jump& jump) {
   for (std::size_t row = jump.first + 1; row < jump.last; ++row) {
     const std::size_t twice = 2 * row, middle = jump.first + jump.last;
@@ -166,7 +167,7 @@ struct Smoother {
     const double slope = 1e6 / (span * span) + density * span;
     return {{observations.front().value, 0.0}, Eigen::Vector2d(1e6, slope).asDiagonal()};
   }
-  // The scatter at its most likely; the first two observations tell where the curve begins.
+  // The most likely scatter; the first two observations determine the start of the curve.
   double log_likelihood() const {
     expect_no_interruption();
     double log_variances = 0.0, squares = 0.0;
@@ -227,7 +228,7 @@ struct Smoother {
   }
 };
 
-// The curve through these, its roughness by maximum likelihood.
+// The smooth curve through the observations, with the roughness by maximum likelihood.
 std::vector<double> smoothed(const std::vector<Observation>& observations, const std::vector<double>& time_s) {
   double best = 0.0, most = -std::numeric_limits<double>::infinity();
   const double span = observations.back().time_s - observations.front().time_s;
@@ -254,7 +255,7 @@ std::vector<double> continuous(const std::vector<double>& time_s, const std::vec
   if (coarse) {
     for (const RowRange& run : runs) {
       const bool is_short = run.end - run.begin < 3 * held;
-      // A value that is held is that of the beginning.
+      // A held value is that at the beginning of its run.
       const double late_s = held > 1 ? 0.5 * (time_s[1] - time_s[0]) * static_cast<double>(held - 1) : 0.0;
       observations.push_back(
           {0.5 * (time_s[run.begin] + time_s[run.end - 1]) - late_s, values[run.begin], is_short ? 4.0 : 1.0});
@@ -267,7 +268,7 @@ std::vector<double> continuous(const std::vector<double>& time_s, const std::vec
   return smoothed(observations, time_s);
 }
 
-// The largest changes from sample to sample: on which way a value went there, straight or at once, is not known.
+// The largest changes from sample to sample, for which it is not known whether they were linear or sudden.
 std::vector<Jump> largest_changes(const std::vector<double>& values, std::size_t sample) {
   std::vector<Jump> changes;
   std::vector<double> sizes;

@@ -26,7 +26,7 @@ At at(const BaseModel& base, const std::vector<double>& parameters, const std::v
   return result;
 }
 
-// Where the shapes are now, gains by the solution; shapes moved by a share of what the line says.
+// The shapes moved by a share of the linear solution, with the gains of that solution.
 std::vector<double> moved(const BaseModel& base, const At& now, std::vector<double> parameters, double share) {
   for (std::size_t k = 0; k < now.columns.columns.size(); ++k) {
     const BaseColumn& column = now.columns.columns[k];

@@ -20,7 +20,7 @@ bool goes_on(const Effect& effect, const PlannedTest& test) {
   return effect.time_only && effect.inputs.empty() && !test.new_set_up;
 }
 
-// nullopt where the test has not the effect's columns.
+// nullopt: the test lacks columns of the effect.
 std::optional<EffectAt> in_test(const Effect& effect, const std::vector<std::string>& columns,
                                 const std::vector<double>& parameters, const PlannedTest& test, const Series& data) {
   if (goes_on(effect, test)) {
@@ -41,7 +41,7 @@ std::optional<EffectAt> in_test(const Effect& effect, const std::vector<std::str
 
 bool is_base(const Term& term) { return term.effect->rules.is_base; }
 
-// Its parameter that says which recording it belongs to.
+// The parameter with the index of the recording.
 std::optional<std::size_t> recording_of(const Effect& effect) {
   for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
     if (effect.parameters[k].shape_of == ShapeOf::recording) return k;
@@ -69,7 +69,7 @@ std::optional<Competitor> competitor_of(const Candidate& candidate, const Series
     }
   }
   if (competitor.gains.size() == competitor.free.size() || most_points == 0) return competitor;
-  // No lag at all, the longest one: where effects become each other.
+  // No lag and the longest lag, at which effects become equal to others.
   for (const std::size_t k : competitor.free) {
     const Parameter& parameter = effect->parameters[k];
     if (parameter.kind != ParameterKind::shape || parameter.shape_of == ShapeOf::onset) continue;
@@ -253,7 +253,7 @@ double distance(const Eigen::MatrixXd& factor, Eigen::Index signal, const std::v
   for (Eigen::Index k = 0; k < basis.cols(); ++k) basis.col(k).normalize();
   basis = orthonormal(basis);
   const Eigen::VectorXd a = factor.col(signal);
-  // Twice, for the digits that the first lost.
+  // Twice, for accuracy.
   return freed(freed(a, basis), basis).norm();
 }
 

@@ -9,8 +9,8 @@ namespace ballbar {
 namespace {
 
 constexpr double kLeastP = 0.2;
-constexpr double kOfAStep = 0.6;      // largest distance of two columns that are one, in steps of the coarser
-constexpr double kOfTheRange = 1e-9;  // the same where they have no steps
+constexpr double kOfAStep = 0.6;      // largest distance of two equal columns, in steps of the coarser
+constexpr double kOfTheRange = 1e-9;  // the same without steps, relative to the range
 
 bool is_input(const Column& column, const Model& model) {
   return std::find(model.targets.begin(), model.targets.end(), column.name) == model.targets.end() &&

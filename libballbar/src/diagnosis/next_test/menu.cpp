@@ -40,8 +40,8 @@ double reading_s_of(const Series& data, const std::string& target) {
 
 double rounded_rpm(double rpm) { return kRounding_rpm * std::round(rpm / kRounding_rpm); }
 
-// Dwells of 10 min to 2 h, alike in the logarithm, each at another speed than the last, one in four at rest. The same
-// from machine to machine: a plan can be made again.
+// Dwells of 10 min to 2 h, log-uniform, each at a different speed from the last, one in four at rest. They are the same
+// for all machines, so that a plan is reproducible.
 std::vector<Dwell> random_speeds(double hours, double max_rpm) {
   std::mt19937_64 random = simulation::stream_of(1, simulation::Stream::signal, 21);
   std::vector<Dwell> dwells{{1200.0, 0.0}};

@@ -20,8 +20,8 @@
 namespace ballbar {
 namespace {
 
-constexpr double kNearlyImitated = 0.2;  // the same: d over that of the other order
-constexpr double kImitated = 1.0;        // d of an effect that another makes whatever is done
+constexpr double kNearlyImitated = 0.2;  // likewise: d relative to that of the other order
+constexpr double kImitated = 1.0;        // d of an effect that another one can always imitate
 constexpr double kUseless = 1.0;         // d
 
 bool suits(const Model& model, const Series& data, const Diagnosis& diagnosis) {

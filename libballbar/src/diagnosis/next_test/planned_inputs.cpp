@@ -14,7 +14,7 @@
 namespace ballbar {
 namespace {
 
-constexpr double kBelieved = 0.5;  // R2 of the prediction of a column
+constexpr double kBelieved = 0.5;  // smallest R2 to use the prediction of a column
 
 double mean_of(const std::vector<double>& values) {
   double sum = 0.0;

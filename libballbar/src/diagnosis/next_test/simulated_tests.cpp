@@ -22,12 +22,12 @@ namespace {
 
 constexpr std::size_t kSurrogatesSimulated = 50;
 constexpr const char* kAddedSensor = "T_added_degC";
-constexpr std::size_t kSlowStride = 3;       // of the covariances with a slow curve one in so many
+constexpr std::size_t kSlowStride = 3;       // use one in so many covariances with a slow curve
 constexpr std::size_t kMostCovariances = 8;  // likely ones
 constexpr double kPriorOfSlow = 0.25;
-constexpr std::size_t kRowsSimulated = 500;  // of the target that each diagnosis weighs
+constexpr std::size_t kRowsSimulated = 500;  // of the target in each diagnosis
 
-// Without what is of the set-up of the data at hand.
+// Without the terms of the set-up of the data at hand.
 Model of_a_drift(const Model& model, const Series& data) {
   if (model.level == Level::series) return without_run_terms(model);
   throw Error(
@@ -107,7 +107,7 @@ ExpectedTest SimulatedTests::expected(ExpectedTest test, const std::vector<Truth
     test.p_part += one.part ? 1.0 / n : 0.0;
     test.p_wrong += one.wrong ? 1.0 / n : 0.0;
   }
-  // Of Laplace's estimate, so that 24 of 24 is no certainty.
+  // Sigma of Laplace's estimate, so that 24 of 24 is not certain.
   const double p = (test.p_right * n + 1.0) / (n + 2.0);
   test.p_right_sigma = std::sqrt(p * (1.0 - p) / (n + 3.0));
   return test;
@@ -148,7 +148,7 @@ Series SimulatedTests::simulated(const Schedule& schedule, const Truth& truth, s
   return run;
 }
 
-// Those that the data make likely, and a few with a slow curve, so that a simulated run may find one.
+// The likely covariances, and a few with a slow curve, so that a simulated run can detect one.
 std::vector<Covariance> SimulatedTests::simulated_covariances() const {
   std::vector<Covariance> chosen;
   for (const Point& point : inference_.posterior.points) {
@@ -159,7 +159,7 @@ std::vector<Covariance> SimulatedTests::simulated_covariances() const {
     if (slow++ % kSlowStride == 0 && std::find(chosen.begin(), chosen.end(), one) == chosen.end())
       chosen.push_back(one);
   }
-  // Those that are left share the whole, without and with a slow curve.
+  // Renormalises the weights of the remaining ones, without and with a slow curve.
   double without = 0.0, with = 0.0;
   for (const Covariance& one : chosen) (one.slow > 0.0 ? with : without) += 1.0;
   for (Covariance& one : chosen) {
@@ -216,7 +216,7 @@ SimulatedTests::Score SimulatedTests::score_under(const Schedule& schedule, cons
     const Diagnosis found = diagnosis_with(with_run_terms(model_, all), all);
     return score_of(truth, found, named_now_);
   } catch (const Error&) {
-    return {};  // a run that cannot be diagnosed decides nothing
+    return {};  // a failed diagnosis decides nothing
   }
 }
 

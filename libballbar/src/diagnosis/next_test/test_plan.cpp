@@ -21,12 +21,12 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kCurvesShown = 6;  // hypotheses
-constexpr double kLeastPromise = 0.1;    // P(right) below which none is proposed
-constexpr std::size_t kScreened = 8;     // truths for a first look at a test
-constexpr std::size_t kTruths = 24;      // for what is promised
+constexpr double kLeastPromise = 0.1;    // smallest P(right) of a proposed test
+constexpr std::size_t kScreened = 8;     // number of truths for screening a test
+constexpr std::size_t kTruths = 24;      // number of truths for the reported P
 constexpr std::size_t kKindsKept = 2;
 constexpr double kInQuestion = 0.05;   // P of an effect
-constexpr double kTheSame = 0.9999;    // |cosine| of what two effects add beside the model
+constexpr double kTheSame = 0.9999;    // |cosine| of two effects orthogonal to the model
 constexpr double kWorthASensor = 0.1;  // P(right) that it adds
 
 bool is_better(const ExpectedTest& a, const ExpectedTest& b) {
@@ -36,7 +36,7 @@ bool is_better(const ExpectedTest& a, const ExpectedTest& b) {
   return a.hours < b.hours;
 }
 
-// The shortest that is sure enough, else the surest.
+// The shortest sufficient test, else the best one.
 std::size_t chosen(const std::vector<ExpectedTest>& tests) {
   std::size_t best = 0;
   for (std::size_t k = 1; k < tests.size(); ++k) {
@@ -82,7 +82,7 @@ std::vector<ExpectedTest> tests_of(const SimulatedTests& design, const std::vect
       enough = all.back().p_right >= kSureEnough;
     }
   }
-  // What is promised comes from other truths than the choice; where it falls short the next is looked at as well.
+  // The reported P comes from other truths than the choice. If it is too small, the next test is examined as well.
   const std::vector<Truth> fresh = design.drawn(kTruths, 1);
   std::set<std::size_t> promised;
   for (int round = 0; round < 2; ++round) {
@@ -125,8 +125,8 @@ void add_curves(const SimulatedTests& design, TestPlan& plan, std::uint64_t seed
   }
 }
 
-// Effects in question that add the same in any test, as far as the model beside them is free: a difference of two
-// temperatures and one of them, where the model has the other.
+// Possible effects that are equal in any test, up to the free part of the model: a difference of two temperatures and
+// one of them, if the model has the other.
 void add_inseparable_by_model(const SimulatedTests& design, const Diagnosis& now, const Schedule& schedule,
                               std::uint64_t seed, TestPlan& plan) {
   std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 8);
@@ -164,7 +164,7 @@ void add_inseparable_by_model(const SimulatedTests& design, const Diagnosis& now
   }
 }
 
-// Reads what heats, and no temperature: the way of its heat is what a thermometer would show.
+// Whether the effect reads a source of heat and no temperature, so that a thermometer would show its heat.
 bool is_heat_input(const BoundEffect& bound) {
   if (bound.columns.empty() || bound.effect->time_only) return false;
   return std::all_of(bound.columns.begin(), bound.columns.end(), [](const std::string& column) {
@@ -244,7 +244,7 @@ std::string sentence_of(const TestPlan& plan, const TestPlanOptions& options) {
 
 TestPlan test_plan(const Model& model, const Series& data, std::size_t target, const TestPlanOptions& options) {
   TestPlan plan;
-  // Columns that read the same are one: which of them it is, no test can tell.
+  // Equal columns count as one, because no test can separate them.
   const DistinctColumns distinct = distinct_columns_of(data, model);
   SimulatedTests design(model, distinct.data, target, options);
   if (!design.can_draw()) {

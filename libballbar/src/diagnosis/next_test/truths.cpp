@@ -54,7 +54,7 @@ std::vector<std::size_t> rows_behind(const Series& placed, const Series& run) {
 
 }  // namespace
 
-// The run behind the first rows of the data: what a place of a temperature is counted from.
+// The run with the first row of the data in front, as the reference for thresholds of temperature.
 Series Truths::behind_the_data(const Series& run) const {
   const Series& data = inference_.problem->logged.series;
   Series placed = run;
@@ -115,7 +115,7 @@ std::vector<Truth> Truths::drawn(std::size_t count, std::mt19937_64& random) con
     truths.push_back(all[next].truth);
   }
   for (const Truth& truth : truths) fitted(truth.set);
-  // In another order, so that the first few are of all.
+  // Shuffled, so that the first few are representative.
   for (std::size_t k = truths.size(); k > 1; --k) {
     std::swap(truths[k - 1], truths[static_cast<std::size_t>(simulation::uniform(random) * static_cast<double>(k))]);
   }

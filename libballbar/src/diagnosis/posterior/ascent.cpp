@@ -13,21 +13,21 @@
 namespace ballbar {
 namespace {
 
-constexpr double kRises = 0.01;         // of the bound: less is no rise
+constexpr double kRises = 0.01;         // smallest rise of the bound
 constexpr double kSameScatter = 0.005;  // ln of its variance
-constexpr double kSettled = 0.1;        // the same: the line is taken off anew
+constexpr double kSettled = 0.1;        // likewise: repeat the projection of the line
 constexpr int kMostSweeps = 40;
-constexpr double kHardlyThere = 0.2;       // P of a further single effect beside the others as they are
-constexpr double kNegligible = 1e-5;       // P of a shape that adds nothing to the mean
+constexpr double kHardlyThere = 0.2;       // P of a further single effect with the others fixed
+constexpr double kNegligible = 1e-5;       // P of a shape that is left out of the mean
 constexpr double kLeftOut = 1e-12;         // P of an identity of a single effect that later sweeps leave out
-constexpr double kNoticed = 1e-4;          // P of what was left out together, from which all is looked at again
+constexpr double kNoticed = 1e-4;          // total P of the left-out identities, from which all are evaluated again
 constexpr int kMostChecks = 3;             // at all
-constexpr double kNothingToDouble = 40.0;  // ln: a weight so far below another one is nothing beside it
-constexpr std::size_t kRivals = 6;         // of a single effect, that are put in its place
+constexpr double kNothingToDouble = 40.0;  // ln: a weight so far below another one is negligible
+constexpr std::size_t kRivals = 6;         // number of rivals tried for a single effect
 constexpr double kLeastRival = 1e-3;       // P of one
-constexpr std::size_t kMostRounds = 3;     // of such changes
+constexpr std::size_t kMostRounds = 3;     // of such replacements
 
-// ln of the ratio of evidence of one shape against none, and the posterior of its gains where it is that shape.
+// ln of the evidence ratio of one shape against none, and the posterior of its gains given that shape.
 struct OfShape {
   double log_ratio = kLogZero;
   double along = 0.0, square = 0.0;  // mean of r' b and of |X b|^2
@@ -144,7 +144,7 @@ Chosen chosen(const Identities& identities, const auto& is_chosen) {
   return result;
 }
 
-// Fits one single effect to r = X' (what the others leave).
+// Fits one single effect to r = X' (residual of the others).
 SingleEffect fitted_to(ColumnsAt& at, const Identities& identities, const Chosen& among, const SinglePrior& prior,
                        const Eigen::VectorXd& r, double variance) {
   struct Weighed {
@@ -211,7 +211,7 @@ SingleEffect fitted_to(ColumnsAt& at, const Identities& identities, const Chosen
     if (one.log_weight > most - kNothingToDouble) any += std::exp(one.log_weight - most);
   }
   const double none = prior.log_none == kLogZero ? 0.0 : std::exp(prior.log_none - most), total = any + none;
-  // Where none of them is near, any of them are so much less than nothing.
+  // If none of them is near, all together are negligible against none.
   result.log_weight = std::log(any) - std::log(none);
   double expected = 0.0;
   for (const Weighed& one : all) {
@@ -257,7 +257,7 @@ double along_of(const SingleEffect& effect, const ColumnsAt& at) {
   return sum;
 }
 
-// Expected square of what is left of the readings.
+// Expected residual sum of squares of the readings.
 double square_left(const std::vector<SingleEffect>& effects, const ColumnsAt& at, double variance) {
   const ColumnsAt::Curve all = sum_of(effects, at, effects.size());
   double result = at.square + at.product(all, all);
@@ -285,7 +285,7 @@ void fit_again(ColumnsAt& at, const Identities& identities, const Chosen& among,
   ascent.effects[l] = fitted_to(at, identities, among, prior, r, ascent.variance);
 }
 
-// Variance of the scatter by what the single effects leave.
+// Variance of the scatter from the residual of the single effects.
 double scatter_of(const ColumnsAt& at, const AscentOptions& options, const Ascent& ascent) {
   const KnownScatter& known = options.known;
   const double left = square_left(ascent.effects, at, ascent.variance) + known.readings * known.variance;
@@ -312,7 +312,7 @@ Chosen all_of(const Identities& identities, const AscentOptions& options) {
   });
 }
 
-// Of each single effect what it may well be.
+// The likely identities of each single effect.
 std::vector<Chosen> likely_of(const Identities& identities, const Ascent& ascent) {
   std::vector<Chosen> likely;
   for (const SingleEffect& one : ascent.effects)
@@ -421,7 +421,7 @@ Ascent ascended_with(ColumnsAt& at, const Identities& identities, const AscentOp
   return ascended(at, identities, options, std::move(start));
 }
 
-// The strongest identities of a single effect that it is not.
+// The strongest rivals of a single effect.
 std::vector<std::size_t> rivals_of(const SingleEffect& effect) {
   std::vector<std::size_t> rivals(effect.p.size());
   std::iota(rivals.begin(), rivals.end(), std::size_t{0});

@@ -10,7 +10,7 @@
 namespace ballbar {
 namespace {
 
-constexpr double kSurviving = 1e-3;            // share of the square of a column that must be left beside the line
+constexpr double kSurviving = 1e-3;            // smallest share of a column's square orthogonal to the line
 constexpr double kJitter = 1e-10;              // of a diagonal of 1
 constexpr Eigen::Index kColumnsTogether = 64;  // white ones that stay in the cache
 
@@ -59,7 +59,7 @@ ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const
     const RowMajorMatrix white = whitened_rows(filter_, identities.columns.middleCols(shape.first, shape.width));
     blocks_.push_back({s, -1.0, {}, {}, {}, {}, white.transpose() * white});
   }
-  // About the scatter that nothing at all leaves.
+  // For the scatter without any effect.
   double variance = pool_(0, 0) / degrees;
   precision_ = Eigen::VectorXd::Constant(dense, std::numeric_limits<double>::infinity());
   solve_line();
@@ -71,7 +71,7 @@ ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const
     solve_columns();
     return;
   }
-  // Each of the background's columns shows alike.
+  // All columns of the background have the same detectability.
   const Eigen::MatrixXd cross = pool_.block(1, 1 + line_, line_, dense);
   Eigen::MatrixXd a = pool_.block(1, 1, line_, line_);
   for (Eigen::Index k = 0; k < line_; ++k)

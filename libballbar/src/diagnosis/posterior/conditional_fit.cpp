@@ -14,7 +14,7 @@ namespace {
 constexpr int kStepsOfSet = 4;          // of Gauss and Newton
 constexpr double kSameShape = 0.01;     // relative
 constexpr double kLongestStep = 0.7;    // of a shape at a time, in its scale
-constexpr double kShortestStep = 0.01;  // with less all shapes are there
+constexpr double kShortestStep = 0.01;  // smaller steps mean convergence
 
 // A step of Gauss and Newton: a length or a time by a factor, within the bounds of its setting.
 double stepped(const BaseModel& model, const BaseColumn& column, double value, double step) {

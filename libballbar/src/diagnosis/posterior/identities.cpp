@@ -11,10 +11,10 @@
 namespace ballbar {
 namespace {
 
-constexpr double kPriorOfOwn = 0.4;     // of all held values together, of that of a single effect
+constexpr double kPriorOfOwn = 0.4;     // share of all held values in the prior of a single effect
 constexpr std::size_t kRowsAtEnds = 2;  // at either end of the rows no jump is looked for
 
-// Other values of a held parameter that are tried.
+// The values of a held parameter to try.
 std::vector<double> other_values(const OwnParameter& own, const Parameter& parameter) {
   std::vector<double> values = own.fitted;
   if (parameter.unit != "s") {
@@ -28,7 +28,7 @@ std::vector<double> other_values(const OwnParameter& own, const Parameter& param
   return values;
 }
 
-// The curve of a term with another value of one parameter less that with the held one.
+// The curve of a term at another value of one parameter minus that at the held value.
 Eigen::VectorXd difference(const Problem& problem, const Variant& variant, std::size_t parameter, double value) {
   std::vector<double> there = variant.parameters;
   there[parameter] = value;
@@ -100,7 +100,7 @@ Identities identities_of(const Problem& problem, const Variant& variant) {
           result.shapes.push_back(
               {i, result.columns.cols() + static_cast<Eigen::Index>(row), 1, 0.0, kNoSignature, 0.0});
       }
-      // At any time alike: of a row by the time since the row before it.
+      // Uniform in time: proportional to the interval before the row.
       double all_s = 0.0;
       for (std::size_t s = result.first.back(); s < result.shapes.size(); ++s) {
         const auto row = static_cast<std::size_t>(result.shapes[s].first - result.columns.cols());
@@ -119,7 +119,7 @@ Identities identities_of(const Problem& problem, const Variant& variant) {
         log_priors.push_back(log_prior);
         if (log_priors.size() <= library.families[i].count) log_priors_of_grid.push_back(log_prior);
       }
-      // Shapes that were added between those of the grid share what these have.
+      // Shapes added between the points of the grid share the prior of these.
       const double added = log_priors.empty() ? 0.0 : log_sum(log_priors) - log_sum(log_priors_of_grid);
       for (std::size_t s = result.first.back(); s < result.shapes.size(); ++s) result.shapes[s].log_prior -= added;
     } else {

@@ -22,9 +22,9 @@ namespace ballbar {
 namespace {
 
 constexpr double kOutlier = 2.0;               // (r^2 + 4) / 5 of a white reading r in heavy tails
-constexpr double kLateClock = 12.0;            // fall of chi^2 by what rows at jumps show of a clock that is late
+constexpr double kLateClock = 12.0;            // fall of chi^2 by a delayed clock at the rows of jumps
 constexpr std::size_t kValuesForAnEffect = 4;  // rows beyond the model's
-constexpr double kStill_um = 1e-9;             // rms of readings that do not move
+constexpr double kStill_um = 1e-9;             // rms of constant readings
 
 // Whether rows at the ends of jumps show what a clock that is late would.
 bool has_late_clock(const Problem& problem, const Posterior& posterior, const SetAt& at) {

@@ -16,23 +16,23 @@ namespace {
 
 constexpr double kPriorOfBackground = 0.03;
 constexpr std::array<double, 2> kBackgrounds{6.0, kOfBackground};  // d of all of it together
-constexpr std::size_t kNoisesWithMore = 3;  // the likeliest, with a discrepancy or a background beside them
+constexpr std::size_t kNoisesWithMore = 3;  // the most likely ones, which get a discrepancy or a background
 constexpr double kFarFromBest = 7.0;        // ln: covariances this far are left out
-constexpr double kFarFromOthers = 8.0;      // ln: covariances this far are not looked at twice
-constexpr int kRounds = 2;                  // where the sum at the likeliest covariance is another one than before
-constexpr double kNearBest = 3.0;           // ln: covariances this near stand for all where other modes are looked at
-constexpr double kLikely = 0.05;            // P of an identity that carries weight
+constexpr double kFarFromOthers = 8.0;      // ln: covariances this far are evaluated only once
+constexpr int kRounds = 2;                  // repetitions if the sum at the most likely covariance changes
+constexpr double kNearBest = 3.0;           // ln: covariances this near represent all in the search for other modes
+constexpr double kLikely = 0.05;            // P of a relevant identity
 constexpr double kBetterOptimum = 0.05;     // ln
-constexpr double kAlone = 0.9;              // P of an identity in its single effect: without it is another mode
+constexpr double kAlone = 0.9;              // P of an identity in its single effect; excluding it gives another mode
 
-// ln of what the first few weigh together.
+// ln of the total weight of the first few.
 double log_weight_of(const std::vector<Found>& found, std::size_t count) {
   std::vector<double> weights;
   for (std::size_t g = 0; g < std::min(count, found.size()); ++g) weights.push_back(found[g].log_weight);
   return log_sum(weights);
 }
 
-// Puts single effects in the order of others that they are most alike to: the order of a sum is of no account.
+// Sorts single effects like the most similar ones of another sum, because the order of a sum is arbitrary.
 void align(const std::vector<SingleEffect>& to, std::size_t identities, std::vector<SingleEffect>& effects) {
   const auto likeness = [](const SingleEffect& a, const SingleEffect& b) {
     return std::inner_product(a.p.begin(), a.p.end(), b.p.begin(), 0.0);
@@ -165,8 +165,8 @@ class Average {
     return found;
   }
 
-  // Noise alone takes a slow curve in where it can, so that beside a discrepancy it is another one: all noises are
-  // weighed beside the discrepancy that is likeliest beside the likeliest noise alone.
+  // Noise alone absorbs a slow curve, and differs from the noise with a discrepancy. All noises are therefore evaluated
+  // with the most likely discrepancy of the most likely noise.
   Noises noises_with_discrepancy(const std::vector<Covariance>& grid, const Covariance& alone) const {
     const Identities few = likely_identities();
     const std::vector<Found> first = scanned(with_discrepancy(alone, problem_.time_s), few);
@@ -244,8 +244,8 @@ class Average {
     std::erase_if(found, [&](const Found& one) { return one.log_weight < far; });
   }
 
-  // Coordinate ascent finds one mode. Others have weight as well: an identity that is sure in this mode may be missing
-  // in another one.
+  // Coordinate ascent finds one mode. Other modes have weight too: an identity that is certain in this mode may be
+  // absent in another one.
   void add_modes(std::vector<Found>& found) {
     const double near = found.front().log_weight - kNearBest;
     const auto count = static_cast<std::size_t>(

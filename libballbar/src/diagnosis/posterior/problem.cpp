@@ -33,7 +33,7 @@ std::vector<double> log_priors_of(const SignatureLibrary& library) {  // those o
   return result;
 }
 
-// Whether a time constant of the shape is 0 where it could be more.
+// Whether a time constant of the shape is 0 although the effect can have a lag.
 bool acts_at_once(const Effect& effect, const std::vector<double>& point) {
   for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
     const Parameter& parameter = effect.parameters[k];
@@ -45,8 +45,8 @@ bool acts_at_once(const Effect& effect, const std::vector<double>& point) {
 
 bool is_time(const Parameter& parameter) { return parameter.kind == ParameterKind::shape && parameter.unit == "s"; }
 
-// Whether the effect has lags so short that a clock that is late by part of a sample makes them, and the catalogue has
-// the effect without a lag.
+// Whether the lags of the effect are so short that a delayed clock could cause them, and the catalogue has the effect
+// without a lag.
 bool is_without_its_lag(const SignatureLibrary& library, const LoggedInputs& logged, const BoundEffect& bound,
                         const std::vector<double>& point) {
   const bool is_twin = std::any_of(library.families.begin(), library.families.end(), [&](const Family& other) {
@@ -93,7 +93,7 @@ std::vector<double> log_priors_of_shapes(const SignatureLibrary& library, const 
   return result;
 }
 
-// By least squares; of a model that holds everything what it predicts.
+// By least squares; the prediction of a model with all parameters held.
 Fit base_fit(const Model& model, const Series& data, std::size_t target) {
   if (has_free(model)) return fit(model, data, target, {.white = true});
   Model free = model;
@@ -124,7 +124,7 @@ std::vector<OwnParameter> own_of(const Model& model) {
   return own;
 }
 
-// Rows about those at which a temperature jumps: what jumps there may be the temperature's, drawn as a curve.
+// Rows near jumps of a temperature: a jump there may be that of the temperature, which is smoothed.
 std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vector<std::size_t>& rows) {
   std::vector<char> found(rows.size(), 0);
   for (const Column& column : data.columns) {
@@ -168,7 +168,7 @@ std::vector<double> fitted_parameters(const Problem& problem) {
 }
 
 double least_variance_of(const Problem& problem) {
-  constexpr double kRounding = 1e-4;  // of the readings' own deviation: no logger resolves less
+  constexpr double kRounding = 1e-4;  // of the standard deviation of the readings: finer than any logger
   return kRounding * kRounding * problem.y.squaredNorm() /
          static_cast<double>(std::max<Eigen::Index>(1, problem.y.size()));
 }

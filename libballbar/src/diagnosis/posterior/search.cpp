@@ -15,13 +15,13 @@ namespace {
 
 constexpr int kRelinearised = 3;             // times
 constexpr double kSameModel = 0.02;          // of a shape's reach
-constexpr std::size_t kPilots = 2;           // covariances at which the model is looked for
+constexpr std::size_t kPilots = 2;           // number of covariances for the search of the model
 constexpr double kOtherStart = 0.3;          // of a shape's reach
-constexpr double kUsualTime_s = 1500.0;      // of a model's times, where their fit has run away
-constexpr std::size_t kSharpenedRivals = 4;  // of a single effect, whose shapes are sought between those of the grid
-constexpr double kFarRival = 7.0;            // ln: one so much weaker than the strongest is not sought
-constexpr double kFarMode = 7.0;             // ln: a mode so much less likely than the best is none
-constexpr double kBetter = 0.01;             // ln: what is better by less is the same
+constexpr double kUsualTime_s = 1500.0;      // for the time constants of a model whose fit has diverged
+constexpr std::size_t kSharpenedRivals = 4;  // rivals of a single effect whose shapes are refined
+constexpr double kFarRival = 7.0;            // ln: a rival so much weaker than the strongest is ignored
+constexpr double kFarMode = 7.0;             // ln: a mode so much less likely than the best is ignored
+constexpr double kBetter = 0.01;             // ln: smallest improvement
 
 class Search {
  public:
@@ -74,7 +74,7 @@ class Search {
       const Point point = point_at(problem_, one);
       for (const std::vector<double>& from : {fit, usual}) add(point, from, 12);
     }
-    // A missing effect pulls the fitted times away: once from usual ones, as they are.
+    // A missing effect biases the fitted time constants, so that one start uses typical ones.
     add(point_at(problem_, pilots_.front()), usual, 0);
     for (OwnParameter& own : problem_.own) starts.push_back(variant_with_own(own, fit, starts.front().times));
     for (Variant& variant : starts) {
@@ -190,7 +190,7 @@ class Search {
     return conditional;
   }
 
-  // The held value that is likelier another one than not.
+  // The held value that is more likely wrong than right.
   std::optional<std::size_t> likeliest_own(const Ascent& ascent) const {
     for (const std::size_t i : likeliest_set(ascent)) {
       if (identities_.is_own(i)) return i - identities_.families;

@@ -60,7 +60,7 @@ SetAt set_at(const Problem& problem, const Posterior& posterior, const EffectSet
   const Eigen::MatrixXd white_all = whitened(point.filter, all);
   const Eigen::VectorXd white_y = whitened(point.filter, result.y);
   result.degrees = std::max(1.0, static_cast<double>(n - result.line.cols() + known - width));
-  // The scatter and the prior of the known columns by turns.
+  // Iterates the scatter and the prior of the known columns.
   Eigen::MatrixXd x = Eigen::MatrixXd::Zero(n + known, all.cols());
   x.topRows(n) = white_all;
   Eigen::VectorXd b = Eigen::VectorXd::Zero(n + known);

@@ -14,11 +14,11 @@
 namespace ballbar {
 namespace {
 
-constexpr double kLeastOfSet = 1e-3;  // P of a set that is listed
+constexpr double kLeastOfSet = 1e-3;  // smallest P of a listed set
 constexpr std::size_t kMostSets = 200;
 constexpr double kLeastOfIdentity = 2e-3;  // P in its single effect
 
-// What one single effect may be: identity or none, and P.
+// A choice for one single effect: an identity or none, and its P.
 struct Choice {
   std::size_t identity = kNoSignature;
   double p = 0.0;
@@ -47,7 +47,7 @@ std::vector<std::vector<Choice>> choices_of(const Posterior& posterior, std::siz
   return all;
 }
 
-// All products of choices that are probable enough.
+// All sufficiently probable combinations of choices.
 std::vector<Drawn> drawn(const std::vector<std::vector<Choice>>& choices) {
   std::vector<Drawn> all{{}};
   for (const std::vector<Choice>& of_one : choices) {
@@ -78,7 +78,7 @@ std::size_t variant_of_own(const Problem& problem, Posterior& posterior, std::si
   return posterior.variants.size() - 1;
 }
 
-// These effects, and nothing else, beside the model, at every covariance.
+// Exactly these effects with the model, at every covariance.
 struct Given {
   std::vector<Covariance> covariances;
   std::vector<Ascent> ascents;
@@ -111,7 +111,7 @@ Given given_of(const Problem& problem, const Posterior& posterior, const std::ve
     prior.log_identity[f] = 0.0;
     options.priors.push_back(std::move(prior));
   }
-  // With nothing added the model may be elsewhere than beside the best set.
+  // Without effects the model may have other parameters than with the best set.
   std::optional<Variant> alone;
   std::vector<const Variant*> variants{&variant};
   if (families.empty()) variants.push_back(&alone.emplace(variant_at(problem, 0, fitted_parameters(problem))));
@@ -142,7 +142,7 @@ void add_sets(Problem& problem, const Identities& identities, const Ascent& like
   const std::size_t families = identities.families;
   std::map<std::pair<std::vector<std::size_t>, std::size_t>, std::size_t> place;
   const double log_slow = std::log(std::max(1e-12, posterior.discrepancy));
-  // The best set first: the likeliest identity of each single effect that is likelier there than not.
+  // The best set first: the most likely identity of each single effect that is more likely present than absent.
   std::vector<Drawn> all{{}};
   all.front().identities.reserve(posterior.effects.size());
   for (const SinglePosterior& one : posterior.effects) {

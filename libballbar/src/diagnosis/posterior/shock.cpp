@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStays = 4.4;  // chi^2
 
-// When an effect of time alone begins; nothing: it has no beginning.
+// The onset of an effect of time alone; nullopt: none.
 std::optional<double> onset_s(const Problem& problem, std::size_t signature) {
   const Signature& one = problem.library.signatures[signature];
   const Effect& effect = *problem.library.families[one.family].bound.effect;
