@@ -1,4 +1,4 @@
-// What a page that carries the program begins with: its script is packed, as the module is.
+// The start of a page that contains the program: its script is compressed, like the module.
 import { unpacked } from "./packed";
 
 const begin = async (): Promise<void> => {

@@ -1,9 +1,9 @@
-// The program itself, compiled to WebAssembly, in a worker: commands as on a terminal, on files in memory. Where the
-// page carries it, a person can drop files on the page and work with them.
+// The program compiled to WebAssembly, in a worker: runs commands as on a terminal, on files in memory. If the page
+// contains it, a user can drop files on the page and work with them.
 import { unpacked } from "./packed";
 import type { Answer, Question } from "./worker";
 
-// What a command printed. status: 0 done, 1 the input is at fault, 2 the command line is at fault.
+// The output of a command. status: 0 success, 1 error in the input, 2 error in the command line.
 export interface Ran {
   status: number;
   out: string;
@@ -11,26 +11,27 @@ export interface Ran {
 }
 
 export interface Watch {
-  progress?: (line: string) => void; // text, or JSON where it begins with a brace; empty: no longer
+  progress?: (line: string) => void; // text, or JSON if it begins with a brace; empty: end of progress
   stop?: AbortSignal;
 }
 
 export interface Sample {
   name: string; // of its folder
   title: string;
-  files: { path: string; text: string }[]; // a sign a byte: bytes_of
+  files: { path: string; text: string }[]; // one character per byte: bytes_of
   data: string[]; // the words for DATA
   model?: string;
 }
 
 export interface Engine {
   ready: Promise<void>;
-  // A report of the first sample, made to warm up: what is done with it makes the page quick too. Never: it has no such.
+  // A report of the first sample, made to warm up the engine and the page. Never resolves without samples.
   warmed: Promise<string>;
   samples: () => Promise<readonly Sample[]>;
   // "ballbar" is not among the words. Rejects with Stopped when stopped, and with Failed when the module gave up.
   run(words: readonly string[], watch?: Watch): Promise<Ran>;
-  // A call upon what is looked at, which the engine keeps (apps/report/page_calls.hpp); what stops it forgets that.
+  // A call on the open subject, which the engine keeps (apps/report/page_calls.hpp). Stopping the call loses the
+  // subject.
   call(call: object, watch?: Watch): Promise<Ran>;
   put(path: string, bytes: Uint8Array | Blob, read?: (bytes: number) => void): Promise<void>; // folders are made
   get(path: string): Promise<Uint8Array>;
@@ -55,12 +56,12 @@ interface Waiting {
   progress: ((line: string) => void) | undefined;
 }
 
-// A worker, and the questions that it has not answered.
+// A worker, with its pending requests.
 class Link {
   private readonly worker: Worker;
   private readonly waiting = new Map<number, Waiting>();
   private next = 0;
-  private over: Error | null = null; // why it answers no longer
+  private over: Error | null = null; // why it no longer answers
 
   constructor(url: string, module: WebAssembly.Module) {
     this.worker = new Worker(url);
@@ -98,7 +99,7 @@ class Link {
 class InWorker implements Engine {
   ready: Promise<void>;
   readonly warmed: Promise<string>;
-  private readonly files = new Map<string, Uint8Array | Blob>(); // as the worker has them, for the next one
+  private readonly files = new Map<string, Uint8Array | Blob>(); // the files of the worker, for the next worker
   private link: Promise<Link>;
   private readonly start: () => Promise<Link>;
   private unpacked_samples: Promise<readonly Sample[]> | null = null;
@@ -118,7 +119,7 @@ class InWorker implements Engine {
     });
   }
 
-  // Unpacked once, when first asked for.
+  // Decompressed once, on first use.
   samples(): Promise<readonly Sample[]> {
     const text = block(this.page, "samples");
     this.unpacked_samples ??= text
@@ -157,7 +158,7 @@ class InWorker implements Engine {
   }
 
   async put(path: string, bytes: Uint8Array | Blob, read?: (bytes: number) => void): Promise<void> {
-    // As it is now: a file on a disk may change, and another worker needs what this one has.
+    // The present content, because a file on disk may change and another worker needs the same content.
     const kept = bytes instanceof Blob && bytes.size <= kPiece ? new Blob([await bytes.arrayBuffer()]) : bytes;
     const before = this.files.get(path);
     this.files.set(path, kept);
@@ -190,8 +191,8 @@ class InWorker implements Engine {
     return { used: this.heap, most: kMostMemory };
   }
 
-  // Twice: by the second time the browser has seen what is worth compiling well. One question each, so that a file that
-  // comes meanwhile waits for one of them at most.
+  // Twice, because by the second time the browser knows which code to optimise. One request each, so that a new file
+  // waits for at most one of them.
   private async warm(link: Link, warmed: (report: string) => void): Promise<void> {
     const test = (await this.samples()).flatMap(({ files }) => files).find(({ path }) => path.endsWith(".b5r"));
     if (!test) return;
@@ -201,7 +202,7 @@ class InWorker implements Engine {
     }
   }
 
-  // A large file goes over in pieces: no second copy of it is made here.
+  // Sends a large file in pieces, without a second copy in memory.
   private async hand_over(
     link: Link,
     path: string,
@@ -228,7 +229,7 @@ class InWorker implements Engine {
     this.heap = 0;
     this.link = this.start().then(async (link) => {
       for (const [path, file] of this.files) {
-        // One that is gone from its disk, or no longer fits: the program says that it is not there, and the others are.
+        // A file that has left the disk, or no longer fits: the program reports it as missing; the others stay.
         await this.hand_over(link, path, file).catch(() => undefined);
       }
       return link;
@@ -236,5 +237,5 @@ class InWorker implements Engine {
   }
 }
 
-// Nothing where the page carries none.
+// null: the page has no engine.
 export const engine_of = (page: Document): Engine | null => (block(page, "engine") ? new InWorker(page) : null);

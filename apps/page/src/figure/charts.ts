@@ -28,7 +28,7 @@ export type Chart = ECharts;
 export const chart_in = (box: HTMLElement, width_px: number, height_px: number): Chart =>
   init(box, null, { renderer: "canvas", width: width_px, height: height_px });
 
-// One canvas with so many pixels for one of the page, drawn at once and not changed any more.
+// A canvas with this many pixels per CSS pixel, drawn once.
 export const canvas_of = (
   option: EChartsCoreOption,
   width_px: number,
@@ -38,8 +38,8 @@ export const canvas_of = (
   const chart = chart_in(document.createElement("div"), width_px, height_px);
   chart.setOption(option);
   const canvas = chart.renderToCanvas({ pixelRatio: pixels });
-  canvas.removeAttribute("style"); // it is no layer of a chart any more
-  chart.clear(); // a heatmap is drawn over several frames, which would go on in a chart that is no more
+  canvas.removeAttribute("style"); // it is no longer a layer of a chart
+  chart.clear(); // a heatmap is drawn over several frames, which would continue in a disposed chart
   chart.dispose();
   return canvas;
 };
@@ -60,7 +60,7 @@ interface Model {
   ): { axis?: { type: string; scale: { getExtent(): [number, number] } } } | undefined;
 }
 
-// The x axis as drawn; null where there is none, or it has no numbers. ECharts tells it only inside.
+// The range of the x axis as drawn; null: no numeric axis. Uses internals of ECharts.
 export const x_extent = (chart: Chart): Range | null => {
   const axis = (chart as unknown as { getModel(): Model | undefined }).getModel()?.getComponent("xAxis", 0)?.axis;
   if (axis?.type !== "value") return null;

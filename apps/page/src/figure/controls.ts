@@ -1,4 +1,4 @@
-// What of a picture can be chosen and switched off. The switches are its legend.
+// The choices and switches of a picture. The switches are its legend.
 import { button, element, select_of, svg_element } from "../elements/elements";
 import type { Choice, Picture, Slider, State, Toggle } from "../picture";
 import { clamped } from "../drawing/text";
@@ -49,7 +49,7 @@ const switches_of = (toggles: readonly Toggle[], state: State, change: Change): 
     : toggles.map((toggle) => switch_of(toggle, state, (on) => change([toggle.key], on)));
 };
 
-// A choice of a number: its slider, the number as it is drawn, and a button for that which fits by itself.
+// A numeric choice: its slider, the number, and a button for the automatic value.
 const kSteps = 100; // of the slider, a decade
 
 interface Chooser {
@@ -71,7 +71,7 @@ const slider_of = (choice: Choice, slider: Slider, choose: (value: string) => vo
   return {
     label: element("span", { class: "choice magnify" }, element("label", {}, element("span", {}, choice.label), " ", input), told, back),
     update({ chosen }, drawn) {
-      if (!drawn) return; // what is drawn may take long to find
+      if (!drawn) return; // drawing may take long
       const now = slider.now(chosen);
       input.value = String(at(now));
       told.textContent = slider.text(now);
@@ -101,7 +101,7 @@ export const controls_of = (
   const update = (state: State, drawn = true): void => {
     for (const choice of choices) choice.update(state, drawn);
     const toggles = picture.toggles(state);
-    // Made anew only where they differ, for a switch in use must keep the focus.
+    // Recreated only on a difference, so that a switch in use keeps the focus.
     const now = JSON.stringify([state.look.dark, toggles, toggles.map((toggle) => state.hidden.has(toggle.key))]);
     if (now === shown) return;
     shown = now;

@@ -1,4 +1,4 @@
-// One picture on the page with all that belongs to it. It holds the state: any change draws the picture anew.
+// One picture on the page with its controls. It holds the state; every change redraws the picture.
 import { canvas_of, type Chart, chart_in, px_at, x_at, x_extent } from "./charts";
 import { controls_of, within_slider } from "./controls";
 import { listen_to_keys, listen_to_pointer, magnify_by, next_row, row_text } from "./input";
@@ -37,18 +37,18 @@ export interface Figure {
   whole(): Range | null; // the x axis without a window
   choose(key: string, value: string): void;
   turn(key: string, on: boolean): void; // a curve, on or off
-  take(state: State): void; // what another figure of this picture had chosen, switched off and zoomed
+  take(state: State): void; // takes choices, switches and zoom of another figure of this picture
   watch(changed: (state: State) => void): void; // at once, and with every change
   see(window: Range | null): void;
   select(stretch: Range | null): void;
   ask_stretch(): void; // the next drag selects one
   point(x: number | null): void; // a line at this place
-  renew(): void; // what it draws is another by now
+  renew(): void; // its data have changed
   redraw(): void; // with the next frame, or once it is near the screen
   draw_now(): void;
   print(): void; // a drawing for paper is added
   printed(): void; // and taken away
-  leave(): void; // the page goes on without it
+  leave(): void; // the figure is removed from the page
 }
 
 export const figure_of = (picture: Picture, page: PageState): Figure => {

@@ -92,8 +92,8 @@ export const listen_to_pointer = (view: View): void => {
   );
 };
 
-// A picture that is magnified about its middle: by the wheel with Ctrl held, or alone once the picture has the focus, by
-// two fingers, and by + and -; 0 or a double click gives it back (null).
+// A picture that is magnified about its middle: by the wheel with Ctrl held, or alone once the picture has the focus,
+// by two fingers, and by + and -; 0 or a double click gives it back (null).
 export const magnify_by = (box: HTMLElement, magnify: (factor: number | null) => void): void => {
   box.addEventListener(
     "wheel",
@@ -220,7 +220,7 @@ export const within = (window: Range, all: Range): Range | null => {
   return [from, from + width];
 };
 
-// Closer by the factor, or farther where it is below one; the point `at` stays where it is.
+// Zooms in by the factor, or out if it is below 1, around the point `at`.
 export const zoomed = (window: Range | null, all: Range, at: number, factor: number): Range | null => {
   const [from, to] = window ?? all;
   return within([at - (at - from) / factor, at + (to - at) / factor], all);

@@ -1,4 +1,4 @@
-// The numbers behind a picture, as a table that is made when it is opened and only then.
+// The numbers of a picture as a table, created when it is opened.
 import { rows_of } from "./files";
 import { button, details_of, element, table_of } from "../elements/elements";
 import type { Numbers, Range } from "../picture";
@@ -114,7 +114,7 @@ export const stretch_panel = (select: (stretch: Range | null) => void, zoom: () 
   return { element: panel, update };
 };
 
-// What the numbers of a picture are within a stretch of its x axis.
+// Statistics of the numbers of a picture within an interval of its x axis.
 
 export interface Statistics {
   name: string;
@@ -123,7 +123,7 @@ export interface Statistics {
   deviation: number | null; // standard deviation, of n - 1
   least: number;
   largest: number;
-  change: number; // last less first
+  change: number; // last minus first
 }
 
 // One entry a column of numbers with a value in the stretch. The first column is x; of standard deviations there is

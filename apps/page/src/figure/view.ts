@@ -1,4 +1,4 @@
-// What pointer and keys need of a figure, and what they may change in it.
+// The interface of a figure for pointer and keys.
 import type { Range } from "../picture";
 
 export interface View {
@@ -13,7 +13,7 @@ export interface View {
   hover(x: number | null): void;
 }
 
-// What a figure knows of the page that it is on, and tells it: light or dark, and the window of those over time.
+// The interface between a figure and its page: light or dark, and the common window of figures over time.
 
 export interface PageState {
   dark(): boolean;

@@ -1,4 +1,4 @@
-// What a button does that says a command: the page's own step. Where there is none, the button is left out.
+// The step of the page for a button that shows a command. Without such a step the button is left out.
 import { added_by, words_of } from "./runs";
 import type { Loop } from "./loop";
 import type { Opened } from "./opened";
@@ -18,7 +18,7 @@ const reveal = (id: string): void => {
   section.querySelector<HTMLElement>("summary")?.focus({ preventScroll: true });
 };
 
-// null: the page has no such step, for what is open now.
+// null: the page has no such step for the open data.
 export const action_of = (command: string, { opened, test_again, save_of }: ActionsOf): (() => void) | null => {
   const [verb, ...rest] = words_of(command);
   const [loop, subject, report] = [opened.loop(), opened.subject(), opened.report()];

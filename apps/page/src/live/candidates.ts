@@ -1,4 +1,4 @@
-// What may be missing, most probable first; one button adds it. A row that is looked at draws its curve.
+// The possibly missing effects, most probable first, each with a button that adds it. A selected row draws its curve.
 import { button, element } from "../elements/elements";
 import { best_set, ranked_candidates } from "../diagnosis/ranking";
 import { decimals_for, shown, with_sigma } from "../drawing/theme";
@@ -12,7 +12,7 @@ const kFirst = 5; // the rest is opened if wanted
 
 const can_be_added = ({ columns }: Candidate): boolean => can_be_typed(Object.values(columns));
 
-// What stands beside a "+": the RMSE that it leaves. Told when it is known.
+// The RMSE after adding an effect, next to its "+". Shown when known.
 export interface Promised {
   effects: readonly string[];
   show(rmse_um: number): void;
@@ -95,7 +95,7 @@ export const candidate_list = (
   };
 };
 
-// How probable each effect is as far as the search has come. The program tells it in lines of JSON.
+// The probability of each effect so far in the search, from JSON lines of the program.
 
 const kBars = 6;
 
@@ -145,7 +145,7 @@ export const posterior_bars = (): PosteriorBars => {
   };
 };
 
-// How large the error is now, and was before the last change.
+// The error now and before the last change.
 
 export interface Fall {
   element: HTMLElement;

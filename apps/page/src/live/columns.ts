@@ -1,5 +1,5 @@
-// The dialogue of a log's columns: what the program took them for, to be set right and read again. It opens by itself
-// where the log leaves something open.
+// The dialogue for the columns of a log: shows how the program interprets them, and allows corrections. It opens by
+// itself for an ambiguous log.
 import { answer_of, type Subject, type Work } from "./runs";
 import { button, element, select_of, table_of, text_in } from "../elements/elements";
 import { type Group, type Held, last_part } from "./files";
@@ -9,7 +9,7 @@ import { clamped, micrometres, plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { english, named, t } from "../texts/texts";
 
-// What `import --json` prints of one log.
+// The output of `import --json` for one log.
 interface Understood {
   shape: string;
   time: string;
@@ -42,10 +42,10 @@ export interface ColumnsOf {
 export interface Columns {
   element: HTMLElement;
   button: HTMLElement; // that opens it
-  understand(subject: Subject): Promise<void>; // how its log is read; throws Refused
+  understand(subject: Subject): Promise<void>; // determines how its log is read; throws Refused
   targets(subject: Subject): string[]; // by their names in the series
-  ask(): void; // opens where something is unclear that was not asked before
-  refused(why: string): string | null; // opens, and what it says why the log cannot be read; null: there is no log
+  ask(): void; // opens for an ambiguity that was not asked about before
+  refused(why: string): string | null; // opens; returns why the log cannot be read; null: there is no log
   forget(): void;
   rewrite(): void; // in another language
 }
@@ -58,7 +58,7 @@ const kNone = "none"; // no time: the rows are numbered
 // "2,5 µm" as the program takes it.
 const quantity = (text: string): string => text.replace(/\s+/g, "").replace(",", ".").replace(/[µμ]/, "u");
 
-// A series of our own tells all itself.
+// A ballbar series needs no dialogue.
 const log_in = ({ group, data }: Subject): Held | undefined =>
   group.kind === "series" ? group.files.find(({ path, head }) => path === data[0] && !/"ballbar-series \d/.test(head)) : undefined;
 

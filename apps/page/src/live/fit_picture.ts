@@ -1,5 +1,5 @@
-// Measured, model and residual as they are now: with the values that sliders have, beside them the residual before the
-// last change, and a candidate over it.
+// Measured values, model and residual with the present values of the sliders, with the residual before the last change
+// and a candidate.
 import { curve } from "../drawing/curve";
 import { model_fit_picture } from "../model/model_fit_picture";
 import type { Stretch } from "./history_of_steps";
@@ -92,8 +92,8 @@ export const fit_picture = (now: () => Now): Picture => {
   };
 };
 
-// A fitted model whose gains were moved: what they add is drawn anew by scaling it, which is exact, for the model is
-// linear in them. Shapes, such as a time constant, the program computes.
+// A fitted model with changed gains: their curves are scaled, which is exact because the model is linear in them. The
+// program computes changes of shapes, such as a time constant.
 
 export const kConstant = "constant_um";
 

@@ -1,4 +1,4 @@
-// Above the report: the files, what of them is looked at and how, what is running, what can be saved.
+// The bar above the report: the files, the open data and their options, running work, and what can be saved.
 import type { Subject } from "./runs";
 import { type Dropped, type Group, type Held, last_part } from "./files";
 import { button, details_of, element, select_of } from "../elements/elements";
@@ -121,7 +121,7 @@ export const head_bar = ({ take, close, saves, columns, work, message }: HeadOf)
   };
 };
 
-// The files that are here, in the groups they are opened by, and beside each what is wrong with it.
+// The present files in groups that are opened together, each with its fault.
 
 export interface ShelfOf {
   held: readonly Held[];

@@ -1,9 +1,9 @@
-// What was done by hand, in its order: each step keeps what was before it, so that undo and redo go through all of them,
-// whatever they changed.
+// The history of the user's steps. Each step stores the state before it, so that undo and redo cover all kinds of
+// steps.
 
-export type Values = ReadonlyMap<string, number>; // of sliders that are not where the fit has them
+export type Values = ReadonlyMap<string, number>; // of sliders that were moved from the fit
 
-// A stretch of time whose readings are not fitted.
+// An interval of time whose readings are not fitted.
 export interface Stretch {
   from_s: number;
   to_s: number;
@@ -20,11 +20,11 @@ export interface Step {
   state?: ModelState; // absent: sliders alone were moved
 }
 
-// Puts a step back, and says what was there instead.
+// Restores a step, and returns the state that it replaces.
 export type PutBack = (step: Step) => Promise<Step>;
 
 export interface Steps {
-  record(before: Step): void; // something new: there is nothing to redo any more
+  record(before: Step): void; // records a new step; clears redo
   undo(put: PutBack, otherwise?: Step): Promise<boolean>; // otherwise: where nothing was done yet; false: there was nothing
   redo(put: PutBack): Promise<boolean>;
   count(): number;

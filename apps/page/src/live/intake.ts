@@ -1,5 +1,5 @@
-// Files as they come in: to the engine under safe paths, and to what the browser keeps; one that will not fit is told and
-// left out.
+// New files: passes them to the engine under safe paths, and stores them in the browser; reports a file that does not
+// fit and leaves it out.
 import { type Dropped, head_of, type Held, kind_of, read_report_file, type ReportFile, safe_paths } from "./files";
 import { bytes_of, type Engine, type Sample } from "../engine";
 import { reason, type Work } from "./runs";
@@ -8,7 +8,7 @@ import { plain } from "../drawing/text";
 import { size_spoken } from "./spoken";
 import { t } from "../texts/texts";
 
-const kNeed = 8; // times its size that a file takes: three to read and draw it, more to fit a model to all of it
+const kNeed = 8; // memory for a file, in multiples of its size: three to read and draw it, more to fit a model
 const kSmall = 1e6; // bytes that always fit
 
 interface Incoming {
@@ -147,8 +147,8 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
   };
 };
 
-// What was dropped, and the model as it stands, kept by the browser so that a crash or a reload loses nothing; until it
-// is deleted. Where the browser keeps nothing, as in a private window, everything else works.
+// The dropped files and the present model, stored in the browser until deleted, so that a crash or a reload loses
+// nothing. Without storage, as in a private window, everything else works.
 
 export interface KeptState {
   when: number; // ms since 1970
@@ -184,7 +184,7 @@ const done = <T>(request: IDBRequest<T>): Promise<T> =>
     request.onerror = () => fail(request.error);
   });
 
-// null: the browser keeps nothing here.
+// null: the browser stores nothing here.
 export const open_store = async (): Promise<Store | null> => {
   try {
     const opening = indexedDB.open(kName, 1);

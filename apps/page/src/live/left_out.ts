@@ -1,4 +1,4 @@
-// Rows that are left out of the fit: a stretch that was dragged over in the picture, and the way back.
+// Rows to leave out of the fit, selected by dragging in the picture, and how to include them again.
 import { button, element } from "../elements/elements";
 import type { Stretch } from "./history_of_steps";
 import type { Range } from "../picture";

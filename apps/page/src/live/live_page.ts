@@ -1,4 +1,4 @@
-// The page below the live part: drawn anew for each report, in the place of the one before.
+// The page below the live part: redrawn for each report.
 import { element } from "../elements/elements";
 import { type Inside, report_page } from "../shell";
 import type { Loop } from "./loop";
@@ -8,11 +8,11 @@ import type { Report } from "../report";
 import { kept_view, type Shared, shared_by_figures } from "../page/shared";
 import { page_tools } from "../page/page_tools";
 
-// What the page does for its live part.
+// The functions of the page for its live part.
 export interface LivePage {
   state: PageState; // of the page as it is drawn now
-  // In the place of the one before; a loop stands for the first screen. `again`: of the same data, so that what a reader
-  // unfolded, zoomed and chose stays.
+  // In the place of the one before; a loop stands for the first screen. `again`: of the same data, so that what a
+  // reader unfolded, zoomed and chose stays.
   show(report: Report, loop: Loop | null, again: boolean): void;
   made_with(options: string): void; // the report that is shown next
   shown(): boolean; // whether a report is, or was

@@ -1,5 +1,5 @@
-// How a log is read where it does not tell: options of the program, a word each, such as "--role=T3=ambient". They
-// stand behind the data in every command on that log.
+// Options of the program for an ambiguous log, one word each, such as "--role=T3=ambient". They follow the data in
+// every command on that log.
 
 const kOptions = ["sheet", "time", "time-unit", "every", "unit", "role", "scale", "leave-out", "missing", "skip-bad-rows", "delimiter", "decimal", "dates", "max-gap"];
 

@@ -1,4 +1,4 @@
-// The loop with the hand: what a model leaves, its effects under sliders, what may be missing, and a step forth and back.
+// The interactive model: its residual, its effects with sliders, possibly missing effects, undo and redo.
 import { candidate_list, fall_shown, posterior_bars, type Promised } from "./candidates";
 import { effect_search } from "./effect_search";
 import { type ModelState, type Step, type Steps, steps_kept, type Stretch } from "./history_of_steps";
@@ -19,7 +19,7 @@ import { plain_name } from "../machine_errors/error_names";
 import { verdict_of } from "../diagnosis/verdict";
 import { verdict_of as verdict_of_check } from "../model/model";
 
-const kShort_ms = 60_000; // a search that is made anew by itself when the model is another
+const kShort_ms = 60_000; // a search that takes less is repeated automatically when the model changes
 const kUnseen_ms = 150;
 
 export interface LoopOf {
@@ -33,7 +33,7 @@ export interface LoopOf {
   put(path: string, bytes: Uint8Array): Promise<void>;
   plan: NextTestOf["plan"];
   steps?: Steps; // of a loop of the same data before this one
-  across(gap_min: number): void; // opens the data anew, interpolated over gaps of this length
+  across(gap_min: number): void; // opens the data again, interpolated over gaps of this length
   add_figure(figure: Figure): void;
   changed(report: Report, subject: Subject): void; // the page below is to be drawn anew
 }
@@ -47,13 +47,13 @@ export interface Loop {
   show(report: Report): void;
   refused(why: unknown): void; // why it has no fit, and what may be done
   search(): Promise<void>;
-  // What the data do not support is shown and taken back, but for keep.
+  // An unsupported addition is shown and reverted, unless keep.
   add(effects: readonly string[], keep?: boolean): Promise<void>;
   change(change: HandChange): Promise<void>; // by hand: an effect taken out, a parameter held or freed
   leave_out(left_out: readonly Stretch[]): Promise<void>; // the fit without these rows
   undo(): Promise<void>; // of whatever was done last
   redo(): Promise<void>;
-  act(command: string): boolean; // whether it did what the command line says
+  act(command: string): boolean; // whether it performed the command
   diagnosed(): Diagnosed | null; // of the model as it is
   to_optimum(): void;
   first_slider(effect: string): ReturnType<ReturnType<typeof model_list>["slider"]>;
@@ -377,7 +377,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     void renew_choices();
   };
 
-  // Step by step, the fit first; where one is stopped, or cannot be made, the model is as it was.
+  // Step by step, the fit first. If a step is stopped or fails, the model is unchanged.
   const change_model = async (...parts: (() => Promise<Part>)[]): Promise<void> => {
     ++promising;
     stop_search(); // of the model before
@@ -403,7 +403,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     if (took_ms < kShort_ms) void loop.search();
   };
 
-  // What could be added to the model as it is now.
+  // The effects that can be added to the present model.
   const renew_choices = async (): Promise<void> => {
     const of_fit = fitted;
     const level = of_fit?.level ?? (subject.group.kind === "recordings" ? "recording" : "series");
@@ -418,7 +418,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   });
   const step_now = async (): Promise<Step> => ({ sliders: list.moved_values(), state: await state_now() });
 
-  // Puts a step back: sliders at once, another model or other rows with their fit.
+  // Restores a step: sliders at once, another model or other rows with their fit.
   const put_back = async (step: Step): Promise<Step> => {
     const was: Step = step.state ? await step_now() : { sliders: list.moved_values() };
     const { state } = step;

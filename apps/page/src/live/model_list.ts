@@ -28,7 +28,7 @@ export interface ModelList {
 
 const unit_of = (unit: string): string => unit_shown(plain(unit, 20)).replace(/\bum\b/g, "µm");
 
-// What is done with it.
+// The actions on the list.
 export interface ModelListOf {
   catalogue: Catalogue;
   begin(): void; // a slider will be moved, or a value typed
@@ -170,11 +170,11 @@ export const model_list = ({ catalogue, begin, changed, ...of }: ModelListOf): M
   };
 };
 
-// A parameter to move by hand: where the optimum is, how wide a sigma, and how far it was moved.
+// A parameter with a slider: shows the optimum, sigma and the present value.
 
 const kConstant_effect = "constant";
 const kSteps = 400;
-const kPause_ms = 1000; // keys that are pressed sooner after one another are one step
+const kPause_ms = 1000; // key presses within this time are one step
 const kSigmas = 6; // to either side at least
 
 export interface Optimum {

@@ -1,4 +1,4 @@
-// The run of the machine that would decide what is open: asked for by a button, because it takes long.
+// The run of the machine that would decide the open question. It takes long and is therefore started by a button.
 import { last_part } from "./files";
 import { button, details_of, element, select_of, table_of } from "../elements/elements";
 import type { Diagnosed, Plan } from "../report";

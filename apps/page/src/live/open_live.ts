@@ -1,4 +1,4 @@
-// The page with the program in it: files come in, the program is asked, and the page shows what it answers.
+// The page with the program: takes files, runs the program, and shows the results.
 import { type Dropped, folder_as_session } from "./files";
 import { asked } from "./question";
 import { button, element } from "../elements/elements";

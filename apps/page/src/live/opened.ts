@@ -1,4 +1,4 @@
-// What is looked at: a group of files, opened, with its report and its loop; what the program has against a file.
+// The open data: a group of files with its report and its interactive model, and the faults of files.
 import { catalogue_of } from "./model_list";
 import { type Columns, columns_with } from "./columns";
 import { answer_of, look_words, reason, Refused, type Runs, type Subject, type Work, words_of } from "./runs";
