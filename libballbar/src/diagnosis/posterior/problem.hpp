@@ -54,7 +54,7 @@ struct Problem {
   Eigen::VectorXd deviation;               // standard deviations of the columns before scaling
   std::size_t effects = 0;                 // number of families of effects; inputs of any form follow
   std::vector<double> log_prior;           // of each family: effects alike, columns of an effect alike
-  std::vector<double> log_prior_of_shape;  // of each signature in its family: alike, but half where it acts at once
+  std::vector<double> log_prior_of_shape;  // per signature in its family: equal, one half for those without lag
   std::vector<OwnParameter> own;
   std::vector<Covariance> covariances;
   std::vector<Term> terms;  // replace the catalogue's terms; their held parameters stay held
