@@ -1,4 +1,4 @@
-// What the files for controls share: comments, and a table of the error against a reading.
+// Common parts of the files for controls: comments, and a table of the error against a reading.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace ballbar {
 
 inline constexpr double kMmPerUm = 1e-3;
 
-// A line of comment each, after `mark`; nothing but printable ASCII.
+// One comment line each, after `mark`, in printable ASCII.
 std::string comment_lines(std::string_view mark, const std::vector<std::string>& lines);
 
 // Readings at which a table states K: from low to high, both in it, at whole multiples of 0.1, 0.2, 0.5, 1, 2, 5 ...

@@ -1,4 +1,4 @@
-// What the first rows of a log show: the sign of decimals, and what a column holds.
+// Statistics of the first rows of a log: the decimal sign, and the content of each column.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace ballbar {
 
-// Counts of its cells by what they could be.
+// Counts of the cells of a column by their possible types.
 struct ColumnSample {
   std::size_t numbers = 0, dates = 0, clocks = 0, stamps = 0, missing = 0, texts = 0, minutes_and_seconds = 0;
   std::vector<double> values;
@@ -24,18 +24,18 @@ struct ColumnSample {
   [[nodiscard]] bool mostly(std::size_t count) const { return count > 0 && count * 10 >= written() * 6; }
 };
 
-std::vector<ColumnSample> samples_of(const LogShape& shape);  // one a column
+std::vector<ColumnSample> samples_of(const LogShape& shape);  // one per column
 
 bool all_whole(const ColumnSample& sample);
 
 // 0, 1, 2 ... or 1, 2, 3 ...; `gaps`: some may be left out.
 bool counts_rows(const ColumnSample& sample, bool gaps);
 
-// Whether a column of numbers in a unit of time runs as long as one of stamps.
+// Whether a column of numbers in a unit of time covers the same duration as one of time stamps.
 bool runs_as_long(const ColumnSample& numbers, double unit_s, const ColumnSample& stamps);
 
-// The decimal sign, by what the cells of the first rows say: "0,125" and "1.234,5" are sure, "1,234" alone is not. Sets
-// shape.decimal. Throws Error with name:line where both are possible.
+// Sets shape.decimal, the decimal sign, from the first rows: "0,125" and "1.234,5" are unambiguous, "1,234" alone is
+// not. Throws Error with name:line if both signs are possible.
 void find_decimal(const std::string& name, const LogRecipe& recipe, LogShape& shape);
 
 }  // namespace ballbar

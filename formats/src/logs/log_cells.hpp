@@ -1,4 +1,4 @@
-// Cells of a log: what a text could be, and its number.
+// Cells of a log: possible types of a text, and its number.
 #pragma once
 
 #include <cstddef>
@@ -14,12 +14,12 @@ std::string_view trimmed_cell(std::string_view cell);  // blanks, unbreakable on
 // "", "NaN", "#NV", "---", "OVER", "BURNOUT" ...: no value; a name of it in `also` too.
 bool is_missing(std::string_view cell, std::span<const std::string> also = {});
 
-// What signs a number has; `other`: it is no number.
+// The signs of a number; `other`: not a number.
 struct NumberLook {
   enum class Kind { other, integer, comma, point, both };
   Kind kind = Kind::other;
-  char decimal = '\0';     // where that is sure by itself: "0,125", "1.234,5", "12,5"
-  bool thousands = false;  // could be grouped by thousands: "1,234", "20.000"
+  char decimal = '\0';     // if unambiguous: "0,125", "1.234,5", "12,5"
+  bool thousands = false;  // possibly grouped by thousands: "1,234", "20.000"
 };
 NumberLook look_of(std::string_view cell);
 

@@ -1,4 +1,4 @@
-// A logger's clock as seconds that rise.
+// Converts the clock of a logger to rising seconds.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace ballbar {
 
-// Stamps and numbers of the table as seconds: of a date or a clock from the first row, else as they are. Runs on over
-// midnight where there is no date, over the hour that summer time takes or gives; spreads rows of one stamp evenly to
-// the next. What was done is said in `remarks`. `started` becomes the wall clock of the first row where a date stands.
-// Throws Error with name:line where the time runs back otherwise.
+// The time stamps and numbers of the table as seconds: dates and times count from the first row, numbers stay.
+// Continues over midnight if there is no date, and over changes of summer time. Spreads rows with the same stamp evenly
+// up to the next one. Adds remarks. Sets `started` to the wall clock of the first row if there is a date. Throws Error
+// with name:line if the time goes back otherwise.
 std::vector<double> clock_s(LogTable& table, const LogPlan& plan, const std::string& name,
                             std::optional<double>& started_s, std::vector<std::string>& remarks);
 

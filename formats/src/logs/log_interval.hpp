@@ -1,4 +1,4 @@
-// The interval of the rows, where the lines above a table state it.
+// The interval of the rows, if stated in the lines above the table.
 #pragma once
 
 #include <optional>

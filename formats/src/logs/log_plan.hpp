@@ -1,4 +1,4 @@
-// What each column of a log is: the time, numbers, or nothing that a series keeps.
+// The type of each column of a log: time, numbers, or ignored.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +22,8 @@ struct PlannedColumn {
   bool headed = true;  // has a header
   ColumnKind kind = ColumnKind::left_out;
   std::string why;               // why it is left out
-  ColumnRecipe stated;           // all that the recipe says of it; `source` is empty where that is nothing
-  bool unit_by_pattern = false;  // which gives way to what name and values tell
+  ColumnRecipe stated;           // from the recipe; `source` is empty if it states nothing
+  bool unit_by_pattern = false;  // such a unit has less weight than name and values
 };
 
 struct TimePlan {

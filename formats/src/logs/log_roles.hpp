@@ -1,4 +1,4 @@
-// What a column stands for, by its name in the languages of machine shops, and by how it moves.
+// Determines the role of a column from its name in several languages, and from the way its values change.
 #pragma once
 
 #include <limits>
@@ -13,7 +13,7 @@ namespace ballbar {
 struct FoundRole {
   Role role = Role::event;
   std::string why;   // "by its name", "by its unit", "moves in steps of round numbers, as a speed"
-  std::string unit;  // that the role alone tells: "rpm" of a speed without a unit; else empty
+  std::string unit;  // from the role: "rpm" for a speed without unit; else empty
 };
 
 // Of the values that are finite and not `but`; of none infinite.
@@ -34,7 +34,7 @@ bool names_an_axis(std::string_view name);
 // Whether a name is one of something else: a humidity, a pressure, a speed, a probe ...
 bool names_another_quantity(std::string_view name);
 
-// Whether a column without a unit may be what is measured where no name tells it: "mcu_pos_z", "z_steps".
+// Whether a column without unit may be the measured quantity if no name shows it: "mcu_pos_z", "z_steps".
 bool could_be_measured(std::string_view name);
 
 // `unit`: canonical, may be empty. `values`: in it.

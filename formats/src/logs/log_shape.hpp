@@ -1,4 +1,4 @@
-// Where in a log the table stands, and how its lines are cut into cells.
+// The position of the table in a log, and how its lines are split into cells.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct LogShape {
   TextEncoding encoding;
   char delimiter = ',';  // ' ': runs of blanks
   char decimal = '.';
-  bool day_first = false;                       // the writer's locale tells that 03/04/2026 is the third of April
+  bool day_first = false;                       // by the writer's locale 03/04/2026 is the third of April
   std::size_t header_line = 0, units_line = 0;  // 0: none
   std::size_t first_row_line = 0;
   std::vector<std::string> headers, units;  // one a column, as written
@@ -33,7 +33,7 @@ struct LogShape {
 // Whether rows of numbers stand in the first bytes of a file.
 bool holds_table(std::string_view head);
 
-// By the first MiB. Throws Error with name:line where no table is found or two readings are possible.
+// From the first MiB. Throws Error with name:line if there is no table or two interpretations are possible.
 LogShape log_shape(const Source& source, const LogRecipe& recipe);
 
 }  // namespace ballbar

@@ -1,5 +1,5 @@
-// Files that hold a table but are no text: workbooks, MATLAB's files, JSON. They become lines of text with tabs, so
-// that all of them are read by one reader.
+// Converts tables that are not text (workbooks, MATLAB files, JSON) to lines of text with tabs, so that one reader
+// reads all of them.
 #pragma once
 
 #include <cstddef>
@@ -24,10 +24,10 @@ struct TableText {
 // In one cell: no tab, no line end, no quote.
 std::string as_cell(std::string_view text);
 
-// The vectors of a MATLAB file (.mat v5 to v7.3), by matio; in a build without it (BALLBAR_MAT=OFF) an Error says what
-// to install. Vectors and matrices of numbers, also those in structs, of the length that most of them have; a matrix is
-// a column each, named by a cell array of as many texts where there is one. The file is read in a process of its own:
-// what is damaged cannot take this one along. Throws Error.
+// The vectors of a MATLAB file (.mat v5 to v7.3), read with matio; in a build without it (BALLBAR_MAT=OFF) an Error
+// states what to install. Takes numeric vectors and matrices, also in structs, of the most common length. A matrix
+// gives several columns, named by a cell array of as many texts if there is one. The file is read in a separate
+// process, so that a damaged file cannot crash this one. Throws Error.
 TableText mat_table(std::string_view bytes, const std::string& name);
 
 // A sheet of a workbook, .xlsx (ECMA-376); in a build without libzip (BALLBAR_XLSX=OFF) an Error says what to install.
@@ -44,7 +44,7 @@ std::vector<TableText> workbook_tables(std::string_view bytes, const std::string
 
 bool is_table_file(std::string_view head);  // by its first bytes
 
-// Nullopt for all that is_table_file does not know. Throws Error.
+// Returns nullopt for formats that is_table_file() does not recognise. Throws Error.
 std::optional<TableText> table_text(std::string_view bytes, const std::string& name, const LogRecipe& recipe);
 
 }  // namespace ballbar

@@ -18,19 +18,19 @@ struct LogTable {
   std::vector<std::vector<double>> values;                 // one a column of the log; of numbers alone; a gap is NaN
   std::vector<double> time_s;                              // of stamps: from midnight of `first_day`; of rows: empty
   std::optional<std::int64_t> first_day;                   // since 1970
-  bool elapsed = false;                                    // of the clocks: they count from a start, not from midnight
-  bool zoned = false;                                      // the clock states its zone: no summer time, no doubt
-  std::vector<std::pair<std::size_t, std::size_t>> lines;  // (row, line) wherever lines were passed over
+  bool elapsed = false;                                    // times count from a start, not from midnight
+  bool zoned = false;                                      // the clock states its zone, so that there is no summer time
+  std::vector<std::pair<std::size_t, std::size_t>> lines;  // (row, line) after each group of skipped lines
   std::size_t rows = 0, other_lines = 0, without_time = 0, short_rows = 0;
   std::vector<std::size_t> bad_lines;  // skipped; where rows are counted, a row of gaps each
-  std::vector<std::size_t> cut_lines;  // that end within a number, which is a gap
-  std::size_t without_row = 0;         // lines between the first row and the last that are no row
+  std::vector<std::size_t> cut_lines;  // lines that end within a number, which becomes a gap
+  std::size_t without_row = 0;         // lines between the first and the last row that are not rows
 
   [[nodiscard]] std::size_t line_of(std::size_t row) const;
 };
 
-// Skips rows in which a cell is no number, or that have too many cells, two and one in a hundred; all by the recipe.
-// Throws Error with name:line where there are more, or where dates can be read in two ways.
+// Skips rows with a cell that is not a number, or with too many cells: up to two plus one in a hundred, or all with the
+// recipe's option. Throws Error with name:line if there are more, or if dates are ambiguous.
 LogTable log_table(const Source& source, const LogShape& shape, LogPlan& plan, const LogRecipe& recipe);
 
 }  // namespace ballbar

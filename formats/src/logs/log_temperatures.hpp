@@ -1,4 +1,4 @@
-// Temperatures without a unit: by their names and by how they behave.
+// Recognises temperatures without a unit by their names and values.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@ struct TemperatureFamily {
   std::string text;                  // "T0 to T15: temperatures by name and values, degC"
 };
 
-// Columns of numbers without a unit whose values lie in 5 to 90 and move slowly, and that are named as a temperature or
-// as a part of a machine, or stand in a family of at least three names that differ in a number. `values`: one a column
-// of the plan.
+// Numeric columns without a unit whose values lie between 5 and 90 and change slowly, and whose name is that of a
+// temperature or a machine part, or one of at least three names that differ in a number. `values`: one per column of
+// the plan.
 std::vector<TemperatureFamily> temperatures_among(const LogPlan& plan, const std::vector<std::vector<double>>& values);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// The text of a log, whatever its encoding, a line at a time and never whole in memory.
+// Reads the text of a log in any encoding, line by line and never as a whole.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,8 @@ class LogLines {
   LogLines(const LogLines&) = delete;
   LogLines& operator=(const LogLines&) = delete;
 
-  // False at the end. `quotes`: a line with an odd number of them goes on. Throws Error where a line is above 4 MiB.
+  // Returns false at the end. `quotes`: a line with an odd number of them continues. Throws Error for a line above 4
+  // MiB.
   bool next(bool quotes);
 
   [[nodiscard]] std::string_view line() const { return line_; }  // without its end

@@ -1,4 +1,4 @@
-// Units as loggers and people write them, and what a series makes of them.
+// Units as loggers and people write them, and their conversion to those of a series.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Names of columns as people write them, made comparable: small letters, no accents, blanks for all that separates.
+// Normalises column names for comparison: lower case, no accents, blanks for all separators.
 #pragma once
 
 #include <string>

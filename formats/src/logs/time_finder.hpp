@@ -1,4 +1,4 @@
-// Which columns of a log tell the time, and how.
+// Finds the columns of a log with the time, and their format.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace ballbar {
 
-// Stamps first, then a date and a clock, then numbers; else rows at the interval that the lines above the table state.
-// Sets the plan's time and the kinds of its columns. Throws Error with name:line where none can be told.
+// Tries time stamps first, then a date and a time, then numbers, else the interval stated above the table. Sets the
+// time of the plan and the kinds of its columns. Throws Error with name:line if there is no time.
 void find_time(const LogShape& shape, const std::string& name, const LogRecipe& recipe,
                const std::vector<ColumnSample>& samples, LogPlan& plan);
 

@@ -1,4 +1,4 @@
-// Dates and clocks as loggers write them.
+// Dates and times as loggers write them.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What the readers and writers of pictures share: the size of a file, its segments, PNG by libspng and JPEG by
+// Common parts of the readers and writers of pictures: the size of a file, its segments, PNG by libspng and JPEG by
 // libjpeg-turbo.
 #pragma once
 

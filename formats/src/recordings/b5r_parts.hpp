@@ -1,4 +1,4 @@
-// The parts of a `.b5r` beside its runs, each read into the B5r. What is at fault there costs a remark, not the file.
+// Reads the parts of a `.b5r` other than its runs into the B5r. A fault there causes a remark, not an error.
 #pragma once
 
 #include <pugixml.hpp>
@@ -46,7 +46,7 @@ void read_curves(const SourceText& text, pugi::xml_node document, B5r& test, B5r
 // "RENISHAW_DIAGNOSTICS 2.1": under what the values of an ANALYSIS, or the limits of an ANALYSIS_SPEC, stand.
 std::string analysis_name(pugi::xml_node analysis);
 
-// Nothing where there is no such child, or it is "-" or empty.
+// nullopt: there is no such child, or it is "-" or empty.
 std::optional<double> stated_number(const SourceText& text, pugi::xml_node parent, const char* name);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// What the parts of a written `.b5r` are made with.
+// Helpers to write the parts of a `.b5r`.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What of a table is a circle.
+// Finds the columns of a table that form a circle.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct CoordinateCircle {
   std::optional<Plane> plane;                           // where the columns' names say so
   double centre_a = 0.0, centre_b = 0.0, radius = 0.0;  // in the columns' unit
   std::vector<std::size_t> rows;                        // on the circle
-  std::optional<double> commanded_radius;               // of the path that the control wanted, where that is there too
+  std::optional<double> commanded_radius;               // radius of the commanded path, if present
 };
 
 // An angle beside lengths or deviations.

@@ -1,4 +1,4 @@
-// Readings round a circle, cut into runs of one direction.
+// Splits the readings of a circle into runs of one direction.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct CircleRun {
 // runs of less than 30 deg beside longer ones.
 std::vector<CircleRun> runs_of(const std::vector<double>& unwrapped_rad);
 
-// Of all steps, their middle size.
+// The median size of the steps.
 double middle_step_rad(const std::vector<double>& unwrapped_rad);
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// What the header of a circle's table says, in the words of several languages. None of them needs to be there.
+// Interprets the header of a circle table in several languages. All parts are optional.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ ColumnWord word_of(const NumberColumn& column);
 // 0, 1, 2 of a coordinate X, Y, Z.
 std::optional<int> axis_of(const NumberColumn& column);
 
-// "X soll", "Y cmd": what the control wanted, not what was measured.
+// "X soll", "Y cmd": commanded, not measured coordinates.
 bool is_commanded(const NumberColumn& column);
 
 std::optional<Direction> direction_of(const NumberColumn& column);

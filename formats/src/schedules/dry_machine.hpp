@@ -1,4 +1,4 @@
-// The machine of a dry run: what it is told, in no control's language.
+// The machine of a dry run: its commands, independent of the language of a control.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What a program of a schedule does, one after the other, in no control's language yet.
+// The steps of a program for a schedule, independent of the language of a control.
 #pragma once
 
 #include <string>

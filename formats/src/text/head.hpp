@@ -1,4 +1,4 @@
-// What the head of a text file says of itself, for readers that are asked whether it is theirs.
+// Information from the head of a text file, for readers that recognise their format by it.
 #pragma once
 
 #include <string_view>

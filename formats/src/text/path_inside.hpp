@@ -1,4 +1,4 @@
-// Paths that a file may name: only below its own folder, so that a file from elsewhere opens nothing else.
+// Paths named in a file must be below its own folder, so that a foreign file cannot open anything else.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace ballbar {
 
-// Of the letters alone: not empty, not absolute, not the folder itself, no way out by "..", no NUL.
+// Checks only the text: not empty, not absolute, not the folder itself, not out of it by "..", no NUL.
 bool stays_inside(const std::string& path);
 
 // folder / file. Throws Error where that lies outside the folder, through a link too. `owner`, which named the file,

@@ -1,7 +1,7 @@
-// Tables of numbers: what the log and the series reader share.
+// Tables of numbers: common parts of the log reader and the series reader.
 //
 // A table is a line of column names and rows of numbers, separated by commas. It is scanned once, in
-// memory, with std::from_chars: no string and no vector a row.
+// memory, with std::from_chars, without a string or a vector per row.
 #pragma once
 
 #include <cstddef>
