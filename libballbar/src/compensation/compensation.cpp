@@ -129,7 +129,7 @@ Offset Compensator::next(double time_s, std::span<const double> values) {
   return offset(Hold::none, 0, error_um, state_.offset_um != -error_um);
 }
 
-// Time since the last row that followed; sets state_.time_s. Nothing, and why, where this one does not follow.
+// Time since the last row with a valid time; sets state_.time_s. nullopt, and why, if this row does not continue it.
 std::optional<double> Compensator::follows(double time_s, Hold& why) {
   if (!(std::abs(time_s) <= kLatest_s)) {
     why = Hold::no_time;

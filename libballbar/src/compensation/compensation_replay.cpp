@@ -85,7 +85,7 @@ double share_of(double before, double after, ErrorSize size) {
   return 1.0 - (size == ErrorSize::mean_of_sizes ? after / before : std::sqrt(after / before));
 }
 
-// Twice the lag at which the values are no longer alike.
+// Twice the lag at which the autocorrelation of the values has decayed.
 std::size_t stretch_of(std::span<const double> values) {
   const std::size_t n = values.size(), longest = std::max<std::size_t>(1, n / 5);
   double mean = 0.0, square = 0.0;

@@ -241,7 +241,7 @@ LineErrors errors_of(const LeftOver& left) {
           left.beyond};
 }
 
-// Each run from the others, or each late fifth from what is before it.
+// Each run from the others, or each late fifth from the time before it.
 std::optional<LineErrors> left_out_errors(const LineData& all, const std::vector<Sums>& sums, std::size_t count,
                                           double range_margin, const Increment& increment) {
   LeftOver left;

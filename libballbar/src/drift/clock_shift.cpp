@@ -31,9 +31,9 @@ struct Curve {
   }
 };
 
-// The curve less its scatter: a local parabola (least squares) over +-half_s, at rows at least a sixteenth of that
-// apart, and straight lines between those; where there are fewer than 5 rows within half_s the row itself. Gaps stay
-// gaps. O(n): each row counts in 32 parabolas at most.
+// The smoothed curve: a local least squares parabola over +-half_s, at rows at least a sixteenth of that apart, linear
+// between those; with fewer than 5 rows within half_s the row itself. Gaps stay gaps. O(n): each row is used in at most
+// 32 parabolas.
 struct Smooth {
   std::vector<double> value;      // as the rows
   double scatter_variance = 0.0;  // of a single row
@@ -197,7 +197,7 @@ std::optional<ClockShift> clock_shift(std::span<const double> time_s, std::span<
   const double residual = variance_at(samples, curve, best_s) * count / (count - 2.0);
   const double found = residual + (share - smooth.kept) * smooth.scatter_variance;
   const double stated = sigma * sigma + share * curve_sigma * curve_sigma;
-  // The best of many shifts leaves too small a residual: never below what is stated.
+  // The residual of the best of many shifts is too small; sigma is never below the stated one.
   const double variance = std::max(stated, found);
   if (!bends(samples, curve, best_s, variance)) return std::nullopt;
   return ClockShift{best_s, std::sqrt(variance / information)};

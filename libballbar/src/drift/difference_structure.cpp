@@ -172,7 +172,7 @@ DifferenceParts parts_of(const DifferenceRows& rows, const Linearised& none, con
   DifferenceParts parts;
   for (std::size_t kind = 0; kind < free.size(); ++kind) {
     if (!tested.step[kind]) continue;
-    // A curve that moves no more than its scatter has no scale and no clock.
+    // A curve that changes no more than its scatter determines neither scale nor clock.
     if (*tested.information[kind] < kMoreThanScatter * none.scatter[kind]) continue;
     DifferencePart part;
     const double z = *tested.step[kind] * std::sqrt(*tested.information[kind]) / widened_by;

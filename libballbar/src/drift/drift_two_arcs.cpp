@@ -119,8 +119,8 @@ Eigen::ArrayXd weighted_residual(const Arc& arc, const Vector5d& p) {
   return residual;
 }
 
-// What one arc's readings contribute to sum s^2 J'J and sum s^2 J' rho J, in units of the arc's weight: s^2 is the
-// variance of `residual` with the share of unknowns the fit took from it given back.
+// The contribution of one arc to sum s^2 J'J and sum s^2 J' rho J, in units of the arc's weight. s^2 is the variance of
+// `residual`, corrected for the number of fitted unknowns.
 least_squares::Information<5> noise_of(const Arc& arc, const Vector5d& p, const Eigen::ArrayXd& residual,
                                        const Matrix5d& inverse) {
   least_squares::Information<5> noise =
@@ -229,7 +229,7 @@ Matrix5d covariance_of_change_um2(const SessionTest& now, const TwoArcs& now_fit
       !same_angles(*now.a_arc, *reference.a_arc)) {
     return independent;
   }
-  // What either test discounts is left out of both; both arcs have the weights of `now`, so one unit.
+  // Readings discounted in either test are left out of both. Both arcs have the weights of `now`, hence one unit.
   const auto c_out = in_either(now_fit.c_circle.discounted, reference_fit.c_circle.discounted);
   const auto a_out = in_either(now_fit.a_circle.discounted, reference_fit.a_circle.discounted);
   const auto [c, a] = arcs_of(*now.c_arc, *now.a_arc, now_fit, c_out, a_out);

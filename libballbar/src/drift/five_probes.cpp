@@ -187,7 +187,7 @@ class Reduction {
   const FivePoint& found_;
 };
 
-// Drift of a pair of probes at s, as far as it is known; otherwise a sentence why not.
+// The drift of a pair of probes at s if known, else a remark on the reason.
 std::optional<Combination> drift_of_pair(const char* name, std::size_t first, const Columns& columns,
                                          const FiveProbe& probe, double s_mm, std::vector<std::string>& remarks) {
   const std::size_t second = first + 1;

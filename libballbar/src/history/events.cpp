@@ -22,7 +22,7 @@ QuantityKind kind_of(const AllSeries& all, const Call& call) {
   return kind_of(series_of(all, call).name, series_of(all, call).plane);
 }
 
-// The clearest first, what follows from others last.
+// The most significant first, derived ones last.
 void sort_by_cause(const AllSeries& all, Calls& calls) {
   std::stable_sort(calls.begin(), calls.end(), [&](const Call* left, const Call* right) {
     const auto follows = [&](const Call* call) {
@@ -62,7 +62,7 @@ bool step_in_common(const AllSeries& all, const Calls& calls) {
     sign = call->size;
   }
   if (sign == 0.0) return false;
-  // One axis alone is no instrument.
+  // A step of a single axis is not the instrument.
   std::set<int> axes;
   for (const Call* call : calls) {
     const QuantityKind kind = kind_of(all, *call);
@@ -89,8 +89,8 @@ bool is_clearly_worse(const Call& call) {
   return std::abs(call.after) - std::abs(call.before) > kSignificantSigmas * call.sigma;
 }
 
-// The axis of which two kinds of errors at least came nearer to 0, and nothing else became worse. Of the same kind of
-// error on another axis a third of that does not count: a ballbar test takes a little of one axis for the other's.
+// The axis with at least two kinds of errors nearer to 0, while nothing else became worse. For the same kind of error
+// on another axis a third of that is tolerated, because a ballbar test mixes the axes slightly.
 std::optional<int> bettered_axis(const AllSeries& all, const Calls& calls) {
   constexpr double kTakenForAnother = 1.0 / 3.0;
   std::map<int, std::set<std::string>> better;

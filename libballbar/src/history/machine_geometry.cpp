@@ -18,7 +18,7 @@ constexpr double kDisagree = 0.01;  // p
 
 bool tells(const MachineTest& test) { return test.scales || test.squareness; }
 
-// Whether the left one says less of today: stored values before sigmas, no date before any.
+// Whether the left one is less relevant: stored values before sigmas, no date before any.
 bool is_older(const MachineTest& left, const MachineTest& right) {
   if (left.stored != right.stored) return left.stored;
   return left.started_s < right.started_s;

@@ -88,7 +88,7 @@ void moderate(const AllSeries& all, const std::vector<std::size_t>& members, std
   }
 }
 
-// What one series tells of tails and memory: scores about a line, or about its step or season where these are clear.
+// The tails and correlation of one series: scores about a line, or about its step or season if these are significant.
 struct Scores {
   std::vector<double> about_curve;
   std::array<double, kRunLengths> square_of_run{};  // mean square of the mean of j, times j; 0: too short for it
@@ -151,8 +151,8 @@ double memory_at(const std::array<double, kRunLengths>& ratio, double j) {
   return ratio.back();
 }
 
-// Few machines tell little of one quantity: then all quantities tell more, and of those few a usual memory. Of runs
-// longer than any in the tests it rises on, with every doubling by as much as with the last.
+// With few machines the estimate for one quantity is combined with that of all quantities, and with a typical
+// correlation. For runs longer than any in the tests it rises further by the same amount with every doubling.
 std::array<double, kRunLengths> moderated(const Memory& own, const Memory& of_all) {
   constexpr double kWeightOfAll = 6.0, kUsual = 0.14;  // ln of the ratio
   std::array<double, kRunLengths> ratio{};

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kSpanOfSeason_s = 1.5 * kYear_s;
 constexpr std::size_t kFewestOfSeason = 8;
-// Where few machines have the quantity. Of fewer values hardly anything is found, and each question makes the
-// correction of the others larger. Chosen on sample-runs/machine-history and the plants of tests/study/fleet.
+// For quantities on few machines. With fewer values hardly anything is found, and each additional test enlarges the
+// correction of the others. Chosen on sample-runs/machine-history and the fleets of tests/study/fleet.
 constexpr std::size_t kFewestOfTrendAlone = 5, kFewestOfStepAlone = 8;
 constexpr std::size_t kFewestOfStep = 5;  // values; two on either side
 constexpr double kLongRun = 8.0;          // tests: as long as scatter may stay the same
@@ -56,7 +56,7 @@ class StepScores {
   const FamilyScatter& family_;
 };
 
-// Where a level changes, and how likely scatter alone would show as much at any place.
+// The position of a step, and its p-value over all positions.
 StepSearch step_search(const Eigen::VectorXd& scores, double degrees, const FamilyScatter& family) {
   constexpr double kAboutAsLikely = 20.0;  // e^3
   const auto n = static_cast<std::size_t>(scores.size());

@@ -52,7 +52,7 @@ QuantityDifference difference_of(const TestQuantity* before, const TestQuantity*
 
 double sigmas_of(const QuantityDifference& one) { return std::abs(one.difference) / one.sigma; }
 
-// p values rising, each held against the rate over those that are left; the first that fails ends it.
+// Rising p-values, each compared with the rate over the number of remaining ones; stops at the first failure.
 std::size_t judge(std::vector<QuantityDifference>& quantities) {
   std::vector<QuantityDifference*> judged;
   for (QuantityDifference& one : quantities) {

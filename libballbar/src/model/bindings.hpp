@@ -1,4 +1,4 @@
-// Which columns of the data an effect could read.
+// The columns of the data that an effect can read.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace ballbar {
 
-inline constexpr std::size_t kMostBindings = 512;  // choices of columns of one effect that are searched
+inline constexpr std::size_t kMostBindings = 512;  // largest number of column choices searched for one effect
 
 // All choices of different columns for the inputs of an effect, each as Effect::inputs; on recordings the trace's own
 // columns. What an input takes is said there (Input). Targets, Model::not_inputs and sigmas are no inputs. At most

@@ -16,8 +16,8 @@ namespace ballbar {
 
 class ModelRows {
  public:
-  // `rows` of the data, rising: where values are wanted. The effects run over all rows of the data, which must outlive
-  // this. Measured inputs are lines between their values (measured_input.hpp). Throws Error where another has a gap.
+  // `rows`: rising indices of the rows of interest. The effects run over all rows of the data, which must outlive this.
+  // Measured inputs are interpolated (measured_input.hpp). Throws Error for a gap in another input.
   ModelRows(const Model& model, const Series& data, std::vector<std::size_t> rows);
   ModelRows(const ModelRows&) = delete;  // its inputs point into it
   ModelRows& operator=(const ModelRows&) = delete;
@@ -31,7 +31,7 @@ class ModelRows {
 
   const std::vector<std::size_t>& data_rows() const { return rows_; }
 
-  // All terms over all rows of the data, in memory that is used again from one evaluation to the next.
+  // All terms over all rows of the data, in memory that is reused between evaluations.
   struct Evaluated {
     std::vector<std::vector<double>> values, slopes;  // one a term; slopes: rows by its parameters
     Eigen::VectorXd sum;                              // at the rows of interest, with the constant

@@ -1,4 +1,4 @@
-// What repeats, and how closely the rows follow one another: a cycle of less than two rows passes for a slower one.
+// Periodic effects and the sampling of the rows: a cycle of less than two rows is aliased to a slower one.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// The steps of an effect test, for who keeps some of what they need.
+// The steps of an effect test, for callers that store intermediate results.
 #pragma once
 
 #include <cstddef>
@@ -27,11 +27,10 @@ bool is_usual(const Term& term, const Model& model, const Series& data);
 EffectTest effect_test_of(Inference& found, FittedModel before, FittedModel after, std::size_t count,
                           const Series& data, std::size_t target);
 
-// Errors of the machine added to a model of recordings: what their fit beside all others says of them.
+// Tests errors of the machine that are added to a model of recordings, by their joint fit with all others.
 //
-// As effect_test(), of a model and data of which is_of_machine_errors() holds. An error is supported where it is
-// significant among all errors of the axes, as in machine_errors(), and its value from one direction predicts the
-// other.
+// As effect_test(), for a model and data with is_of_machine_errors(). An error is supported if it is significant among
+// all errors of the axes, as in machine_errors(), and if its value from one direction predicts the other.
 EffectTest machine_error_test(const Model& model, const std::vector<Term>& added, const Series& data,
                               std::size_t target);
 

@@ -12,7 +12,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kLeastCorrelation = 0.7;
-constexpr double kAlike = 0.01;  // what two correlations differ by without telling anything
+constexpr double kAlike = 0.01;  // insignificant difference of two correlations
 constexpr std::size_t kMostRows = 4000, kFewestRows = 20;
 constexpr int kMostLags = 600;
 constexpr int kBitsOfLag = 26;  // where it is least a function does not change over half the bits of a double
@@ -127,7 +127,7 @@ std::optional<ClockLag> lag_of(const Curve& first, const Curve& second, double r
   const double free_rows = static_cast<double>(match.rows) * (1.0 - match.memory) / (1.0 + match.memory);
   const double of_fit =
       curvature > 0.0 ? std::sqrt(2.0 * match.left / (std::max(3.0, free_rows) * curvature)) : range_s;
-  // Steps of a programme lie at one place between the rows, all of them: more steps tell no more.
+  // All steps of a programme lie at the same place between rows, so that more steps give no more information.
   const double of_rows = std::hypot(slow_s, fine_s) / std::sqrt(12.0);
   lag.sigma_s = std::hypot(of_fit, of_rows);
   return lag;

@@ -79,8 +79,7 @@ std::vector<std::size_t> stretches_of(const Series& data, const Column& speed, c
   return stretch;
 }
 
-// Stretches of more than their part of the rows cut into equal pieces: with the half of a record left out the other
-// half predicts nothing.
+// Cuts long stretches into equal pieces, because half of a record cannot predict the other half.
 std::vector<std::size_t> none_too_long(const std::vector<std::size_t>& stretch) {
   const std::size_t most = (stretch.size() + kParts - 1) / kParts;
   std::vector<std::size_t> fold;

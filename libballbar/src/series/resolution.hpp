@@ -1,4 +1,4 @@
-// The step in which a column was logged.
+// The resolution of a logged column.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace ballbar {
 
-// Smallest step between neighbours, where all steps are multiples of it; 0: none.
+// The smallest step between neighbours if all steps are multiples of it; 0: none.
 inline double resolution_of(std::span<const double> values) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < values.size(); ++i) {

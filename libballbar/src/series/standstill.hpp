@@ -13,7 +13,7 @@ inline double largest_of(std::span<const double> values) {
   return largest;
 }
 
-// Below 2 % of the largest speed, as steps of speed are told apart (speed_steps.hpp).
+// Below 2 % of the largest speed, the tolerance of speed_steps.hpp.
 inline bool at_standstill(double speed_rpm, double largest_rpm) { return std::abs(speed_rpm) <= 0.02 * largest_rpm; }
 
 }  // namespace ballbar
