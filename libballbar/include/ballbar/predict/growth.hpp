@@ -18,7 +18,8 @@
 //
 // by forecasts for which the whole procedure, base model and all, is done again on earlier rows alone (forecast_rows).
 // D is known far better than the errors themselves from three origins. Fewer, where their forecasts are better than
-// those by a paired t test of ln RMS over the origins (one-sided, 5 %): the regression itself may be the worse one.
+// those by a paired t test of ln RMS over the origins (one-sided, 5 % over all numbers of effects together): the
+// regression itself may be the worse one.
 // Where it predicts no better than the base model, the fewest within 5 % of the best forecast.
 // Nothing is kept without forecasts, or where theirs are no better than those of the base model. The terms of the base
 // model are among the effects of the regression where that predicts better.
