@@ -1,5 +1,6 @@
 #!/bin/sh
-# From a fresh Debian 12 to a drift table and a page to look at: packages, build, one sample session.
+# From a fresh Debian 12 to an error that falls: installs the packages, builds, finds the effect that a model of sample data
+# does not have, adds it, and draws a page.
 #
 #   sh apps/quickstart.sh [--no-page]      without the page: 110 packages instead of 480
 set -eu
@@ -15,7 +16,7 @@ esac
 
 step() { printf '\n== %s\n' "$1"; }
 
-step 'Packages'
+step 'Install the packages'
 # shellcheck disable=SC2086  # nothing where there is no page
 sh apps/install-packages.sh build $page
 
@@ -23,19 +24,35 @@ step 'Build (Release, in build/)'
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DBALLBAR_PAGE=$with_page
 cmake --build build -j "$(nproc)"
 
-step 'Drift of a sample session'
+# The sample data stay as they are: `add` writes into the model's file.
 out=build/quickstart
-session=sample-runs/two-arcs-he2015/session.toml
-mkdir -p "$out"
-build/apps/ballbar drift "$session" --out "$out/drift.csv" --out "$out/drift.json"
+rm -rf "$out"
+cp -r sample-runs/hidden-effect/01 "$out"
+data=$out/data.csv model=$out/model.toml
 
+shown() {
+  printf '\n$ ballbar %s\n' "$*" >&2 # what it prints may go to a file
+  build/apps/ballbar "$@"
+}
+page_of() {
+  [ -z "$page" ] || shown report "$data" --model "$model" --out "$1" >"$out/report.txt"
+}
+
+step 'Find what the model of a spindle does not explain (a simulated day)'
+shown diagnose "$data" --model "$model"
+page_of "$out/before.html"
+
+step 'Add it: the error falls'
+shown add lagged_expansion:temperature=T_room_degC "$data" --model "$model" >"$out/added.txt"
+shown ledger --model "$model"
+page_of "$out/after.html"
+
+step 'Results'
+echo "$PWD/build/apps/ballbar    the program"
+echo "$PWD/$model    the model with the effect"
+echo "$PWD/$out/added.txt    the error before and after"
 if [ -n "$page" ]; then
-  step 'A page to look at'
-  build/apps/ballbar report "$session" --model sample-runs/two-arcs-he2015/model.toml --out "$out/page.html"
+  echo "$PWD/$out/before.html    what was missing; open it in a browser"
+  echo "$PWD/$out/after.html    the model with it, and the ledger"
 fi
-
-step 'Where they are'
-for extension in csv json; do
-  echo "$PWD/$out/drift.$extension"
-done
-[ -z "$page" ] || echo "$PWD/$out/page.html    open it in a browser"
+echo "$PWD/sample-runs/hidden-effect/README.md    the same, step by step"

@@ -81,10 +81,9 @@ RevisedModel opened_model(const ModelOptions& options, const std::shared_ptr<con
   return {options, data, model};
 }
 
-// named: the terms were found by a diagnosis, not chosen.
-void add_terms(const AddArguments& options, const std::vector<Term>& terms, bool named, Additions& additions) {
+void add_terms(const AddArguments& options, const std::vector<Term>& terms, Additions& additions) {
   additions.model.add(terms, options.replace);
-  additions.effect_tests.push_back(additions.model.revise({.prune = options.prune, .named = named}));
+  additions.effect_tests.push_back(additions.model.revise({.prune = options.prune}));
 }
 
 // A new effect may not read what the file is to explain beside the target chosen here.
@@ -142,7 +141,7 @@ std::string add_errors(const AddArguments& options, const ModelData& data, Addit
     const bool has =
         std::any_of(terms.begin(), terms.end(), [&](const Term& term) { return term.effect.get() == one.effect; });
     if (has) continue;
-    add_terms(options, {term_of(one.effect->name, {}, Level::recording)}, false, additions);
+    add_terms(options, {term_of(one.effect->name, {}, Level::recording)}, additions);
     additions.effect_tests.back().after.verdict = name_of(Verdict::named);
   }
   const double left_um = found.residual_rms_um;
@@ -168,7 +167,8 @@ bool holds(const Model& model, const Term& term) {
   });
 }
 
-// Effects that diagnose() names, until it names none that the model has not. Returns why it stopped.
+// Effects that diagnose() names, until it names none that the model has not, or those that their test does not support.
+// Returns why it stopped.
 std::string add_named(const AddArguments& options, Additions& additions, Verdict& verdict) {
   while (true) {
     show_progress(fmt::format("searching, {} revisions so far", additions.effect_tests.size()));
@@ -187,7 +187,14 @@ std::string add_named(const AddArguments& options, Additions& additions, Verdict
       terms.push_back(std::move(term));
     }
     if (terms.empty()) return "Stopped: what is named once more is in the model already.";
-    add_terms(options, terms, true, additions);
+    additions.model.add(terms, options.replace);
+    if (const EffectTest& tried = additions.model.bench().added(); tried.after.verdict == kNotSupported) {
+      const std::string why = conclusion(tried);
+      additions.model.take_back();
+      verdict = Verdict::unexplained;
+      return fmt::format("Stopped, and not added: {}", why);
+    }
+    additions.effect_tests.push_back(additions.model.revise({.prune = options.prune, .named = true}));
     if (additions.effect_tests.size() < kMostAdditions) continue;
     return fmt::format("Stopped after {} revisions: a model that grows further fits these data alone.", kMostAdditions);
   }
@@ -307,7 +314,7 @@ void run(AddArguments options) {
     }
   } else {
     show_progress("fitting with and without what is added");
-    add_terms(options, terms_of(options.effect.effects, additions.model.model(), data), false, additions);
+    add_terms(options, terms_of(options.effect.effects, additions.model.model(), data), additions);
   }
   show_progress({});
   expect_file_suits(options, data, additions.model.text());

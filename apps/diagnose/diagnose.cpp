@@ -123,12 +123,12 @@ void add_diagnose(CLI::App& app) {
       ->add_option("--seed", options->how.diagnosis.search.seed,
                    "of the random draws; the same seed gives the same result")
       ->type_name("N")
-      ->check(number_within(0, kLargestSeed));
+      ->check(whole_number_within(0, kLargestSeed));
   command
       ->add_option("--most-rows", options->how.diagnosis.most_rows,
                    "values of the target that are searched, of longer series every k-th")
       ->type_name("N")
-      ->check(CLI::Range(30, 5000).description(""));
+      ->check(whole_number_within(30, 5000));
   add_follow_options(*command, options->follow);
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(

@@ -153,7 +153,7 @@ void add_history(CLI::App& app) {
       ->type_name("FOLDER");
   command->add_option("--workers", options->workers, "processes that read, by Dask; default: this one, on all cores")
       ->type_name("N")
-      ->check(number_within(1, 1024));
+      ->check(whole_number_within(1, 1024));
   command->add_option("--scheduler", options->scheduler, "of a Dask cluster, tcp://host:8786, whose workers read")
       ->type_name("ADDRESS");
   command->add_flag("--json", options->json, "the result for a program");

@@ -58,7 +58,7 @@ struct ResultType<ReportHead> {
   static constexpr std::tuple fields{
       Field{"format", &ReportHead::format, "ballbar-report 1"},
       Field{"title", &ReportHead::title, ""},
-      Field{"made_by", &ReportHead::made_by, "ballbar 0.1.0"},
+      Field{"made_by", &ReportHead::made_by, "the program with its version"},
       Field{"made_on", &ReportHead::made_on, "date"},
       Field{"files", &ReportHead::files, "that it is made of"},
       Field{"summary", &ReportHead::summary, "the conclusions, whole sentences, first to be read"},

@@ -161,7 +161,7 @@ void add_plan(CLI::App& app) {
       ->check(number_within(1.0, 1440.0));
   command->add_option("--seed", options->plan.search.seed, "of the random draws; the same seed gives the same result")
       ->type_name("N")
-      ->check(number_within(0, kLargestSeed));
+      ->check(whole_number_within(0, kLargestSeed));
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"

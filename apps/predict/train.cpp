@@ -254,7 +254,7 @@ void add_method_options(CLI::App& command, TrainOptions& options) {
   add_choice(command, "--method", {"pcr", "ridge"}, "the best by batches left out", "principal components, or ridge",
              [&](std::size_t at) { options.method = kRegressionMethods[at]; });
   command.add_option("--components", options.components, "of pcr; otherwise chosen by batches left out")
-      ->check(CLI::Range(1, 10000).description(""))
+      ->check(whole_number_within(1, 10000))
       ->type_name("N");
   command
       .add_option(
@@ -282,7 +282,7 @@ void add_method_options(CLI::App& command, TrainOptions& options) {
   command
       .add_option("--sensors", options.sensors,
                   "with --effects: of so many temperatures; which ones, what each buys, which others would do")
-      ->check(number_within(1, 10000))
+      ->check(whole_number_within(1, 10000))
       ->type_name("N");
   add_max_gap(command, options.max_gap_s);
 }
@@ -299,12 +299,12 @@ std::vector<CLI::Option*> add_job_options(CLI::App& command, TrainOptions& optio
           ->type_name("SHARE")
           ->capture_default_str());
   added.push_back(command.add_option("--random", options.random.choices, "with --for: random choices to compare with")
-                      ->check(number_within(0, 100000))
+                      ->check(whole_number_within(0, 100000))
                       ->type_name("N")
                       ->capture_default_str());
   added.push_back(command.add_option("--seed", options.random.seed, "of the random choices")
                       ->type_name("N")
-                      ->check(number_within(0, kLargestSeed))
+                      ->check(whole_number_within(0, kLargestSeed))
                       ->capture_default_str());
   add_choice(command, "--take", {"paper", "held-out", "weights", "all"}, "weights",
              "with --for: whose model is written and shown first",

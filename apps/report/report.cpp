@@ -206,7 +206,7 @@ void add_report(CLI::App& app) {
       ->allow_extra_args(false);
   command->add_option("--width", options->pictures.width_px, "of --format svg, in pixels; default 900")
       ->type_name("PX")
-      ->check(CLI::Range(300, 4000).description(""));
+      ->check(whole_number_within(300, 4000));
   command->add_flag("--without-files", options->without_files,
                     "a page that does not hold the files it was made of, with which ballbar.html goes on");
   command->add_flag("--open", options->open, "open the page in a browser");

@@ -182,14 +182,14 @@ void add_simulate(CLI::App& app) {
           "--seed", options->seed,
           "of the noise, 0 or above, another for each machine; without it the machine's own, with --hidden another "
           "each time")
-      ->check(number_within(0, kLargestSeed))
+      ->check(whole_number_within(0, kLargestSeed))
       ->type_name("N");
   command->add_flag("--b5r", options->b5r, "method circles: .b5r files alone, without session.toml and signals");
   command->add_flag("--force", options->force, "replace files of the same names");
   command->add_flag("--hidden", options->hidden,
                     "without MACHINE: data sets in which effects may be hidden, with sealed answers");
   command->add_option("--n", options->sets.count, fmt::format("with --hidden: sets, 1 to {}; default 20", kMostSets))
-      ->check(CLI::Range(1, kMostSets).description(""))
+      ->check(whole_number_within(1, kMostSets))
       ->type_name("N");
   command
       ->add_option("--schedule", options->schedule,

@@ -46,6 +46,14 @@ CLI::Validator number_within(double low, double high) {
   });
 }
 
+CLI::Validator whole_number_within(double low, double high) {
+  return validator([low, high](const std::string& found) {
+    double value = 0.0;
+    if (is_number(found, value) && value == std::floor(value) && value >= low && value <= high) return std::string();
+    return fmt::format("expected a whole number from {} to {}, found {}", low, high, in_quotes(found));
+  });
+}
+
 CLI::Validator number_above_0(bool or_infinite) {
   return validator([or_infinite](const std::string& found) {
     double value = 0.0;

@@ -19,6 +19,7 @@ std::optional<double> finite_number(std::string_view text);
 
 // A finite number, both ends included.
 CLI::Validator number_within(double low, double high);
+CLI::Validator whole_number_within(double low, double high);
 
 // `or_infinite`: inf too.
 CLI::Validator number_above_0(bool or_infinite = false);

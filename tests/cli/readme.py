@@ -9,6 +9,8 @@
     ```console numpy,pandas  passed over where Debian's python3 lacks one of these modules
     ```console SECTION       not run: its command and output stand in that section of the transcripts of tests/cli
 
+and every `ballbar ...` of a table below the line `<!-- each command is run -->` ends with status 0.
+
     python3 readme.py PROGRAM SOURCE_FOLDER SCRATCH [PAGE] [--update]
 
 PAGE is relative to the source folder; default README.md. --update rewrites the outputs that differ.
@@ -32,11 +34,15 @@ readme = source / page
 sections = transcript.all_sections()
 
 
-def run(command):
+def ran(command):
     # Debian's own python3 first: modules are installed for that one.
     environment = dict(os.environ, LC_ALL="C", PATH=f"{program.parent}:/usr/bin:{os.environ['PATH']}")
     return subprocess.run(["sh", "-c", command], cwd=scratch, env=environment, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True).stdout.splitlines()
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+def run(command):
+    return ran(command).stdout.splitlines()
 
 
 def pattern_of(expected):
@@ -71,6 +77,12 @@ def links_of(lines):
         target = readme.parent / name if name else readme
         if "://" not in link:
             yield link, target.exists() and (not anchor or anchor in anchors(target))
+
+
+def commands_of_tables(lines):
+    """Those of the table below each line that says so."""
+    tables = re.findall(r"(?m)^<!-- each command is run -->\n\n((?:\|.*\n)+)", "".join(line + "\n" for line in lines))
+    return re.findall(r"`(ballbar [^`]+)`", "".join(tables))
 
 
 def steps_of(block):
@@ -124,6 +136,13 @@ for language, _, lines in pieces:
         if not whole:
             wrong += 1
             print(f"{page}: nothing is at {link}")
+
+for command in (one for language, _, lines in pieces if language is None for one in commands_of_tables(lines)):
+    came = ran(command)
+    commands += 1
+    if came.returncode:
+        wrong += 1
+        print(f"{page}: {command}: exit status {came.returncode}\n{came.stdout}")
 
 for language, name, block in pieces:
     if language != "console":

@@ -197,8 +197,10 @@ struct ForecastSums {
   }
 };
 
-// Whether so many effects forecast better than so many others: ln RMS over the origins, paired, one-sided 5 %.
-bool is_better(const std::vector<Eigen::VectorXd>& log_rms, std::size_t one, std::size_t other) {
+// Whether so many effects forecast better than so many others: ln RMS over the origins, paired, one-sided 5 % over all
+// comparisons (Bonferroni).
+bool is_better(const std::vector<Eigen::VectorXd>& log_rms, std::size_t one, std::size_t other,
+               std::size_t comparisons) {
   if (log_rms.size() < 2) return false;
   Eigen::VectorXd less(static_cast<Eigen::Index>(log_rms.size()));
   for (Eigen::Index i = 0; i < less.size(); ++i) {
@@ -207,7 +209,8 @@ bool is_better(const std::vector<Eigen::VectorXd>& log_rms, std::size_t one, std
   }
   const double degrees = static_cast<double>(less.size() - 1);
   const double sigma = std::sqrt((less.array() - less.mean()).square().sum() / degrees / (degrees + 1.0));
-  return less.mean() > 0.0 && (!(sigma > 0.0) || student_tails(less.mean() / sigma, degrees) < 2.0 * kChance);
+  return less.mean() > 0.0 && (!(sigma > 0.0) || student_tails(less.mean() / sigma, degrees) <
+                                                     2.0 * kChance / static_cast<double>(comparisons));
 }
 
 // How many revisions are kept, of those that were tried.
@@ -226,11 +229,11 @@ std::size_t kept_of(Growth& result, const std::vector<Eigen::VectorXd>& log_rms)
     const double most_um = result.all_um * std::sqrt((1.0 + kMostAdded) * (1.0 + kMostAdded) - 1.0);
     while (kept + 1 < errors.size() && !(errors[kept].apart_um < most_um)) ++kept;
     result.stop = errors[kept].apart_um < most_um ? GrowthStop::as_good_as_all : GrowthStop::most;
-    const std::size_t repeats = errors[kept].effects;
-    for (std::size_t r = 1; errors[r].effects < repeats; ++r) {
+    const std::size_t smaller = kept - 1, repeats = errors[kept].effects;
+    for (std::size_t r = 1; r <= smaller; ++r) {
       const bool is_least =
           result.stop != GrowthStop::best_forecast || errors[r].forecast_um < errors[kept].forecast_um;
-      if (!is_least || !is_better(log_rms, errors[r].effects, repeats)) continue;
+      if (!is_least || !is_better(log_rms, errors[r].effects, repeats, smaller)) continue;
       kept = r;
       result.stop = GrowthStop::best_forecast;
     }

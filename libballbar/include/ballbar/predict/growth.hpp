@@ -17,10 +17,10 @@
 //
 // where the whole procedure, with the base model, is repeated on earlier rows only (forecast_rows). D is known far
 // better than the errors themselves from three origins. Fewer effects are used if their forecasts are better by a
-// paired t test of ln RMS over the origins (one-sided, 5 %), because the regression itself may be worse. If the
-// regression predicts no better than the base model, it is the fewest within 5 % of the best forecast. Nothing is kept
-// without forecasts, or if the forecasts are no better than those of the base model. The terms of the base model are
-// among the effects of the regression if that predicts better.
+// paired t test of ln RMS over the origins (one-sided, 5 % over all numbers of effects together), because the
+// regression itself may be worse. If the regression predicts no better than the base model, it is the fewest within 5 %
+// of the best forecast. Nothing is kept without forecasts, or if the forecasts are no better than those of the base
+// model. The terms of the base model are among the effects of the regression if that predicts better.
 //
 // Accuracy: sample-runs/spindle-46h, forecasts up to 8 h ahead from three origins; see its README.
 #pragma once

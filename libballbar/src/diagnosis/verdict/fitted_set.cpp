@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 
 #include "ballbar/numerics/range.hpp"
@@ -40,6 +41,22 @@ Model with_set(const Problem& problem, const EffectSet& set) {
     model.terms.push_back(std::move(term));
   }
   return model;
+}
+
+// Starts with eight digits. An effect whose start alone distinguishes it from another one, such as the second of two
+// cycles of nearly the same period, has as many digits as make them differ.
+void begin_beside(Term& term, std::span<const Term> others, std::span<const double> values) {
+  const auto is_there = [&] {
+    const std::string label = label_of(term);
+    return std::any_of(others.begin(), others.end(), [&](const Term& other) { return label_of(other) == label; });
+  };
+  for (int digits = 8; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
+    for (std::size_t k = 0; k < term.settings.size(); ++k) {
+      if (term.effect->parameters[k].kind == ParameterKind::gain) continue;
+      term.settings[k].start = std::stod(fmt::format("{:.{}g}", values[k], digits));
+    }
+    if (!is_there()) return;
+  }
 }
 
 // An end of the 95 % interval: where the profile likelihood has fallen by kFall. towards: a first guess.
@@ -184,10 +201,9 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
   // A fit of this model starts at these shapes.
   place = first_added;
   for (std::size_t t = problem.model.terms.size(); t < result.model.terms.size(); ++t) {
-    for (std::size_t k = 0; k < result.model.terms[t].settings.size(); ++k, ++place) {
-      if (result.parameters[place].kind != ParameterKind::gain)
-        result.model.terms[t].settings[k].start = std::stod(fmt::format("{:.8g}", best.parameters[place]));
-    }
+    Term& term = result.model.terms[t];
+    begin_beside(term, {result.model.terms.data(), t}, std::span(best.parameters).subspan(place, term.settings.size()));
+    place += term.settings.size();
   }
   result.together_um = together.maxCoeff() - together.minCoeff();
   result.rmse_um = std::sqrt((problem.y - sum).squaredNorm() / static_cast<double>(problem.y.size()));
