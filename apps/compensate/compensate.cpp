@@ -185,7 +185,7 @@ void add_compensate(CLI::App& app) {
       ->type_name("CONTROL[:SENSORS]");
   command->add_flag("--reversed-sign", options->write.reversed,
                     "with --write: the other sign, where the axis goes the wrong way");
-  command->add_flag("--json", options->json, "the result for a program; with --signals the rows as JSON, as jsonl");
+  command->add_flag("--json", options->json, "print the result as JSON; with --signals one JSON row per line");
   add_place_options(*command, options->place);
   command->footer(
       "Examples:\n"

@@ -173,7 +173,7 @@ void add_predict(CLI::App& app) {
                    "model of train --effects: goes on from this file, and keeps in it where the last row stood")
       ->type_name("FILE");
   command->add_flag("--anyway", options->anyway, "model of `train`: predict though a sensor looks broken");
-  command->add_flag("--json", options->json, "the result for a program");
+  command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(
       "Example:\n"
       "  ballbar predict sample-runs/two-arcs-he2015 --model sample-runs/two-arcs-he2015/model.toml --out y.csv");

@@ -325,7 +325,7 @@ void add_train(CLI::App& app) {
   command->add_option("--out", options->out, "write the model, .json; with --for, or of effects, it may be left out")
       ->type_name("FILE")
       ->check(name_that_ends_in({".json"}));
-  command->add_flag("--json", options->json, "the result for a program");
+  command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(
       "Example:\n"
       "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --out model.json\n"

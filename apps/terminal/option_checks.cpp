@@ -102,7 +102,7 @@ void add_radius(CLI::App& command, StatedCircle& circle) {
                            CLI::AsNumberWithUnit::CASE_SENSITIVE);
   command
       .add_option("--radius", circle.radius_mm,
-                  "nominal radius of circles whose files do not state it: 100, 100mm or 0.1m")
+                  "nominal radius of circles, if the file does not state it: 100, 100mm or 0.1m")
       ->type_name("LENGTH")
       ->transform(mm.description(""))
       ->check(validator([](const std::string& found) {
@@ -110,6 +110,10 @@ void add_radius(CLI::App& command, StatedCircle& circle) {
         if (is_number(found, radius_mm) && std::isfinite(radius_mm) && radius_mm > 0.0) return std::string();
         return fmt::format("expected a finite length above 0, found {}", in_quotes(found));
       }));
+}
+
+void add_details(CLI::App& command, bool& details) {
+  command.add_flag("--details", details, "print all rows; default: at most a screen");
 }
 
 void add_choice(CLI::App& command, const std::string& name, std::vector<std::string> words,

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ballbar/drift/comparison.hpp"
@@ -30,6 +31,13 @@ std::string with_two_digits(double value, double sigma) {
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sigma, decimals);
 }
 
+// In s below two minutes, else in min.
+std::string time_text(double time_s, double sigma_s) {
+  constexpr double kTwoMinutes_s = 120.0;
+  if (time_s < kTwoMinutes_s) return fmt::format("{} s", with_two_digits(time_s, sigma_s));
+  return fmt::format("{} min", with_two_digits(min_from_s(time_s), min_from_s(sigma_s)));
+}
+
 std::string amount_of(DifferenceKind kind, const DifferencePart& part, const std::string& unit) {
   switch (kind) {
     case DifferenceKind::offset:
@@ -37,7 +45,7 @@ std::string amount_of(DifferenceKind kind, const DifferencePart& part, const std
     case DifferenceKind::gain:
       return fmt::format("{} %", with_two_digits(100.0 * std::abs(part.value - 1.0), 100.0 * part.sigma));
     case DifferenceKind::lag:
-      return fmt::format("{} s", with_two_digits(std::abs(part.value), part.sigma));
+      return time_text(std::abs(part.value), part.sigma);
     case DifferenceKind::drift:
       return fmt::format("{} {}/h", with_two_digits(std::abs(part.value), part.sigma), unit);
   }
@@ -48,23 +56,21 @@ std::string sentence_of(DifferenceKind kind, const DifferencePart& part, const A
   const std::string amount = amount_of(kind, part, axis.unit);
   switch (kind) {
     case DifferenceKind::offset:
-      return fmt::format("{} of B stands {} {} A's from the first sample on: the reference point, or what moved there.",
-                         axis.name, amount, part.value > 0.0 ? "above" : "below");
+      return fmt::format("{} of B is {} {} A from the first sample on. Check the reference point.", axis.name, amount,
+                         part.value > 0.0 ? "above" : "below");
     case DifferenceKind::gain:
-      return fmt::format(
-          "{} of B is {:.1f} % {} than A's ({}): a wrong scale or bar length, or another place along the spindle.",
-          axis.name, 100.0 * std::abs(part.value - 1.0), part.value > 1.0 ? "larger" : "smaller", amount);
+      return fmt::format("{} of B is {} {} than A. Check the scale, the bar length and the place along the spindle.",
+                         axis.name, amount, part.value > 1.0 ? "larger" : "smaller");
     case DifferenceKind::lag:
-      return fmt::format("{0} of {1} lags {2}'s by {3}: a clock.", axis.name, part.value > 0.0 ? "A" : "B",
-                         part.value > 0.0 ? "B" : "A", amount);
+      return fmt::format("{} of {} is {} late. Check the clocks.", axis.name, part.value > 0.0 ? "A" : "B", amount);
     case DifferenceKind::drift:
-      return fmt::format("{} of B moves {} from A's by {}: a stand or a fixture that creeps.", axis.name,
+      return fmt::format("{} of B drifts {} from A by {}. Check the stand and the fixture for creep.", axis.name,
                          part.value > 0.0 ? "up" : "down", amount);
   }
   return {};
 }
 
-constexpr const char* kNames[] = {"an offset", "a scale", "a clock", "a steady drift"};
+constexpr const char* kNames[] = {"an offset", "a scale error", "a clock error", "a steady drift"};
 
 // Empty where nothing stands out. Largest first.
 std::string sentences_of_structure(const AxisComparison& axis) {
@@ -96,27 +102,68 @@ std::string sentences_of_structure(const AxisComparison& axis) {
                                    amount_of(kind, *part_of(structure.alone, kind), axis.unit)));
     }
     sentences.push_back(
-        fmt::format("{} of A and B differs by more than both state. Each of these alone would explain it: {}; "
-                    "these samples cannot tell which.",
+        fmt::format("{} of A and B differs by more than the uncertainty. One of these explains it: {}. "
+                    "The samples cannot show which.",
                     axis.name, fmt::join(either, ", ")));
   } else {
     sentences.push_back(
-        fmt::format("{} of A and B differs by more than both state; no scale, clock, offset or steady "
-                    "drift alone explains it.",
+        fmt::format("{} of A and B differs by more than the uncertainty. No scale, clock, offset or "
+                    "steady drift alone explains it.",
                     axis.name));
   }
   if (structure.noise == NoiseOfDifference::from_rows) {
-    sentences.push_back(fmt::format("No uncertainty of {} is stated: its noise was found in the samples.", axis.name));
+    sentences.push_back(
+        fmt::format("The uncertainty of {} is not stated; its noise is estimated from the samples.", axis.name));
   }
   return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+// One clock that is late on every axis: a lag explains the axes together better than offsets, scales or drifts, and is
+// the same on all of them. value and sigma in s.
+std::optional<DifferencePart> common_lag(const Comparison& comparison) {
+  constexpr double kMostSigmas = 3.0;  // of an axis' lag from the mean, and least of the mean from 0
+  std::array<double, 4> explains{};
+  std::vector<DifferencePart> lags;
+  bool stands_out = false;
+  for (const AxisComparison& axis : comparison.axes) {
+    if (!axis.structure) return std::nullopt;
+    for (const DifferenceKind kind : kDifferenceKinds) {
+      const auto at = static_cast<std::size_t>(kind);
+      if (axis.structure->alone[at]) explains[at] += axis.structure->alone[at]->explains;
+    }
+    const std::optional<DifferencePart>& lag = axis.structure->alone[static_cast<std::size_t>(DifferenceKind::lag)];
+    if (!lag || !(lag->sigma > 0.0)) return std::nullopt;
+    lags.push_back(*lag);
+    stands_out = stands_out || axis.structure->stands_out;
+  }
+  const auto best = std::max_element(explains.begin(), explains.end());
+  if (!stands_out || lags.size() < 2 || best - explains.begin() != static_cast<int>(DifferenceKind::lag)) return {};
+  DifferencePart mean;
+  double weight = 0.0;
+  for (const DifferencePart& lag : lags) {
+    weight += 1.0 / (lag.sigma * lag.sigma);
+    mean.value += lag.value / (lag.sigma * lag.sigma);
+  }
+  mean.value /= weight;
+  mean.sigma = 1.0 / std::sqrt(weight);
+  const bool same = std::all_of(lags.begin(), lags.end(), [&](const DifferencePart& lag) {
+    return std::abs(lag.value - mean.value) <= kMostSigmas * lag.sigma;
+  });
+  return same && std::abs(mean.value) > kMostSigmas * mean.sigma ? std::optional(mean) : std::nullopt;
 }
 
 }  // namespace
 
 std::string conclusion(const Comparison& comparison) {
   std::vector<std::string> sentences, agree, unknown, deviations;
+  const std::optional<DifferencePart> lag = common_lag(comparison);
+  if (lag) {
+    sentences.push_back(fmt::format("{} is {} late on every axis. Check the clocks.", lag->value > 0.0 ? "A" : "B",
+                                    time_text(std::abs(lag->value), lag->sigma)));
+  }
   for (const AxisComparison& axis : comparison.axes) {
-    if (std::string text = sentences_of_structure(axis); !text.empty()) sentences.push_back(std::move(text));
+    std::string text = lag ? std::string() : sentences_of_structure(axis);
+    if (!text.empty()) sentences.push_back(std::move(text));
     if (axis.agreement == Agreement::agrees) agree.push_back(axis.name);
     if (axis.agreement == Agreement::cannot_tell) unknown.push_back(axis.name);
     if (!axis.samples_agree && axis.deviation) deviations.push_back(stretch_of(axis));
@@ -130,7 +177,8 @@ std::string conclusion(const Comparison& comparison) {
                                     sentences.empty() ? " within the stated uncertainty" : ""));
   }
   if (!unknown.empty()) {
-    sentences.push_back(fmt::format("{}: cannot tell, no uncertainty is known.", fmt::join(unknown, ", ")));
+    sentences.push_back(
+        fmt::format("{}: agreement unknown, because no uncertainty is stated.", fmt::join(unknown, ", ")));
   }
   return fmt::format("{}", fmt::join(sentences, " "));
 }

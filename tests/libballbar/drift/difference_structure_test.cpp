@@ -228,10 +228,10 @@ TEST(difference_structure, conclusions) {
       {{}, "z agrees within the stated uncertainty."},
       {{.gain = 1.04}, "z of B is 4."},
       {{.gain = 0.96}, "z of B is "},
-      {{.lag_s = -100.0}, "z of B lags A's by "},
-      {{.lag_s = 100.0}, "z of A lags B's by "},
-      {{.offset = -1.0}, "z of B stands 1."},
-      {{.per_h = 0.4}, "z of B moves up from A's by 0."},
+      {{.lag_s = -100.0}, "z of B is 1"},
+      {{.lag_s = 100.0}, "z of A is 1"},
+      {{.offset = -1.0}, "z of B is 1."},
+      {{.per_h = 0.4}, "z of B drifts up from A by 0."},
   };
   for (const auto& [made, begins] : cases) {
     std::mt19937_64 random = stream("conclusions");

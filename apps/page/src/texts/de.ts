@@ -770,7 +770,7 @@ export const de: Texts = {
     last: "letzter Wert",
     change: "Änderung",
     sigmas: "Sigmas",
-    "a year": "pro Jahr",
+    "per year": "pro Jahr",
     tolerance: "Toleranz",
     met: "erreicht",
   },

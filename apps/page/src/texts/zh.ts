@@ -726,7 +726,7 @@ export const zh: Texts = {
     last: "最近值",
     change: "变化",
     sigmas: "倍 sigma",
-    "a year": "每年",
+    "per year": "每年",
     tolerance: "公差",
     met: "到达日期",
   },
