@@ -13,6 +13,7 @@
 #include "challenge/challenge_files.hpp"
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/details.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
 

@@ -25,6 +25,7 @@
 #include "history/test_table.hpp"
 #include "page/report_page.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/details.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -140,7 +141,8 @@ void add_history(CLI::App& app) {
                    "accepted share of findings by chance; default: 0.05")
       ->type_name("RATE")
       ->check(number_within(0, 1));
-  command->add_flag("--details,--all", options->details, "print all rows; default: at most a screen");
+  add_details(*command, options->details);
+  command->add_flag("--all", options->details)->group("");  // its name before
   add_radius(*command, options->circle);
   command->add_flag("--strict", options->strict, "stop at the first file that cannot be used");
   command

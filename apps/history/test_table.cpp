@@ -87,7 +87,7 @@ std::string test_table_csv(const std::vector<MachineTest>& tests) {
 std::string test_table_text(const TestFiles& files, bool details) {
   constexpr std::size_t kRows = 30, kSkipped = 5;
   std::string text = heading_text(files) + "\n";
-  Table table({"file", "date", "machine", "plane", "mm/min", "circularity um", "first repair", "", ""});
+  Table table({"file", "date", "machine", "plane", "mm/min", "circularity um", "main error", "", ""});
   for (const MachineTest& test : files.tests) {
     const TestQuantity* const round = quantity_of(test, "circularity");
     const TestQuantity* const first = first_to_mend(test);

@@ -22,6 +22,7 @@
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/details.hpp"
 #include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"

@@ -15,6 +15,7 @@
 #include "commands.hpp"
 #include "model/effects_result.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/details.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -30,26 +31,25 @@ constexpr ExplainedTerm kTerms[] = {
      "without. 0 is even, 10 is 150 to 1."},
     {"P", "Probability of the statement, 0 to 1; 0.98 is 49 to 1."},
     {"p", "Probability that noise alone gives the observed value or a larger one."},
-    {"RMSE", "Root mean square of measured minus modelled values, in um."},
-    {"autocorrelation", "Correlation of readings a number of steps apart, -1 to 1."},
-    {"bias", "Mean of the residual."},
-    {"chi^2",
-     "Sum of the squared residuals, each divided by its variance. Its decrease measures the support for an effect."},
+    {"RMS", "Root of the mean square: the usual size of values that go to both sides of 0."},
+    {"RMSE", "Error that remains with a model, in um: root of the mean square of measured less modelled."},
+    {"autocorrelation", "How alike readings some steps apart are, -1 to 1; 0: not at all."},
+    {"bias", "Mean of measured less modelled: how far a model is off to one side."},
+    {"chi^2", "Sum of the squares of the residual, each in units of its own scatter; its fall weighs an effect."},
     {"coherence", "Correlation of two signals at each frequency, 0 to 1."},
     {"correlation", "How closely two values vary together, -1 to 1. Near -1 and 1 the data cannot separate them."},
-    {"discrepancy", "Slow part of the residual that has no cause in the model."},
+    {"discrepancy", "Slow part of the residual without a known cause."},
     {"evidence", "Support of the readings for one explanation against another. Extra parameters count against it."},
-    {"floor", "Noise: scatter of readings that should be equal. No model can explain it."},
     {"forecast", "Prediction of readings later than all those that the model was fitted to."},
-    {"held out", "Readings that are excluded from the fit and then predicted."},
-    {"independent", "Number of uncorrelated readings that would carry the same information."},
+    {"independent", "Correlated readings repeat each other: so many uncorrelated ones would say as much."},
     {"innovation", "Reading minus its prediction from the model and the earlier readings."},
+    {"left out", "Not used in the fit, then predicted: how a model does on readings that it has not seen."},
     {"ln B", "Half of 2 ln B. For a run that is followed: any missing effect against none. 8.5 is 5000 to 1."},
-    {"misfit", "Sum of the squared residuals. The model fails most where it is largest."},
+    {"misfit", "Sum of the squares of the residual: the model fails most where most of it is."},
+    {"noise", "Scatter of readings that should be equal: the error that remains at best, which no model can explain."},
     {"odds", "Ratio of two probabilities: 49 to 1 is P = 0.98."},
-    {"periodogram", "Power of the residual at each frequency. White noise has the same at all."},
-    {"prior", "What is assumed before the readings are used."},
-    {"rms", "Root mean square: typical size of values around 0."},
+    {"periodogram", "How much of the residual changes at each pace; of white noise, the same at all."},
+    {"prior", "What is assumed before the readings, where they alone would hardly decide."},
     {"robust", "With outliers discounted, so that they do not affect the result."},
     {"sigma",
      "Standard uncertainty of a value, the number after ±: 68 % of repeats lie within one sigma, 95 % within two."},
@@ -57,8 +57,8 @@ constexpr ExplainedTerm kTerms[] = {
     {"standard deviation", "Root mean square deviation from the mean: 68 % of values lie within it."},
     {"surrogate", "Random signal as smooth as a real one. What it explains is due to chance."},
     {"variance", "Square of the standard deviation."},
-    {"white", "Uncorrelated from reading to reading."},
-    {"whitened", "With the autocorrelation of the noise removed."},
+    {"white", "Noise whose readings do not depend on each other."},
+    {"whitened", "Freed of the correlation of the noise, so that the rest should be white."},
 };
 
 struct EffectsArguments {

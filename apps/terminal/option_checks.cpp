@@ -112,10 +112,6 @@ void add_radius(CLI::App& command, StatedCircle& circle) {
       }));
 }
 
-void add_details(CLI::App& command, bool& details) {
-  command.add_flag("--details", details, "print all rows; default: at most a screen");
-}
-
 void add_choice(CLI::App& command, const std::string& name, std::vector<std::string> words,
                 const std::string& otherwise, const std::string& help, const std::function<void(std::size_t)>& at) {
   const std::string all = fmt::format("{}", fmt::join(words, "|"));

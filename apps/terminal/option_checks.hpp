@@ -38,9 +38,6 @@ void take_time(CLI::Option& option, bool above_0);
 // --radius: 100, 100mm or 0.1m, which becomes mm; of circles whose files do not state it.
 void add_radius(CLI::App& command, StatedCircle& circle);
 
-// --details: all rows, where the output is else kept to a screen.
-void add_details(CLI::App& command, bool& details);
-
 // An option whose value is one of these words; `at` takes its place among them.
 void add_choice(CLI::App& command, const std::string& name, std::vector<std::string> words,
                 const std::string& otherwise, const std::string& help, const std::function<void(std::size_t)>& at);

@@ -44,7 +44,7 @@ WORDS = [
     (r"questions were asked", "32 questions were asked", "32 quantities tested"),
     (r"answered with yes", "3 answered with yes", "3 significant"),
     (r"differs? clearly", "Nothing differs clearly", "No significant difference"),
-    (r"first to mend", "first to mend", "first repair"),
+    (r"first to mend", "first to mend", "main error"),
     (r"result for a program", "the result for a program", "print the result as JSON"),
     (r"which is neither", "found 'x', which is neither", "'x' is neither a command nor a file."),
     (r"was set right", "and was set right", "and was corrected"),

@@ -30,7 +30,7 @@ extern const Effect kGradientBending{
      .remedy = "Shield or insulate one side; run coolant through both; compensate with the difference.",
      .validity = "Linear gradient through the wall; small angles; one dominant time constant.",
      .source = "Bending of a bar with a linear temperature gradient: alpha length^2 / (2 thickness) for each kelvin of "
-               "difference; no paper's equation."},
+               "difference; not from a paper."},
     {{"hot", {"degC", "K"}, "temperature of the side that is warmer"},
      {"cold", {"degC", "K"}, "temperature of the other side"}},
     {{"gain_um_per_K", "um/K", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "shift for each kelvin of difference"},
