@@ -59,7 +59,7 @@ void show_ranked(ErrorsArguments options) {
   }
   ErrorsReports reports = errors_reports_of(options.files, options.how);
   reports.skipped.insert(reports.skipped.end(), faults.begin(), faults.end());
-  options.json ? print_json(json_value(result_of(reports))) : print_text(reports);
+  options.json ? print_json(json_value(result_of(reports))) : print_text(reports, options.details);
   for (const std::string& remark : reports.remarks) warning_line(remark);
 }
 

@@ -35,7 +35,7 @@ std::string need_text(const MachineHistory& machine) {
     case Need::expected:
       return "by " + date_text(*tolerance_with(machine, Outlook::expected)->date.at_s);
     case Need::finding:
-      return "look";
+      return "check";
     case Need::nothing:
       break;
   }
@@ -96,7 +96,7 @@ std::string bars_text(const History& history) {
 }  // namespace
 
 std::vector<std::string> ranking_heading() {
-  return {"machine", "needs", "found", "quantity", "size", "between", "and", "q"};
+  return {"machine", "status", "finding", "quantity", "size", "from", "to", "q"};
 }
 
 std::vector<std::string> ranking_row(const MachineHistory& machine) {

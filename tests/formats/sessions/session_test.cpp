@@ -251,8 +251,8 @@ TEST(session, folders_that_are_no_session) {
   folder.write("b.b5r", changed("b5r", "  <DATE_STARTED>20200229-120001</DATE_STARTED>\n", ""));
   EXPECT_EQ(opening(),
             no_drift +
-                "expected DATE_STARTED, the time of this test in the session, found none that can be read; --every "
-                "30min states how far apart the tests of the folder are, in the order of their names.");
+                "expected DATE_STARTED, the time of this test, found none that can be read. State the interval "
+                "of the tests in order of their names, as in --every 30min.");
   folder.write("b.b5r", replaced(changed("b5r", "20200229-120001", "20200301-000001"), "<NOMINAL_LENGTH>100",
                                  "<NOMINAL_LENGTH>50"));
   EXPECT_EQ(opening(),
@@ -315,7 +315,7 @@ TEST(session, files_that_are_no_session) {
     return complaint(folder, [&] { open_session(file); });
   };
   const std::string expected =
-      "DIR/f:1:1: expected a session, which is a folder or a file that says format = \"ballbar-session 1\", found ";
+      "DIR/f:1:1: expected a session (a folder or a file with format = \"ballbar-session 1\"), found ";
   EXPECT_EQ(opening(good_text("b5r")), expected + "XML, such as a .b5r file.");
   EXPECT_EQ(opening(good_text("log")), expected + "a ballbar log.");
   EXPECT_EQ(opening(good_text("series")), expected + "a series of columns over time.");
