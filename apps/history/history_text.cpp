@@ -25,6 +25,7 @@ bool has_something_to_state(const MachineHistory& machine, std::size_t place, co
   const bool is_scale_of_axis = series.name.starts_with("scale_") && series.name.size() == 7;  // scale_x
   // The table of squareness and scales has these.
   if (series.name == squareness || series.name == "global_scale" || is_scale_of_axis) return false;
+  if (series.name == "residual_rms") return false;
   return series.significant || !std::isfinite(series.sigma.back());
 }
 
@@ -59,7 +60,9 @@ std::string table_of_rows(const std::vector<std::vector<std::string>>& rows) {
   return table.text();
 }
 
-std::string group_text(const TestFiles& files, const MachineHistory& machine, std::size_t group, bool all) {
+// `left_out`: to which the rows without a finding are added.
+std::string group_text(const TestFiles& files, const MachineHistory& machine, std::size_t group, bool all,
+                       std::size_t& left_out) {
   const std::vector<std::size_t>& places = machine.groups[group].tests;
   const auto stored = std::count_if(places.begin(), places.end(), [&](std::size_t i) { return files.tests[i].stored; });
   std::string text =
@@ -68,7 +71,6 @@ std::string group_text(const TestFiles& files, const MachineHistory& machine, st
   const std::optional<MachineError>& out_of_square = files.tests[places.back()].squareness;
   const std::string squareness = out_of_square ? out_of_square->name : "";
   std::vector<std::vector<std::string>> rows;
-  std::size_t left_out = 0;
   for (std::size_t i = 0; i < machine.series.size(); ++i) {
     if (machine.series[i].group != group) continue;
     if (all || has_something_to_state(machine, i, squareness)) {
@@ -78,7 +80,6 @@ std::string group_text(const TestFiles& files, const MachineHistory& machine, st
     }
   }
   if (!rows.empty()) text += table_of_rows(rows);
-  if (left_out > 0) text += fmt::format("... {} more rows, none significant; --details prints all\n", left_out);
   return text + '\n';
 }
 
@@ -91,7 +92,11 @@ std::string machine_text(const TestFiles& files, const History& history, const M
                                  first_and_last(files.tests, places));
   for (const std::string& line : machine_conclusion(history)) text += wrapped(line);
   text += '\n';
-  for (std::size_t group = 0; group < machine.groups.size(); ++group) text += group_text(files, machine, group, all);
+  std::size_t left_out = 0;
+  for (std::size_t group = 0; group < machine.groups.size(); ++group) {
+    text += group_text(files, machine, group, all, left_out);
+  }
+  if (left_out > 0) text += more_text(left_out) + "\n\n";
   text += geometry_text(files, geometry);
   return text + wrapped(
                     "± is one sigma of the fit; for a trend it includes the scatter of the tests. *: significant. ?: "

@@ -90,7 +90,7 @@ std::string lag_text(const AxisComparison& axis) {
   return with_sigma(min_from_s(*axis.lag_s), min_from_s(*axis.lag_sigma_s), 2);
 }
 
-Table statistics(const Comparison& comparison) {
+Table statistics(const Comparison& comparison, bool all) {
   std::vector<std::string> heading{""};
   for (const AxisComparison& axis : comparison.axes) heading.push_back(fmt::format("{} {}", axis.name, axis.unit));
   Table table(heading);
@@ -107,15 +107,19 @@ Table statistics(const Comparison& comparison) {
     return axis.counted == 0 ? kNone : fmt::format("{} of {}", axis.within, axis.counted);
   });
   row("mean relative deviation %", [](A axis) { return fixed(axis.mean_relative_deviation, 2, 100.0); });
-  row("  expected from uncertainty %", [](A axis) { return fixed(axis.expected_relative_deviation, 2, 100.0); });
-  row("  explained by uncertainty %", [](A axis) { return fixed(axis.explained_share, 0, 100.0); });
-  row("mean deviation, % of range", [](A axis) { return fixed(axis.range_deviation, 2, 100.0); });
+  if (all) {
+    row("  expected from uncertainty %", [](A axis) { return fixed(axis.expected_relative_deviation, 2, 100.0); });
+    row("  explained by uncertainty %", [](A axis) { return fixed(axis.explained_share, 0, 100.0); });
+    row("mean deviation, % of range", [](A axis) { return fixed(axis.range_deviation, 2, 100.0); });
+  }
   row("RMSE", [](A axis) { return fmt::format("{:.3f}", axis.rmse); });
   row("largest deviation", [](A axis) { return fmt::format("{:.3f}", axis.largest); });
   row("  at min", [](A axis) { return fmt::format("{:g}", min_from_s(axis.largest_s)); });
   row("bias", [](A axis) { return fmt::format("{:.3f}", axis.bias); });
-  row("95 % limits of agreement, low", [](A axis) { return fixed(axis.limit_low, 3); });
-  row("95 % limits of agreement, high", [](A axis) { return fixed(axis.limit_high, 3); });
+  if (all) {
+    row("95 % limits of agreement, low", [](A axis) { return fixed(axis.limit_low, 3); });
+    row("95 % limits of agreement, high", [](A axis) { return fixed(axis.limit_high, 3); });
+  }
   row("correlation", [](A axis) { return fixed(axis.correlation, 4); });
   row("lag of best agreement min", lag_text);
   return table;
@@ -177,13 +181,17 @@ void print_text(const ComparedDrifts& drifts, const Comparison& comparison, bool
   fmt::print("{} against {}\n{} common samples, {:g} to {:g} min; changes since {:g} min\n\n", comparison.a,
              comparison.b, comparison.samples, min_from_s(axis.time_s.front()), min_from_s(axis.time_s.back()),
              min_from_s(comparison.reference_s));
-  fmt::print("{}\n{}\n", wrapped(conclusion(comparison)), statistics(comparison).text());
+  constexpr std::size_t kOtherLines = 12;  // of the heading, the legend and the empty lines
   const std::string structure = structure_text(comparison);
-  if (!structure.empty()) fmt::print("{}\n", structure);
-  constexpr std::size_t kOtherLines = 12;  // of the heading, the conclusion and the legend
+  const std::string concluded = wrapped(conclusion(comparison));
+  std::string remarks;
+  for (const std::string& remark : comparison.remarks) remarks += wrapped(remark);
   std::string budget = budget_text(comparison);
-  const std::size_t lines = lines_in(statistics(comparison).text() + structure + budget) + kOtherLines;
-  if (!details && lines > kScreenLines) budget = more_text(lines_in(budget), "line") + " of sources of sigma\n";
+  const std::string tables = statistics(comparison, true).text() + structure + budget;
+  const bool all = details || lines_in(concluded + tables + remarks) + kOtherLines <= kScreenLines;
+  if (!all) budget = "--details prints all rows and the sources of sigma.\n";
+  fmt::print("{}\n{}\n", concluded, statistics(comparison, all).text());
+  if (!structure.empty()) fmt::print("{}\n", structure);
   std::string legend = "A is the first series, B the second. Lag: positive if A is late.";
   if (!budget.empty()) {
     fmt::print("{}\n", budget);
@@ -196,7 +204,7 @@ void print_text(const ComparedDrifts& drifts, const Comparison& comparison, bool
   if (comparison.left_out > 0) {
     fmt::print("{} times lie in a gap and are omitted (--max-gap).\n", comparison.left_out);
   }
-  for (const std::string& remark : comparison.remarks) fmt::print("{}", wrapped(remark));
+  fmt::print("{}", remarks);
 }
 
 // NAME_a, NAME_b, NAME_difference and its sigma over the common times; an axis without a value there has a gap.

@@ -153,7 +153,7 @@ std::string runs_text(const std::vector<const FittedRecording*>& runs) {
 
 std::string pair_text(const FittedPair& pair) {
   const bool with_stored = has_stored(pair.results);
-  std::vector<std::string> heading{fmt::format("ISO 230-4, {}", pair.file), "ours"};
+  std::vector<std::string> heading{fmt::format("ISO 230-4, {}", pair.file), "computed"};
   if (with_stored) heading.emplace_back("stored");
   Table table(heading);
   for (const Compared& result : pair.results) {

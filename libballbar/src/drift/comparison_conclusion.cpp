@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "ballbar/drift/comparison.hpp"
@@ -31,10 +30,10 @@ std::string with_two_digits(double value, double sigma) {
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sigma, decimals);
 }
 
-// In s below two minutes, else in min.
+// In s below 90 s, else in min.
 std::string time_text(double time_s, double sigma_s) {
-  constexpr double kTwoMinutes_s = 120.0;
-  if (time_s < kTwoMinutes_s) return fmt::format("{} s", with_two_digits(time_s, sigma_s));
+  constexpr double kLongest_s = 90.0;
+  if (time_s < kLongest_s) return fmt::format("{} s", with_two_digits(time_s, sigma_s));
   return fmt::format("{} min", with_two_digits(min_from_s(time_s), min_from_s(sigma_s)));
 }
 
@@ -118,48 +117,50 @@ std::string sentences_of_structure(const AxisComparison& axis) {
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-// One clock that is late on every axis: a lag explains the axes together better than offsets, scales or drifts, and is
-// the same on all of them. value and sigma in s.
-std::optional<DifferencePart> common_lag(const Comparison& comparison) {
-  constexpr double kMostSigmas = 3.0;  // of an axis' lag from the mean, and least of the mean from 0
-  std::array<double, 4> explains{};
-  std::vector<DifferencePart> lags;
+struct CommonLag {
+  double lag_s = 0.0, sigma_s = 0.0;  // positive: A is late
+  std::vector<std::string> axes;      // that have a lag
+};
+
+// One clock that is late: the lags of best agreement of two axes or more, which are the same within 3 sigma and not 0,
+// where some axis disagrees. An axis that a scale explains better has no lag.
+std::optional<CommonLag> common_lag(const Comparison& comparison) {
+  constexpr double kMostSigmas = 3.0;
+  const auto alone = [](const AxisComparison& axis, DifferenceKind kind) {
+    return axis.structure ? axis.structure->alone[static_cast<std::size_t>(kind)] : std::nullopt;
+  };
+  CommonLag common;
+  double weight = 0.0;
   bool stands_out = false;
   for (const AxisComparison& axis : comparison.axes) {
-    if (!axis.structure) return std::nullopt;
-    for (const DifferenceKind kind : kDifferenceKinds) {
-      const auto at = static_cast<std::size_t>(kind);
-      if (axis.structure->alone[at]) explains[at] += axis.structure->alone[at]->explains;
-    }
-    const std::optional<DifferencePart>& lag = axis.structure->alone[static_cast<std::size_t>(DifferenceKind::lag)];
-    if (!lag || !(lag->sigma > 0.0)) return std::nullopt;
-    lags.push_back(*lag);
-    stands_out = stands_out || axis.structure->stands_out;
+    stands_out = stands_out || (axis.structure && axis.structure->stands_out);
+    if (!axis.lag_s || !(*axis.lag_sigma_s > 0.0)) continue;
+    const auto gain = alone(axis, DifferenceKind::gain), lag = alone(axis, DifferenceKind::lag);
+    if (gain && gain->named && (!lag || lag->explains < gain->explains)) return std::nullopt;
+    const double of_axis = 1.0 / (*axis.lag_sigma_s * *axis.lag_sigma_s);
+    common.lag_s += of_axis * *axis.lag_s;
+    weight += of_axis;
+    common.axes.push_back(axis.name);
   }
-  const auto best = std::max_element(explains.begin(), explains.end());
-  if (!stands_out || lags.size() < 2 || best - explains.begin() != static_cast<int>(DifferenceKind::lag)) return {};
-  DifferencePart mean;
-  double weight = 0.0;
-  for (const DifferencePart& lag : lags) {
-    weight += 1.0 / (lag.sigma * lag.sigma);
-    mean.value += lag.value / (lag.sigma * lag.sigma);
-  }
-  mean.value /= weight;
-  mean.sigma = 1.0 / std::sqrt(weight);
-  const bool same = std::all_of(lags.begin(), lags.end(), [&](const DifferencePart& lag) {
-    return std::abs(lag.value - mean.value) <= kMostSigmas * lag.sigma;
+  if (!stands_out || common.axes.size() < 2) return std::nullopt;
+  common.lag_s /= weight;
+  common.sigma_s = 1.0 / std::sqrt(weight);
+  const bool same = std::all_of(comparison.axes.begin(), comparison.axes.end(), [&](const AxisComparison& axis) {
+    return !axis.lag_s || std::abs(*axis.lag_s - common.lag_s) <= kMostSigmas * *axis.lag_sigma_s;
   });
-  return same && std::abs(mean.value) > kMostSigmas * mean.sigma ? std::optional(mean) : std::nullopt;
+  return same && std::abs(common.lag_s) > kMostSigmas * common.sigma_s ? std::optional(common) : std::nullopt;
 }
 
 }  // namespace
 
 std::string conclusion(const Comparison& comparison) {
   std::vector<std::string> sentences, agree, unknown, deviations;
-  const std::optional<DifferencePart> lag = common_lag(comparison);
+  const std::optional<CommonLag> lag = common_lag(comparison);
   if (lag) {
-    sentences.push_back(fmt::format("{} is {} late on every axis. Check the clocks.", lag->value > 0.0 ? "A" : "B",
-                                    time_text(std::abs(lag->value), lag->sigma)));
+    const bool on_all = lag->axes.size() == comparison.axes.size();
+    sentences.push_back(fmt::format("{} is {} late on {}. Check the clocks.", lag->lag_s > 0.0 ? "A" : "B",
+                                    time_text(std::abs(lag->lag_s), lag->sigma_s),
+                                    on_all ? "every axis" : fmt::format("{}", fmt::join(lag->axes, ", "))));
   }
   for (const AxisComparison& axis : comparison.axes) {
     std::string text = lag ? std::string() : sentences_of_structure(axis);
