@@ -243,8 +243,8 @@ TEST(session, folders_that_are_no_session) {
   folder.write("a.b5r", good_text("b5r"));
   folder.write("b.b5r", good_text("b5r"));
   const std::string no_drift =
-      "DIR: expected at least two tests of the same plane for a drift, found one of ZX. Use ballbar history  for "
-      "squareness and scales.DIR Left out: DIR/b.b5r: ";
+      "DIR: expected at least two tests of the same plane for a drift, found one of ZX. Use ballbar history DIR for "
+      "squareness and scales. Omitted: DIR/b.b5r: ";
   EXPECT_EQ(opening(), no_drift +
                            "expected tests that started at different times, found the same DATE_STARTED as "
                            "a.b5r has.");
@@ -257,7 +257,7 @@ TEST(session, folders_that_are_no_session) {
                                  "<NOMINAL_LENGTH>50"));
   EXPECT_EQ(opening(),
             "DIR: expected tests of one nominal length for a drift, found 100 mm in a.b5r and 50 mm in b.b5r. Use "
-            "ballbar history  for different lengths.");
+            "ballbar history DIR for different lengths.");
 }
 
 // A test of results alone, whose run stores its circle.
@@ -301,9 +301,10 @@ TEST(session, a_folder_of_one_test_a_plane_has_no_drift) {
   const ScratchFolder folder;
   const auto opening = [&] { return complaint(folder, [&] { open_session(folder.path()); }); };
   folder.write("a.b5r", good_text("b5r"));
-  EXPECT_EQ(opening(),
-            "DIR: expected at least two tests of the same plane for a drift, found one of ZX. Use ballbar history  for "
-            "squareness and scales.DIR");
+  EXPECT_EQ(
+      opening(),
+      "DIR: expected at least two tests of the same plane for a drift, found one of ZX. Use ballbar history DIR for "
+      "squareness and scales.");
   folder.write("b.b5r", changed("b5r", "20200229-120001", "20200301-000001"));
   EXPECT_NO_THROW(open_session(folder.path()));
 }
