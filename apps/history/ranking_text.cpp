@@ -146,11 +146,11 @@ std::vector<std::string> conclusion(const History& history) {
   const std::size_t all = history.machines.size();
   const std::size_t beyond = count_of(history, Need::beyond), expected = count_of(history, Need::expected),
                     finding = count_of(history, Need::finding), nothing = count_of(history, Need::nothing);
-  const std::string first = nothing == all ? fmt::format("No significant change on any of {}.", machines_text(all))
-                                           : fmt::format(
-                                                 "{} of {} need attention: {} beyond a tolerance, {} drifting towards "
-                                                 "one, {} with another change; {} without findings.",
-                                                 all - nothing, machines_text(all), beyond, expected, finding, nothing);
+  const std::string first =
+      nothing == all
+          ? fmt::format("No significant change on any of {}.", machines_text(all))
+          : fmt::format("Findings on {} of {}: {} beyond a tolerance, {} drifting towards one, {} with another change.",
+                        all - nothing, machines_text(all), beyond, expected, finding);
   return {first, questions_text(history)};
 }
 

@@ -89,7 +89,7 @@ EventTexts trend_texts(const AllSeries& all, const Event& event) {
   const Call& call = *event.calls.front();
   const bool grows = call.after == 0.0 ? call.size > 0.0 : call.size * call.after > 0.0;
   return {
-      fmt::format("{} {}: {} a year.", label_of(all, call), grows ? "grows" : "goes back", list_of(all, event, " ")),
+      fmt::format("{} {}: {} per year.", label_of(all, call), grows ? "grows" : "goes back", list_of(all, event, " ")),
       remedy_of(all, event, "Find which error makes it grow: ballbar history shows them one by one.")};
 }
 

@@ -47,8 +47,7 @@ History small_plant() {
 
 TEST(ranking_text, says_the_conclusion_first) {
   EXPECT_EQ(ranking_text(small_plant()),
-            "1 of 2 machines need attention: 0 beyond a tolerance, 0 drifting towards one, 1 with another change;\n"
-            "1 without findings.\n"
+            "Findings on 1 of 2 machines: 0 beyond a tolerance, 0 drifting towards one, 1 with another change.\n"
             "60 quantities tested, 1 significant; at most 5 % of these by chance.\n"
             "\n"
             "machine  status  finding  quantity             size        from          to        q\n"
