@@ -41,9 +41,9 @@ const std::vector<Group>& groups() {
   using namespace ballbar::commands;
   static const std::vector<Group> kGroups{
       {"Measure", {{"fit", add_fit}, {"drift", add_drift}, {"compare", add_compare}}},
-      {"Logs of others", {{"import", add_import}}},
-      {"Follow", {{"errors", add_errors}, {"history", add_history}}},
-      {"Look", {{"report", add_report}}},
+      {"Import", {{"import", add_import}}},
+      {"Monitor", {{"errors", add_errors}, {"history", add_history}}},
+      {"Report", {{"report", add_report}}},
       {"Model", {{"effects", add_effects}, {"could", add_could}, {"check", add_check}}},
       {"Diagnose",
        {{"diagnose", add_diagnose}, {"plan", add_plan}, {"add", add_add}, {"undo", add_undo}, {"ledger", add_ledger}}},
@@ -122,9 +122,8 @@ void set_up(CLI::App& app) {
   app.set_version_flag("--version", "ballbar " BALLBAR_VERSION, "print the version");
   ballbar::add_page_option(app);
   app.footer(
-      "ballbar FILE... without a command does what the file is for: the errors of a ballbar test, the drift of a "
-      "session,\n"
-      "the verdict on a series; with --page [FILE] as a page. ballbar help COMMAND lists the options of a command.");
+      "Without a command, ballbar FILE... runs errors on ballbar tests, drift on a session and diagnose on a "
+      "series.\nballbar help COMMAND lists the options of a command.");
   add_commands(app);
   ballbar::expect_values(app);
 }
@@ -151,7 +150,7 @@ void run_command(const CommandCall& call) {
 }
 
 void run_command(const std::vector<std::string>& words) {
-  CommandLine app{"Ballbar logs to thermal drift of the spindle."};
+  CommandLine app{"Compute thermal drift of machine tool spindles from ballbar logs."};
   set_up(app);
   std::error_code absent;
   if (!words.empty() && !std::filesystem::exists(words.front(), absent)) expect_no_old_command(words.front());
@@ -187,7 +186,7 @@ int program(const std::vector<std::string>& words) {
     return 1;
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
-    error_line(fmt::format("the results could not be written to the standard output: {}", std::strerror(errno)));
+    error_line(fmt::format("cannot write the results to standard output: {}", std::strerror(errno)));
     return 1;
   }
   return 0;

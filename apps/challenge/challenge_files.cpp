@@ -127,8 +127,7 @@ std::vector<SealedSet> answers_of(const std::string& bytes, const fs::path& file
 
 void expect_made(const fs::path& file, std::size_t limit, const std::string& digest) {
   if (sha256(read_bytes(file, limit)) == digest) return;
-  throw Error(
-      fmt::format("{}: expected the file that was made (SHA-256 {:.12}...), found another.", file.string(), digest));
+  throw Error(fmt::format("{}: expected the original file (SHA-256 {:.12}...), found another.", file.string(), digest));
 }
 
 void expect_new(const fs::path& folder, const fs::path& answers) {

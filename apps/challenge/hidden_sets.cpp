@@ -36,8 +36,7 @@ void make_hidden_sets(const HiddenSetsOptions& options) {
     print_json(json_of(MadeSets{options.out, count, answers.string(), digest}));
     return;
   }
-  fmt::print("written  {}: {} data set{}, what to do with them stands in README.txt\n", options.out, count,
-             count == 1 ? "" : "s");
+  fmt::print("written  {}: {} data set{}; README.txt explains their use\n", options.out, count, count == 1 ? "" : "s");
   fmt::print("answers  {}\n", answers.string());
   fmt::print("sealed   SHA-256 {} in {}\n", digest, (fs::path(options.out) / "SEAL").string());
 }

@@ -7,7 +7,7 @@ namespace {
 
 [[noreturn]] void fail() {
   throw Error(
-      "Expected a ballbar that can seal a blind test, found one built without OpenSSL; install libssl-dev, configure "
+      "Expected a ballbar that can seal a blind test, found one built without OpenSSL. Install libssl-dev, configure "
       "with -D BALLBAR_BLIND=ON and build again.");
 }
 

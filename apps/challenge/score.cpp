@@ -13,6 +13,7 @@
 #include "challenge/challenge_files.hpp"
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/details.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -25,6 +26,7 @@ struct ScoreOptions {
   std::string folder;
   std::string answers;
   std::string by_hand;
+  bool details = false;
   bool json = false;
 };
 
@@ -67,27 +69,31 @@ void print_share(Table& table, const std::string& what, const Share& share) {
              fmt::format("{:.0f} to {:.0f} %", 100.0 * share.low, 100.0 * share.high)});
 }
 
-void print_text(const ScoredSets& scored, const std::string& by_hand) {
-  Table table({"set", "kind", "truth", "d", "verdict", "effects said", "outcome"});
+void print_text(const ScoredSets& scored, const ScoreOptions& options) {
+  constexpr std::size_t kRows = 20;
+  const std::string& by_hand = options.by_hand;
+  Table table({"set", "kind", "truth", "d", "verdict", "effects reported", "outcome"});
   for (const ScoredSet& set : scored.sets) {
     table.add({set.name, std::string(name_of(set.answer.kind)), one_line(set.answer.what), d_text(set.answer),
                std::string(name_of(set.verdict.verdict)), one_line(effects_text(set.verdict)),
                std::string(name_of(set.outcome))});
   }
-  fmt::print("{} set{}, the seal is whole; verdicts {}\n\n{}\n", scored.sets.size(), scored.sets.size() == 1 ? "" : "s",
+  if (!options.details) table.shorten(kRows);
+  fmt::print("{} set{}, seal intact; verdicts {}\n\n{}\n", scored.sets.size(), scored.sets.size() == 1 ? "" : "s",
              by_hand.empty() ? "by ballbar diagnose" : "of " + by_hand, table.left_aligned(table_width(150)));
   Table totals({"", "sets", "share", "95 % interval"});
-  print_share(totals, "false call where nothing is hidden", scored.scores.false_calls);
+  print_share(totals, "effect reported, but none hidden", scored.scores.false_calls);
   print_share(totals, "right", scored.scores.right);
   print_share(totals, "wrong", scored.scores.wrong);
-  print_share(totals, "truth named or in the reported set", scored.scores.in_set);
-  print_share(totals, "false name for what the catalogue lacks", scored.scores.false_names);
+  print_share(totals, "true effect named or in the reported set", scored.scores.in_set);
+  print_share(totals, "effect named, but true one not in the catalogue", scored.scores.false_names);
   fmt::print("{}\n", totals.text());
-  fmt::print("{}", wrapped("Right: all that is hidden is named and nothing else is reported; where nothing is hidden, "
-                           "nothing found; for what the catalogue lacks, unexplained; where the data cannot tell, the "
-                           "truth in a set and nothing named. Wrong: another effect named, or something found where "
-                           "nothing is. d: root of the fall of chi^2 that finding the hidden signal brings. Intervals "
-                           "are Wilson's."));
+  fmt::print(
+      "{}",
+      wrapped("Right: every hidden effect is named and nothing else is reported. Without a hidden effect: nothing "
+              "found. With an effect outside the catalogue: unexplained. With inseparable effects: the true one is in "
+              "the set and none is named. Wrong: another effect is named, or something is found where nothing is "
+              "hidden. d: square root of the decrease of chi^2 with the hidden signal. Intervals: Wilson."));
 }
 
 void score(const ScoreOptions& options) {
@@ -110,23 +116,23 @@ void score(const ScoreOptions& options) {
     scored.sets.push_back({sets[i].name, sets[i].answer, verdicts[i], outcomes[i]});
   }
   scored.scores = scores_of(answers, outcomes);
-  options.json ? print_json(json_of(scored)) : print_text(scored, options.by_hand);
+  options.json ? print_json(json_of(scored)) : print_text(scored, options);
 }
 
 }  // namespace
 
 void add_score(CLI::App& simulate) {
   const auto options = std::make_shared<ScoreOptions>();
-  CLI::App* command =
-      simulate.add_subcommand("score", "What a diagnosis finds in sets of --hidden, beside the sealed answers");
+  CLI::App* command = simulate.add_subcommand("score", "Compare diagnoses of sets of --hidden with the sealed answers");
   command->add_option("DIR", options->folder, "folder that simulate --hidden wrote")->required()->type_name("");
-  command->add_option("--answers", options->answers, "file of the answers; without it DIR/answers.json")
+  command->add_option("--answers", options->answers, "file of the answers; default: DIR/answers.json")
       ->type_name("FILE");
   command
       ->add_option("--by-hand", options->by_hand,
-                   "your own verdicts instead of the program's: set,verdict,effects; see DIR/README.txt")
+                   "score your own verdicts (set,verdict,effects) instead; see DIR/README.txt")
       ->type_name("FILE");
-  command->add_flag("--json", options->json, "the result for a program");
+  add_details(*command, options->details);
+  command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(
       "Example:\n"
       "  ballbar simulate --hidden --n 20 --out blind-test\n"

@@ -136,56 +136,56 @@ void add_place_options(CLI::App& command, ShaftPictureArguments& options) {
     return command.add_option(name, value, what)->group(kPlaceGroup)->type_name(type);
   };
   add("--from-picture", of.files,
-      "without --model: where one sensor tells the axial elongation; pictures of temperature (PNG, JPEG), or one table "
-      ".csv of x_mm and columns in degC",
+      "without --model: find the sensor position for the axial elongation, from temperature pictures (PNG, JPEG) or a "
+      "table .csv of x_mm and columns in degC",
       "FILE");
-  add("--start-degC", of.start_degC, "temperature at which the elongation is 0", "DEGC");
-  add("--expansion-ppm-per-K", of.expansion_ppm_per_K, "of the spindle; default: 11.7, steel", "PPM/K");
-  add("--plot", options.plot, "T along x, .svg; or the picture with what was found, .png", "FILE")
+  add("--start-degC", of.start_degC, "temperature of zero elongation", "DEGC");
+  add("--expansion-ppm-per-K", of.expansion_ppm_per_K, "thermal expansion of the spindle; default: 11.7, steel",
+      "PPM/K");
+  add("--plot", options.plot, "write T along x (.svg), or the picture with the result (.png), to FILE", "FILE")
       ->check(name_that_ends_in({".svg", ".png"}));
-  add("--from-mm", of.from_mm, "place of the region's left edge; default: 0", "MM");
-  add("--to-mm", of.to_mm, "place of its right edge", "MM");
-  add("--min-degC", of.min_degC, "cold end of the colour scale; once or one a picture", "DEGC");
-  add("--max-degC", of.max_degC, "hot end of it; once or one a picture", "DEGC");
-  add("--legend", of.legend, "the scale in the picture, inside its frame; the hot end at the top or at the right",
-      "X,Y,W,H");
+  add("--from-mm", of.from_mm, "position of the left edge of the region; default: 0", "MM");
+  add("--to-mm", of.to_mm, "position of the right edge of the region", "MM");
+  add("--min-degC", of.min_degC, "cold end of the colour scale; once, or once per picture", "DEGC");
+  add("--max-degC", of.max_degC, "hot end of the colour scale; once, or once per picture", "DEGC");
+  add("--legend", of.legend, "colour scale in the picture, inside its frame; hot end at the top or right", "X,Y,W,H");
   add("--colours", of.colours,
-      "a known scale instead: jet, turbo, viridis, inferno, hot, gray and others; _r at the end reverses it", "NAME");
-  add("--region", of.region, "what to look at; default: all that is on the scale, without the legend", "X,Y,W,H");
-  add("--edge-px", of.edge_px, "pixels left out beside what is not on the scale; default: 3", "PX");
-  command.add_flag("--vertical", of.vertical, "x runs from the region's top to its bottom")->group(kPlaceGroup);
+      "known colour scale: jet, turbo, viridis, inferno, hot, gray and others; _r at the end reverses it", "NAME");
+  add("--region", of.region, "region to evaluate; default: all pixels on the scale, without the legend", "X,Y,W,H");
+  add("--edge-px", of.edge_px, "margin around pixels that are not on the scale; default: 3", "PX");
+  command.add_flag("--vertical", of.vertical, "let x run from top to bottom of the region")->group(kPlaceGroup);
 }
 
 }  // namespace
 
 void add_compensate(CLI::App& app) {
   const auto options = std::make_shared<CompensateArguments>();
-  CLI::App* command = app.add_subcommand("compensate", "Offsets for a machine's axes, row by row, from its sensors");
+  CLI::App* command = app.add_subcommand("compensate", "Compute axis offsets from sensor readings");
   add_compensation_options(*command, options->compensation);
   command->get_option("--model")->required(false);
-  command->add_option("--signals", options->live.signals, "series .csv as it grows, or - for the standard input")
+  command->add_option("--signals", options->live.signals, "growing series .csv, or - for standard input")
       ->type_name("FILE");
-  command->add_flag("--follow", options->live.follow, "wait for rows that are still to be written to the file");
-  add_choice(*command, "--format", {"csv", "jsonl", "word"}, "csv", "of the rows of --signals; word: 16 bits for a PLC",
+  command->add_flag("--follow", options->live.follow, "wait for further rows of the file");
+  add_choice(*command, "--format", {"csv", "jsonl", "word"}, "csv",
+             "format of the rows of --signals; word: 16 bits for a PLC",
              [options](std::size_t at) { options->live.format = static_cast<OffsetFormat>(at); });
-  add_data(*command, "--on", options->replay.data, "session or series: what its error would have been")
+  add_data(*command, "--on", options->replay.data, "session or series to replay: its error with compensation")
       ->type_name("DATA");
   command
-      ->add_option(
-          "--out", options->out,
-          ".csv, with --on: before, after and offset, with --from-picture: T along x and its sigma; .toml, with "
-          "--fit: the fitted model, ready to run; .mpf, .lis or .hal, with --write; may be repeated")
+      ->add_option("--out", options->out,
+                   "write to FILE: .csv with --on or --from-picture, .toml with --fit, .mpf, .lis or .hal with "
+                   "--write; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->check(name_that_ends_in({".csv", ".toml", ".mpf", ".lis", ".hal"}));
   command
       ->add_option("--write", options->write.control,
-                   "with --on and --out: a line of one sensor for the control's own temperature compensation: siemens, "
-                   "beckhoff or linuxcnc; siemens:2 of the best two, siemens:T_a_degC,T_b_degC of these")
+                   "with --on and --out: write the control's own compensation from one sensor: siemens, beckhoff or "
+                   "linuxcnc; siemens:2 from the best two, siemens:T_a_degC,T_b_degC from these")
       ->type_name("CONTROL[:SENSORS]");
   command->add_flag("--reversed-sign", options->write.reversed,
-                    "with --write: the other sign, where the axis goes the wrong way");
-  command->add_flag("--json", options->json, "the result for a program; with --signals the rows as JSON, as jsonl");
+                    "with --write: reverse the sign, if the axis moves the wrong way");
+  command->add_flag("--json", options->json, "print the result as JSON; with --signals one JSON row per line");
   add_place_options(*command, options->place);
   command->footer(
       "Examples:\n"

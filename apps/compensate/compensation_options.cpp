@@ -63,7 +63,7 @@ CLI::Option* add_limit(CLI::App& command, const std::string& name, double& limit
 
 void add_compensation_options(CLI::App& command, CompensationOptions& options) {
   add_sources(command, "--model", options.models,
-              "model.toml of one axis or more, or model.json of one; may be repeated")
+              "model.toml of one or more axes, or model.json of one; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->required();
@@ -75,34 +75,33 @@ void add_compensation_options(CLI::App& command, CompensationOptions& options) {
                    ? std::string()
                    : fmt::format("expected a name of letters, digits and _ for an axis, found {}", in_quotes(name));
       });
-  add_data(command, "--fit", options.fit, "fit what is free to DATA; their ranges are those trained on")
+  add_data(command, "--fit", options.fit, "fit free parameters to DATA; its ranges become the trained ranges")
       ->type_name("DATA")
       ->allow_extra_args(false);
   command
-      .add_option(
-          "--state", options.state,
-          "goes on from this file after a restart, and keeps it up to date; without it the first row is the zero")
+      .add_option("--state", options.state,
+                  "continue from this file after a restart and keep it up to date; default: the first row is zero")
       ->type_name("FILE");
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   CompensationLimits& limits = options.limits;
-  add_limit(command, "--resolution-um", limits.resolution_um, "UM", "least increment of the control")
+  add_limit(command, "--resolution-um", limits.resolution_um, "UM", "smallest increment of the control")
       ->check(number_above_0());
   add_limit(command, "--hysteresis", limits.hysteresis, "SHARE",
-            "of an increment beyond its half, before counts change")
+            "hysteresis beyond half an increment, as a share of it")
       ->check(number_within(0.0, 10.0));
   add_limit(command, "--rate-um-per-s", limits.rate_um_per_s, "UM/S", "fastest change of an offset")
       ->check(number_above_0());
   add_limit(command, "--step-um", limits.step_um, "UM", "largest change from one row to the next")
       ->check(number_above_0());
   add_limit(command, "--largest-um", limits.largest_um, "UM", "largest offset")->check(number_above_0());
-  add_limit(command, "--range-margin", limits.range_margin, "SHARE", "of the trained range, believed beyond it")
+  add_limit(command, "--range-margin", limits.range_margin, "SHARE",
+            "accepted excess over the trained range, as a share of it")
       ->check(number_within(0.0, kInfinite));
   add_limit(command, "--spike-K", limits.spike_K, "K", "largest change of a temperature at once")
       ->check(number_above_0(true));
-  add_limit(command, "--heating-K-per-s", limits.heating_K_per_s, "K/S", "and with the time")
+  add_limit(command, "--heating-K-per-s", limits.heating_K_per_s, "K/S", "largest heating rate")
       ->check(number_within(0.0, kInfinite));
-  add_limit(command, "--stuck-s", limits.stuck_s, "S",
-            "longest time a temperature may stay the same; inf: not looked for")
+  add_limit(command, "--stuck-s", limits.stuck_s, "S", "longest constant temperature; inf: no check")
       ->check(number_above_0(true));
   add_limit(command, "--gap-s", limits.gap_s, "S", "longest time between rows")->check(number_above_0(true));
 }

@@ -71,6 +71,6 @@ std::string verdict_of(const ErrorsReport& report);
 // line.
 std::vector<std::string> tolerance_texts(const ErrorsReport& report);
 
-void print_text(const ErrorsReports& reports);
+void print_text(const ErrorsReports& reports, bool details = false);  // details: all rows
 
 }  // namespace ballbar

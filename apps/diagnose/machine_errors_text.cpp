@@ -16,7 +16,8 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kRemedies = 3;
-constexpr std::size_t kWidest = 140;
+constexpr std::size_t kWidest = 144;
+constexpr std::size_t kRows = 10, kStoredRows = 25, kDifferences = 3;  // without details
 
 std::string plain(double value, int decimals) { return fixed(value, decimals); }
 
@@ -85,13 +86,15 @@ std::vector<std::string> instrument_cells(const ErrorsReport& report, const Mach
   return cells;
 }
 
-std::string table_text(const ErrorsReport& report) {
-  std::vector<std::string> heading{"error", "value",      "unit",    "rank",    "gain um",
-                                   "IC um", "instrument", "share %", "its rank"};
-  if (report.b5r) heading.insert(heading.end(), {"stored", "rank"});
-  heading.emplace_back("predicts");
+std::string table_text(const ErrorsReport& report, bool details) {
+  std::vector<std::string> heading{"error", "value",      "unit",    "rank",           "gain um",
+                                   "IC um", "instrument", "share %", "instrument rank"};
+  if (report.b5r) heading.insert(heading.end(), {"stored", "stored rank"});
+  heading.emplace_back("confirmed");
   Table table(heading);
+  std::size_t rows = 0;
   const auto add = [&](const MachineError& error, const RankedError* ranked, bool first) {
+    if (++rows > kRows && !details) return;
     const int decimals = decimals_of_sigma(error.sigma);
     const bool marked = ranked != nullptr && report.options.in_the_model.contains(ranked->effect->name);
     std::vector<std::string> row{(marked ? "+ " : "") + error.name, with_sigma(error.value, error.sigma, decimals),
@@ -119,34 +122,39 @@ std::string table_text(const ErrorsReport& report) {
   for (std::size_t row = 0; row < listed.size(); ++row) {
     if (!listed[row]) add(report.found.errors[row], nullptr, true);
   }
-  return table.text(table_width(kWidest));
+  std::string text = table.text(table_width(kWidest));
+  if (rows > kRows && !details) text += more_text(rows - kRows) + '\n';
+  return text;
 }
 
 std::string prior_text(const ErrorsReport& report) {
-  if (!report.options.prior) return "Without the instrument's damping: curves and ranks by the readings alone.\n";
+  if (!report.options.prior) return "No prior: curves and ranks from the readings alone.\n";
   std::vector<std::string> texts;
   texts.reserve(report.found.prior.size());
   for (const PriorOfError& prior : report.found.prior) {
     texts.push_back(fmt::format("{} 0 ± {} {}", prior.name, plain(prior.sigma, 2), prior.unit));
   }
   if (texts.empty()) return "";
-  return wrapped(fmt::format("Held near 0 in the instrument's column: {}.", fmt::join(texts, ", ")));
+  return wrapped(fmt::format("Prior in the instrument's column: {}.", fmt::join(texts, ", ")));
 }
 
-void print_group(const ErrorsReport& report) {
+void print_group(const ErrorsReport& report, bool details) {
   const MachineErrors& found = report.found;
   fmt::print("{}\n{}", head_text(report), wrapped(conclusion(report)));
   if (const RankedError* const first = first_of(found)) fmt::print("\nballbar effects {}\n", first->effect->name);
   for (const std::string& text : tolerance_texts(report)) fmt::print("{}\n", shortened(text, 100));
-  fmt::print("\n{}", table_text(report));
+  fmt::print("\n{}", table_text(report, details));
   fmt::print(
       "{}",
-      wrapped("rank by the gain, by how much mending it lowers the circularity; none: that stays as it is, -: not "
-              "significant; IC: "
-              "circularity that this error alone would make; ± one sigma; instrument: what its "
-              "software would say; same: the file stores it so; predicts: the other run is predicted better with "
-              "it."));
-  for (const std::string& text : difference_texts(report)) fmt::print("{}", wrapped(text));
+      wrapped(
+          "Gain: reduction of the circularity by correcting the error. Rank: by gain; none: no gain, -: not "
+          "significant. IC: circularity from this error alone. ± is one sigma. Instrument: value, share and rank by "
+          "the method of its software; same: as the file stores it. Confirmed: the other run is predicted better "
+          "with the error."));
+  const std::vector<std::string> differences = difference_texts(report);
+  for (std::size_t i = 0; i < differences.size() && (details || i < kDifferences); ++i) {
+    fmt::print("{}", wrapped(differences[i]));
+  }
   std::size_t shown = 0;
   for (const RankedError& ranked : found.ranked) {
     if (!ranked.significant || shown == kRemedies) continue;
@@ -158,28 +166,30 @@ void print_group(const ErrorsReport& report) {
   }
   fmt::print("\n{}", wrapped(left_text(report)));
   if (!found.undetermined.empty()) {
-    fmt::print("{}", wrapped(fmt::format("The readings do not tell apart: {}.", fmt::join(found.undetermined, "; "))));
+    fmt::print("{}", wrapped(fmt::format("Not separable by these readings: {}.", fmt::join(found.undetermined, "; "))));
   }
-  fmt::print("{}", prior_text(report));
+  if (details) fmt::print("{}", prior_text(report));
 }
 
 }  // namespace
 
-void print_text(const ErrorsReports& reports) {
+void print_text(const ErrorsReports& reports, bool details) {
   bool first = true;
   for (const ErrorsReport& group : reports.groups) {
     if (!first) fmt::print("\n");
     first = false;
-    print_group(group);
+    print_group(group, details);
   }
   for (const StoredAlone& alone : reports.results_alone) {
-    fmt::print("{}{}\nThis file stores results alone, no readings:\n\n", first ? "" : "\n", alone.file);
+    fmt::print("{}{}\nNo readings in this file. Results stored by the instrument software:\n\n", first ? "" : "\n",
+               alone.file);
     first = false;
-    Table table({"stored", "value", "unit", "of"});
+    Table table({"stored", "value", "unit", "run or analysis"});
     for (const StoredFeature& feature : alone.stored) {
       table.add({one_line(feature.name), fmt::format("{:g}", feature.value),
                  std::string(unit_of_data_type(feature.data_type)), one_line(feature.parent)});
     }
+    if (!details) table.shorten(kStoredRows);
     fmt::print("{}", table.text(table_width(kWidest)));
   }
   if (!reports.skipped.empty()) fmt::print("\n{}", left_out_text(reports.skipped));

@@ -21,6 +21,7 @@
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/details.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -36,6 +37,7 @@ struct ErrorsArguments {
   std::optional<View> view;
   ModelOptions model;  // its file alone: which effects a model has
   ErrorsOptions how;
+  bool details = false;
   bool json = false;
 };
 
@@ -57,7 +59,7 @@ void show_ranked(ErrorsArguments options) {
   }
   ErrorsReports reports = errors_reports_of(options.files, options.how);
   reports.skipped.insert(reports.skipped.end(), faults.begin(), faults.end());
-  options.json ? print_json(json_value(result_of(reports))) : print_text(reports);
+  options.json ? print_json(json_value(result_of(reports))) : print_text(reports, options.details);
   for (const std::string& remark : reports.remarks) warning_line(remark);
 }
 
@@ -67,7 +69,7 @@ void show_table(const ErrorsArguments& options) {
   for (const std::string& path : options.out) {
     write_bytes(path, path.ends_with(".csv") ? test_table_csv(files.tests) : json_of(files).dump(2) + '\n');
   }
-  options.json ? print_json(json_of(files)) : fmt::print("{}", test_table_text(files));
+  options.json ? print_json(json_of(files)) : fmt::print("{}", test_table_text(files, options.details));
   for (const std::string& path : options.out) wrote_line(path);
 }
 
@@ -80,13 +82,13 @@ void show_change(const ErrorsArguments& options) {
     after = read_tests({options.files[1].name()}, options.how.strict, options.how.circle);
   }
   if (before.tests.size() != 1 || after.tests.size() != 1) {
-    throw CLI::ValidationError(fmt::format("--show change: expected two tests, a file or folder each, found {}",
+    throw CLI::ValidationError(fmt::format("--show change: expected two tests, one file or folder each, found {}",
                                            options.files.size() == 2
                                                ? fmt::format("{} and {}", before.tests.size(), after.tests.size())
                                                : fmt::format("{}", options.files.size())));
   }
   const TestComparison comparison = compared_tests(before.tests.front(), after.tests.front());
-  options.json ? print_json(json_of(comparison)) : fmt::print("{}", comparison_text(comparison, false));
+  options.json ? print_json(json_of(comparison)) : fmt::print("{}", comparison_text(comparison, options.details));
 }
 
 void run(const ErrorsArguments& options, const std::vector<CLI::Option*>& of_a_ranking) {
@@ -111,34 +113,30 @@ void run(const ErrorsArguments& options, const std::vector<CLI::Option*>& of_a_r
 
 void add_errors(CLI::App& app) {
   const auto options = std::make_shared<ErrorsArguments>();
-  CLI::App* command =
-      app.add_subcommand("errors", "The errors of the axes in ballbar tests: ranked of one test, a row a test of many");
-  add_sources(*command, "FILE", options->files, ".b5r files, ballbar logs, and folders of them with those below")
+  CLI::App* command = app.add_subcommand("errors", "Compute the axis errors of ballbar tests");
+  add_sources(*command, "FILE", options->files, ".b5r files, ballbar logs, and folders of them, searched recursively")
       ->required()
       ->type_name("");
-  add_choice(
-      *command, "--show", {"ranked", "table", "change"}, "",
-      "ranked: all tests of a plane and a bar fitted as one, by what mending each error gains; table: a row a test; "
-      "change: of two tests, what differs clearly, as before and after a repair; default: ranked of one test, table of "
-      "several and for --out",
-      [options](std::size_t at) { options->view = static_cast<View>(at); });
-  command->add_option("--tolerance", options->how.tolerance_um, "ranked: the largest circularity that passes")
+  add_choice(*command, "--show", {"ranked", "table", "change"}, "",
+             "ranked: errors of a plane, largest gain first; table: one row per test; change: differences of two "
+             "tests; default: ranked for one test, else table",
+             [options](std::size_t at) { options->view = static_cast<View>(at); });
+  command->add_option("--tolerance", options->how.tolerance_um, "ranked: largest circularity that passes")
       ->type_name("UM")
       ->check(number_within(0.0, 1e6));
   add_choice(*command, "--prior", {"usual", "none"}, "usual",
-             "ranked: what holds errors that the readings hardly tell, or none",
+             "ranked: prior of errors that the readings determine poorly",
              [options](std::size_t at) { options->how.prior = at == 0; });
-  add_source(*command, "--model", options->model.model, "ranked: model.toml of recordings, whose effects are marked")
+  add_source(*command, "--model", options->model.model, "ranked: mark the effects of this model.toml of recordings")
       ->type_name("FILE");
   add_radius(*command, options->how.circle);
-  command->add_flag("--strict", options->how.strict, "stop at a file that would be skipped");
-  command
-      ->add_option("--out", options->out,
-                   "table: write .csv, one row a test, each error with sigma; or .json; may be repeated")
+  command->add_flag("--strict", options->how.strict, "stop at the first file that cannot be used");
+  command->add_option("--out", options->out, "table: write one row per test to FILE (.csv or .json); may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->check(name_that_ends_in({".csv", ".json"}));
-  command->add_flag("--json", options->json, "the result for a program");
+  add_details(*command, options->details);
+  command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(
       "Examples:\n"
       "  ballbar errors sample-runs/qc20-style-b5r/00.b5r --tolerance 6\n"

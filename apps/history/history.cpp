@@ -25,6 +25,7 @@
 #include "history/test_table.hpp"
 #include "page/report_page.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/details.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -41,7 +42,7 @@ struct HistoryArguments {
   std::optional<int> workers;
   double false_discovery_rate = 0.05;
   StatedCircle circle;
-  bool all = false;
+  bool details = false;
   bool strict = false;
   bool json = false;
 };
@@ -60,9 +61,10 @@ bool is_for_dask(const HistoryArguments& options) {
 }
 
 std::vector<std::string> words_of(const HistoryArguments& options) {
-  if (options.strict || options.all || options.circle.radius_mm) {
+  if (options.strict || options.details || options.circle.radius_mm) {
     throw CLI::ValidationError(
-        "--strict, --all, --radius: expected folders and files without --table, --workers, --scheduler and patterns");
+        "--strict, --details, --radius: expected folders and files without --table, --workers, --scheduler and "
+        "patterns");
   }
   std::vector<std::string> words{fmt::format("--false-discovery-rate={}", options.false_discovery_rate)};
   const auto add = [&](const char* name, const std::string& value) { words.push_back(std::string(name) + value); };
@@ -114,7 +116,8 @@ void run(const HistoryArguments& options) {
                       : path.ends_with(".csv") ? test_table_csv(files.tests)
                                                : json_of(result).dump(2) + '\n');
   }
-  options.json ? print_json(json_of(result)) : fmt::print("{}", history_text(files, history, geometry, options.all));
+  options.json ? print_json(json_of(result))
+               : fmt::print("{}", history_text(files, history, geometry, options.details));
   for (const std::string& path : options.out) wrote_line(path);
 }
 
@@ -122,41 +125,41 @@ void run(const HistoryArguments& options) {
 
 void add_history(CLI::App& app) {
   const auto options = std::make_shared<HistoryArguments>();
-  CLI::App* command = app.add_subcommand("history", "Machines over their tests: what changed, what needs something");
+  CLI::App* command = app.add_subcommand("history", "Find changes and trends in the tests of machines");
   command
       ->add_option("FOLDER", options->folders,
-                   "folders of .b5r files or ballbar logs, with those below; or patterns such as 'plant/**/*.b5r'")
+                   "folders of .b5r files or ballbar logs, searched recursively; or patterns such as 'plant/**/*.b5r'")
       ->required()
       ->type_name("");
   command
       ->add_option("--tolerance", options->tolerances,
-                   "limit of a quantity, to both sides of 0; goes before the file's; may be repeated")
+                   "limit of a quantity, on both sides of 0; overrides the file; may be repeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   command
       ->add_option("--false-discovery-rate", options->false_discovery_rate,
-                   "share of what is found that may be by chance; default 0.05")
+                   "accepted share of findings by chance; default: 0.05")
       ->type_name("RATE")
       ->check(number_within(0, 1));
-  command->add_flag("--all", options->all, "all quantities, all machines");
+  add_details(*command, options->details);
+  command->add_flag("--all", options->details)->group("");  // its name before
   add_radius(*command, options->circle);
-  command->add_flag("--strict", options->strict, "stop at a file that would be skipped");
+  command->add_flag("--strict", options->strict, "stop at the first file that cannot be used");
   command
       ->add_option("--out", options->out,
-                   "write .csv: one row a test, each error with sigma; .json; or .html: a page with pictures; may be "
-                   "repeated")
+                   "write one row per test to FILE (.csv or .json), or a page (.html); may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->check(name_that_ends_in({".csv", ".json", ".html"}));
   command
-      ->add_option("--table", options->table, "where the table is kept: only what is new or changed is read, by Dask")
+      ->add_option("--table", options->table, "keep the table in FOLDER and read only new or changed files, with Dask")
       ->type_name("FOLDER");
-  command->add_option("--workers", options->workers, "processes that read, by Dask; default: this one, on all cores")
+  command->add_option("--workers", options->workers, "number of Dask processes; default: this process, on all cores")
       ->type_name("N")
       ->check(whole_number_within(1, 1024));
-  command->add_option("--scheduler", options->scheduler, "of a Dask cluster, tcp://host:8786, whose workers read")
+  command->add_option("--scheduler", options->scheduler, "address of a Dask cluster, tcp://host:8786")
       ->type_name("ADDRESS");
-  command->add_flag("--json", options->json, "the result for a program");
+  command->add_flag("--json", options->json, "print the result as JSON");
   command->footer("Example:\n  ballbar history sample-runs/machine-history --tolerance backlash_a_pos=5");
   command->callback([options] { run(*options); });
 }

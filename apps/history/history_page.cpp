@@ -108,7 +108,7 @@ DrawnGroup drawn_group(const MachineHistory& machine, std::size_t place) {
                    "",
                    machine.groups[place].plane,
                    {},
-                   {"quantity", "unit", "last", "change", "sigmas", "a year", "tolerance", "met"},
+                   {"quantity", "unit", "last", "change", "sigmas", "per year", "tolerance", "met"},
                    {}};
   int most = -1;
   for (std::size_t i = 0; i < machine.series.size(); ++i) {

@@ -55,7 +55,7 @@ struct ResultType<FindingQuantity> {
   static constexpr std::string_view meaning = "A quantity that has part in a finding.";
   static constexpr std::tuple fields = std::tuple_cat(
       kQuantityFields<FindingQuantity>,
-      std::tuple{Field{"size", &FindingQuantity::size, "after less before, a year, or half from trough to peak"},
+      std::tuple{Field{"size", &FindingQuantity::size, "after minus before, per year, or half from trough to peak"},
                  Field{"sigma", &FindingQuantity::sigma, "of the size"},
                  Field{"p_value", &FindingQuantity::p_value, ""},
                  Field{"q_value", &FindingQuantity::q_value, "corrected for all questions"}});
@@ -73,7 +73,7 @@ struct ResultType<Finding> {
       Field{"axis",
             [](const Finding& of) { return of.axis ? std::optional(std::string(1, "XYZ"[*of.axis])) : std::nullopt; },
             "where it is one"},
-      Field{"p_value", &Finding::p_value, "of the clearest quantity"},
+      Field{"p_value", &Finding::p_value, "of the most significant quantity"},
       Field{"q_value", &Finding::q_value, ""},
       Field{"sentence", &Finding::sentence, "what was found"},
       Field{"remedy", &Finding::remedy, "what to do"},
@@ -86,14 +86,15 @@ struct ResultType<ToleranceOutlook> {
   static constexpr std::string_view meaning = "A tolerance, and when it is met.";
   static constexpr std::tuple fields = std::tuple_cat(
       kQuantityFields<ToleranceOutlook>, kLevelFields<ToleranceOutlook>,
-      std::tuple{Field{"lower", [](const ToleranceOutlook& of) { return of.tolerance.lower; }, "null: none"},
-                 Field{"upper", [](const ToleranceOutlook& of) { return of.tolerance.upper; }, ""},
-                 Field{"outlook", [](const ToleranceOutlook& of) { return of.date.outlook; },
-                       "beyond, expected, no_trend, not_within_10_years"},
-                 Field{"met", [](const ToleranceOutlook& of) { return day_of(of.date.at_s); }, "date; null: not known"},
-                 Field{"earliest", [](const ToleranceOutlook& of) { return day_of(of.date.earliest_s); }, ""},
-                 Field{"latest", [](const ToleranceOutlook& of) { return day_of(of.date.latest_s); }, ""},
-                 Field{"last_test_alone", &ToleranceOutlook::last_alone, "the last test is beyond, the level is not"}});
+      std::tuple{
+          Field{"lower", [](const ToleranceOutlook& of) { return of.tolerance.lower; }, "null: none"},
+          Field{"upper", [](const ToleranceOutlook& of) { return of.tolerance.upper; }, ""},
+          Field{"outlook", [](const ToleranceOutlook& of) { return of.date.outlook; },
+                "beyond, expected, no_trend, not_within_10_years"},
+          Field{"met", [](const ToleranceOutlook& of) { return day_of(of.date.at_s); }, "date; null: not known"},
+          Field{"earliest", [](const ToleranceOutlook& of) { return day_of(of.date.earliest_s); }, ""},
+          Field{"latest", [](const ToleranceOutlook& of) { return day_of(of.date.latest_s); }, ""},
+          Field{"last_test_alone", &ToleranceOutlook::last_alone, "only the last test is beyond, not the level"}});
 };
 
 template <>
@@ -129,7 +130,7 @@ struct ResultType<MachineHistory> {
       Field{"first", [](const MachineHistory& of) { return day_of(of.first_s); }, "date"},
       Field{"last", [](const MachineHistory& of) { return day_of(of.last_s); }, ""},
       Field{"need", &MachineHistory::need, "beyond, expected, finding, nothing"},
-      Field{"reason", &MachineHistory::reason, "why it stands where it does"},
+      Field{"reason", &MachineHistory::reason, "reason of its rank"},
       Field{"findings", &MachineHistory::findings, "the clearest first"},
       Field{"tolerances", &MachineHistory::tolerances, ""},
       Field{"series", &MachineHistory::series,
@@ -155,7 +156,7 @@ struct ResultType<History> {
       Field{"machines", &History::machines, "what needs something first"},
       Field{"bar_changes", &History::bar_changes, ""},
       Field{"judged", &History::judged, "questions"},
-      Field{"found", &History::found, "of these answered with yes"},
+      Field{"found", &History::found, "number of these that are significant"},
       Field{"false_discovery_rate", &History::false_discovery_rate, "share of those by chance"},
       Field{"without_date", &History::without_date, "files of tests that are in nothing"}};
 };
@@ -194,7 +195,7 @@ struct ResultType<ScalePull> {
       Field{"axis", letter_of(&ScalePull::axis), "X, Y, Z"},
       Field{"value", &ScalePull::value_ppm, "um/m"},
       Field{"sigma", &ScalePull::sigma_ppm, ""},
-      Field{"pull", &ScalePull::pull, "what is left over its sigma; null: only this test tells the axis"}};
+      Field{"pull", &ScalePull::pull, "residual over its sigma; null: only this test shows the axis"}};
 };
 
 template <>
@@ -206,7 +207,7 @@ struct ResultType<ScaleAgreement> {
       Field{"degrees", &ScaleAgreement::degrees, "of freedom; 0: nothing to compare"},
       Field{"p_value", &ScaleAgreement::p_value, ""},
       Field{"scatter_um_per_m", &ScaleAgreement::scatter_ppm, "of each scale beyond its sigma, where they disagree"},
-      Field{"pulls", &ScaleAgreement::pulls, "a row a scale and test"}};
+      Field{"pulls", &ScaleAgreement::pulls, "one row per scale and test"}};
 };
 
 template <>
@@ -214,8 +215,8 @@ struct ResultType<MachineGeometry> {
   static constexpr std::string_view name = "MachineGeometry";
   static constexpr std::string_view meaning = "Squareness and scales of a machine.";
   static constexpr std::tuple fields{Field{"within_a_day", &MachineGeometry::within_a_day, "whether all tests are"},
-                                     Field{"out_of_square_um_per_m", &MachineGeometry::squareness, "a row a plane"},
-                                     Field{"scales_um_per_m", &MachineGeometry::scales, "a row an axis"},
+                                     Field{"out_of_square_um_per_m", &MachineGeometry::squareness, "one row per plane"},
+                                     Field{"scales_um_per_m", &MachineGeometry::scales, "one row per axis"},
                                      Field{"agreement", &MachineGeometry::agreement, "of the tests"}};
 };
 

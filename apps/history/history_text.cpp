@@ -14,15 +14,18 @@
 namespace ballbar {
 namespace {
 
-constexpr std::array kColumns{"quantity", "unit", "last", "change", "sigmas", "a year", "tolerance", "met"};
+constexpr std::array kColumns{"quantity", "unit", "last", "change", "sigmas", "per year", "tolerance", "met"};
 
-// Whether its row is shown without --all.
+// Whether its row is shown without --details.
 bool has_something_to_state(const MachineHistory& machine, std::size_t place, const std::string& squareness) {
   const QuantityHistory& series = machine.series[place];
-  if (series.name == "circularity" || series.name == "residual_rms" || series.name == squareness) return true;
+  if (series.name == "circularity") return true;
   if (outlook_for(machine, place) != nullptr) return true;
   if (is_found(machine, place, true) || is_found(machine, place, false)) return true;
-  if (series.name == "global_scale") return false;  // the scales of both axes hold it
+  const bool is_scale_of_axis = series.name.starts_with("scale_") && series.name.size() == 7;  // scale_x
+  // The table of squareness and scales has these.
+  if (series.name == squareness || series.name == "global_scale" || is_scale_of_axis) return false;
+  if (series.name == "residual_rms") return false;
   return series.significant || !std::isfinite(series.sigma.back());
 }
 
@@ -57,7 +60,9 @@ std::string table_of_rows(const std::vector<std::vector<std::string>>& rows) {
   return table.text();
 }
 
-std::string group_text(const TestFiles& files, const MachineHistory& machine, std::size_t group, bool all) {
+// `left_out`: to which the rows without a finding are added.
+std::string group_text(const TestFiles& files, const MachineHistory& machine, std::size_t group, bool all,
+                       std::size_t& left_out) {
   const std::vector<std::size_t>& places = machine.groups[group].tests;
   const auto stored = std::count_if(places.begin(), places.end(), [&](std::size_t i) { return files.tests[i].stored; });
   std::string text =
@@ -66,7 +71,6 @@ std::string group_text(const TestFiles& files, const MachineHistory& machine, st
   const std::optional<MachineError>& out_of_square = files.tests[places.back()].squareness;
   const std::string squareness = out_of_square ? out_of_square->name : "";
   std::vector<std::vector<std::string>> rows;
-  std::size_t left_out = 0;
   for (std::size_t i = 0; i < machine.series.size(); ++i) {
     if (machine.series[i].group != group) continue;
     if (all || has_something_to_state(machine, i, squareness)) {
@@ -76,7 +80,6 @@ std::string group_text(const TestFiles& files, const MachineHistory& machine, st
     }
   }
   if (!rows.empty()) text += table_of_rows(rows);
-  if (left_out > 0) text += fmt::format("{} more: not significant, nothing found (--all).\n", left_out);
   return text + '\n';
 }
 
@@ -89,12 +92,15 @@ std::string machine_text(const TestFiles& files, const History& history, const M
                                  first_and_last(files.tests, places));
   for (const std::string& line : machine_conclusion(history)) text += wrapped(line);
   text += '\n';
-  for (std::size_t group = 0; group < machine.groups.size(); ++group) text += group_text(files, machine, group, all);
+  std::size_t left_out = 0;
+  for (std::size_t group = 0; group < machine.groups.size(); ++group) {
+    text += group_text(files, machine, group, all, left_out);
+  }
+  if (left_out > 0) text += more_text(left_out) + "\n\n";
   text += geometry_text(files, geometry);
-  return text +
-         wrapped(
-             "± is one sigma, of the fit or, of a trend, with the scatter of the tests about it; * found. Stored "
-             "values have none (?). Change: since the value before, and over the sigmas of both fits.");
+  return text + wrapped(
+                    "± is one sigma of the fit; for a trend it includes the scatter of the tests. *: significant. ?: "
+                    "stored values have no sigma. Change: since the previous value, also in sigmas.");
 }
 
 // Names of some, then how many more.
@@ -103,7 +109,7 @@ std::string list_text(const Names& names) {
   constexpr std::size_t kMost = 10;
   std::string text;
   for (std::size_t i = 0; i < std::min(kMost, names.size()); ++i) text += "  " + names[i] + '\n';
-  if (names.size() > kMost) text += fmt::format("  and {} more (all with --json)\n", names.size() - kMost);
+  if (names.size() > kMost) text += fmt::format("  ... {} more; --json prints all\n", names.size() - kMost);
   return text;
 }
 
@@ -141,7 +147,7 @@ std::string chi2_text(const ScaleAgreement& agreement) {
 // How the tests differ of which the axes that several planes tell say different things.
 std::vector<std::string> disagreement_texts(const MachineGeometry& geometry) {
   std::vector<std::string> texts{
-      fmt::format("The {} disagree on the scales: {}. Sigmas hold {:.1f} um/m by which they scatter beyond theirs.",
+      fmt::format("The {} disagree on the scales: {}. The sigmas include this additional scatter of {:.1f} um/m.",
                   who_text(geometry.agreement), chi2_text(geometry.agreement), geometry.agreement.scatter_ppm)};
   for (const AxisScale& scale : geometry.scales) {
     if (scale.planes < 2) continue;
@@ -160,7 +166,7 @@ std::vector<std::string> sentences_of(const MachineGeometry& geometry) {
   std::vector<std::string> sentences;
   for (const PlaneSquareness& plane : geometry.squareness) {
     if (plane.p_value >= 0.01) continue;
-    sentences.push_back(fmt::format("The tests of {} disagree on the squareness, {}; its sigma is wider for it.",
+    sentences.push_back(fmt::format("The tests of {} disagree on the squareness, {}. Its sigma is widened.",
                                     name_of(plane.plane), p_text(plane.p_value)));
   }
   if (geometry.agreement.degrees > 0 && geometry.agreement.scatter_ppm == 0.0) {
@@ -170,7 +176,8 @@ std::vector<std::string> sentences_of(const MachineGeometry& geometry) {
     for (std::string& text : disagreement_texts(geometry)) sentences.push_back(std::move(text));
   }
   if (!geometry.scales.empty()) {
-    sentences.emplace_back("Scales are against the bar as it was calibrated: its own error moves all of them alike.");
+    sentences.emplace_back(
+        "Scales are relative to the bar as calibrated. An error of the bar shifts all scales alike.");
   }
   return sentences;
 }
@@ -214,7 +221,7 @@ std::string history_text(const TestFiles& files, const History& history, const M
   std::string text =
       history.machines.size() == 1 ? machine_text(files, history, geometry, all) : ranking_text(history, all);
   if (!history.without_date.empty()) {
-    text += "\nWithout a date, in no change and no trend:\n" + list_text(history.without_date);
+    text += "\nNo date, so not part of any change or trend:\n" + list_text(history.without_date);
   }
   std::vector<std::string> sentences;
   sentences.reserve(files.skipped.size());

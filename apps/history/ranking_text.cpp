@@ -35,7 +35,7 @@ std::string need_text(const MachineHistory& machine) {
     case Need::expected:
       return "by " + date_text(*tolerance_with(machine, Outlook::expected)->date.at_s);
     case Need::finding:
-      return "look";
+      return "check";
     case Need::nothing:
       break;
   }
@@ -69,7 +69,7 @@ std::string table_of(const History& history, std::size_t rows) {
   }
   if (needing == 0) return "";
   std::string text = '\n' + table.text(table_width());
-  if (needing > rows) text += fmt::format("and {} more (--all)\n", needing - rows);
+  if (needing > rows) text += fmt::format("... {} more rows; --details prints all\n", needing - rows);
   return text;
 }
 
@@ -96,7 +96,7 @@ std::string bars_text(const History& history) {
 }  // namespace
 
 std::vector<std::string> ranking_heading() {
-  return {"machine", "needs", "found", "quantity", "size", "between", "and", "q"};
+  return {"machine", "status", "finding", "quantity", "size", "from", "to", "q"};
 }
 
 std::vector<std::string> ranking_row(const MachineHistory& machine) {
@@ -132,13 +132,14 @@ std::string explanation(const MachineHistory& machine) {
     if (machine.reason_finding != i) text += ' ' + machine.findings[i].sentence;
     text += ' ' + machine.findings[i].remedy;
   }
-  if (machine.findings.size() > 2) text += fmt::format(" And {} more (--json).", machine.findings.size() - 2);
+  if (machine.findings.size() > 2)
+    text += fmt::format(" {} more findings: --json prints all.", machine.findings.size() - 2);
   return text;
 }
 
 std::string questions_text(const History& history) {
-  return fmt::format("{} questions were asked, {} answered with yes; at most {:g} % of such answers are by chance.",
-                     history.judged, history.found, 100.0 * history.false_discovery_rate);
+  return fmt::format("{} quantities tested, {} significant; at most {:g} % of these by chance.", history.judged,
+                     history.found, 100.0 * history.false_discovery_rate);
 }
 
 std::vector<std::string> conclusion(const History& history) {
@@ -146,11 +147,10 @@ std::vector<std::string> conclusion(const History& history) {
   const std::size_t beyond = count_of(history, Need::beyond), expected = count_of(history, Need::expected),
                     finding = count_of(history, Need::finding), nothing = count_of(history, Need::nothing);
   const std::string first =
-      nothing == all ? fmt::format("Nothing stands out on any of {}.", machines_text(all))
-                     : fmt::format(
-                           "{} of {}: {} beyond a tolerance, {} on the way to one, {} with something to look at; {} "
-                           "with nothing.",
-                           all - nothing, machines_text(all), beyond, expected, finding, nothing);
+      nothing == all
+          ? fmt::format("No significant change on any of {}.", machines_text(all))
+          : fmt::format("Findings on {} of {}: {} beyond a tolerance, {} drifting towards one, {} with another change.",
+                        all - nothing, machines_text(all), beyond, expected, finding);
   return {first, questions_text(history)};
 }
 

@@ -34,7 +34,7 @@ struct ResultType<QuantityDifference> {
 template <>
 struct ResultType<ClearChange> {
   static constexpr std::string_view name = "ClearChange";
-  static constexpr std::string_view meaning = "An error that differs clearly.";
+  static constexpr std::string_view meaning = "An error with a significant difference.";
   static constexpr std::tuple fields{
       Field{"name", &ClearChange::name, "backlash_a of backlash_a_pos and backlash_a_neg"},
       Field{"unit", &ClearChange::unit, ""},

@@ -60,7 +60,7 @@ std::string head_text(const MachineTest& test) {
 std::string conclusion(const TestComparison& comparison) {
   const QuantityDifference* const round = circularity_of(comparison);
   if (comparison.judged == 0) {
-    std::string text = "A test of stored results has no uncertainty: what differs clearly is not known.";
+    std::string text = "Stored results have no uncertainty, so the significance of a difference is unknown.";
     if (round != nullptr)
       text += fmt::format(" Circularity {}.", change_text(round->before, round->after, "um", false));
     return text;
@@ -71,9 +71,9 @@ std::string conclusion(const TestComparison& comparison) {
   }
   const bool round_is_clear = round != nullptr && round->clear.value_or(false);
   if (round_is_clear) parts.push_back("circularity " + change_text(round->before, round->after, "um", true));
-  if (!parts.empty()) return fmt::format("{}; nothing else differs clearly.", fmt::join(parts, ", "));
-  if (round == nullptr) return "Nothing differs clearly.";
-  return fmt::format("Nothing differs clearly: circularity {} and {} um.",
+  if (!parts.empty()) return fmt::format("{}. No other significant difference.", fmt::join(parts, ", "));
+  if (round == nullptr) return "No significant difference.";
+  return fmt::format("No significant difference: circularity {} and {} um.",
                      with_sigma(round->before, round->before_sigma, 2),
                      with_sigma(round->after, round->after_sigma, 2));
 }
@@ -107,11 +107,12 @@ std::vector<std::string> condition_texts(const TestComparison& comparison) {
         break;
       case TestCondition::stored:
         texts.emplace_back(
-            "One test has readings, the other the results of the instrument's software alone, which has other rules.");
+            "One test has readings, the other only results of the instrument's software, which evaluates by other "
+            "rules.");
         break;
     }
   }
-  if (!texts.empty()) texts.emplace_back("What differs may be that, not the machine.");
+  if (!texts.empty()) texts.emplace_back("This may cause the difference, not the machine.");
   return texts;
 }
 
@@ -122,7 +123,7 @@ std::string comparison_text(const TestComparison& comparison, bool all) {
   std::string conditions;
   for (const std::string& one : condition_texts(comparison)) conditions += (conditions.empty() ? "" : " ") + one;
   if (!conditions.empty()) text += wrapped(conditions) + '\n';
-  Table table({"quantity", "before", "after", "difference", "unit", "sigmas", "clear"});
+  Table table({"quantity", "before", "after", "difference", "unit", "sigmas", "significant"});
   std::size_t left_out = 0;
   for (const QuantityDifference& one : comparison.quantities) {
     if (!all && !is_to_be_shown(one)) {
@@ -141,14 +142,12 @@ std::string comparison_text(const TestComparison& comparison, bool all) {
                             : "no"});
   }
   text += table.text();
-  if (left_out > 0)
-    text += fmt::format("{} more: neither test shows them, and they do not differ clearly.\n", left_out);
+  if (left_out > 0) text += fmt::format("... {} more rows, none significant; --details prints all\n", left_out);
   return text + '\n' +
-         wrapped(
-             fmt::format("± is one sigma, of the fits. Clear: by noise alone in at most 5 % of such pairs of tests, "
-                         "after {} quantities. A machine that is set up anew, or is warmer, differs by more than "
-                         "noise: `ballbar history` of several tests tells by how much.",
-                         comparison.judged));
+         wrapped(fmt::format("± is one sigma of the fits. Significant: noise alone causes such a difference in at most "
+                             "5 % of pairs of tests, corrected for {} quantities. A new set-up or a warmer machine "
+                             "adds more than noise; `ballbar history` of several tests shows how much.",
+                             comparison.judged));
 }
 
 }  // namespace ballbar

@@ -203,8 +203,7 @@ TestFiles tests_of(const std::vector<std::string>& paths, bool strict, const Sta
         continue;
       }
       file.copy_of = found.tests[same->second].file;
-      file.fault =
-          fmt::format("{}: expected a test of its own, found a copy of {}.", file.path.string(), *file.copy_of);
+      file.fault = fmt::format("{}: expected a different test, found a copy of {}.", file.path.string(), *file.copy_of);
     }
     if (file.fault.empty()) continue;  // the second log of a test
     if (strict) throw Error(file.fault);

@@ -36,7 +36,7 @@ struct ResultType<TestQuantity> {
       Field{"sigma", &TestQuantity::sigma, "null: not known"},
       Field{"unit", &TestQuantity::unit, ""},
       Field{"significant", &TestQuantity::significant, "whether the test shows it"},
-      Field{"rank", &TestQuantity::rank, "by what mending it gains, 1 the most; null: none"},
+      Field{"rank", &TestQuantity::rank, "by the gain of its repair, 1 the largest; null: none"},
       Field{"of_set_up", &TestQuantity::of_set_up, "it says nothing of the machine"}};
 };
 
@@ -65,7 +65,7 @@ template <>
 struct ResultType<TestFiles> {
   static constexpr std::string_view name = "Errors";
   static constexpr std::string_view meaning = "The errors of many ballbar tests.";
-  static constexpr std::tuple fields{Field{"tests", &TestFiles::tests, "a row a test"},
+  static constexpr std::tuple fields{Field{"tests", &TestFiles::tests, "one row per test"},
                                      Field{"remarks", &TestFiles::remarks, "of the readers"},
                                      Field{"skipped", &TestFiles::skipped, "files that could not be read"}};
 };

@@ -84,9 +84,10 @@ std::string test_table_csv(const std::vector<MachineTest>& tests) {
   return text;
 }
 
-std::string test_table_text(const TestFiles& files) {
+std::string test_table_text(const TestFiles& files, bool details) {
+  constexpr std::size_t kRows = 30, kSkipped = 5;
   std::string text = heading_text(files) + "\n";
-  Table table({"file", "date", "machine", "plane", "mm/min", "circularity um", "first to mend", "", ""});
+  Table table({"file", "date", "machine", "plane", "mm/min", "circularity um", "main error", "", ""});
   for (const MachineTest& test : files.tests) {
     const TestQuantity* const round = quantity_of(test, "circularity");
     const TestQuantity* const first = first_to_mend(test);
@@ -97,8 +98,11 @@ std::string test_table_text(const TestFiles& files) {
                first == nullptr ? "none" : first->name,
                first == nullptr ? "" : with_sigma(first->value, first->sigma, 2), first == nullptr ? "" : first->unit});
   }
+  if (!details) table.shorten(kRows);
   text += table.text();
-  for (const SkippedTest& file : files.skipped) text += "\n" + wrapped(file.sentence);
+  const std::size_t shown = details ? files.skipped.size() : std::min(kSkipped, files.skipped.size());
+  for (std::size_t i = 0; i < shown; ++i) text += "\n" + wrapped(files.skipped[i].sentence);
+  if (shown < files.skipped.size()) text += more_text(files.skipped.size() - shown, "skipped file") + "\n";
   return text;
 }
 

@@ -19,6 +19,6 @@ std::string column_name(const TestQuantity& quantity, bool of_sigma = false);
 const TestQuantity* first_to_mend(const MachineTest& test);
 
 // For the terminal.
-std::string test_table_text(const TestFiles& files);
+std::string test_table_text(const TestFiles& files, bool details = false);  // details: all rows
 
 }  // namespace ballbar

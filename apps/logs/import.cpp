@@ -22,6 +22,7 @@
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/details.hpp"
 #include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
@@ -45,16 +46,17 @@ struct ImportArguments {
   CircleOptions circle;
   std::string out, save;
   ClockOptions clocks;
+  bool details = false;
   bool json = false;
 };
 
 std::string shown(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : std::string("-"); }
 
 // A row a column: its header, name and role, and the first rows as understood.
-std::string columns_text(const Log& log) {
+std::string columns_text(const Log& log, bool details) {
   const Series& series = log.series;
   const std::size_t rows = std::min(kShownRows, series.time_s.size());
-  std::vector<std::string> heading{"in the log", "unit", "in the series", "role"};
+  std::vector<std::string> heading{"log column", "unit", "series column", "role"};
   for (std::size_t row = 0; row < rows; ++row) {
     heading.push_back(series.has_clock ? fmt::format("{:.6g} s", series.time_s[row]) : fmt::format("row {}", row + 1));
   }
@@ -75,6 +77,8 @@ std::string columns_text(const Log& log) {
     }
     table.add(cells);
   }
+  constexpr std::size_t kColumns = 20;
+  if (!details) table.shorten(kColumns);
   return table.text();
 }
 
@@ -101,22 +105,25 @@ void print(const ImportArguments& options, const Log& log, const std::vector<Col
     fmt::print("{} rows over {}{}\n\n", time_s.size(), duration_text(time_s.back() - time_s.front()),
                log.series.started ? fmt::format(", started {}", *log.series.started) : std::string());
   } else {
-    fmt::print("{} rows without a clock; --every 10s states how far apart they are\n\n", time_s.size());
+    fmt::print("{} rows without a time. State their interval, as in --every 10s.\n\n", time_s.size());
   }
-  fmt::print("{}", columns_text(log));
-  const auto list = [](std::string_view title, const std::vector<std::string>& lines) {
+  fmt::print("{}", columns_text(log, options.details));
+  const auto list = [&](std::string_view title, const std::vector<std::string>& lines) {
+    constexpr std::size_t kShown = 4;
     if (lines.empty()) return;
     fmt::print("\n{}\n", title);
-    for (const std::string& line : lines) fmt::print("{}", wrapped("- " + line));
+    const std::size_t shown = options.details ? lines.size() : std::min(kShown, lines.size());
+    for (std::size_t i = 0; i < shown; ++i) fmt::print("{}", wrapped("- " + lines[i]));
+    if (shown < lines.size()) fmt::print("{}\n", more_text(lines.size() - shown, "line"));
   };
-  list("Taken so:", guesses(log));
-  list("Mended or assumed:", log.remarks);
-  list("Please look at:", log.unclear);
+  list("Guessed:", guesses(log));
+  list("Corrected or assumed:", log.remarks);
+  list("Please check:", log.unclear);
   std::vector<std::string> broken;
   broken.reserve(faults.size());
   for (const ColumnFault& fault : faults) broken.push_back(fault_text(fault));
-  list("Looks broken:", broken);
-  if (options.out.empty()) fmt::print("\nNothing was written; --out clean.csv writes the series.\n");
+  list("Suspicious:", broken);
+  if (options.out.empty()) fmt::print("\nNothing was written. Use --out clean.csv to write the series.\n");
 }
 
 // A series of our own is no log to be guessed at; it is only shown.
@@ -124,7 +131,7 @@ Log opened(const ImportArguments& options) {
   const Reader* const reader = options.logs.front().reader();
   if (read_of<ReadCircle>(reader) != nullptr) {
     stderr_line(
-        fmt::format("{}: its numbers are a circle: ballbar fit fits it, import --circle writes it as a ballbar log",
+        fmt::format("{}: this table is a circle. Fit it with ballbar fit, or convert it with ballbar import --circle",
                     options.logs.front().name()));
   }
   if (read_of<ReadSeries>(reader) == nullptr) return open_log(options.logs.front());
@@ -163,8 +170,8 @@ void run_several(const ImportArguments& options) {
     return;
   }
   print_text(merged, options.clocks);
-  fmt::print("\n{}\n",
-             options.out.empty() ? "Nothing was written; --out clean.csv writes the series." : "wrote " + options.out);
+  fmt::print("\n{}\n", options.out.empty() ? "Nothing was written. Use --out clean.csv to write the series."
+                                           : "wrote " + options.out);
 }
 
 // The file of a run: that of --out; of several, with its number before the ending.
@@ -195,7 +202,7 @@ void run_circle(const ImportArguments& options) {
     write_bytes(out, write_ballbar_log(recording));
     wrote_line(out);
   }
-  if (options.out.empty()) print_for_people("Nothing was written; --out circle.csv writes a ballbar log.\n");
+  if (options.out.empty()) print_for_people("Nothing was written. Use --out circle.csv to write a ballbar log.\n");
 }
 
 // A recipe that is saved may be the one that was read, made more of; the series may be neither.
@@ -242,37 +249,34 @@ void run(const ImportArguments& options) {
 
 void add_import(CLI::App& app) {
   const auto options = std::make_shared<ImportArguments>();
-  CLI::App* command =
-      app.add_subcommand("import", "Show how a log is interpreted, and write it as a series; several logs as one");
+  CLI::App* command = app.add_subcommand("import", "Show how a log is interpreted and convert it to a series");
   add_data(*command, "LOG", options->logs,
-           "delimited text, .xlsx, .mat or .json of columns over time, and series; the clock of the first counts")
+           "logs of columns over time: text, .xlsx, .mat or .json; several are merged on the clock of the first")
       ->required()
       ->type_name("");
-  command->add_option("--out", options->out, "series .csv to write")->type_name("FILE");
-  command->add_option("--save", options->save, "recipe .toml to write: how this log was read, for the next of its kind")
+  command->add_option("--out", options->out, "write the series to FILE (.csv)")->type_name("FILE");
+  command->add_option("--save", options->save, "write how this log was read to FILE (.toml), for similar logs")
       ->type_name("FILE");
-  command->add_flag("--json", options->json, "print what was understood as JSON");
+  add_details(*command, options->details);
+  command->add_flag("--json", options->json, "print the result as JSON");
   for (CLI::Option* option : command->get_options([](const CLI::Option* one) { return one->get_group() == kLogGroup; }))
-    option->group("How a log is read, where it does not tell");
-  command
-      ->add_option("--target", options->targets,
-                   "column that is measured, as the other commands take it; may be repeated")
+    option->group("Reading a log (default: detected from the file)");
+  command->add_option("--target", options->targets, "measured column; may be repeated")
       ->type_name("COLUMN")
       ->allow_extra_args(false);
   command->add_flag("--circle", options->circle.circle,
-                    "a table of angles and lengths, or of coordinates: write it as a ballbar log, for a session");
+                    "convert a table of angles and lengths, or of coordinates, to a ballbar log");
   add_radius(*command, options->circle.stated);
-  add_choice(*command, "--plane", {"XY", "YZ", "ZX"}, "as the file says, else XY", "with --circle: plane of the circle",
-             [options](std::size_t at) { options->circle.plane = kPlanes[at]; });
+  add_choice(*command, "--plane", {"XY", "YZ", "ZX"}, "as the file states, else XY",
+             "with --circle: plane of the circle", [options](std::size_t at) { options->circle.plane = kPlanes[at]; });
   add_choice(*command, "--motion", {"linear_axes", "rotary_axis", "spindle"}, "linear_axes",
              "with --circle: what drives the circle",
              [options](std::size_t at) { options->circle.motion = static_cast<Motion>(at); });
-  command->add_flag("--keep-clocks", options->clocks.keep_clocks,
-                    "several logs: by their dates alone, without a lag from what both show");
-  take_time(*command->add_option("--lag-range", options->clocks.range_s,
-                                 "several logs: how far apart the clocks may be; default: 30min, without dates half "
-                                 "the log"),
-            true);
+  command->add_flag("--keep-clocks", options->clocks.keep_clocks, "several logs: align them by their dates alone");
+  take_time(
+      *command->add_option("--lag-range", options->clocks.range_s,
+                           "several logs: largest clock error to search; default: 30min, without dates half the log"),
+      true);
   add_max_gap(*command, options->clocks.max_gap_s);
   command->footer(
       "Examples:\n"

@@ -25,7 +25,7 @@ constexpr auto if_taken(Type LogColumn::*member, bool taken = true) {
 template <>
 struct ResultType<LogColumn> {
   static constexpr std::string_view name = "LogColumn";
-  static constexpr std::string_view meaning = "A column of a log, and what it was taken for.";
+  static constexpr std::string_view meaning = "A column of a log, and its interpretation.";
   static constexpr std::tuple fields{
       Field{"source", &LogColumn::source, "its header in the log"},
       Field{"found_unit",
@@ -73,7 +73,7 @@ template <>
 struct ResultType<ImportedLog> {
   using Of = const ImportedLog&;
   static constexpr std::string_view name = "Imported";
-  static constexpr std::string_view meaning = "What a log was taken for.";
+  static constexpr std::string_view meaning = "The interpretation of a log.";
   static constexpr std::tuple fields{
       Field{"file", &ImportedLog::file, ""},
       Field{"shape", [](Of of) { return of.log.shape; }, "how the values stand"},

@@ -52,18 +52,18 @@ std::string clock_text(const MergedPart& first, const MergedPart& part, bool kee
   std::string text = part.by_date_s
                          ? fmt::format("starts {} {} by the dates of both", duration_text(std::abs(*part.by_date_s)),
                                        *part.by_date_s < 0.0 ? "earlier" : "later")
-                         : std::string("has no date beside that of the first: both start together");
+                         : std::string("has no date in common with the first, so both are taken to start together");
   if (part.lag && std::abs(part.lag->lag_s) <= part.lag->sigma_s) {
     text += fmt::format("; its clock agrees within {:.2f} s, as {} and {} show (correlation {:.3f})", part.lag->sigma_s,
                         part.lag->column, part.lag->other, part.lag->correlation);
   } else if (part.lag) {
-    text += fmt::format("; its clock is {} by {}, as {} and {} show (correlation {:.3f}), and was set right",
+    text += fmt::format("; its clock is {} by {}, as {} and {} show (correlation {:.3f}), and was corrected",
                         part.lag->lag_s > 0.0 ? "behind" : "ahead",
                         fmt::format("{:.2f} ± {:.2f} s", std::abs(part.lag->lag_s), part.lag->sigma_s),
                         part.lag->column, part.lag->other, part.lag->correlation);
   } else if (!keep_clocks) {
-    text += fmt::format("; nothing that {} and it both know tells the clocks apart: they were left as they are",
-                        first.file);
+    text +=
+        fmt::format("; no signal that it shares with {} shows a clock error, so its clock is unchanged", first.file);
   }
   return text + ".";
 }

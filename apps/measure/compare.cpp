@@ -20,6 +20,7 @@
 #include "page/report_page.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/details.hpp"
 #include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
@@ -35,6 +36,7 @@ struct CompareArguments {
   std::vector<std::string> out;
   std::string plot;
   std::optional<double> max_gap_s;
+  bool details = false;
   bool json = false;
 };
 
@@ -88,7 +90,7 @@ std::string lag_text(const AxisComparison& axis) {
   return with_sigma(min_from_s(*axis.lag_s), min_from_s(*axis.lag_sigma_s), 2);
 }
 
-Table statistics(const Comparison& comparison) {
+Table statistics(const Comparison& comparison, bool all) {
   std::vector<std::string> heading{""};
   for (const AxisComparison& axis : comparison.axes) heading.push_back(fmt::format("{} {}", axis.name, axis.unit));
   Table table(heading);
@@ -99,21 +101,25 @@ Table statistics(const Comparison& comparison) {
   };
   using A = const AxisComparison&;
   row("agrees", [](A axis) -> std::string {
-    return axis.agreement == Agreement::agrees ? "yes" : axis.agreement == Agreement::disagrees ? "NO" : "cannot tell";
+    return axis.agreement == Agreement::agrees ? "yes" : axis.agreement == Agreement::disagrees ? "NO" : "unknown";
   });
   row("samples within 2 sigma", [](A axis) -> std::string {
     return axis.counted == 0 ? kNone : fmt::format("{} of {}", axis.within, axis.counted);
   });
   row("mean relative deviation %", [](A axis) { return fixed(axis.mean_relative_deviation, 2, 100.0); });
-  row("  expected from sigma alone %", [](A axis) { return fixed(axis.expected_relative_deviation, 2, 100.0); });
-  row("  share explained by sigma %", [](A axis) { return fixed(axis.explained_share, 0, 100.0); });
-  row("mean deviation, % of range", [](A axis) { return fixed(axis.range_deviation, 2, 100.0); });
+  if (all) {
+    row("  expected from uncertainty %", [](A axis) { return fixed(axis.expected_relative_deviation, 2, 100.0); });
+    row("  explained by uncertainty %", [](A axis) { return fixed(axis.explained_share, 0, 100.0); });
+    row("mean deviation, % of range", [](A axis) { return fixed(axis.range_deviation, 2, 100.0); });
+  }
   row("RMSE", [](A axis) { return fmt::format("{:.3f}", axis.rmse); });
   row("largest deviation", [](A axis) { return fmt::format("{:.3f}", axis.largest); });
   row("  at min", [](A axis) { return fmt::format("{:g}", min_from_s(axis.largest_s)); });
   row("bias", [](A axis) { return fmt::format("{:.3f}", axis.bias); });
-  row("95 % limits of agreement, low", [](A axis) { return fixed(axis.limit_low, 3); });
-  row("95 % limits of agreement, high", [](A axis) { return fixed(axis.limit_high, 3); });
+  if (all) {
+    row("95 % limits of agreement, low", [](A axis) { return fixed(axis.limit_low, 3); });
+    row("95 % limits of agreement, high", [](A axis) { return fixed(axis.limit_high, 3); });
+  }
   row("correlation", [](A axis) { return fixed(axis.correlation, 4); });
   row("lag of best agreement min", lag_text);
   return table;
@@ -122,7 +128,7 @@ Table statistics(const Comparison& comparison) {
 // One sigma of a difference by source: root mean square over the samples, and share of the variance. Empty where no
 // source is known.
 std::string budget_text(const Comparison& comparison) {
-  std::vector<std::string> heading{"one sigma of a difference"}, sources;
+  std::vector<std::string> heading{"sigma of the difference"}, sources;
   for (const AxisComparison& axis : comparison.axes) {
     heading.push_back(fmt::format("{} {}", axis.name, axis.unit));
     for (const UncertaintyShare& share : axis.budget) {
@@ -146,7 +152,7 @@ std::string budget_text(const Comparison& comparison) {
 
 // What the difference is made of, each part with the others free; empty where no axis has samples enough.
 std::string structure_text(const Comparison& comparison) {
-  std::vector<std::string> heading{"B against A, all four at once"};
+  std::vector<std::string> heading{"B relative to A, fitted together"};
   bool any = false;
   for (const AxisComparison& axis : comparison.axes) {
     heading.push_back(fmt::format("{} {}", axis.name, axis.unit));
@@ -169,30 +175,36 @@ std::string structure_text(const Comparison& comparison) {
   return table.text();
 }
 
-void print_text(const ComparedDrifts& drifts, const Comparison& comparison) {
+void print_text(const ComparedDrifts& drifts, const Comparison& comparison, bool details) {
   const AxisComparison& axis = comparison.axes.front();
   if (!drifts.title.empty()) fmt::print("{}\n", drifts.title);
-  fmt::print("{} against {}\n{} samples in common, {:g} to {:g} min, both as changes since {:g} min\n\n", comparison.a,
+  fmt::print("{} against {}\n{} common samples, {:g} to {:g} min; changes since {:g} min\n\n", comparison.a,
              comparison.b, comparison.samples, min_from_s(axis.time_s.front()), min_from_s(axis.time_s.back()),
              min_from_s(comparison.reference_s));
-  fmt::print("{}\n{}\n", wrapped(conclusion(comparison)), statistics(comparison).text());
+  constexpr std::size_t kOtherLines = 12;  // of the heading, the legend and the empty lines
   const std::string structure = structure_text(comparison);
+  const std::string concluded = wrapped(conclusion(comparison));
+  std::string remarks;
+  for (const std::string& remark : comparison.remarks) remarks += wrapped(remark);
+  std::string budget = budget_text(comparison);
+  const std::string tables = statistics(comparison, true).text() + structure + budget;
+  const bool all = details || lines_in(concluded + tables + remarks) + kOtherLines <= kScreenLines;
+  if (!all) budget = "--details prints all rows and the sources of sigma.\n";
+  fmt::print("{}\n{}\n", concluded, statistics(comparison, all).text());
   if (!structure.empty()) fmt::print("{}\n", structure);
-  const std::string budget = budget_text(comparison);
-  std::string legend = "Lag: positive where the first one is late.";
+  std::string legend = "A is the first series, B the second. Lag: positive if A is late.";
   if (!budget.empty()) {
     fmt::print("{}\n", budget);
     legend =
-        "Root mean square over the samples, in brackets the share of the variance. A sample agrees if its "
-        "difference is at most 2 sigma. " +
+        "Sigma: root mean square over the samples, with its share of the variance. A sample agrees if its difference "
+        "is at most 2 sigma. " +
         legend;
   }
-  if (!structure.empty()) legend += " A is the first one, B the second.";
   fmt::print("{}", wrapped(legend));
   if (comparison.left_out > 0) {
-    fmt::print("{} times fall into a gap and were left out (--max-gap).\n", comparison.left_out);
+    fmt::print("{} times lie in a gap and are omitted (--max-gap).\n", comparison.left_out);
   }
-  for (const std::string& remark : comparison.remarks) fmt::print("{}", wrapped(remark));
+  fmt::print("{}", remarks);
 }
 
 // NAME_a, NAME_b, NAME_difference and its sigma over the common times; an axis without a value there has a gap.
@@ -239,7 +251,7 @@ void run(const CompareArguments& options) {
   if (options.json) {
     print_json(json_of(comparison));
   } else {
-    print_text(drifts, comparison);
+    print_text(drifts, comparison, options.details);
   }
   for (const std::string& path : outputs) wrote_line(path);
 }
@@ -248,33 +260,32 @@ void run(const CompareArguments& options) {
 
 void add_compare(CLI::App& app) {
   const auto options = std::make_shared<CompareArguments>();
-  CLI::App* command = app.add_subcommand("compare", "How well two drift series agree, and within their uncertainty");
-  add_data(*command, "A", options->drifts.a, "session, folder, drift .csv or five probes' .csv")
+  CLI::App* command = app.add_subcommand("compare", "Compare two drift series");
+  add_data(*command, "A", options->drifts.a, "session, folder, drift .csv or five-probe .csv")
       ->required()
       ->type_name("");
-  add_data(*command, "B", options->drifts.b, "what to compare it with; without it the session's own five probes")
+  add_data(*command, "B", options->drifts.b, "the same, to compare with A; default: the session's five probes")
       ->type_name("");
-  command->add_option("--plot", options->plot, "picture of both and their difference, .svg")
+  command->add_option("--plot", options->plot, "write a picture of both and their difference to FILE (.svg)")
       ->type_name("FILE")
       ->check(name_that_ends_in({".svg"}));
-  command
-      ->add_option("--out", options->out, "write both and their difference at the common times, .csv; may be repeated")
+  command->add_option("--out", options->out, "write both and their difference to FILE (.csv); may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->check(name_that_ends_in({".csv"}));
-  take_time(*command->add_option("--reference", options->drifts.reference_s,
-                                 "time since which changes are taken; default: the first"),
-            false);
+  take_time(
+      *command->add_option("--reference", options->drifts.reference_s, "time of the reference; default: the first"),
+      false);
   take_time(*command->add_option("--max-gap", options->max_gap_s,
-                                 "no interpolation between rows farther apart; default: 4 times the usual step"),
+                                 "longest gap to interpolate over; default: 4 times the usual step"),
             true);
   command
-      ->add_option("--match", options->match,
-                   "axis of A and the axis of B it stands for, such as axial=-z; may be repeated")
+      ->add_option("--match", options->match, "axis of A and the matching axis of B, such as axial=-z; may be repeated")
       ->type_name("A=B")
       ->allow_extra_args(false);
   add_five_probe_options(*command, options->drifts.probes);
-  command->add_flag("--json", options->json, "the result for a program");
+  add_details(*command, options->details);
+  command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(
       "Examples:\n"
       "  ballbar compare sample-runs/two-arcs-he2015/session.toml --plot agreement.svg\n"

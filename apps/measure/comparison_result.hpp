@@ -45,7 +45,7 @@ struct ResultType<InUnit<DifferencePart>> {
   static constexpr std::tuple fields{
       Field{"value", of_unit(&DifferencePart::value), "a gain has no unit: 1 is none"},
       Field{"sigma", of_unit(&DifferencePart::sigma), ""},
-      Field{"chance", plain(&DifferencePart::chance), "of as much where nothing is wrong"},
+      Field{"chance", plain(&DifferencePart::chance), "probability of as much without a cause"},
       Field{"named", plain(&DifferencePart::named), "whether that is below the limit"}};
 };
 
@@ -70,11 +70,11 @@ constexpr auto part_of(DifferenceKind kind) {
 template <>
 struct ResultType<InUnit<DifferenceParts>> {
   static constexpr std::string_view name = "DifferenceParts";
-  static constexpr std::string_view meaning = "The parts of a difference; null: it cannot be told.";
+  static constexpr std::string_view meaning = "The parts of a difference; null: not determined.";
   static constexpr std::tuple fields{
       Field{name_of(DifferenceKind::offset), part_of(DifferenceKind::offset), ""},
       Field{name_of(DifferenceKind::gain), part_of(DifferenceKind::gain), ""},
-      Field{name_of(DifferenceKind::lag), part_of(DifferenceKind::lag), "positive: the first is late"},
+      Field{name_of(DifferenceKind::lag), part_of(DifferenceKind::lag), "positive: A is late"},
       Field{name_of(DifferenceKind::drift), part_of(DifferenceKind::drift), ""}};
 };
 
@@ -91,7 +91,7 @@ struct ResultType<PartsTogether> {
   static constexpr std::string_view meaning = "Squares of a difference in units of its scatter, summed up.";
   static constexpr std::tuple fields{Field{"chi2", &PartsTogether::chi2, ""},
                                      Field{"freedom", &PartsTogether::freedom, "degrees of it"},
-                                     Field{"chance", &PartsTogether::chance, "of as much where nothing is wrong"},
+                                     Field{"chance", &PartsTogether::chance, "probability of as much without a cause"},
                                      Field{"limit", &PartsTogether::limit, "below which that counts"}};
 };
 
@@ -99,7 +99,7 @@ template <>
 struct ResultType<InUnit<DifferenceStructure>> {
   using Structure = const InUnit<DifferenceStructure>&;
   static constexpr std::string_view name = "DifferenceStructure";
-  static constexpr std::string_view meaning = "What of a difference is an offset, a gain, a lag and a drift.";
+  static constexpr std::string_view meaning = "Offset, gain, lag and drift of a difference.";
   static constexpr std::tuple fields{
       Field{"stands_out", plain(&DifferenceStructure::stands_out),
             "one of the four is named, or all together stand out"},
@@ -175,7 +175,7 @@ struct ResultType<InUnit<ComparedSample>> {
   static constexpr std::tuple fields{Field{"time_s", plain_known(&ComparedSample::time_s), ""},
                                      Field{"a", of_unit(&ComparedSample::a), ""},
                                      Field{"b", of_unit(&ComparedSample::b), ""},
-                                     Field{"difference", of_unit(&ComparedSample::difference), "b less a"},
+                                     Field{"difference", of_unit(&ComparedSample::difference), "b minus a"},
                                      Field{"sigma", of_unit(&ComparedSample::sigma), "null: not known"}};
 };
 
@@ -218,9 +218,9 @@ struct ResultType<AxisComparison> {
             [](Axis of) {
               return of.structure ? std::optional(InUnit<DifferenceStructure>{*of.structure, of.unit}) : std::nullopt;
             },
-            "what of it is an offset, a gain, a lag and a drift; null: too few samples"},
+            "its offset, gain, lag and drift; null: too few samples"},
       Field{"budget", &budget_of, "where the uncertainty is from"},
-      Field{"points", &samples_of, "a row a sample"}};
+      Field{"points", &samples_of, "one row per sample"}};
 };
 
 template <>

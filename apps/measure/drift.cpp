@@ -19,6 +19,7 @@
 #include "measure/five_probe_drift.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/details.hpp"
 #include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
@@ -38,6 +39,7 @@ struct DriftArguments {
   bool polar = false;
   bool robust = false;
   bool json = false;
+  bool details = false;
   bool five_probe = false;
   FiveProbeOptions probes;
 };
@@ -96,26 +98,28 @@ void print_text(const Session& session, const DriftSeries& series, const DriftAr
              series.points.size(), series.points.size() == 1 ? "" : "s",
              min_from_s(series.points.back().time_s - series.points.front().time_s), min_from_s(series.reference_s));
   if (series.points.size() == 1) {
-    fmt::print("One test gives a position, no drift: {}\n", position_text(series.positions.front()));
+    fmt::print("One test gives a position but no drift: {}\n", position_text(series.positions.front()));
     return;
   }
   fmt::print("Largest drift of the spindle relative to the table:\n");
   for (const std::string& largest : largest_drifts(series)) fmt::print("  {}\n", largest);
-  fmt::print("\n{}\n", table_of(series).text());
+  constexpr std::size_t kRows = 21;
+  Table table = table_of(series);
+  if (!options.details) table.shorten(kRows);
+  fmt::print("\n{}\n", table.text());
   for (const Position& position : series.positions) {
     if (position.time_s == series.reference_s) fmt::print("Reference: {}\n", position_text(position));
   }
-  fmt::print("{}",
-             wrapped("± is one sigma of the difference to the reference test; all rows share the reference's part. " +
-                     series.not_cancelled));
+  fmt::print("{}", wrapped("± is one sigma of the difference to the reference test. The uncertainty of the reference "
+                           "is common to all rows. " +
+                           series.not_cancelled));
   std::vector<std::string> stored;
   for (const SessionTest& test : session.tests) {
     if (!test.stored.empty()) stored.push_back(test.name);
   }
   if (!stored.empty()) {
-    fmt::print("{}",
-               wrapped(fmt::format("Without readings, by the centres that they store, whose sigma is not known: {}.",
-                                   fmt::join(stored, ", "))));
+    fmt::print("{}", wrapped(fmt::format("No readings, so the stored centres are used and their sigma is unknown: {}.",
+                                         fmt::join(stored, ", "))));
   }
   for (const Position& position : series.positions) {
     if (position.discounted > 0) {
@@ -147,6 +151,7 @@ void run_five_probe(const DriftArguments& options, DriftData data) {
     data.series = opened_series(*data.session->five_probe).series;
     ball = data.session->ball;
   }
+  report.details = options.details;
   report.series = stated(*data.series, options.probes);
   report.how = place_of(report.series, options.probes, ball);
   report.how.reference_s = options.reference_s;
@@ -203,7 +208,7 @@ void run(const DriftArguments& options) {
     }
   }
   if (options.reference_s && *options.reference_s != series.reference_s) {
-    warning_line(fmt::format("no test at {:g} s; the nearest one, at {:g} s, is the reference.", *options.reference_s,
+    warning_line(fmt::format("no test at {:g} s. The nearest one, at {:g} s, is the reference.", *options.reference_s,
                              series.reference_s));
   }
   for (const std::string& path : options.out) wrote_line(path);
@@ -213,25 +218,28 @@ void run(const DriftArguments& options) {
 
 void add_drift(CLI::App& app) {
   const auto options = std::make_shared<DriftArguments>();
-  CLI::App* command = app.add_subcommand("drift", "Drift of the spindle over a session, or of five probes");
-  add_data(*command, "SESSION", options->session, "session.toml, a folder of it or of .b5r files, or five probes' .csv")
+  CLI::App* command = app.add_subcommand("drift", "Compute the drift of the spindle over a session");
+  add_data(*command, "SESSION", options->session,
+           "session.toml or its folder, a folder of .b5r files, or a five-probe .csv")
       ->required()
       ->type_name("");
-  command->add_option("--out", options->out, "write the series: .csv, .json or .mat; may be repeated")
+  command->add_option("--out", options->out, "write the series to FILE (.csv, .json or .mat); may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->check(name_that_ends_in({".csv", ".json", ".mat"}));
   take_time(*command->add_option("--reference", options->reference_s,
-                                 "test to which drift is taken: 3840, 3840s or 64min; default: first"),
+                                 "time of the reference test: 3840, 3840s or 64min; default: the first"),
             false);
-  CLI::Option* sequential =
-      command->add_flag("--sequential", options->sequential, "two_arcs: path 1, then path 2 with its y (as the paper)");
-  command->add_flag("--equal-radii", options->equal_radii, "two_arcs: one radius for both arcs")->excludes(sequential);
-  command->add_flag("--eq34", options->eq34, "spindle_rotation: elongation correction r / cos(dL / r) - r");
-  command->add_flag("--polar", options->polar, "circles through the polar points, as instrument software does");
-  command->add_flag("--robust", options->robust, "discount outlying readings (Tukey's biweight)");
-  command->add_flag("--json", options->json, "the result for a program");
-  command->add_flag("--five-probe", options->five_probe, "of a session: its five probes instead of its recordings");
+  CLI::Option* sequential = command->add_flag("--sequential", options->sequential,
+                                              "two_arcs: fit path 1, then path 2 with its y, as in the paper");
+  command->add_flag("--equal-radii", options->equal_radii, "two_arcs: fit one radius to both arcs")
+      ->excludes(sequential);
+  command->add_flag("--eq34", options->eq34, "spindle_rotation: correct the elongation by r / cos(dL / r) - r");
+  command->add_flag("--polar", options->polar, "fit circles to the polar points, as instrument software does");
+  command->add_flag("--robust", options->robust, "discount outliers (Tukey's biweight)");
+  add_details(*command, options->details);
+  command->add_flag("--json", options->json, "print the result as JSON");
+  command->add_flag("--five-probe", options->five_probe, "use the session's five probes instead of its recordings");
   add_five_probe_options(*command, options->probes);
   command->footer(
       "Examples:\n"

@@ -15,6 +15,7 @@
 #include "measure/fit_result.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/details.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -29,8 +30,11 @@ struct FitArguments {
   std::string out;
   bool polar = false;
   bool robust = false;
+  bool details = false;
   bool json = false;
 };
+
+constexpr std::size_t kRows = 20, kRemarks = 5;  // without --details
 
 // The file's name where there are several; with one file it stands in the title.
 std::string name_of_row(const Fitted& fitted, const FittedRecording& one) {
@@ -39,7 +43,7 @@ std::string name_of_row(const Fitted& fitted, const FittedRecording& one) {
   return one_file ? std::string(what) : fmt::format("{} {}", one.file, what);
 }
 
-std::string circles_text(const Fitted& fitted) {
+std::string circles_text(const Fitted& fitted, bool details) {
   Table table(
       {"recording", "plane", "arc deg", "readings", "centre A um", "centre B um", "radius mm", "G um", "rms um"});
   bool any = false;
@@ -55,10 +59,11 @@ std::string circles_text(const Fitted& fitted) {
                with_sigma(one.circularity->circular_deviation_um, one.circularity->circular_deviation_sigma_um, 2),
                fmt::format("{:.2f}", circle.rms_um)});
   }
+  if (!details) table.shorten(kRows);
   return any ? table.text() + '\n' : "";
 }
 
-std::string axial_text(const Fitted& fitted) {
+std::string axial_text(const Fitted& fitted, bool details) {
   Table table({"recording", "readings", "length mm", "rms um"});
   bool any = false;
   for (const FittedRecording& one : fitted.recordings) {
@@ -68,6 +73,7 @@ std::string axial_text(const Fitted& fitted) {
                with_sigma(one.axial->length_mm, mm_from_um(one.axial->sigma_um), 5),
                fmt::format("{:.2f}", one.axial->rms_um)});
   }
+  if (!details) table.shorten(kRows);
   return any ? table.text() + '\n' : "";
 }
 
@@ -76,22 +82,22 @@ std::string remarks_text(const FittedRecording& one, const std::string& name) {
   const Circle& circle = *one.circle;
   std::string text;
   if (circle.arc_deg < 359.0) {
-    text += wrapped(fmt::format(
-        "{}: on a partial arc centre and radius move together; correlation of A with the radius {:.2f}, of B {:.2f}.",
-        name, circle.correlation_a_radius(), circle.correlation_b_radius()));
+    text +=
+        wrapped(fmt::format("{}: on a partial arc the centre correlates with the radius, A by {:.2f} and B by {:.2f}.",
+                            name, circle.correlation_a_radius(), circle.correlation_b_radius()));
   }
   if (!std::isfinite(circle.sigma_radius_um())) {
-    text += wrapped(name + ": the readings do not determine the circle; it takes at least three different angles.");
+    text += wrapped(name + ": the readings do not determine the circle. At least three different angles are needed.");
   }
   if (!circle.discounted.empty()) {
-    text += fmt::format("{}: {} of {} readings discounted, counted from 1:", name, circle.discounted.size(),
+    text += fmt::format("{}: {} of {} readings discounted, numbered from 1:", name, circle.discounted.size(),
                         circle.readings);
     constexpr std::size_t kListed = 10;
     for (std::size_t i = 0; i < std::min(kListed, circle.discounted.size()); ++i) {
       text += fmt::format(" {}", circle.discounted[i] + 1);
     }
     text += circle.discounted.size() > kListed ? " ... (all with --json);" : ";";
-    text += " G, F and rms are of all readings.\n";
+    text += " G, F and rms include all readings.\n";
   }
   if (!circle.converged) text += fmt::format("{}: the fit did not converge: {}\n", name, circle.outcome);
   return text;
@@ -109,8 +115,8 @@ std::string sigma_text(const Fitted& fitted) {
   std::string text = "G is the circular deviation. ± is one sigma from the residual";
   if (phi > 0.0) {
     text += fmt::format(
-        ", widened because the residual is not random from reading to reading (autocorrelation up to {:.3f}): the form "
-        "of the path counts as uncertainty, the readings of a recording as {:.0f} independent one{}",
+        ", widened because the residual is autocorrelated (up to {:.3f}): the readings of a recording count as {:.0f} "
+        "independent one{}",
         phi, fewest, fewest < 1.5 ? "" : "s");
   }
   return wrapped(text + '.');
@@ -129,7 +135,7 @@ bool has_stored(const std::vector<Compared>& results) {
 std::string runs_text(const std::vector<const FittedRecording*>& runs) {
   std::vector<std::string> heading{fmt::format("stored in {}", runs.front()->file)};
   for (const FittedRecording* run : runs) {
-    heading.push_back(fmt::format("{} ours", name_of(run->recording.direction)));
+    heading.push_back(fmt::format("{} computed", name_of(run->recording.direction)));
     heading.emplace_back("stored");
   }
   Table table(heading);
@@ -147,7 +153,7 @@ std::string runs_text(const std::vector<const FittedRecording*>& runs) {
 
 std::string pair_text(const FittedPair& pair) {
   const bool with_stored = has_stored(pair.results);
-  std::vector<std::string> heading{fmt::format("ISO 230-4, {}", pair.file), "ours"};
+  std::vector<std::string> heading{fmt::format("ISO 230-4, {}", pair.file), "computed"};
   if (with_stored) heading.emplace_back("stored");
   Table table(heading);
   for (const Compared& result : pair.results) {
@@ -175,27 +181,32 @@ std::string stored_runs_text(const Fitted& fitted) {
 }
 
 std::string fits_text(const Fitted& fitted, const FitArguments& options) {
-  const std::string circles = circles_text(fitted);
+  const std::string circles = circles_text(fitted, options.details);
   std::string text;
   if (fitted.recordings.front().file == fitted.recordings.back().file) text += fitted.recordings.front().file + '\n';
   if (!circles.empty()) {
     text += fmt::format("Circles by {}{}\n", options.polar ? "the polar points" : "the length equation",
                         options.robust ? ", robust" : "");
   }
-  text += '\n' + circles + axial_text(fitted);
+  text += '\n' + circles + axial_text(fitted, options.details);
   const std::string stored = stored_runs_text(fitted);
-  text += stored;
-  for (const FittedPair& pair : fitted.pairs) text += pair_text(pair);
+  std::string compared = stored;
+  for (const FittedPair& pair : fitted.pairs) compared += pair_text(pair);
+  const bool is_too_long = !options.details && lines_in(text + compared) > kScreenLines;
+  text += is_too_long ? more_text(lines_in(compared), "line") + " of ISO 230-4 and stored values\n\n" : compared;
   if (!circles.empty()) text += sigma_text(fitted);
+  std::size_t remarks = 0;
   for (const FittedRecording& one : fitted.recordings) {
-    if (one.circle) text += remarks_text(one, name_of_row(fitted, one));
+    const std::string remark = one.circle ? remarks_text(one, name_of_row(fitted, one)) : "";
+    if (!remark.empty() && (++remarks <= kRemarks || options.details)) text += remark;
   }
+  if (remarks > kRemarks && !options.details) text += more_text(remarks - kRemarks, "remark") + '\n';
   const bool none_discounted =
       std::all_of(fitted.recordings.begin(), fitted.recordings.end(),
                   [](const FittedRecording& one) { return !one.circle || one.circle->discounted.empty(); });
   if (options.robust && none_discounted) text += "No reading was discounted.\n";
   if (!stored.empty() && !options.polar) {
-    text += "The stored results are of the circle through the polar points; --polar fits that one.\n";
+    text += "The stored results belong to the circle through the polar points. Use --polar to fit that circle.\n";
   }
   return text;
 }
@@ -234,13 +245,14 @@ void run(FitArguments options) {
 
 void add_fit(CLI::App& app) {
   const auto options = std::make_shared<FitArguments>();
-  CLI::App* command = app.add_subcommand("fit", "Circle or axial fit of each recording; ISO 230-4 of a CCW/CW pair");
+  CLI::App* command = app.add_subcommand("fit", "Fit a circle or an axial length to each recording (ISO 230-4)");
   add_sources(*command, "FILE", options->files, ".b5r files or ballbar logs")->required()->type_name("");
   add_radius(*command, options->circle);
-  command->add_flag("--polar", options->polar, "the circle through the polar points, as instrument software does");
-  command->add_flag("--robust", options->robust, "discount outlying readings (Tukey's biweight) and list them");
-  command->add_flag("--json", options->json, "the result for a program");
-  command->add_option("--out", options->out, "write the JSON to a file as well, .json")
+  command->add_flag("--polar", options->polar, "fit the circle to the polar points, as instrument software does");
+  command->add_flag("--robust", options->robust, "discount outliers (Tukey's biweight) and list them");
+  add_details(*command, options->details);
+  command->add_flag("--json", options->json, "print the result as JSON");
+  command->add_option("--out", options->out, "also write the JSON to FILE (.json)")
       ->type_name("FILE")
       ->check(name_that_ends_in({".json"}));
   command->footer("Example:\n  ballbar fit sample-runs/qc20-style-b5r/00.b5r");

@@ -29,7 +29,7 @@ std::string text_of(const ResultsAlone& alone) {
   Table table({fmt::format("stored in {}", alone.file), "value", "unit", "of"});
   for (const ValueAlone& one : values_alone(alone))
     table.add({one.name, fmt::format("{}", one.value), one.unit, one.of});
-  return table.text(table_width(150)) + '\n' + wrapped(alone.file + ": without readings there is nothing to fit.");
+  return table.text(table_width(150)) + '\n' + wrapped(alone.file + ": no readings, so there is nothing to fit.");
 }
 
 std::vector<ValueAlone> values_alone(const ResultsAlone& alone) {

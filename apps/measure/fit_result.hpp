@@ -61,7 +61,7 @@ struct ResultType<FittedRecording> {
       Field{"centre_a_um", of_circle([](const Circle& of) { return of.centre_a_um; }), ""},
       Field{"centre_b_um", of_circle([](const Circle& of) { return of.centre_b_um; }), ""},
       Field{"radius_mm", of_circle([](const Circle& of) { return of.radius_mm; }), ""},
-      Field{"circularity_um", of_roundness(&Circularity::circular_deviation_um), "largest less smallest deviation"},
+      Field{"circularity_um", of_roundness(&Circularity::circular_deviation_um), "largest minus smallest deviation"},
       Field{"feed_mm_per_min",
             [](Of of) { return MayLack<double>{of.circle ? of.recording.feed_mm_per_min : std::nullopt}; },
             "where it is known"},
@@ -76,7 +76,7 @@ struct ResultType<FittedRecording> {
       Field{"sigma_reading_um", of_circle([](const Circle& of) { return of.sigma_reading_um; }), ""},
       Field{"autocorrelation", of_circle([](const Circle& of) { return of.autocorrelation; }), "of the residual"},
       Field{"effective_readings", of_circle([](const Circle& of) { return of.effective_readings; }),
-            "independent readings that they are worth"},
+            "equivalent number of independent readings"},
       Field{"max_circular_um", of_roundness(&Circularity::max_circular_um), "the largest deviation"},
       Field{"max_at_deg", of_roundness(&Circularity::max_at_deg), ""},
       Field{"min_circular_um", of_roundness(&Circularity::min_circular_um), "the smallest"},
@@ -165,7 +165,7 @@ struct ResultType<Fitted> {
   static constexpr std::string_view name = "Fitted";
   static constexpr std::string_view meaning = "The circles of recordings.";
   static constexpr std::tuple fields =
-      std::tuple_cat(std::tuple{Field{"recordings", &Fitted::recordings, "a row a recording"},
+      std::tuple_cat(std::tuple{Field{"recordings", &Fitted::recordings, "one row per recording"},
                                 Field{"results_alone",
                                       [](const Fitted& of) {
                                         return MayLack<std::vector<ResultsAlone>>{

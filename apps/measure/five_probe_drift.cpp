@@ -20,7 +20,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kStepsShown = 24;
+constexpr std::size_t kStepsShown = 20;
 
 std::string heading(const DriftAxis& axis) { return fmt::format("{} {}", axis.name, axis.unit); }
 
@@ -38,11 +38,10 @@ Table range_table(const MeasuredDrift& drift) {
 
 // Drift at the end of each step, and range within it.
 Table step_table(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps) {
-  std::vector<std::string> names{"from min", "to min", "speed rpm"};
+  std::vector<std::string> names{"start min", "end min", "speed rpm"};
   for (const DriftAxis& axis : drift.axes) names.push_back(heading(axis));
   Table table(names);
-  for (std::size_t i = 0; i < std::min(steps.size(), kStepsShown); ++i) {
-    const SpeedStep& step = steps[i];
+  for (const SpeedStep& step : steps) {
     std::vector<std::string> row{fmt::format("{:8.2f}", min_from_s(drift.time_s[step.begin])),
                                  fmt::format("{:.2f}", min_from_s(drift.time_s[step.end - 1])),
                                  fmt::format("{:.0f}", step.speed_rpm)};
@@ -82,14 +81,14 @@ void print_text(const FiveProbeReport& report, const MeasuredDrift& drift, const
              min_from_s(drift.time_s.back() - drift.time_s.front()), min_from_s(drift.reference_s));
   fmt::print("{}\n", range_table(drift).text());
   if (steps.size() > 1) {
-    fmt::print("Steps of speed: drift since the reference at the end of the step (range within the step)\n{}",
-               step_table(drift, steps).text());
-    if (steps.size() > kStepsShown) fmt::print("and {} steps more (--json has them)\n", steps.size() - kStepsShown);
+    Table table = step_table(drift, steps);
+    if (!report.details) table.shorten(kStepsShown);
+    fmt::print("Drift at the end of each speed step (range within the step)\n{}", table.text());
     fmt::print("\n");
   }
   std::vector<std::string> sigmas;
   for (const DriftAxis& axis : drift.axes) sigmas.push_back(sigma_text(axis));
-  fmt::print("{}", wrapped(fmt::format("± is one sigma. Largest of a row: {}.", fmt::join(sigmas, "; "))));
+  fmt::print("{}", wrapped(fmt::format("± is one sigma. Largest sigma of all rows: {}.", fmt::join(sigmas, "; "))));
   for (const std::string& remark : drift.remarks) fmt::print("{}", wrapped(remark));
 }
 
@@ -144,7 +143,7 @@ bool FiveProbeOptions::any() const {
 }
 
 void add_five_probe_options(CLI::App& command, FiveProbeOptions& options) {
-  constexpr const char* kGroup = "Five probes (what is given here goes before what the file states)";
+  constexpr const char* kGroup = "Five probes (overrides the file)";
   const auto add = [&](const char* name, auto& value, const char* what, const char* type) {
     return command.add_option(name, value, what)->group(kGroup)->type_name(type);
   };
@@ -154,13 +153,14 @@ void add_five_probe_options(CLI::App& command, FiveProbeOptions& options) {
     });
   };
   number("--from-plane-1", options.from_plane_1_mm,
-         "drift at this distance from plane 1, towards plane 2; default: the session's ball, else 0", "MM", false);
-  number("--from-nose", options.from_nose_mm, "drift at this distance from the spindle's nose", "MM", false)
+         "distance of the drift from plane 1, towards plane 2; default: the session's ball, else 0", "MM", false);
+  number("--from-nose", options.from_nose_mm, "distance of the drift from the spindle nose", "MM", false)
       ->excludes("--from-plane-1");
-  number("--plane-1", options.plane_1_from_nose_mm, "distance of plane 1 from the nose", "MM", false);
-  number("--spacing", options.spacing_mm, "distance of the planes 1 and 2", "MM", true);
-  number("--resolution", options.resolution_um, "step of a probe's reading", "UM", true);
-  number("--linearity", options.linearity_percent, "limit of a probe's error, percent of the reading", "PERCENT", true);
+  number("--plane-1", options.plane_1_from_nose_mm, "distance of plane 1 from the spindle nose", "MM", false);
+  number("--spacing", options.spacing_mm, "distance between planes 1 and 2", "MM", true);
+  number("--resolution", options.resolution_um, "resolution of a probe", "UM", true);
+  number("--linearity", options.linearity_percent, "largest error of a probe, in percent of the reading", "PERCENT",
+         true);
   add("--probe", options.probes, "column of a probe, such as X1=ch1_um; may be repeated", "PROBE=COLUMN")
       ->allow_extra_args(false)
       ->check(probe_complaint);
@@ -183,8 +183,8 @@ FivePointOptions place_of(const Series& series, const FiveProbeOptions& options,
   if (options.from_nose_mm) {
     if (!series.five_probe || !series.five_probe->plane_1_from_nose_mm) {
       throw Error(
-          "--from-nose: expected to know where plane 1 is, from --plane-1 MM or plane_1_from_nose_mm under "
-          "[five_probe], found neither.");
+          "--from-nose: expected the distance of plane 1 from the nose, found none. State --plane-1 MM, or "
+          "plane_1_from_nose_mm under [five_probe].");
     }
     how.from_plane_1_mm = *options.from_nose_mm - *series.five_probe->plane_1_from_nose_mm;
   } else {

@@ -20,6 +20,7 @@ struct FiveProbeReport {
   Series series;
   FivePointOptions how;
   std::vector<std::string> out;
+  bool details = false;  // all steps
   bool json = false;
 };
 

@@ -15,6 +15,7 @@
 #include "commands.hpp"
 #include "model/effects_result.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/details.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -25,42 +26,45 @@ constexpr std::size_t kSummaryWidth = 62;
 
 // In the order of their names.
 constexpr ExplainedTerm kTerms[] = {
-    {"2 ln B", "2 ln of how much more likely the readings are with an effect than without: 0 is even, 10 is 150 to 1."},
-    {"P", "Probability of what is said, 0 to 1; 0.98 is 49 to 1."},
-    {"p", "Share of pure noise that would show as much as was seen, or more; small: it is not noise."},
-    {"RMSE", "Size of what a model leaves, in um: root of the mean square of measured less modelled."},
-    {"autocorrelation", "How alike readings are some steps apart, -1 to 1; 0: nothing is remembered."},
-    {"bias", "Mean of what a model leaves: how far it is off to one side."},
-    {"chi^2", "Squares of what is left, each in units of its own scatter, summed up; its fall weighs an effect."},
-    {"coherence", "How much two signals go together at each pace of change, 0 to 1."},
-    {"correlation", "How far two values go together, -1 to 1; near either end the data cannot tell them apart."},
-    {"discrepancy", "What is left that changes slowly and has no cause that the model knows."},
-    {"evidence", "What the readings say for one explanation against another, beyond a fall of the error."},
-    {"floor", "What is left at best: scatter of readings that should be equal, which no model can explain."},
-    {"forecast", "Prediction of readings that come after all those that a model was fitted to."},
-    {"held out", "Left out of the fit and then predicted: what a model makes of readings that it has not seen."},
-    {"independent", "Readings with a memory repeat each other: so many without one would tell as much."},
-    {"innovation", "Reading less what the readings before it and the model predict for it."},
-    {"ln B",
-     "Half of 2 ln B; of a run that is followed, of anything that is missing against nothing: 8.5 is 5000 to 1."},
-    {"misfit", "What a model leaves, squared and summed up: where most of it is, the model fails most."},
-    {"odds", "P of one thing over P of another, or of all others: 49 to 1 is P of 0.98."},
-    {"periodogram", "How much of what is left moves at each pace; of white noise, the same at all."},
-    {"prior", "What is held to be so before the readings speak, where they alone would hardly tell."},
-    {"rms", "Root of the mean square: the usual size of values that go to both sides of 0."},
-    {"robust", "With single outlying values discounted, so that they do not pull the result."},
-    {"sigma", "Scatter of a value, the number behind ±: 68 of 100 repeats lie within it, 95 within two of it."},
-    {"significant", "Larger than noise makes it but in 1 of 100 tests."},
-    {"standard deviation", "As rms, about the mean: 68 of 100 values lie within it."},
-    {"surrogate", "A made signal as smooth as a real one and without a cause: what it explains is chance."},
-    {"variance", "Square of the standard deviation: shares of it add up to 1."},
-    {"white", "Noise without a memory: no reading tells of the next."},
-    {"whitened", "Freed of the noise's memory, so that what is left should be white."},
+    {"2 ln B",
+     "Twice the natural logarithm of the Bayes factor: how much more likely the readings are with an effect than "
+     "without. 0 is even, 10 is 150 to 1."},
+    {"P", "Probability of the statement, 0 to 1; 0.98 is 49 to 1."},
+    {"p", "Probability that noise alone gives the observed value or a larger one."},
+    {"RMS", "Root of the mean square: the usual size of values that go to both sides of 0."},
+    {"RMSE", "Error that remains with a model, in um: root of the mean square of measured less modelled."},
+    {"autocorrelation", "How alike readings some steps apart are, -1 to 1; 0: not at all."},
+    {"bias", "Mean of measured less modelled: how far a model is off to one side."},
+    {"chi^2", "Sum of the squares of the residual, each in units of its own scatter; its fall weighs an effect."},
+    {"coherence", "Correlation of two signals at each frequency, 0 to 1."},
+    {"correlation", "How closely two values vary together, -1 to 1. Near -1 and 1 the data cannot separate them."},
+    {"discrepancy", "Slow part of the residual without a known cause."},
+    {"evidence", "Support of the readings for one explanation against another. Extra parameters count against it."},
+    {"forecast", "Prediction of readings later than all those that the model was fitted to."},
+    {"independent", "Correlated readings repeat each other: so many uncorrelated ones would say as much."},
+    {"innovation", "Reading minus its prediction from the model and the earlier readings."},
+    {"left out", "Not used in the fit, then predicted: how a model does on readings that it has not seen."},
+    {"ln B", "Half of 2 ln B. For a run that is followed: any missing effect against none. 8.5 is 5000 to 1."},
+    {"misfit", "Sum of the squares of the residual: the model fails most where most of it is."},
+    {"noise", "Scatter of readings that should be equal: the error that remains at best, which no model can explain."},
+    {"odds", "Ratio of two probabilities: 49 to 1 is P = 0.98."},
+    {"periodogram", "How much of the residual changes at each pace; of white noise, the same at all."},
+    {"prior", "What is assumed before the readings, where they alone would hardly decide."},
+    {"robust", "With outliers discounted, so that they do not affect the result."},
+    {"sigma",
+     "Standard uncertainty of a value, the number after ±: 68 % of repeats lie within one sigma, 95 % within two."},
+    {"significant", "Noise alone would give such a value in 1 of 100 tests at most."},
+    {"standard deviation", "Root mean square deviation from the mean: 68 % of values lie within it."},
+    {"surrogate", "Random signal as smooth as a real one. What it explains is due to chance."},
+    {"variance", "Square of the standard deviation."},
+    {"white", "Noise whose readings do not depend on each other."},
+    {"whitened", "Freed of the correlation of the noise, so that the rest should be white."},
 };
 
 struct EffectsArguments {
   std::string name;
   bool terms = false;
+  bool details = false;
   bool json = false;
 };
 
@@ -73,9 +77,23 @@ std::vector<const Effect*> all_effects() {
 
 const char* level_text(Level level) { return level == Level::series ? "on a drift series" : "on a recording"; }
 
-void print_list() {
+std::string names_on(Level level) {
+  std::vector<std::string> names;
+  for (const Effect* effect : all_effects()) {
+    if (effect->level == level) names.push_back(effect->name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// Without details those on a recording by their names alone: a screen.
+void print_list(bool details) {
   for (const Level level : {Level::series, Level::recording}) {
-    Table table({level_text(level), "inputs", "adds"});
+    if (level == Level::recording && !details) {
+      fmt::print("{}{}\n", wrapped(fmt::format("{}: {}.", level_text(level), names_on(level))),
+                 "--details describes these.\n");
+      continue;
+    }
+    Table table({level_text(level), "inputs", "description"});
     for (const Effect* effect : all_effects()) {
       if (effect->level != level) continue;
       std::vector<std::string> inputs;
@@ -87,12 +105,12 @@ void print_list() {
     }
     fmt::print("{}\n", table.left_aligned());
   }
-  fmt::print("ballbar effects NAME prints the page of one, ballbar effects --terms the words of statistics.\n");
+  fmt::print("ballbar effects NAME explains one effect, ballbar effects --terms the statistical terms.\n");
 }
 
 void print_terms(bool json) {
   if (json) return print_json(json_of(ExplainedTerms{{std::begin(kTerms), std::end(kTerms)}}));
-  Table table({"term", "means"});
+  Table table({"term", "meaning"});
   for (const ExplainedTerm& term : kTerms) table.add({std::string(term.name), std::string(term.meaning)});
   fmt::print("{}", table.left_aligned(table_width()));
 }
@@ -110,7 +128,7 @@ void print_page(const Effect& effect) {
   print_part("Formula", page.formula);
   print_part("Signature", page.signature);
   if (!effect.inputs.empty()) {
-    Table inputs({"input", "unit", "what"});
+    Table inputs({"input", "unit", "meaning"});
     for (const Input& input : effect.inputs) {
       inputs.add_wrapped({input.role, fmt::format("{}", fmt::join(input.units, ", ")), input.meaning}, kMeaningWidth);
     }
@@ -120,13 +138,13 @@ void print_page(const Effect& effect) {
                             return std::find(input.units.begin(), input.units.end(), "um") != input.units.end();
                           });
     if (measured) {
-      fmt::print("{}",
-                 wrapped("A measured column is a straight line between its values, and outside them the nearest."));
+      fmt::print("{}", wrapped("A measured column is interpolated linearly between its values and held at the nearest "
+                               "value outside them."));
     }
     fmt::print("\n");
   }
   if (!effect.parameters.empty()) {
-    Table parameters({"parameter", "unit", "start", "lowest", "highest", "what"});
+    Table parameters({"parameter", "unit", "start", "lowest", "highest", "meaning"});
     for (const Parameter& parameter : effect.parameters) {
       parameters.add_wrapped(
           {parameter.name, parameter.unit, fmt::format("{:g}{}", parameter.start, parameter.held ? " held" : ""),
@@ -136,14 +154,15 @@ void print_page(const Effect& effect) {
     fmt::print("{}\n", parameters.left_aligned());
   }
   print_part("Confused with", fmt::format("{}", fmt::join(page.confused_with, ", ")));
-  if (!effect.rules.becomes.empty()) print_part("Becomes", effect.rules.becomes + ", at the edge of its shapes");
-  print_part("Told apart by", page.separated_by);
+  if (!effect.rules.becomes.empty()) print_part("Becomes", effect.rules.becomes + ", at the limits of its parameters");
+  print_part("Distinguished by", page.separated_by);
   print_part("Remedy", page.remedy);
   print_part("Validity", page.validity);
   print_part("Source", page.source);
   if (effect.time_only) {
-    fmt::print("{}",
-               wrapped("It needs nothing but time: one run can be shaped like it, and never shows it as the cause."));
+    fmt::print(
+        "{}",
+        wrapped("This effect depends on time alone. One run can have its shape, but cannot prove it as the cause."));
   }
 }
 
@@ -165,7 +184,7 @@ void run(const EffectsArguments& options) {
     for (const Effect* effect : chosen) pages.effects.push_back(*effect);
     print_json(json_value(pages.effects));
   } else if (options.name.empty()) {
-    print_list();
+    print_list(options.details);
   } else {
     for (std::size_t i = 0; i < chosen.size(); ++i) {
       if (i > 0) fmt::print("\n");
@@ -178,12 +197,12 @@ void run(const EffectsArguments& options) {
 
 void add_effects(CLI::App& app) {
   const auto options = std::make_shared<EffectsArguments>();
-  CLI::App* command = app.add_subcommand("effects", "The catalogue of physical effects, or one effect's page");
-  CLI::Option* name = command->add_option("NAME", options->name, "effect to explain; without it the list of all");
+  CLI::App* command = app.add_subcommand("effects", "List the physical effects, or explain one");
+  CLI::Option* name = command->add_option("NAME", options->name, "effect to explain; default: list all");
   name->type_name("");
-  command->add_flag("--json", options->json, "the result for a program");
-  command->add_flag("--terms", options->terms, "the words of statistics in tables and texts, a sentence each")
-      ->excludes(name);
+  command->add_flag("--details", options->details, "describe all effects in the list");
+  command->add_flag("--json", options->json, "print the result as JSON");
+  command->add_flag("--terms", options->terms, "explain the statistical terms")->excludes(name);
   command->footer("Example:\n  ballbar effects backlash_a");
   command->callback([options] { run(*options); });
 }

@@ -43,7 +43,7 @@ void add_left_out_times(CLI::App& command, std::vector<TimeRange>& left_out) {
           [take](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) take(text);
           },
-          "readings between two times that are not to be explained, such as 2h..3.5h; may be repeated")
+          "omit readings between two times, such as 2h..3.5h; may be repeated")
       ->type_name("FROM..TO")
       ->allow_extra_args(false);
 }

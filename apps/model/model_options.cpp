@@ -104,7 +104,7 @@ void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s) {
 void add_model_options(CLI::App& command, ModelOptions& options, bool model_required) {
   options.catalogue = catalogue_of(command);
   add_data(command, "DATA", options.data,
-           "series .csv, log, session, or recordings (.b5r, logs); a folder or a workbook of logs: runs")
+           "series .csv, log, session or recordings (.b5r, logs); a folder or workbook of logs is read as runs")
       ->required()
       ->type_name("");
   CLI::Option* model =
@@ -119,16 +119,14 @@ void add_model_options(CLI::App& command, ModelOptions& options, bool model_requ
 }
 
 void add_also_input(CLI::App& command, ModelOptions& options) {
-  command
-      .add_option("--also-input", options.also_input,
-                  "another target, which effects may read; without this none does; may be repeated")
+  command.add_option("--also-input", options.also_input, "allow effects to read this other target; may be repeated")
       ->type_name("COLUMN")
       ->allow_extra_args(false);
 }
 
 void add_fit_options(CLI::App& command, ModelOptions& options) {
   command.add_flag("--robust", options.robust, "discount outlying values (Tukey's biweight)");
-  command.add_flag("--white", options.white, "ordinary least squares: no memory in the noise");
+  command.add_flag("--white", options.white, "ordinary least squares, without autocorrelated noise");
   command
       .add_option("--set", options.set,
                   "hold a parameter at a value, such as 'lagged_expansion(T9_degC).time_constant_s=3600', and fit the "

@@ -158,22 +158,22 @@ void run(const PredictArguments& options) {
 
 void add_predict(CLI::App& app) {
   const auto options = std::make_shared<PredictArguments>();
-  CLI::App* command = app.add_subcommand("predict", "The model's series, with what each effect adds");
+  CLI::App* command = app.add_subcommand("predict", "Predict a series with a model, effect by effect");
   add_model_options(*command, options->model, true);
   add_fit_options(*command, options->model);
-  add_data(*command, "--on", options->on, "other data to predict, with the parameters fitted to DATA; may be repeated")
+  add_data(*command, "--on", options->on, "predict other data with the parameters fitted to DATA; may be repeated")
       ->type_name("DATA")
       ->allow_extra_args(false);
-  command->add_option("--out", options->out, "write the series, .csv; may be repeated")
+  command->add_option("--out", options->out, "write the series to FILE (.csv); may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->check(name_that_ends_in({".csv"}));
   command
       ->add_option("--state", options->state,
-                   "model of train --effects: goes on from this file, and keeps in it where the last row stood")
+                   "model of train --effects: continue from this file and save the state of the last row in it")
       ->type_name("FILE");
-  command->add_flag("--anyway", options->anyway, "model of `train`: predict though a sensor looks broken");
-  command->add_flag("--json", options->json, "the result for a program");
+  command->add_flag("--anyway", options->anyway, "model of `train`: predict even if a sensor seems broken");
+  command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(
       "Example:\n"
       "  ballbar predict sample-runs/two-arcs-he2015 --model sample-runs/two-arcs-he2015/model.toml --out y.csv");

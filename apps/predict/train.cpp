@@ -230,58 +230,54 @@ void run(const TrainOptions& given, const std::vector<CLI::Option*>& of_a_job) {
 }
 
 void add_batch_options(CLI::App& command, TrainOptions& options) {
-  add_data(
-      command, "RUNS", options.data,
-      "list of the recorded batches, runs.csv; or the runs themselves: logs, a folder of logs, a workbook of a sheet a "
-      "run, of which a regression on effects is made")
+  add_data(command, "RUNS", options.data,
+           "list of recorded batches, runs.csv; or logs, a folder of logs or a workbook, for a regression on effects")
       ->required()
       ->type_name("");
-  command.add_option("--target", options.target, "what to predict; default: the only measured column")
+  command.add_option("--target", options.target, "column to predict; default: the only measured column")
       ->type_name("COLUMN");
-  command.add_option("--room", options.room, "column of the room's temperature, where its name does not say so")
+  command.add_option("--room", options.room, "column of the room temperature; default: by its name")
       ->type_name("COLUMN");
   add_choice(command, "--inputs", {"temperature", "rise", "both"}, "temperature",
-             "what of a temperature is used: temperature itself, its rise since the batch began, or both",
+             "use the temperatures, their rise since the start of the batch, or both",
              [&](std::size_t at) { options.inputs = static_cast<InputKind>(at); });
-  command.add_option("--without", options.without, "leave this batch out")->type_name("BATCH")->allow_extra_args(false);
-  command.add_option("--without-sensor", options.without_sensor, "leave this temperature out")
+  command.add_option("--without", options.without, "omit this batch")->type_name("BATCH")->allow_extra_args(false);
+  command.add_option("--without-sensor", options.without_sensor, "omit this temperature")
       ->type_name("COLUMN")
       ->allow_extra_args(false);
-  command.add_flag("--keep-broken", options.keep_broken, "use sensors that look broken all the same");
+  command.add_flag("--keep-broken", options.keep_broken, "use sensors even if they seem broken");
 }
 
 void add_method_options(CLI::App& command, TrainOptions& options) {
-  add_choice(command, "--method", {"pcr", "ridge"}, "the best by batches left out", "principal components, or ridge",
+  add_choice(command, "--method", {"pcr", "ridge"}, "the best for batches left out",
+             "principal components or ridge regression",
              [&](std::size_t at) { options.method = kRegressionMethods[at]; });
-  command.add_option("--components", options.components, "of pcr; otherwise chosen by batches left out")
+  command
+      .add_option("--components", options.components,
+                  "number of components of pcr; default: the best for batches left out")
       ->check(whole_number_within(1, 10000))
       ->type_name("N");
-  command
-      .add_option(
-          "--share", options.share,
-          "pcr: the fewest components that explain this share of the inputs, such as 0.99; with --for anew for each "
-          "choice of batches")
+  command.add_option("--share", options.share, "pcr: share of the inputs that the components explain, such as 0.99")
       ->check(number_within(0.0, 1.0))
       ->type_name("SHARE");
-  command.add_option("--penalty", options.penalty_K2, "of ridge, K^2 a row; otherwise chosen by batches left out")
+  command
+      .add_option("--penalty", options.penalty_K2,
+                  "penalty of ridge, K^2 per row; default: the best for batches left out")
       ->check(number_within(0.0, 1e9))
       ->type_name("K2");
   command
       .add_option("--model", options.model,
-                  "a model of effects, .toml: with --effects its effects join the regression, else it is in the same "
-                  "contest")
+                  "model of effects (.toml): compare it with the regression; with --effects add its effects")
       ->type_name("FILE");
   command.add_flag(
       "--effects", options.effects,
-      "a regression on the catalogue's effects instead, which runs live; RUNS may be one series or session");
-  command.add_flag("--few", options.few, "with --effects: some ten effects, nine selections averaged");
-  command
-      .add_option("--start-from", options.start,
-                  "with --effects: a model .json that was trained on other machines; this one adapts it")
+      "use a regression on the catalogue's effects, which can run live; RUNS may be one series or session");
+  command.add_flag("--few", options.few, "with --effects: use about ten effects, averaged over nine selections");
+  command.add_option("--start-from", options.start, "with --effects: adapt a model .json trained on other machines")
       ->type_name("FILE");
   command
       .add_option("--sensors", options.sensors,
-                  "with --effects: of so many temperatures; which ones, what each buys, which others would do")
+                  "with --effects: choose this many temperatures and show the gain of each")
       ->check(whole_number_within(1, 10000))
       ->type_name("N");
   add_max_gap(command, options.max_gap_s);
@@ -290,24 +286,25 @@ void add_method_options(CLI::App& command, TrainOptions& options) {
 // Those that mean nothing without --for.
 std::vector<CLI::Option*> add_job_options(CLI::App& command, TrainOptions& options) {
   add_data(command, "--for", options.job,
-           "the job at hand, a series of its temperatures: train on the batches like it; with the target it is checked")
+           "series of the current job: train on the batches most like it, and check if it holds the target")
       ->type_name("DATA");
   std::vector<CLI::Option*> added;
   added.push_back(
-      command.add_option("--fall", options.fall, "with --for: how far RMSE_m must fall below all those before it")
+      command.add_option("--fall", options.fall, "with --for: required decrease of RMSE_m below all previous ones")
           ->check(number_within(0.0, 1.0))
           ->type_name("SHARE")
           ->capture_default_str());
-  added.push_back(command.add_option("--random", options.random.choices, "with --for: random choices to compare with")
-                      ->check(whole_number_within(0, 100000))
-                      ->type_name("N")
-                      ->capture_default_str());
-  added.push_back(command.add_option("--seed", options.random.seed, "of the random choices")
+  added.push_back(
+      command.add_option("--random", options.random.choices, "with --for: number of random choices to compare with")
+          ->check(whole_number_within(0, 100000))
+          ->type_name("N")
+          ->capture_default_str());
+  added.push_back(command.add_option("--seed", options.random.seed, "seed of the random choices")
                       ->type_name("N")
                       ->check(whole_number_within(0, kLargestSeed))
                       ->capture_default_str());
   add_choice(command, "--take", {"paper", "held-out", "weights", "all"}, "weights",
-             "with --for: whose model is written and shown first",
+             "with --for: choice whose model is written and shown first",
              [&](std::size_t at) { options.take = static_cast<Take>(at); });
   added.push_back(command.get_option("--take"));
   added.push_back(command.add_flag("--list-all", options.every, "with --for: list every batch"));
@@ -318,14 +315,14 @@ std::vector<CLI::Option*> add_job_options(CLI::App& command, TrainOptions& optio
 
 void add_train(CLI::App& app) {
   const auto options = std::make_shared<TrainOptions>();
-  CLI::App* command = app.add_subcommand("train", "A regression of thermal error on temperatures over many tests");
+  CLI::App* command = app.add_subcommand("train", "Train a regression of thermal error on temperatures");
   add_batch_options(*command, *options);
   add_method_options(*command, *options);
   const std::vector<CLI::Option*> of_a_job = add_job_options(*command, *options);
-  command->add_option("--out", options->out, "write the model, .json; with --for, or of effects, it may be left out")
+  command->add_option("--out", options->out, "write the model to FILE (.json); optional with --for or --effects")
       ->type_name("FILE")
       ->check(name_that_ends_in({".json"}));
-  command->add_flag("--json", options->json, "the result for a program");
+  command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(
       "Example:\n"
       "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --out model.json\n"

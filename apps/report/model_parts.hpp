@@ -140,7 +140,7 @@ struct ResultType<Coherence> {
   // |cos| between what survives of both beside the model, the median over the shapes of the row, each with the shape of
   // the column that is most like it. Not symmetric: one with more shapes imitates more.
   static constexpr std::string_view meaning =
-      "Which effect (column) could be taken for one that might be there (row): above 0.95 it may be.";
+      "Which effect (column) could be confused with one that might be there (row): possible above 0.95.";
   static constexpr std::tuple fields{Field{"effects", &Coherence::effects, ""},
                                      Field{"values", &Coherence::values, ""}};
 };

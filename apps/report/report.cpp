@@ -83,8 +83,7 @@ void expect_fitting_options(const ReportArguments& options) {
   expect(options.format == Format::svg || sheet || (pictures.names.empty() && pictures.choices.empty()),
          fmt::format("--{}: expected --format svg with it; the page has all pictures",
                      pictures.names.empty() ? "choose" : "picture"));
-  expect(sheet || pictures.choices.empty() || pictures.names.size() == 1,
-         "--choose: expected one --picture with it, whose choice it is");
+  expect(sheet || pictures.choices.empty() || pictures.names.size() == 1, "--choose: expected one --picture with it");
   if (options.json) {
     expect(options.out.empty() && !options.chosen_format && !options.open,
            "--json: expected neither --out, --format nor --open with it; it prints the data of the page");
@@ -126,7 +125,8 @@ std::string html_of(const Json& json, const Report& made, const ReportArguments&
   if (options.without_files || !all_are_files) return page_of(json, nullptr);
   const Json inside = files_inside(made.files, names_of(options.of.model.data), options.of.model.model.name());
   if (inside.is_null() && !made.files.empty()) {
-    stderr_line(fmt::format("the files are not in the page: more than {} MB, or of a pipe", kMostInside >> 20));
+    stderr_line(fmt::format("the data files are not in the page, because they exceed {} MB or come from a pipe",
+                            kMostInside >> 20));
   }
   return page_of(json, inside);
 }
@@ -177,7 +177,7 @@ void run(ReportArguments options) {
   print_for_people(left_out_text(made.skipped));
   wrote_line(options.out);
   if (options.open && !started({"xdg-open", fs::absolute(options.out).string()})) {
-    warning_line(fmt::format("no program xdg-open to open it with; open {} in a browser.", options.out));
+    warning_line(fmt::format("the program xdg-open is missing. Open {} in a browser.", options.out));
   }
 }
 
@@ -185,34 +185,32 @@ void run(ReportArguments options) {
 
 void add_report(CLI::App& app) {
   const auto options = std::make_shared<ReportArguments>();
-  CLI::App* command = app.add_subcommand("report", "Everything to look at, in one page");
+  CLI::App* command = app.add_subcommand("report", "Write all results to one page");
   add_report_options(*command, options->of);
   command
       ->add_option("--out", options->out,
-                   "page.html; one picture .svg, or a folder with --format svg; .json: its data; .pdf: one sheet")
+                   "write the page to FILE (.html), one picture or all pictures (.svg or a folder), its data (.json), "
+                   "or one sheet (.pdf)")
       ->type_name("FILE");
-  add_choice(*command, "--format", {"html", "svg", "json", "pdf"}, "by the ending of --out",
-             "html: the page; svg: its pictures, drawn by node; json: its data; pdf: one ballbar test on one sheet",
+  add_choice(*command, "--format", {"html", "svg", "json", "pdf"}, "by the name of --out",
+             "html: the page; svg: its pictures; json: its data; pdf: one ballbar test on one sheet",
              [options](std::size_t at) { options->chosen_format = static_cast<Format>(at); });
-  command->add_flag("--json", options->json, "the result for a program: the data of the page");
-  command->add_option("--picture", options->pictures.names, "with --format svg: only this one; may be repeated")
+  command->add_flag("--json", options->json, "print the data of the page as JSON");
+  command->add_option("--picture", options->pictures.names, "with --format svg: only this picture; may be repeated")
       ->type_name("NAME")
       ->allow_extra_args(false);
   command
-      ->add_option(
-          "--choose", options->pictures.choices,
-          "with --picture, or of the sheet: what the page would choose in it, such as \"recording=64 min, XY CCW\"")
+      ->add_option("--choose", options->pictures.choices,
+                   "with --picture or pdf: selection in the page, such as \"recording=64 min, XY CCW\"")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command->add_option("--width", options->pictures.width_px, "of --format svg, in pixels; default 900")
+  command->add_option("--width", options->pictures.width_px, "with --format svg: width in pixels; default: 900")
       ->type_name("PX")
       ->check(whole_number_within(300, 4000));
-  command->add_flag("--without-files", options->without_files,
-                    "a page that does not hold the files it was made of, with which ballbar.html goes on");
+  command->add_flag("--without-files", options->without_files, "omit the data files from the page");
   command->add_flag("--open", options->open, "open the page in a browser");
   command->get_option("DATA")->required(false);
-  command->add_flag("--tool", options->tool,
-                    "without DATA: the whole program as one HTML file for any computer, ballbar.html");
+  command->add_flag("--tool", options->tool, "write the whole program as one HTML file, ballbar.html");
   command->footer(
       "Examples:\n"
       "  ballbar report sample-runs/two-arcs-he2015 --model sample-runs/two-arcs-he2015/model.toml --out page.html\n"

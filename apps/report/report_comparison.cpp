@@ -79,8 +79,8 @@ std::vector<ComparedTests> compared_tests_of(const Fitted& fitted, const std::ve
   }
   for (const PlacedTest& one : tests) {
     if (one.taken) continue;
-    without.push_back(
-        fmt::format("{} ({}) has no test of its plane to compare with.", one.test.file, name_of(one.test.plane)));
+    without.push_back(fmt::format("{} ({}): expected another test of its plane to compare with, found none.",
+                                  one.test.file, name_of(one.test.plane)));
   }
   if (compared.empty()) {
     throw Error(fmt::format("--compare: expected two tests of one plane, before and after, found none{}{}",

@@ -41,7 +41,7 @@ void add_machine_errors(Report& made, const Fitted& fitted, const StatedCircle& 
 // Of files without readings the page has what they store.
 void add_results_alone(Report& made, const Fitted& fitted) {
   for (const ResultsAlone& alone : fitted.results_alone) {
-    made.conclude(fmt::format("{} stores results alone, no readings.", file_name(alone.file)));
+    made.conclude(fmt::format("{} stores results but no readings.", file_name(alone.file)));
   }
 }
 
@@ -282,14 +282,13 @@ void add_report_options(CLI::App& command, ReportRequest& request) {
   add_also_input(command, request.model);
   add_fit_options(command, request.model);
   add_data(command, "--compare", request.compare,
-           "another drift, or five probes, to compare DATA with; of ballbar tests those after; may be repeated")
+           "another drift, or later ballbar tests, to compare DATA with; may be repeated")
       ->type_name("DATA")
       ->allow_extra_args(false);
   CLI::Option* diagnose =
-      command.add_flag("--diagnose", request.diagnose, "which effect is missing, without a model as well");
-  command.add_flag("--no-diagnosis", request.no_diagnosis, "with a model: where it fails, not what is missing")
-      ->excludes(diagnose);
-  command.add_flag("--anyway", request.anyway, "model of `train`: predict though a sensor looks broken");
+      command.add_flag("--diagnose", request.diagnose, "also show which effect is missing, with or without a model");
+  command.add_flag("--no-diagnosis", request.no_diagnosis, "with a model: omit the diagnosis")->excludes(diagnose);
+  command.add_flag("--anyway", request.anyway, "model of `train`: predict even if a sensor seems broken");
   add_five_probe_options(command, request.probes);
 }
 

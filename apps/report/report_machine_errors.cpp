@@ -128,7 +128,7 @@ MachineErrorsPart machine_errors_part(const Fitted& fitted, const StatedCircle& 
       part.conclusions.push_back(conclusion(found.groups.front()));
     } catch (const Error& error) {  // the recordings are worth looking at without
       part.remarks.push_back(
-          fmt::format("The errors of the machine are not told: {}", with_file_names(error.what(), files)));
+          fmt::format("The errors of the machine are not known: {}", with_file_names(error.what(), files)));
     }
   }
   return part;

@@ -50,7 +50,7 @@ struct ResultType<ComparedTests> {
   static constexpr std::string_view meaning = "Two tests of a plane, before and after, with their errors.";
   static constexpr std::tuple fields = std::tuple_cat(
       fields_through(&ComparedTests::comparison, ResultType<TestComparison>::fields),
-      std::tuple{Field{"before_place", &ComparedTests::before_place, "in machine_errors; null: stored results alone"},
+      std::tuple{Field{"before_place", &ComparedTests::before_place, "in machine_errors; null: only stored results"},
                  Field{"after_place", &ComparedTests::after_place, ""}});
 };
 

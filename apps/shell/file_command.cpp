@@ -44,9 +44,10 @@ FileKind kind_of(const std::string& path) {
   if (reads_recordings(reader)) return FileKind::recording;
   if (read_of<ReadSession>(reader) != nullptr) return FileKind::session;
   if (found_in(reader) == "a model") {
-    throw Error(fmt::format(
-        "{}: expected recordings, a session or a series, found a model; ballbar check DATA --model {} fits it to data.",
-        path, path));
+    throw Error(
+        fmt::format("{}: expected recordings, a session or a series, found a model. Fit it to data with ballbar check "
+                    "DATA --model {}.",
+                    path, path));
   }
   return FileKind::series;
 }
@@ -85,7 +86,7 @@ FileKind kind_of_all(const std::vector<std::string>& files) {
   }
   if (kind == FileKind::session && files.size() > 1) {
     throw CLI::ValidationError(
-        fmt::format("expected one session, found {}; ballbar compare A B compares two", files.size()));
+        fmt::format("expected one session, found {}. Compare two with ballbar compare A B", files.size()));
   }
   return kind;
 }
@@ -100,7 +101,7 @@ std::string command_for(FileKind kind, const std::vector<std::string>& files) {
 
 void add_page_option(CLI::App& app) {
   const auto page = std::make_shared<std::string>();  // taken out of the words before they are read
-  app.add_option("--page", *page, "of FILE...: its page, page.html where no name follows")
+  app.add_option("--page", *page, "write the page of FILE... to FILE; default: page.html")
       ->type_name("[FILE]")
       ->expected(0, 1);
 }
@@ -113,7 +114,7 @@ std::vector<std::string> with_command(std::vector<std::string> words, const CLI:
       std::find(commands.begin(), commands.end(), given.front()) != commands.end()) {
     if (!words.empty() && words.front().starts_with("--page")) {
       throw CLI::ValidationError(
-          "--page: expected files and no command with it; report DATA --out page.html is the command");
+          "--page: expected files and no command, found a command. Use ballbar report DATA --out page.html instead");
     }
     return words;
   }

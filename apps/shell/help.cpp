@@ -99,11 +99,10 @@ void set_help(CLI::App& app) {
 
 void add_help_command(CLI::App& app) {
   const auto asked = std::make_shared<HelpArguments>();
-  CLI::App* command = app.add_subcommand("help", "The help of a command, or this list");
-  CLI::Option* words = command->add_option("COMMAND", asked->words, "as in ballbar help drift")->type_name("");
-  CLI::Option* man = command->add_flag("--man", asked->man, "all commands and options as a page for man(1), in roff");
-  add_choice(*command, "--completion", {"bash", "zsh", "fish"}, "",
-             "a script for that shell, which completes commands, options and effects",
+  CLI::App* command = app.add_subcommand("help", "Show the help of a command");
+  CLI::Option* words = command->add_option("COMMAND", asked->words, "command, such as drift")->type_name("");
+  CLI::Option* man = command->add_flag("--man", asked->man, "print the manual page for man(1)");
+  add_choice(*command, "--completion", {"bash", "zsh", "fish"}, "", "print a completion script for the shell",
              [asked](std::size_t at) { asked->completion = kCompletions.at(at); });
   man->excludes(words);
   command->get_option("--completion")->excludes(words)->excludes(man);
@@ -130,7 +129,7 @@ void add_help_command(CLI::App& app) {
 std::string renamed_command(const std::string& name) {
   for (const OldCommand& old : kOldCommands) {
     if (old.name == name)
-      return fmt::format("{} is now: ballbar {}; see ballbar {} --help", old.name, old.now, old.help);
+      return fmt::format("{} has been replaced by ballbar {}. See ballbar {} --help.", old.name, old.now, old.help);
   }
   return "";
 }

@@ -80,10 +80,10 @@ std::string man_page(const CLI::App& app) {
     if (!command.path.empty()) page += section_of(command);
   }
   return page +
-         ".SH EXIT STATUS\n.TP\n0\nThe work is done, whatever the verdict.\n.TP\n1\nThe input is at fault, or a result "
-         "cannot be written.\n.TP\n2\nThe command line is at fault.\n"
-         ".SH ENVIRONMENT\n.TP\n.B NO_COLOR\nNot empty: no colour on a terminal.\n.TP\n.B TERM\ndumb, or not set: no "
-         "colour.\n";
+         ".SH EXIT STATUS\n.TP\n0\nSuccess, whatever the verdict.\n.TP\n1\nAn input has a fault, or a result cannot be "
+         "written.\n.TP\n2\nThe command line has a fault.\n"
+         ".SH ENVIRONMENT\n.TP\n.B NO_COLOR\nIf not empty, the output has no colour.\n.TP\n.B TERM\nIf dumb or not "
+         "set, the output has no colour.\n";
 }
 
 }  // namespace ballbar

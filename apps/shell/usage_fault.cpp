@@ -48,8 +48,9 @@ std::string command_fault(const CLI::App& app, const std::string& found) {
   const char* const expected = first ? "a command or a file" : "a command";
   if (found.empty()) return fmt::format("expected {}, found none", expected);
   if (is_option(found)) return option_fault(app, found);
-  return fmt::format("expected {}, found {}{}{}", expected, in_quotes(found), first ? ", which is neither" : "",
-                     nearest_hint(found, command_names(app)));
+  const std::string hint = nearest_hint(found, command_names(app));
+  return first ? fmt::format("{} is neither a command nor a file{}", in_quotes(found), hint)
+               : fmt::format("expected {}, found {}{}", expected, in_quotes(found), hint);
 }
 
 std::string fault(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
@@ -93,7 +94,7 @@ std::string nearest_hint(const std::string& found, const std::vector<std::string
 
 std::string usage_fault(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
   const CLI::App& chosen = chosen_app(app);
-  return fmt::format("{}; see {} --help", fault(chosen, error, words), full_name(chosen));
+  return fmt::format("{}. See {} --help.", fault(chosen, error, words), full_name(chosen));
 }
 
 }  // namespace ballbar

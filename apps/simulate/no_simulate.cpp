@@ -7,11 +7,9 @@
 namespace ballbar::commands {
 
 void add_simulate(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("simulate", "Recordings, signals and five-probe readings of a virtual machine");
+  CLI::App* command = app.add_subcommand("simulate", "Simulate recordings and signals of a virtual machine");
   command->allow_extras();
-  command->callback(
-      [] { throw Error("simulate: expected the program on a computer, found the page, which is built without it."); });
+  command->callback([] { throw Error("simulate: not available in the page. Use the program on a computer."); });
 }
 
 }  // namespace ballbar::commands

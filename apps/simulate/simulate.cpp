@@ -94,7 +94,7 @@ void run_fleet(const SimulateArguments& options, std::string_view bytes) {
     return;
   }
   fmt::print("simulated  a fleet of {} machines over {} months, seed {}\n", written.machines, fleet.months, fleet.seed);
-  fmt::print("written    {}: {} tests, a folder a machine\n", options.out, written.files);
+  fmt::print("written    {}: {} tests, one folder per machine\n", options.out, written.files);
   fmt::print("truth      {} (kept apart: no other command reads it)\n", truth.string());
 }
 
@@ -166,40 +166,37 @@ void run(const SimulateArguments& options, CLI::App& command) {
 
 void add_simulate(CLI::App& app) {
   const auto options = std::make_shared<SimulateArguments>();
-  CLI::App* command =
-      app.add_subcommand("simulate", "Recordings, signals and five-probe readings of a virtual machine");
+  CLI::App* command = app.add_subcommand("simulate", "Simulate recordings and signals of a virtual machine");
   command
       ->add_option("MACHINE", options->machine,
-                   "machine.toml: the virtual machine, its truth and its noise; or fleet.toml: a plant of them; with "
-                   "--schedule the folder of a set of --hidden")
+                   "machine.toml (one machine) or fleet.toml (many); with --schedule: the folder of a set of --hidden")
       ->type_name("");
-  command->add_option("--out", options->out, "folder for the files, new or empty; with --schedule the run's .csv")
+  command->add_option("--out", options->out, "write the files to a new or empty folder; with --schedule: to one .csv")
       ->type_name("DIR");
-  command->add_option("--truth", options->truth, "file for the truth; without it DIR-truth.csv, beside DIR")
-      ->type_name("FILE");
+  command->add_option("--truth", options->truth, "write the truth to FILE; default: DIR-truth.csv")->type_name("FILE");
   command
-      ->add_option(
-          "--seed", options->seed,
-          "of the noise, 0 or above, another for each machine; without it the machine's own, with --hidden another "
-          "each time")
+      ->add_option("--seed", options->seed,
+                   "seed of the noise; default: the machine's own, with --hidden a new one each time")
       ->check(whole_number_within(0, kLargestSeed))
       ->type_name("N");
-  command->add_flag("--b5r", options->b5r, "method circles: .b5r files alone, without session.toml and signals");
-  command->add_flag("--force", options->force, "replace files of the same names");
+  command->add_flag("--b5r", options->b5r, "method circles: write only .b5r files");
+  command->add_flag("--force", options->force, "replace existing files");
   command->add_flag("--hidden", options->hidden,
-                    "without MACHINE: data sets in which effects may be hidden, with sealed answers");
-  command->add_option("--n", options->sets.count, fmt::format("with --hidden: sets, 1 to {}; default 20", kMostSets))
+                    "without MACHINE: write data sets with hidden effects and sealed answers");
+  command
+      ->add_option("--n", options->sets.count,
+                   fmt::format("with --hidden: number of sets, 1 to {}; default: 20", kMostSets))
       ->check(whole_number_within(1, kMostSets))
       ->type_name("N");
   command
       ->add_option("--schedule", options->schedule,
-                   "schedule.csv: the machine of the set MACHINE once more, as this says; into run2.csv, run3.csv ...")
+                   "schedule.csv: run the machine of the set MACHINE again; writes run2.csv, run3.csv ...")
       ->type_name("FILE");
   command
       ->add_option("--answers", options->sets.answers,
-                   "file of the answers of --hidden; without it answers.json beside the sets")
+                   "file of the answers of --hidden; default: answers.json beside the sets")
       ->type_name("FILE");
-  command->add_flag("--json", options->json, "the result for a program");
+  command->add_flag("--json", options->json, "print the result as JSON");
   add_score(*command);
   command->get_subcommand("score")->parse_complete_callback([command] { expect_only(*command, "score", {}); });
   command->footer(

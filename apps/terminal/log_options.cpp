@@ -134,32 +134,32 @@ void add_sign(CLI::App& command, const Recipe& recipe, const std::string& name, 
 
 // Where the table is and how its cells are written.
 void add_table_options(CLI::App& command, const Recipe& recipe) {
-  add(command, recipe, "--recipe", "recipe.toml of an earlier import --save", "FILE",
+  add(command, recipe, "--recipe", "read the log by this recipe, written by import --save", "FILE",
       [](LogRecipe& to, const std::string& file) {
         to = read_recipe(read_bytes(file, kLargestText), file);
         to.file = file;
       });
-  add(command, recipe, "--sheet", "of a workbook, by name or number; default: all that are alike, a run each", "SHEET",
+  add(command, recipe, "--sheet",
+      "sheet of a workbook, by name or number; default: all with the same columns, one run each", "SHEET",
       [](LogRecipe& to, const std::string& sheet) { to.sheet = sheet; });
-  add_sign(command, recipe, "--delimiter", "what stands between the values", kDelimiterNames, &LogRecipe::delimiter);
-  add_sign(command, recipe, "--decimal", "sign of decimals", kDecimalNames, &LogRecipe::decimal);
-  add_repeated(command, recipe, "--missing", "a text that stands for no value", "TEXT",
+  add_sign(command, recipe, "--delimiter", "separator of the values", kDelimiterNames, &LogRecipe::delimiter);
+  add_sign(command, recipe, "--decimal", "decimal separator", kDecimalNames, &LogRecipe::decimal);
+  add_repeated(command, recipe, "--missing", "text that marks a missing value", "TEXT",
                [](LogRecipe& to, const std::string& text) { to.missing.push_back(text); });
-  add_flag(command, recipe, "--skip-bad-rows",
-           "skip rows that are none of numbers, however many; without it two and one in a hundred",
-           &LogRecipe::skip_bad_rows);
-  add_repeated(command, recipe, "--join", "a file whose columns stand beside these, row by row, sheet by sheet", "FILE",
+  add_flag(command, recipe, "--skip-bad-rows", "skip any number of rows without numbers", &LogRecipe::skip_bad_rows);
+  add_repeated(command, recipe, "--join", "add the columns of another file, row by row", "FILE",
                [](LogRecipe& to, const std::string& file) { to.join.push_back(file); });
 }
 
 void add_time_options(CLI::App& command, const Recipe& recipe) {
-  add(command, recipe, "--time", "column of the time; none: the rows are numbered", "COLUMN",
+  add(command, recipe, "--time", "column of time; none: number the rows", "COLUMN",
       [](LogRecipe& to, const std::string& column) { to.time = column; });
-  add(command, recipe, "--time-unit", "of a time that is a number", "us|ms|s|min|h|d",
+  add(command, recipe, "--time-unit", "unit of a numeric time", "us|ms|s|min|h|d",
       [](LogRecipe& to, const std::string& unit) { to.time_unit = unit; })
       ->check(one_of({"us", "ms", "s", "min", "h", "d"}));
   const auto take_order = [](LogRecipe& to, const std::string& order) { to.month_first = order == "month-first"; };
-  add(command, recipe, "--dates", "how 03/04/2026 is read", "day-first|month-first", take_order)
+  add(command, recipe, "--dates", "order of day and month in dates such as 03/04/2026", "day-first|month-first",
+      take_order)
       ->check(one_of({"day-first", "month-first"}));
   command
       .add_option_function<double>(
@@ -168,7 +168,7 @@ void add_time_options(CLI::App& command, const Recipe& recipe) {
             state(*recipe, {"--every", fmt::format("{}s", every_s)},
                   [every_s](LogRecipe& to, const std::string&) { to.every_s = every_s; });
           },
-          "distance of the rows where there is no time, or of the tests of a folder: 10ms, 1s, 1min")
+          "interval of rows without a time, or of tests in a folder: 10ms, 1s, 1min")
       ->type_name("TIME")
       ->transform(
           CLI::AsNumberWithUnit(
@@ -177,21 +177,19 @@ void add_time_options(CLI::App& command, const Recipe& recipe) {
               .description(""))
       ->check(number_above_0())
       ->group(kLogGroup);
-  add_flag(command, recipe, "--burst-means", "rows that come in bursts: one row a burst, the mean of its rows",
-           &LogRecipe::burst_means);
+  add_flag(command, recipe, "--burst-means", "average each burst of rows to one row", &LogRecipe::burst_means);
 }
 
 void add_column_options(CLI::App& command, const Recipe& recipe) {
-  add_of_column(command, recipe, "--unit",
-                "unit of a column as a log writes it, 'Probe X=mm', or of all like it, 'T*=degC'", "COLUMN=UNIT",
+  add_of_column(command, recipe, "--unit", "unit of a column, 'Probe X=mm', or of several, 'T*=degC'", "COLUMN=UNIT",
                 [](ColumnRecipe& column, const std::string& unit) { column.unit = unit; });
-  add_of_column(command, recipe, "--scale", "what a unit of a column is, 'mcu_pos_z=2.5um'", "COLUMN=SCALE",
+  add_of_column(command, recipe, "--scale", "size of one count of a column, 'mcu_pos_z=2.5um'", "COLUMN=SCALE",
                 [](ColumnRecipe& column, const std::string& scale) { column.unit = scale; });
   add_of_column(command, recipe, "--role", "role of a column, 'T3=ambient'", "COLUMN=ROLE",
                 [](ColumnRecipe& column, const std::string& role) { column.role = role_of(role); });
-  add_of_column(command, recipe, "--name", "name of a column in the series", "COLUMN=NAME",
+  add_of_column(command, recipe, "--name", "new name of a column in the series", "COLUMN=NAME",
                 [](ColumnRecipe& column, const std::string& name) { column.name = name; });
-  add_repeated(command, recipe, "--leave-out", "a column that is not wanted", "COLUMN",
+  add_repeated(command, recipe, "--leave-out", "omit a column", "COLUMN",
                [](LogRecipe& to, const std::string& source) { column_of(to, source).left_out = true; });
 }
 

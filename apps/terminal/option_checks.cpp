@@ -110,7 +110,7 @@ void add_radius(CLI::App& command, StatedCircle& circle) {
                            CLI::AsNumberWithUnit::CASE_SENSITIVE);
   command
       .add_option("--radius", circle.radius_mm,
-                  "nominal radius of circles whose files do not state it: 100, 100mm or 0.1m")
+                  "nominal radius of circles, if the file does not state it: 100, 100mm or 0.1m")
       ->type_name("LENGTH")
       ->transform(mm.description(""))
       ->check(validator([](const std::string& found) {

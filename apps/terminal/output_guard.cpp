@@ -12,7 +12,7 @@ void expect_no_input(const std::vector<std::string>& outputs, const std::vector<
     for (const std::filesystem::path& input : inputs) {
       std::error_code absent;  // then it is not the same file
       if (!std::filesystem::equivalent(output, input, absent)) continue;
-      throw Error(fmt::format("{} {}: expected a file that is not read here, found the input {}.", option, output,
+      throw Error(fmt::format("{} {}: expected another file than the inputs, found the input {}.", option, output,
                               input.string()));
     }
   }

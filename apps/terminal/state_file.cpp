@@ -25,10 +25,9 @@ std::optional<FileLock> only_program(const std::filesystem::path& state) {
   lock += ".lock";
   std::optional<FileLock> held = FileLock::of(lock);
   if (held) return held;
-  throw Error(
-      fmt::format("{}: expected to be the only program that keeps this state, found another that holds it; end that "
-                  "one, or give this one a file of its own.",
-                  state.string()));
+  throw Error(fmt::format(
+      "{}: expected no other program that uses this state, found one. End that program, or give this one its own file.",
+      state.string()));
 }
 
 }  // namespace ballbar

@@ -79,6 +79,22 @@ std::size_t table_width(std::size_t elsewhere) {
   return std::clamp<std::size_t>(size.ws_col, kNarrowest, kWidest);
 }
 
+void Table::shorten(std::size_t most) {
+  if (rows_.size() - 1 <= most) return;
+  gap_ = (2 * most + 2) / 3;
+  left_out_ = rows_.size() - 1 - most;
+  const auto first = rows_.begin() + static_cast<std::ptrdiff_t>(gap_ + 1);
+  rows_.erase(first, first + static_cast<std::ptrdiff_t>(left_out_));
+}
+
+std::string more_text(std::size_t count, const std::string& what) {
+  return fmt::format("... {} more {}{}; --details prints all", count, what, count == 1 ? "" : "s");
+}
+
+std::size_t lines_in(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
 void Table::add_wrapped(std::vector<std::string> row, std::size_t width) {
   std::istringstream text(wrapped(row.back(), width));
   for (std::string line; std::getline(text, line);) {
@@ -103,7 +119,9 @@ std::string Table::aligned(bool numbers, std::size_t most) const {
     --*widest();
   }
   std::string text;
-  for (const auto& row : rows_) {
+  for (std::size_t at = 0; at < rows_.size(); ++at) {
+    if (left_out_ > 0 && at == gap_ + 1) text += more_text(left_out_) + '\n';
+    const auto& row = rows_[at];
     std::vector<std::vector<std::string>> cells;
     std::size_t lines = 1;
     cells.reserve(row.size());

@@ -14,6 +14,9 @@ class Table {
  public:
   explicit Table(std::vector<std::string> heading) : rows_{std::move(heading)} {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  // Keeps the first and the last rows where there are more than `most`, with a line between them such as
+  // "... 120 more rows; --details prints all".
+  void shorten(std::size_t most);
   void add_wrapped(std::vector<std::string> row, std::size_t width);  // wraps the last cell
   // If rows exceed `most` characters, the widest column is narrowed, then the next, and its cells are wrapped.
   std::string text(std::size_t most = 10000) const;
@@ -22,7 +25,15 @@ class Table {
  private:
   std::string aligned(bool numbers, std::size_t most) const;
   std::vector<std::vector<std::string>> rows_;
+  std::size_t gap_ = 0, left_out_ = 0;  // rows left out below this one
 };
+
+// "... 120 more rows; --details prints all"
+std::string more_text(std::size_t count, const std::string& what = "row");
+
+constexpr std::size_t kScreenLines = 40;  // the most that a command prints without --details
+
+std::size_t lines_in(const std::string& text);
 
 // Characters of a line: of the terminal, where the standard output is one.
 std::size_t table_width(std::size_t elsewhere = 120);

@@ -20,10 +20,10 @@ struct BadText {
 constexpr BadText kBadTexts[] = {
     {"log", "*", "", "file:1:1: expected text, found an empty file."},
     {"log", "*", "\xEF\xBB\xBF", "file:1:1: expected text, found an empty file."},
-    {"log", "*", "\xFF\xFEt\0i\0"sv, "file:1:1: expected UTF-8, found UTF-16; save the file as UTF-8."},
+    {"log", "*", "\xFF\xFEt\0i\0"sv, "file:1:1: expected UTF-8, found UTF-16. Save the file as UTF-8."},
     {"log", "45.0", "4\0005.0"sv, "file:10:6: expected text, found a NUL byte; this is a binary file."},
-    {"log", "45.0", "\xE9", "file:10:5: expected UTF-8, found the byte \"\\xE9\"; save the file as UTF-8."},
-    {"log", "45.0", "\xE0\x80\x80", "file:10:5: expected UTF-8, found the byte \"\\xE0\"; save the file as UTF-8."},
+    {"log", "45.0", "\xE9", "file:10:5: expected UTF-8, found the byte \"\\xE9\". Save the file as UTF-8."},
+    {"log", "45.0", "\xE0\x80\x80", "file:10:5: expected UTF-8, found the byte \"\\xE0\". Save the file as UTF-8."},
     {"log", "ballbar-log 1", "ballbar-log 2",
      "file:1:12: expected \"ballbar-log 1\" for format, found the text \"ballbar-log 2\"."},
     {"log", "# format = \"ballbar-log 1\"\n", "", "file:1:1: expected the key format, found none."},
@@ -230,8 +230,7 @@ constexpr BadText kBadTexts[] = {
     {"session", "elapsed_s = 600.0", "", "file:10:1: expected the key elapsed_s in [[test]] 2, found none."},
     {"session", "c_arc = \"01-c.csv\"", "", "file:10:1: expected the key c_arc in [[test]] 2, found none."},
     {"session", "c_arc = \"01-c.csv\"", "circle = \"01-c.csv\"",
-     "file:12:10: expected a key of the method two_arcs, which are c_arc, a_arc, found circle, which belongs to "
-     "circles."},
+     "file:12:10: expected a key of the method two_arcs (c_arc, a_arc), found circle, a key of circles."},
     {"session", "c_arc = \"01-c.csv\"", "c_arc = \"01-c.csv\"\nd_arc = \"x\"",
      "file:13:1: expected one of the keys c_arc, a_arc, elapsed_s in [[test]] 2, found \"d_arc\"; the nearest is "
      "c_arc."},

@@ -46,9 +46,9 @@ test("a second test that is dropped: what changed clearly, and that nothing else
   const [first, second] = [made("before", kBefore), made("after", kAfter)];
   const { page, wrong, close } = await live();
   await dropped(page, first);
-  await verdict(page, "Mending");
+  await verdict(page, "Correcting");
   await dropped(page, second);
-  await verdict(page, "^Backlash of X fell from 8\\.1 to 1\\.\\d µm, circularity fell from 9\\.\\d to 5\\.\\d µm; nothing else changed clearly\\.$");
+  await verdict(page, "^Backlash of X fell from 8\\.1 to 1\\.\\d µm, circularity fell from 9\\.\\d to 5\\.\\d µm\\. No other significant change\\.$");
   const clear = (await table(page)).filter((row) => row.at(-1) === "yes").map(([name]) => name);
   assert.deepEqual(clear.sort(), ["backlash of X +", "backlash of X −", "circularity"]);
   // The numbers are the program's.
@@ -71,7 +71,7 @@ test("the older of two tests is the one before, in whatever order they come", as
   await dropped(page, made("after", kAfter), made("before", kBefore));
   await verdict(page, "^Backlash of X fell from 8\\.1 to");
   await choose(page, "Compare with", "nothing");
-  await verdict(page, "Mending");
+  await verdict(page, "Correcting");
   assert.deepEqual(wrong, []);
   await close();
 });
@@ -79,15 +79,15 @@ test("the older of two tests is the one before, in whatever order they come", as
 test("a test made again is asked for by a file chooser, and other conditions are said first", async () => {
   const { page, wrong, close } = await live();
   await dropped(page, made("after", kAfter));
-  await verdict(page, "Mending");
+  await verdict(page, "Correcting");
   const again = async (file) => {
     const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.getByRole("button", { name: "Test again, and compare" }).click()]);
     await chooser.setFiles(file);
   };
   await again(made("fast", { ...kAfter, seed: 303, started: "2025-03-04T08:00:00", feed: 3000 }));
-  await verdict(page, "^The feeds differ \\(1000 and 3000 mm/min\\), so a difference may not be the machine's: Nothing changed clearly");
-  await page.getByRole("button", { name: "What is left to mend" }).click();
-  await verdict(page, "Mending");
+  await verdict(page, "^The feeds differ \\(1000 and 3000 mm/min\\), so a difference may not be the machine's: No significant change");
+  await page.getByRole("button", { name: "Remaining errors" }).click();
+  await verdict(page, "Correcting");
   assert.deepEqual(wrong, []);
   await close();
 });
@@ -95,7 +95,7 @@ test("a test made again is asked for by a file chooser, and other conditions are
 test("tests of two planes are no before and after", async () => {
   const { page, wrong, close } = await live();
   await dropped(page, made("after", kAfter));
-  await verdict(page, "Mending");
+  await verdict(page, "Correcting");
   await dropped(page, made("yz", { ...kAfter, seed: 305, plane: "YZ" }));
   await page.waitForFunction(() => /XY, YZ are not before and after/.test(document.querySelector(".live-told").textContent), null, { timeout: kLong });
   assert.equal(await page.locator("#change").count(), 0);
@@ -129,9 +129,9 @@ test("a folder of a machine's tests is its history, from which a test is opened 
   assert.equal((await choices(page))["As"], "history");
   await page.evaluate(() => (document.querySelector("#tests > details").open = true));
   await page.getByRole("button", { name: "2026-01-19/XY.b5r" }).click();
-  await verdict(page, "Mending");
+  await verdict(page, "Correcting");
   await choose(page, "Compare with", "2025-01-20, 2025-01-20/XY.b5r");
-  await verdict(page, "^Backlash of X grew from 0\\.\\d to 3\\.\\d µm, circularity grew from 4\\.7 to 6\\.7 µm; nothing else changed clearly\\.$");
+  await verdict(page, "^Backlash of X grew from 0\\.\\d to 3\\.\\d µm, circularity grew from 4\\.7 to 6\\.7 µm\\. No other significant change\\.$");
   await choose(page, "As", "history");
   await verdict(page, "^Backlash of X \\+ 3\\.88");
   assert.deepEqual(wrong, []);
@@ -141,7 +141,7 @@ test("a folder of a machine's tests is its history, from which a test is opened 
 test("tests of one day and plane are no history", async () => {
   const { page, close } = await live();
   await page.setInputFiles("input[webkitdirectory]", of_run("qc20-style-b5r"));
-  await verdict(page, "Mending");
+  await verdict(page, "Correcting");
   assert.equal((await choices(page))["Test"], "all tests");
   assert.equal(await page.locator("#history-1").count(), 0);
   await close();

@@ -112,7 +112,7 @@ test("the page of the error that is chosen stands beside the circle", async () =
     [await leaf.locator("h3").textContent(), await leaf.locator("dt").allTextContents(), await leaf.locator("dd").allTextContents()],
     [
       "Backlash of X",
-      ["Here", "Cause", "Looks like", "Confused with", "Told apart by", "Remedy"],
+      ["Here", "Cause", "Looks like", "Confused with", "Distinguished by", "Remedy"],
       [
         "backlash of X +: 1.40 ± 0.13 µm, backlash of X −: -0.40 ± 0.13 µm; mending it takes the circularity from 4.62 to 3.21 µm.",
         "Cause of backlash_a.", "Form of backlash_a.", "reversal spike of X, centre drift", "Test of backlash_a.", "Remedy of backlash_a.",

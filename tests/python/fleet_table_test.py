@@ -298,7 +298,7 @@ for k in range(8):
         original, copy = f"{self.plant}/m1/002.b5r", f"{self.plant}/m2/copy.b5r"
         shutil.copy(original, copy)
         done = fleet.update(self.plant, self.table)
-        self.assertEqual(done.table["fault"].dropna().tolist(), [f"{copy}: expected a test of its own, found a copy of {original}."])
+        self.assertEqual(done.table["fault"].dropna().tolist(), [f"{copy}: expected a different test, found a copy of {original}."])
         pandas.testing.assert_frame_equal(done.table, self.anew())
         os.remove(original)
         done = fleet.update(self.plant, self.table)

@@ -49,11 +49,11 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser.add_argument("paths", nargs="+", type=text, metavar="FOLDER", help="folders of .b5r files, patterns, or files")
     parser.add_argument("--table", type=text, metavar="FOLDER", help="where the table is kept: only what is new or changed is read")
     parser.add_argument("--workers", type=workers, metavar="N", help="processes that read; default: this one, on all cores")
-    parser.add_argument("--scheduler", type=text, metavar="ADDRESS", help="of a Dask cluster, tcp://host:8786, whose workers read")
+    parser.add_argument("--scheduler", type=text, metavar="ADDRESS", help="address of a Dask cluster, tcp://host:8786")
     parser.add_argument("--tolerance", action="append", type=limit, default=[], metavar="NAME=VALUE", help="limit of a quantity, to both sides of 0; may be repeated")
     parser.add_argument("--false-discovery-rate", type=rate, default=0.05, metavar="RATE", help="share of what is found by chance; default 0.05")
     parser.add_argument("--out", action="append", type=out, default=[], metavar="FILE", help=".csv: the table; .json: what was found; .html: a page; may be repeated")
-    parser.add_argument("--json", action="store_true", help="the result for a program")
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
     return parser.parse_args(words)
 
 

@@ -242,6 +242,6 @@ def copies_marked(table: pandas.DataFrame) -> pandas.DataFrame:
     copies = twice.index[twice["file"] != first]
     table.loc[copies, [name for name in table.columns if name not in ("file", "sha256", "version", "fault")]] = np.nan
     table.loc[copies, "fault"] = [
-        f"{file}: expected a test of its own, found a copy of {of}." for file, of in zip(twice["file"][copies], first[copies])
+        f"{file}: expected a different test, found a copy of {of}." for file, of in zip(twice["file"][copies], first[copies])
     ]
     return table

@@ -317,7 +317,7 @@ class Fit(_kinds.Checked):
     cov : (p, p) array
         Covariance of the parameters, in the order of `params`; 0 where one is held.
     where : DataFrame
-        Where the model fails: a row a group of readings.
+        Where the model fails: one row per group of readings.
     """
 
     __slots__ = ("model", "_places", "_held", "_index", "_how", "_arrays", "_labels", "_bench")
@@ -400,7 +400,7 @@ class Fit(_kinds.Checked):
 
     @property
     def where(self) -> pandas.DataFrame:  # type: ignore[override]
-        """Where the model fails: a row a group of readings."""
+        """Where the model fails: one row per group of readings."""
         return pandas.DataFrame(self._json["where"])
 
     def diagnose(

@@ -23,11 +23,11 @@ struct NotWritten {
 };
 constexpr std::array<NotWritten, 2> kNotWritten = {{
     {"fanuc",
-     "the manual of FANUC, where it is public, has no formula of temperatures: thermal growth compensation along the "
-     "tool (Series 15i, 16i) takes a length from the PMC"},
+     "the public FANUC manual has no formula of temperatures: thermal growth compensation along the tool (Series 15i, "
+     "16i) takes a length from the PMC"},
     {"heidenhain",
-     "the manual of HEIDENHAIN, where it is public, has a formula for the length of a tilting head alone (TEMPCOMP), "
-     "and for an axis a length from the PLC without its sign (Module 9231)"},
+     "the public HEIDENHAIN manual has a formula only for the length of a tilting head (TEMPCOMP); for an axis it has "
+     "a length from the PLC without its sign (Module 9231)"},
 }};
 
 }  // namespace
@@ -46,8 +46,8 @@ Control control_of(std::string_view word) {
   }
   for (const NotWritten& control : kNotWritten) {
     if (control.word != word) continue;
-    throw Error(
-        fmt::format("{}: not written, for {}. Hand it the offsets of --signals, --format word.", word, control.why));
+    throw Error(fmt::format("{}: not written, because {}. Send it the offsets of --signals, --format word.", word,
+                            control.why));
   }
   throw Error(fmt::format("expected one of the controls {}, found \"{}\".", fmt::join(words, ", "), word));
 }

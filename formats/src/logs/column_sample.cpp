@@ -109,8 +109,8 @@ void find_decimal(const std::string& name, const LogRecipe& recipe, LogShape& sh
     return;
   }
   const auto refuse = [&](const std::string& what, const std::string& found) {
-    throw Error(fmt::format("{}:{}: expected {}, found {}; say --decimal comma or --decimal point.", name, example_line,
-                            what, in_quotes(found)));
+    throw Error(fmt::format("{}:{}: expected {}, found {}. State --decimal comma or --decimal point.", name,
+                            example_line, what, in_quotes(found)));
   };
   if (sure_comma > 0 && sure_point > 0) {
     // "1.234" of thousands beside "1,5" is sure by the comma; "0.5" beside "0,5" is two hands.
@@ -122,7 +122,7 @@ void find_decimal(const std::string& name, const LogRecipe& recipe, LogShape& sh
       shape.decimal = '.';
       return;
     }
-    refuse("one decimal sign in all columns", "both comma and point");
+    refuse("one decimal separator in all columns", "both comma and point");
   }
   if (sure_comma > 0 || sure_point > 0) {
     shape.decimal = sure_comma > 0 ? ',' : '.';
@@ -131,7 +131,7 @@ void find_decimal(const std::string& name, const LogRecipe& recipe, LogShape& sh
   if (commas == 0 && points == 0) return;
   // Only numbers such as 1,234 or 20.000. Cells of one column that all have three digits behind the sign are decimals
   // printed to three places; thousands show smaller numbers without a sign beside them.
-  if (commas > 0 && points > 0) refuse("a decimal sign that can be told", example);
+  if (commas > 0 && points > 0) refuse("a clear decimal separator", example);
   if (commas > 0 && shape.delimiter == ';') {
     shape.decimal = ',';
     return;

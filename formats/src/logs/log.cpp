@@ -208,12 +208,11 @@ void say_lines(const LogTable& table, Log& log) {
   const auto lines = [](std::size_t count) { return fmt::format("{} {}", count, count == 1 ? "line" : "lines"); };
   if (table.other_lines > 0)
     log.remarks.push_back(
-        fmt::format("{} of comments, names or text after the rows: passed over.", lines(table.other_lines)));
+        fmt::format("{} of comments, names or text after the rows: ignored.", lines(table.other_lines)));
   if (table.without_time > 0)
     log.remarks.push_back(fmt::format("{} without a time: left out.", lines(table.without_time)));
   if (table.short_rows > 0)
-    log.remarks.push_back(
-        fmt::format("{} with fewer values than columns: the rest are gaps.", lines(table.short_rows)));
+    log.remarks.push_back(fmt::format("{} with fewer values than columns: filled with gaps.", lines(table.short_rows)));
   const auto say = [&](const std::vector<std::size_t>& numbers, std::string_view what) {
     if (numbers.empty()) return;
     const std::size_t some = std::min(kListedLines, numbers.size());
@@ -223,13 +222,14 @@ void say_lines(const LogTable& table, Log& log) {
                     numbers.size() > some ? fmt::format(" and {} more", numbers.size() - some) : ""));
   };
   say(table.bad_lines, "skipped, not a row of numbers");
-  say(table.cut_lines, "cut off within a number, which is a gap");
+  say(table.cut_lines, "cut off within a number, read as a gap");
 }
 
 // What a user should state, where the file does not tell it.
 std::vector<std::string> unclear_parts(const Log& log) {
   std::vector<std::string> parts;
-  if (!log.series.has_clock) parts.emplace_back("No column tells the time, and no line the interval of the rows.");
+  if (!log.series.has_clock)
+    parts.emplace_back("No column holds the time, and no line states the interval of the rows.");
   bool measured = false;
   for (const LogColumn& column : log.columns) {
     if (column.name.empty()) continue;
@@ -239,7 +239,7 @@ std::vector<std::string> unclear_parts(const Log& log) {
     if (column.role == Role::event && column.why.ends_with('?'))
       parts.push_back(fmt::format("{}: {}", column.source, column.why));
   }
-  if (!measured) parts.emplace_back("No column is known as measured.");
+  if (!measured) parts.emplace_back("No measured column was found.");
   return parts;
 }
 
@@ -269,8 +269,7 @@ void settle_targets(Log& log) {
   std::vector<std::pair<LogColumn*, Column*>> found;
   for (const auto& one : taken) {
     const LogColumn& column = *one.first;
-    if (any && column.role == Role::measured && is_axis(column))
-      set(one, Role::event, "the place of an axis, by its name");
+    if (any && column.role == Role::measured && is_axis(column)) set(one, Role::event, "an axis position, by its name");
     const Extremes range = extremes_of(one.second->values);
     const bool may_be = column.role == Role::event && !column.role_is_stated && column.unit.empty() &&
                         column.found_unit.empty() && range.most > range.least && could_be_measured(column.source);
@@ -279,7 +278,7 @@ void settle_targets(Log& log) {
   const bool none =
       std::none_of(taken.begin(), taken.end(), [](const auto& one) { return one.first->role == Role::measured; });
   if (!none || found.size() > kProbesAtMost) return;
-  for (const auto& one : found) set(one, Role::measured, "the only column that may be measured; in which unit?");
+  for (const auto& one : found) set(one, Role::measured, "the only possible measured column, in which unit?");
 }
 
 // A row a burst: the mean of its rows, at the mean of their times. Bursts are parted by steps of time that are far
@@ -339,7 +338,8 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     if (plan.columns[i].kind != ColumnKind::number) continue;
     const std::string gone = take_sentinels(table.values[i]);
-    if (!gone.empty()) log.remarks.push_back(fmt::format("{}: {}: taken for no value.", plan.columns[i].source, gone));
+    if (!gone.empty())
+      log.remarks.push_back(fmt::format("{}: {}: read as a missing value.", plan.columns[i].source, gone));
   }
   std::vector<std::string> assumed(plan.columns.size());
   for (const TemperatureFamily& family : temperatures_among(plan, table.values)) {
@@ -378,15 +378,16 @@ Log one_log(const Source& source, const LogRecipe& recipe, bool joined) {
       return log_of(Source::of_text(text->name, std::move(text->text)), tabs, joined);
     } catch (const Error& error) {
       if (text->sheet.empty()) throw;
-      throw Error(fmt::format("{} In the sheet {}; --sheet names another.", error.what(), in_quotes(text->sheet)));
+      throw Error(
+          fmt::format("{} In the sheet {}. Choose another with --sheet.", error.what(), in_quotes(text->sheet)));
     }
   }();
   log.shape = text->shape;
   log.sheet = text->sheet;
   log.sheets = std::move(text->sheets);
   if (recipe.sheet.empty() && log.sheets.size() > 1) {
-    log.remarks.push_back(
-        fmt::format("One of {} sheets is read, {}; --sheet names another.", log.sheets.size(), in_quotes(log.sheet)));
+    log.remarks.push_back(fmt::format("One of {} sheets is read, {}. Choose another with --sheet.", log.sheets.size(),
+                                      in_quotes(log.sheet)));
   }
   log.recipe.delimiter.reset();
   log.recipe.decimal.reset();
@@ -397,8 +398,8 @@ void expect_rows_alone(const Log& log, const std::string& name) {
   const std::size_t others = log.without_row + (log.series.has_clock ? log.skipped_lines.size() : 0);
   if (others == 0) return;
   throw Error(
-      fmt::format("{}: expected rows of numbers alone, for the files are joined row by row, found {} other {} "
-                  "between the first row and the last.",
+      fmt::format("{}: expected only rows of numbers, because the files are joined row by row, found {} other {} "
+                  "between the first and the last row.",
                   name, others, others == 1 ? "line" : "lines"));
 }
 
@@ -422,7 +423,7 @@ void join(Log& log, const Source& source, const std::string& file, const LogReci
   }
   if (rows != others) {
     const std::size_t more = std::max(rows, others) - both;
-    log.remarks.push_back(fmt::format("{} rows here and {} in {}: the last {} left out.", rows, others, file,
+    log.remarks.push_back(fmt::format("{} rows here and {} in {}: the last {} omitted.", rows, others, file,
                                       more == 1 ? "row is" : fmt::format("{} rows are", more)));
   }
   log.recipe.columns.insert(log.recipe.columns.end(), beside.recipe.columns.begin(), beside.recipe.columns.end());
@@ -489,7 +490,7 @@ Log open_log(const Source& source) {
     const std::size_t rows = log.series.time_s.size();
     take_burst_means(log.series, source.name());
     log.remarks.push_back(
-        fmt::format("{} rows come in {} bursts: each row is the mean of a burst.", rows, log.series.time_s.size()));
+        fmt::format("{} rows in {} bursts: each row is the mean of a burst.", rows, log.series.time_s.size()));
   }
   settle_targets(log);
   for (const auto& [column, values] : taken_columns(log)) show_values(*column, values->values);
@@ -581,7 +582,7 @@ std::string sentence_of(const Log& log) {
   add(others, "other", "others");
   add(left_out, "left out", "left out");
   const std::string time =
-      log.series.has_clock ? fmt::format("time {}", log.time) : "numbered: no column tells the time";
+      log.series.has_clock ? fmt::format("time {}", log.time) : "numbered, because no column holds the time";
   return fmt::format("read as {}; {} rows from line {}, {}; {}.", log.shape, log.series.time_s.size(),
                      log.first_row_line, time, columns);
 }

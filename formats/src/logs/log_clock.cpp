@@ -61,12 +61,13 @@ class Clock {
         } else if (dated && !table_.zoned && std::abs(change_s + kHour_s - step_s) <= slack_s &&
                    may_change(day(time_s[i]), time_s[i])) {
           added_s += kHour_s;
-          remarks_.push_back(fmt::format(
-              "The clock goes back an hour at line {}, the end of summer time: the time runs on.", table_.line_of(i)));
+          remarks_.push_back(
+              fmt::format("The clock goes back an hour at line {}, the end of summer time: the time continues.",
+                          table_.line_of(i)));
         } else if (!dated && std::abs(change_s + kHour_s - step_s) <= slack_s && before_s <= 4.0 * kHour_s) {
           added_s += kHour_s;
           remarks_.push_back(
-              fmt::format("The clock goes back an hour at line {}, taken for the end of summer time: the time runs on.",
+              fmt::format("The clock goes back an hour at line {}, read as the end of summer time: the time continues.",
                           table_.line_of(i)));
         } else {
           fail_back(i, -change_s);
@@ -74,18 +75,17 @@ class Clock {
       } else if (dated && !table_.zoned && change_s > 0.0 && std::abs(change_s - kHour_s - step_s) <= slack_s &&
                  kHour_s > 4.0 * step_s && may_change(day(time_s[i]), time_s[i]) && in_spring(day(time_s[i]))) {
         added_s -= kHour_s;
-        remarks_.push_back(
-            fmt::format("The clock goes forward an hour at line {}, the start of summer time: no gap is made of it.",
-                        table_.line_of(i)));
+        remarks_.push_back(fmt::format("The clock goes forward an hour at line {}, the start of summer time: no gap.",
+                                       table_.line_of(i)));
       }
       time_s[i] += added_s;
       if (time_s[i] < time_s[i - 1]) fail_back(i, time_s[i - 1] - time_s[i]);
     }
     if (turns == 0) return;
-    remarks_.push_back(
-        plan_.time.minutes_and_seconds
-            ? fmt::format("The minutes begin anew {} times: the time runs on.", turns)
-            : fmt::format("Over midnight {}: the time runs on.", turns == 1 ? "once" : fmt::format("{} times", turns)));
+    remarks_.push_back(plan_.time.minutes_and_seconds
+                           ? fmt::format("The minutes restart {} times: the time continues.", turns)
+                           : fmt::format("Past midnight {}: the time continues.",
+                                         turns == 1 ? "once" : fmt::format("{} times", turns)));
   }
 
   // Rows of one stamp: evenly to the next stamp's, or within the second or minute to which stamps are written.
@@ -107,9 +107,8 @@ class Clock {
       }
       i = end;
     }
-    remarks_.push_back(
-        fmt::format("{} rows share their time with another, written to {:g} s: they are spread evenly within it.", rows,
-                    resolution_s));
+    remarks_.push_back(fmt::format("{} rows have the same time as another, written to {:g} s: they are spread evenly.",
+                                   rows, resolution_s));
   }
 
  private:
@@ -141,9 +140,8 @@ class Clock {
 
   [[noreturn]] void fail_back(std::size_t row, double back_s) const {
     throw Error(
-        fmt::format("{}:{}: expected a time above that of the row before, found one {:g} s earlier; if here begins "
-                    "another recording, "
-                    "cut the file there.",
+        fmt::format("{}:{}: expected a time above that of the row before, found one {:g} s earlier. If another "
+                    "recording starts here, split the file.",
                     name_, table_.line_of(row), back_s));
   }
 
@@ -180,9 +178,8 @@ std::vector<double> clock_s(LogTable& table, const LogPlan& plan, const std::str
     if (falls != time_s.end()) {
       const auto row = static_cast<std::size_t>(falls - time_s.begin()) + 1;
       throw Error(
-          fmt::format("{}:{}: expected a time above {:g} s of the row before, found {:g} s; if here begins another "
-                      "recording, cut the "
-                      "file there.",
+          fmt::format("{}:{}: expected a time above {:g} s of the row before, found {:g} s. If another recording "
+                      "starts here, split the file.",
                       name, table.line_of(row), time_s[row - 1], time_s[row]));
     }
   } else {

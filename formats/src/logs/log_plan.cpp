@@ -141,10 +141,10 @@ void expect_no_tags(const LogShape& shape, const LogPlan& plan, const std::vecto
       tags.insert(here);
     }
     if (tags.size() < 2 || tags.size() > rows / 3 || changes * 3 < rows) continue;
-    throw Error(fmt::format(
-        "{}:{}: expected a column for each quantity, found rows of {} quantities below each other, named in {}; export "
-        "them side by side.",
-        name, shape.first_row_line, tags.size(), in_quotes(column.source)));
+    throw Error(
+        fmt::format("{}:{}: expected one column per quantity, found rows of {} quantities below each other, named in "
+                    "{}. Export them side by side.",
+                    name, shape.first_row_line, tags.size(), in_quotes(column.source)));
   }
 }
 

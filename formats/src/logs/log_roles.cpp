@@ -294,9 +294,9 @@ FoundRole found_role(std::string_view name, std::string_view unit, std::span<con
     const double travel_um = (range.most - range.least) * one;
     const double far_um = std::max(std::abs(range.most), std::abs(range.least)) * one;
     if (travel_um > kTravel_um) {
-      return {Role::event, fmt::format("moves by {:.0f} mm, as an axis, no probe", travel_um * 1e-3), ""};
+      return {Role::event, fmt::format("moves by {:.0f} mm, so it is an axis, not a probe", travel_um * 1e-3), ""};
     }
-    if (far_um > kFarFromZero_um) return {Role::event, "far from zero, as the place of an axis", ""};
+    if (far_um > kFarFromZero_um) return {Role::event, "far from zero, like an axis position", ""};
     return {Role::measured, "by its unit", ""};
   }
   if (unit == "V" && says(key, kMeasured)) return {Role::measured, "by its name", ""};
@@ -307,13 +307,13 @@ FoundRole found_role(std::string_view name, std::string_view unit, std::span<con
   if (says(key, kTemperature) || (temperature && !says(key, kLoad) && !says(key, kSpeed))) {
     if (range.least > -40.0 && range.least < 45.0 && range.most < 150.0) {
       FoundRole found = temperature_role(key);
-      return {found.role, "by its name; no unit, taken for degC by its values", "degC"};
+      return {found.role, "by its name; no unit, read as degC by its values", "degC"};
     }
-    return {Role::event, "a temperature by its name, but in which unit?", ""};
+    return {Role::event, "a temperature by its name, in which unit?", ""};
   }
   if (says(key, kSpeed) && !says(key, kLoad)) {
     if (range.least >= -100000.0 && range.most >= 100.0)
-      return {Role::speed, "by its name; no unit, taken for rpm", "rpm"};
+      return {Role::speed, "by its name; no unit, read as rpm", "rpm"};
     return {Role::speed, "by its name", ""};
   }
   if (says(key, kLoad)) return {Role::load, "by its name", ""};
@@ -321,10 +321,10 @@ FoundRole found_role(std::string_view name, std::string_view unit, std::span<con
                                           "nr",   "number", "index",   "alarm", "flag",   "times", "anzahl"};
   if ((says(key, kMeasured) || names_a_probe(key)) && !says(key, kStates)) {
     if (range.most - range.least > kTravel_um) return {Role::event, "moves too far for a probe", ""};
-    return {Role::measured, "by its name; in which unit?", ""};
+    return {Role::measured, "by its name, in which unit?", ""};
   }
   if (moves_as_speed(values) && !says(key, kOtherQuantity))
-    return {Role::speed, "held at round numbers, as a speed; no unit, taken for rpm", "rpm"};
+    return {Role::speed, "constant at round numbers, like a speed; no unit, read as rpm", "rpm"};
   return {Role::event, "", ""};
 }
 

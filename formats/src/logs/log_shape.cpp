@@ -278,10 +278,10 @@ void expect_no_decimal_delimiter(const std::string& name, const LogShape& shape,
   const std::size_t header_line = lines[line - 1].number;
   split_cells(lines[cut.first].text, ',', cells);
   if (headers == 0 || cells.size() < headers + 2) return;
-  throw Error(fmt::format(
-      "{}:{}: expected {} values, one for each name of line {}, found {}; commas that separate and commas of decimals "
-      "cannot be told apart: export with semicolons or tabs between the values, or with decimal points.",
-      name, lines[cut.first].number, headers, header_line, cells.size()));
+  throw Error(
+      fmt::format("{}:{}: expected {} values, one for each name of line {}, found {}. Separators and decimal commas "
+                  "are ambiguous. Export with semicolons or tabs between the values, or with decimal points.",
+                  name, lines[cut.first].number, headers, header_line, cells.size()));
 }
 
 std::vector<HeadLine> head_lines(const Source& source, const TextEncoding& encoding) {

@@ -99,8 +99,8 @@ class Table {
     const std::size_t bad = skipped + table_.cut_lines.size();
     const std::size_t all = table_.rows + (plan_.time.kind == TimePlan::Kind::rows ? 0 : skipped);
     if (recipe_.skip_bad_rows || (bad <= kFreeRows + all / 100 && bad * 10 <= all)) return std::move(table_);
-    if (bad == 1) throw Error(fmt::format("{} --skip-bad-rows leaves the row out.", fault));
-    throw Error(fmt::format("{} {} of {} rows are such; --skip-bad-rows leaves them out.", fault, bad, all));
+    if (bad == 1) throw Error(fmt::format("{} Use --skip-bad-rows to omit the row.", fault));
+    throw Error(fmt::format("{} This affects {} of {} rows. Use --skip-bad-rows to omit them.", fault, bad, all));
   }
 
   LogTable table_;
@@ -256,7 +256,7 @@ class Table {
     }
     pending_.clear();
     if (bad) {
-      return skip(fmt::format("expected a number for {}, found {}; --missing takes such a text for a gap.",
+      return skip(fmt::format("expected a number for {}, found {}. Use --missing to read such a text as a gap.",
                               in_quotes(plan_.columns[*bad].source), in_quotes(trimmed_cell(bad_cell))),
                   line);
     }
@@ -375,10 +375,10 @@ LogTable log_table(const Source& source, const LogShape& shape, LogPlan& plan, c
         plan.time.order = DateOrder::day_first;
         return table.taken();
       }
-      throw Error(fmt::format(
-          "{}:{}: expected a date that can be read in one way, found {}: the third number is the year, but which of "
-          "the others is the month? Say --dates day-first or --dates month-first.",
-          name, table.first_either_line_, in_quotes(table.first_either_)));
+      throw Error(
+          fmt::format("{}:{}: expected an unambiguous date, found {}. The third number is the year; state --dates "
+                      "day-first or --dates month-first.",
+                      name, table.first_either_line_, in_quotes(table.first_either_)));
     }
     if (plan.time.order == DateOrder::day_first) return table.taken();
   }

@@ -183,7 +183,7 @@ std::vector<TemperatureFamily> temperatures_among(const LogPlan& plan, const std
   }
   if (!alone.empty()) families.push_back(together(plan, std::move(alone), "name and values"));
   if (auto columns = beside(plan, values, others, known); !columns.empty())
-    families.push_back(together(plan, std::move(columns), "values, as those beside"));
+    families.push_back(together(plan, std::move(columns), "values like the columns beside it"));
   std::sort(families.begin(), families.end(),
             [](const auto& a, const auto& b) { return a.columns.front() < b.columns.front(); });
   return families;

@@ -251,7 +251,7 @@ TableText mat_table(std::string_view bytes, const std::string& name) {
   scratch.made = file.number >= 0;
   int ends[2] = {-1, -1};
   if (file.number < 0 || ::pipe(ends) != 0)
-    throw Error(fmt::format("{}: expected room for a copy of the file, found none.", name));
+    throw Error(fmt::format("{}: expected space for a copy of the file, found none.", name));
   const Descriptor from(ends[0]);
   std::string answer_text;
   int status = 0;
@@ -259,11 +259,11 @@ TableText mat_table(std::string_view bytes, const std::string& name) {
     const Descriptor to(ends[1]);
     for (std::string_view left = bytes; !left.empty();) {
       const ::ssize_t count = ::write(file.number, left.data(), left.size());
-      if (count <= 0) throw Error(fmt::format("{}: expected room for a copy of the file, found none.", name));
+      if (count <= 0) throw Error(fmt::format("{}: expected space for a copy of the file, found none.", name));
       left.remove_prefix(static_cast<std::size_t>(count));
     }
     const ::pid_t child = ::fork();
-    if (child < 0) throw Error(fmt::format("{}: expected room for another process, found none.", name));
+    if (child < 0) throw Error(fmt::format("{}: expected memory for another process, found none.", name));
     if (child == 0) answer(scratch.path, to.number);
     ::close(to.number);
     const_cast<int&>(to.number) = -1;

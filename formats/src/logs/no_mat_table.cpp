@@ -8,9 +8,8 @@ namespace ballbar {
 
 TableText mat_table(std::string_view, const std::string& name) {
   throw Error(
-      fmt::format("{}:1: expected a ballbar that can read .mat files, found one built without matio; install "
-                  "libmatio-dev, configure "
-                  "with -D BALLBAR_MAT=ON and build again.",
+      fmt::format("{}:1: expected a ballbar that can read .mat files, found one built without matio. Install "
+                  "libmatio-dev, configure with -D BALLBAR_MAT=ON and build again.",
                   name));
 }
 

@@ -15,22 +15,22 @@ constexpr std::string_view kFormat = "ballbar-recipe 1";
 
 constexpr Key kRootKeys[] = {
     {"format", "text", "\"ballbar-recipe 1\"; needed"},
-    {"sheet", "text", "of a workbook; default the first that holds a table"},
+    {"sheet", "text", "sheet of a workbook; default: the first with a table"},
     {"delimiter", "text", "\"comma\", \"semicolon\", \"tab\", \"bar\" or \"blank\""},
     {"decimal", "text", "\"comma\" or \"point\""},
     {"dates", "text", "\"day-first\" or \"month-first\": how 03/04/2026 is read"},
     {"time", "text", "header of the column of time; \"none\": rows are numbered"},
     {"time_unit", "text", "of a time that is a number: \"s\", \"ms\", \"min\", \"h\" ..."},
-    {"every_s", "s", "distance of the rows where no column holds the time, above 0"},
-    {"missing", "list of texts", "cells that hold no value, besides the usual ones"},
-    {"skip_bad_rows", "true or false", "rows that are none of numbers are skipped, however many; default false"},
-    {"burst_means", "true or false", "rows that come in bursts become a row a burst; default false"},
-    {"column", "tables", "`[[column]]`, one a column of the log"},
+    {"every_s", "s", "interval of the rows if no column holds the time, above 0"},
+    {"missing", "list of texts", "cells without a value, besides the usual ones"},
+    {"skip_bad_rows", "true or false", "skip any number of rows without numbers; default false"},
+    {"burst_means", "true or false", "average each burst of rows to one row; default false"},
+    {"column", "tables", "`[[column]]`, one per column of the log"},
 };
 constexpr Key kColumnKeys[] = {
     {"source", "text", "its header in the log, with or without the unit, or a pattern, \"T*\"; needed"},
     {"name", "text", "in the series; default made from the header"},
-    {"unit", "text", "as a log writes it, or a scale, \"2.5um\"; default found out"},
+    {"unit", "text", "as a log writes it, or a scale, \"2.5um\"; default: detected"},
     {"role", "text", "as in `[columns.NAME]` of a series; default found out"},
     {"left_out", "true or false", "default false"},
 };

@@ -204,7 +204,8 @@ class TimeFinder {
     }
     const auto unit_s = unit_of_number(i);
     if (!unit_s) {
-      fail(fmt::format("the unit of the time {}", in_quotes(column.source)), "none", "say --time-unit s, ms, min or h");
+      fail(fmt::format("the unit of the time {}", in_quotes(column.source)), "none",
+           "state --time-unit s, ms, min or h");
     }
     time.unit_s = *unit_s;
     time.resolution_s = *unit_s == 1.0 ? 0.0 : 1e-9;

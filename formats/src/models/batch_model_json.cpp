@@ -77,7 +77,7 @@ RegressionSettings settings_at(const JsonValue& root, std::size_t inputs) {
   const JsonValue method = member(root, "method");
   if (method.value->is_string() && (text(method) == "pls" || text(method) == "ols")) {
     fail(method, "\"pcr\" or \"ridge\"",
-         fmt::format("\"{}\" of an older version; train the model again", text(method)));
+         fmt::format("\"{}\" of an older version. Train the model again", text(method)));
   }
   RegressionSettings settings;
   settings.method =

@@ -17,27 +17,26 @@ namespace ballbar {
 namespace {
 
 constexpr Key kKeys[] = {
-    {"revision", "number", "0 is the model as it started; rises by one"},
+    {"revision", "number", "0 for the initial model; increases by one"},
     {"change", "text", "\"start\", \"+ effect\", \"- effect\" or \"= parameter\""},
-    {"target", "text", "column that the figures are of"},
-    {"data", "texts", "files, as they were named on the command line"},
+    {"target", "text", "column of the figures"},
+    {"data", "texts", "files, as named on the command line"},
     {"parameters", "number", "how many parameters are free"},
-    {"rmse_um", "um", "root mean square of what the model leaves"},
-    {"times_floor", "1", "that over the floor; absent where the floor is not known"},
-    {"held_out_um", "um", "the same where cycles, or recordings, are left out and predicted from the others"},
-    {"likelihood_ratio", "1",
-     "2 ln B: of how much more likely the readings are with the change; chi^2 of errors of axes"},
-    {"threshold", "1", "from which that counts"},
+    {"rmse_um", "um", "root mean square of the residual"},
+    {"times_floor", "1", "that relative to the noise; absent if the noise is not known"},
+    {"held_out_um", "um", "the same for cycles, or recordings, that are left out and predicted from the others"},
+    {"likelihood_ratio", "1", "2 ln B of the change; chi^2 for axis errors"},
+    {"threshold", "1", "its threshold"},
     {"best_surrogate_fall", "1", "share by which the best of 200 surrogates lowers the RMSE"},
     {"forecast_um", "um", "root mean square error of rows forecast from earlier ones alone"},
     {"surrogate_forecast_um", "um", "the same with as many surrogates in place of the effects"},
-    {"discrepancy_um", "um", "standard deviation of the slow curve that is left"},
+    {"discrepancy_um", "um", "standard deviation of the slow curve in the residual"},
     {"verdict", "text",
      "\"start\", \"named\", \"supported\", \"time only\", \"not supported\", \"driver known\", \"empirical\" or \"by "
      "hand\""},
-    {"still_needed", "texts", "earlier effects that are needed beside the new one"},
-    {"no_longer_needed", "texts", "earlier effects that are not"},
-    {"effects_before", "text", "the effects as they stood before, to the letter: `undo` puts them back"},
+    {"still_needed", "texts", "earlier effects that are still needed"},
+    {"no_longer_needed", "texts", "earlier effects that are no longer needed"},
+    {"effects_before", "text", "the effects before, unchanged; `undo` restores them"},
 };
 
 // A number of a row, which may be missing.

@@ -40,11 +40,11 @@ constexpr Key kRootKeys[] = {
     {"history", "tables", "the ledger, which `add` and `undo` write; below the effects"},
 };
 constexpr Key kNameKeys[] = {
-    {"name", "text", "which effect, as `ballbar effects` lists it; needed"},
+    {"name", "text", "effect, as `ballbar effects` lists it; needed"},
 };
 constexpr Key kFormulaKeys[] = {
     {"name", "text", "\"expression\""},
-    {"formula", "text", "in um; `ballbar effects expression` says what may stand in it; needed"},
+    {"formula", "text", "formula in um; see `ballbar effects expression`; needed"},
 };
 constexpr Key kSettingKeys[] = {
     {"start", "its unit", "where the fit starts; default: the catalogue's"},

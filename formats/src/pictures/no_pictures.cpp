@@ -11,9 +11,9 @@ namespace {
 
 [[noreturn]] void fail(std::string_view what) {
   throw Error(
-      fmt::format("{}: expected a ballbar that can read and paint pictures, found one built without; install "
-                  "libopencv-imgproc-dev, libspng-dev and libjpeg62-turbo-dev, configure with -D BALLBAR_IMAGES=ON "
-                  "and build again.",
+      fmt::format("{}: expected a ballbar that can read and draw pictures, found one built without OpenCV. Install "
+                  "libopencv-imgproc-dev, libspng-dev and libjpeg62-turbo-dev, configure with -D BALLBAR_IMAGES=ON and "
+                  "build again.",
                   what));
 }
 

@@ -40,9 +40,10 @@ Plane plane_of(const SourceText& text, pugi::xml_node ballbar, B5rRemarks& remar
   if (a.value == name.substr(0, 1) && b.value == name.substr(1)) return *stated;
   if (a.value == name.substr(1) && b.value == name.substr(0, 1)) {
     const std::string axes = fmt::format("{}{}", a.value, b.value);
-    remarks.add(a.offset, fmt::format("expected the axes {} and {} of the plane {}, found {} first; it is read as the "
-                                      "plane {}.",
-                                      name[0], name[1], name, a.value, axes));
+    remarks.add(
+        a.offset,
+        fmt::format("expected the axes {} and {} of the plane {}, found {} first. The file is read as the plane {}.",
+                    name[0], name[1], name, a.value, axes));
     return *plane_called(axes);
   }
   const bool of_a = a.value != name.substr(0, 1);
@@ -161,14 +162,14 @@ std::string_view direction_phrase(const StoredRun& run) { return run.direction ?
 // A run without readings, one that misses, or both of one direction.
 void remark_runs(const std::vector<pugi::xml_node>& nodes, pugi::xml_node place, const B5r& test, B5rRemarks& remarks) {
   if (test.runs.empty()) {
-    remarks.add(offset_of(place), "expected READINGS, found stored results alone; these are read.");
+    remarks.add(offset_of(place), "No readings in this file; showing the results stored by the instrument software.");
     return;
   }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (test.run_results[i].recording) continue;
-    remarks.add(offset_of(nodes[i]), fmt::format("expected READINGS in BALLBAR_RUN, found none; of the {} run there "
-                                                 "are the stored results alone.",
-                                                 direction_phrase(test.run_results[i])));
+    remarks.add(offset_of(nodes[i]),
+                fmt::format("No readings in the {} run; showing the results stored by the instrument software.",
+                            direction_phrase(test.run_results[i])));
   }
   const std::string_view direction = name_of(test.runs.front().direction);
   if (nodes.size() == 1) {

@@ -7,7 +7,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::string_view kNotStated = "it is treated as not stated";
+constexpr std::string_view kNotStated = "it is ignored";
 
 std::string stated(std::string_view text) {
   text = trimmed(text, kBlank);

@@ -32,7 +32,7 @@ void add_limits(const SourceText& text, pugi::xml_node spec, B5r& test, B5rRemar
     }
     limit.level = tolerance.attribute("LEVEL").value();
     const auto end = [&](const char* name) {
-      return remarks.or_remark("it is treated as not stated", [&] { return stated_number(text, tolerance, name); });
+      return remarks.or_remark("it is ignored", [&] { return stated_number(text, tolerance, name); });
     };
     limit.lower = end("LOWER_LIMIT");
     limit.upper = end("UPPER_LIMIT");

@@ -79,10 +79,8 @@ NominalRadius nominal_radius(std::string_view name, const ColumnTable& table, co
   if (agrees(in_header)) return {*in_header};
   if (agrees(commanded_mm)) return {std::round(1e3 * *commanded_mm) / 1e3};
   if (radius_mm) return {std::max(1.0, std::round(*radius_mm)), true};
-  throw Error(
-      fmt::format("{}: expected the nominal radius of this circle, found deviations alone; state it, as in --radius "
-                  "100mm.",
-                  name));
+  throw Error(fmt::format(
+      "{}: expected the nominal radius of this circle, found only deviations. State it, as in --radius 100mm.", name));
 }
 
 // The first column of time; empty where there is none, or its unit is not known.
@@ -183,7 +181,7 @@ void say(RecordingFile& file, std::string_view name, const Readings& readings, b
     runs += fmt::format("{}{} of {} readings", runs.empty() ? "" : ", ", name_of(one.direction), one.length_mm.size());
   }
   const Recording& first = file.recordings.front();
-  file.remarks.push_back(fmt::format("{}: read as a circle by {}; plane {}{}, nominal radius {:g} mm{}; {}.", name,
+  file.remarks.push_back(fmt::format("{}: read as a circle from {}; plane {}{}, nominal radius {:g} mm{}; {}.", name,
                                      readings.what, name_of(first.plane), plane_known ? "" : " (not stated)",
                                      first.nominal_length_mm, radius_assumed ? " (assumed)" : "", runs));
 }
@@ -246,8 +244,8 @@ RecordingFile read_circle_table(std::string_view bytes, std::string_view name, c
   if (const auto circle = coordinate_circle(table, false)) return file_of(name, table, *circle, stated);
   if (const auto circle = polar_circle(table, false)) return file_of(name, table, *circle, stated);
   throw Error(
-      fmt::format("{}: expected a circle: coordinates that lie on one, or an angle that runs through at least 150 "
-                  "deg beside a length or a deviation, found neither.",
+      fmt::format("{}: expected a circle, found none. A circle has coordinates on it, or an angle over at least 150 "
+                  "deg with a length or a deviation.",
                   name));
 }
 

@@ -74,7 +74,7 @@ bool is_of_linear_axes(const Source& file) {
 void expect_readings(const RecordingFile& file, const std::filesystem::path& path) {
   if (!file.recordings.empty()) return;
   throw Error(fmt::format("{}: expected readings, found {}.", path.string(),
-                          file.b5r ? "stored results alone; ballbar fit prints those" : "none"));
+                          file.b5r ? "only stored results. Show them with ballbar fit" : "none"));
 }
 
 }  // namespace ballbar

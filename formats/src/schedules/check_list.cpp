@@ -67,7 +67,7 @@ std::string on_top_text(const Schedule& schedule, const ProgramOptions& options)
   const auto counted = [](std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
   };
-  if (stops == 0) return "the program runs through without a stop";
+  if (stops == 0) return "the program runs without a stop";
   const std::string stops_text = counted(stops, "stop") + " for the operator";
   // A test is a circle either way.
   if (circles > 0) return fmt::format("{} and {} come on top", stops_text, counted(circles / 2, "ballbar test"));
@@ -89,12 +89,11 @@ std::string check_list(const Schedule& schedule, const ProgramOptions& options,
   const auto item = [&](std::string_view text) { out += fmt::format("[ ] {}\n", text); };
 
   out += fmt::format("{} in all; {}.\n\nBefore\n", duration_text(duration_s(schedule)), on_top_text(schedule, options));
-  item(schedule.starts_warm ? "The machine still moves from what it did before: begin within minutes of its end."
+  item(schedule.starts_warm ? "The machine is still warm from its previous work: start within minutes of its end."
                             : "The machine has been at rest for a night, powered, in the room of the test.");
   item(fmt::format("The tool in the spindle may turn at {} rpm; guards and door are closed while it turns.",
                    grouped_text(std::round(highest_rpm))));
-  item(test ? "Clearances are checked: axes move in the ballbar tests alone, first with the override of the feed "
-              "turned down."
+  item(test ? "Clearances are checked: axes move only in the ballbar tests, first with a reduced feed override."
             : "Clearances are checked; no axis moves in the program.");
   if (test) {
     item(
@@ -104,12 +103,12 @@ std::string check_list(const Schedule& schedule, const ProgramOptions& options,
     item(fmt::format("Bar of {:.6g} mm, calibrated, at the room's temperature; feed {:.6g} mm/min, XY, CCW then CW.",
                      test->radius_mm, test->feed_mm_per_min));
   } else {
-    item("What measures the drift is mounted and reads; its range holds the drift that is expected (plan.svg).");
+    item("The drift sensors are mounted and give readings; their range covers the expected drift (plan.svg).");
   }
   item("The clocks of the machine, of the loggers and of the ballbar's computer agree to a few seconds.");
   item("The machine's own thermal compensation is off, or its offsets are logged.");
   if (by_hand)
-    item("Load, room and coolant can be set as the timetable says, and what they were in the data is known.");
+    item("Load, room and coolant can be set to the timetable, and their values in the previous data are known.");
 
   out += "\nLog from before the start until after the end, one file, one clock\n";
   item(fmt::format("time, as time_s or a time stamp; the target every {:.6g} s, all else at least as often",
@@ -120,7 +119,7 @@ std::string check_list(const Schedule& schedule, const ProgramOptions& options,
   out += timetable(schedule);
   out += "\n";
   item("Start the loggers, wait for ten readings at rest, start the program, write down the time of day: ______");
-  if (by_hand) item("At each stop set what the message says, write down when and what was reached, start again.");
+  if (by_hand) item("At each stop set the values of the message, note the time and the values reached, then restart.");
   if (test && test->every_min > 0.0) {
     item(
         fmt::format("A ballbar test at the start, every {:.6g} min and at the end; the bar is off while the spindle "
@@ -130,13 +129,13 @@ std::string check_list(const Schedule& schedule, const ProgramOptions& options,
     item("A ballbar test at the start and after each dwell; the bar is off while the spindle turns.");
   }
   item("The override of the spindle's speed stays at 100 %.");
-  item("What was other than planned (door open, a pause, an alarm) is written down with its time.");
+  item("Every deviation from the plan (door open, a pause, an alarm) is noted with its time.");
 
   out += "\nAfter\n";
   item("Let the loggers run for ten more minutes, then save.");
   item("Each column of the list is in the file, has its unit in its name and no long gap.");
   item("The spindle's speed in the file is that of the timetable.");
-  if (test) item("Each ballbar recording bears its own time.");
+  if (test) item("Each ballbar recording has its own time.");
   item("Give the run to ballbar diagnose together with the data so far.");
   return out;
 }

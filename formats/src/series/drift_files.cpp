@@ -111,7 +111,7 @@ void write_by_extension(const std::filesystem::path& path, Columns columns, Writ
       std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
       write_json(file);
       file.close();
-      if (!file) throw Error(fmt::format("{}: expected room to write the series, found none.", path.string()));
+      if (!file) throw Error(fmt::format("{}: expected space to write the series, found none.", path.string()));
     });
   } else if (extension == ".mat") {
     expect_mat(path);

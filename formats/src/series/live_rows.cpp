@@ -113,8 +113,7 @@ void LiveRows::name_columns(std::string_view line) {
   second_ = count("time_min") == 1 ? 60.0 : 1.0;
   for (const std::string& name : columns_) {
     if (name == "time_s" || name == "time_min") {
-      fail(
-          fmt::format("expected signals for the model to read, found that it reads {}; in a formula time is t.", name));
+      fail(fmt::format("expected signals for the model to read, found {}. In a formula, time is t.", name));
     }
     if (count(name) == 1) continue;
     if (count(name) > 1) fail(fmt::format("expected the column {} once, found it {} times.", name, count(name)));

@@ -19,7 +19,7 @@ void write_variable(mat_t* file, const std::string& name, matio_classes class_ty
   const std::unique_ptr<matvar_t, decltype(&Mat_VarFree)> variable(
       Mat_VarCreate(name.c_str(), class_type, type, 2, size, const_cast<void*>(data), 0), &Mat_VarFree);
   if (!variable || Mat_VarWrite(file, variable.get(), MAT_COMPRESSION_NONE) != 0) {
-    throw Error(fmt::format("{}: expected room to write this variable of the .mat file, found none.", name));
+    throw Error(fmt::format("{}: expected space to write this variable of the .mat file, found none.", name));
   }
 }
 

@@ -8,7 +8,7 @@ namespace ballbar {
 
 void expect_mat(const std::filesystem::path& path) {
   throw Error(
-      fmt::format("{}: expected a ballbar that can write .mat files, found one built without matio; install "
+      fmt::format("{}: expected a ballbar that can write .mat files, found one built without matio. Install "
                   "libmatio-dev, configure with -D BALLBAR_MAT=ON and build again.",
                   path.string()));
 }

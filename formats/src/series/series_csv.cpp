@@ -25,11 +25,11 @@ constexpr std::string_view kFormat = "ballbar-series 1";
 constexpr Key kRootKeys[] = {
     {"format", "text", "\"ballbar-series 1\"; without it the comments are prose"},
     {"title", "text", "what the series is; for people"},
-    {"method", "text", "how it came about; `drift --out` writes it"},
-    {"reference_s", "s", "the row that its changes are from; `drift --out` writes it"},
+    {"method", "text", "method of the drift; `drift --out` writes it"},
+    {"reference_s", "s", "time of the reference row; `drift --out` writes it"},
     {"started", "text", "wall clock at `time_s` = 0, \"2026-11-22T13:05:10\"; `import` writes it"},
-    {"clock", "true or false", "false: `time_s` numbers the rows, for no file told the time; default true"},
-    {"columns", "tables", "what a name does not tell: `[columns.NAME]`, a table a column"},
+    {"clock", "true or false", "false: `time_s` numbers the rows, because the file has no time; default true"},
+    {"columns", "tables", "what the name does not state: `[columns.NAME]`, one table per column"},
     {"five_probe", "table", "what is known of five probes"},
 };
 constexpr Key kColumnKeys[] = {
@@ -293,7 +293,7 @@ void write_series_parts(const Series& series, std::string_view header, const std
     file << write_rows(series, row, std::min(row + kRows, rows));
   }
   file.close();
-  if (!file) throw Error(fmt::format("{}: expected room to write {} rows, found none.", path.string(), rows));
+  if (!file) throw Error(fmt::format("{}: expected space to write {} rows, found none.", path.string(), rows));
 }
 
 }  // namespace ballbar

@@ -49,10 +49,8 @@ std::vector<std::string> measured_names(const Series& series) {
 void expect_one_plane(const std::vector<Recording>& recordings, const std::string& last) {
   for (const Recording& recording : recordings) {
     if (recording.plane == recordings.front().plane) continue;
-    throw Error(
-        fmt::format("{}: expected recordings of one plane, whose axes the effects are of, found {} after {}; "
-                    "each plane is diagnosed alone.",
-                    last, name_of(recording.plane), name_of(recordings.front().plane)));
+    throw Error(fmt::format("{}: expected recordings of one plane, found {} after {}. Diagnose each plane alone.", last,
+                            name_of(recording.plane), name_of(recordings.front().plane)));
   }
 }
 
@@ -146,7 +144,7 @@ void add_log(const Source& log, std::span<const Reader> readers, Listing& listin
   }
   for (const std::string& sheet : sheets.alike) listing.runs.push_back({sheet_of(log, sheet), std::nullopt});
   if (sheets.others.empty()) return;
-  listing.remarks.push_back(fmt::format("{}: sheets left out, for their columns have other names: {}.", log.name(),
+  listing.remarks.push_back(fmt::format("{}: sheets omitted, because their columns have other names: {}.", log.name(),
                                         fmt::join(sheets.others, ", ")));
 }
 

@@ -60,10 +60,10 @@ DriftData open_drift_data(const Source& source, std::span<const Reader> readers)
       return data;
     }
     if (reader != nullptr && read_of<ReadSession>(reader) == nullptr) {
-      throw Error(fmt::format(
-          "{}:1:1: expected a session, which is a folder or a file that says format = \"ballbar-session 1\", or a "
-          "series of columns over time, found {}.",
-          source.name(), found_in(reader)));
+      throw Error(
+          fmt::format("{}:1:1: expected a session (a folder or a file with format = \"ballbar-session 1\") or a series "
+                      "of columns over time, found {}.",
+                      source.name(), found_in(reader)));
     }
   }
   data.session = open_session(source, readers);

@@ -121,9 +121,9 @@ SessionFiles planned_session(const Source& source, Readers readers) {
   const Reader* const reader = reader_of(bytes, readers);
   const auto read = read_of<ReadSession>(reader);
   if (reader != nullptr && read == nullptr) {
-    throw Error(fmt::format(
-        "{}:1:1: expected a session, which is a folder or a file that says format = \"ballbar-session 1\", found {}.",
-        path.string(), found_in(reader)));
+    throw Error(
+        fmt::format("{}:1:1: expected a session (a folder or a file with format = \"ballbar-session 1\"), found {}.",
+                    path.string(), found_in(reader)));
   }
   // Of text of no known format read_session_plan tells what it lacks.
   const SessionPlan plan = (read != nullptr ? read : read_session_plan)(bytes, path.string());
@@ -170,9 +170,9 @@ void expect_a_repeated_plane(const fs::path& folder, const std::vector<SessionTe
     found += fmt::format("{}{}", found.empty() ? "" : ", ", name_of(plane));
   }
   throw Error(
-      fmt::format("{0}: expected at least two tests of the same plane for a drift, found one of {1}; ballbar history "
-                  "{0} gives squareness and scales.{2}",
-                  folder.string(), found, skipped.empty() ? "" : " Left out: " + skipped.front().why));
+      fmt::format("{0}: expected at least two tests of the same plane for a drift, found one of {1}. Use ballbar "
+                  "history {0} for squareness and scales.{2}",
+                  folder.string(), found, skipped.empty() ? "" : " Omitted: " + skipped.front().why));
 }
 
 // The `.b5r` files of the folder itself, or of the archive; where a folder has none, its other recordings.
@@ -214,8 +214,8 @@ StartedTest started_test(const fs::path& path, Readers readers, std::optional<do
   const std::optional<std::int64_t> started_s = started.test.circles.front().started_s;
   if (!started_s && !known_s) {
     throw Error(
-        fmt::format("{}: expected DATE_STARTED, the time of this test in the session, found none that can be read; "
-                    "--every 30min states how far apart the tests of the folder are, in the order of their names.",
+        fmt::format("{}: expected DATE_STARTED, the time of this test, found none that can be read. State the interval "
+                    "of the tests in order of their names, as in --every 30min.",
                     path.string()));
   }
   started.started_s = started_s ? static_cast<double>(*started_s) : *known_s;
@@ -272,8 +272,8 @@ SessionFiles session_of_folder(const fs::path& folder, Readers readers, std::opt
     for (const Recording& circle : started.test.circles) {
       if (circle.nominal_length_mm == files.session.nominal_length_mm) continue;
       throw Error(
-          fmt::format("{0}: expected tests of one nominal length for a drift, found {1} mm in {2} and {3} mm in "
-                      "{4}; ballbar history {0} keeps them apart.",
+          fmt::format("{0}: expected tests of one nominal length for a drift, found {1} mm in {2} and {3} mm in {4}. "
+                      "Use ballbar history {0} for different lengths.",
                       folder.string(), files.session.nominal_length_mm, files.session.tests.front().name,
                       circle.nominal_length_mm, started.test.name));
     }

@@ -24,7 +24,7 @@ constexpr Key kSessionKeys[] = {
      "true"},
     {"bar", "table", "the bar; needed"},
     {"test", "tables", "a test each, in the order of time; at least one"},
-    {"signals", "table", "what else was logged"},
+    {"signals", "table", "other logged signals"},
     {"five_probe", "table", "readings of five probes in the same session"},
 };
 constexpr Key kBarKeys[] = {
@@ -52,8 +52,8 @@ constexpr Key kSignalsKeys[] = {
 };
 constexpr Key kFiveProbeKeys[] = {
     {"file", "path", "the series of the probes; needed"},
-    {"ball_from_plane_1_mm", "mm", "where along their bar the ball was, from plane 1 towards plane 2"},
-    {"ball_sigma_mm", "mm", "how well that is known, one sigma"},
+    {"ball_from_plane_1_mm", "mm", "distance of the ball from plane 1, towards plane 2"},
+    {"ball_sigma_mm", "mm", "its uncertainty, one sigma"},
 };
 
 // Lexically; open_session looks at links too.
@@ -83,8 +83,8 @@ SessionPlan::Test test_of(const TomlTable& table, Method method) {
     for (const std::string_view key : keys_of(other)) {
       if (!has(table, key)) continue;
       fail_at_key(table, key,
-                  fmt::format("expected a key of the method {}, which are {}, found {}, which belongs to {}.",
-                              name_of(method), fmt::join(keys_of(method), ", "), key, name_of(other)));
+                  fmt::format("expected a key of the method {} ({}), found {}, a key of {}.", name_of(method),
+                              fmt::join(keys_of(method), ", "), key, name_of(other)));
     }
   }
   std::vector<std::string_view> known = keys_of(method);

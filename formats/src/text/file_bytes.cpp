@@ -65,7 +65,7 @@ void write_new(const fs::path& temporary, std::string_view bytes, const fs::path
   file.close();
   if (!file)
     throw Error(
-        fmt::format("{}: expected room to write {} bytes, found: {}.", path.string(), bytes.size(), reason(errno)));
+        fmt::format("{}: expected space to write {} bytes, found: {}.", path.string(), bytes.size(), reason(errno)));
 }
 
 // A file or a folder, for the sake of `path`.
@@ -74,7 +74,8 @@ void flush_to_disk(const fs::path& written, const fs::path& path) {
   const bool flushed = file >= 0 && (::fsync(file) == 0 || errno == EINVAL);  // EINVAL: nothing there that could be
   const int error = errno;
   if (file >= 0) ::close(file);
-  if (!flushed) throw Error(fmt::format("{}: expected a disk that keeps it, found: {}.", path.string(), reason(error)));
+  if (!flushed)
+    throw Error(fmt::format("{}: expected a disk that stores it, found: {}.", path.string(), reason(error)));
 }
 
 // Which file was replaced: of a link its target.

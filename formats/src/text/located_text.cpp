@@ -86,14 +86,14 @@ SourceText source_text(std::string_view bytes, std::string_view name) {
   const SourceText text{bytes, name};
   if (bytes.empty()) throw Error(fmt::format("{}:1:1: expected text, found an empty file.", name));
   if (is_utf16(bytes)) {
-    throw Error(fmt::format("{}:1:1: expected UTF-8, found UTF-16; save the file as UTF-8.", name));
+    throw Error(fmt::format("{}:1:1: expected UTF-8, found UTF-16. Save the file as UTF-8.", name));
   }
   if (const std::size_t nul = bytes.find('\0'); nul != kNone) {
     fail_at(text, nul, "expected text, found a NUL byte; this is a binary file.");
   }
   if (const std::size_t bad = first_not_utf8(bytes); bad != kNone) {
     fail_at(text, bad,
-            fmt::format("expected UTF-8, found the byte {}; save the file as UTF-8.", in_quotes(bytes.substr(bad, 1))));
+            fmt::format("expected UTF-8, found the byte {}. Save the file as UTF-8.", in_quotes(bytes.substr(bad, 1))));
   }
   return text;
 }

@@ -30,6 +30,13 @@ std::string with_two_digits(double value, double sigma) {
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sigma, decimals);
 }
 
+// In s below 90 s, else in min.
+std::string time_text(double time_s, double sigma_s) {
+  constexpr double kLongest_s = 90.0;
+  if (time_s < kLongest_s) return fmt::format("{} s", with_two_digits(time_s, sigma_s));
+  return fmt::format("{} min", with_two_digits(min_from_s(time_s), min_from_s(sigma_s)));
+}
+
 std::string amount_of(DifferenceKind kind, const DifferencePart& part, const std::string& unit) {
   switch (kind) {
     case DifferenceKind::offset:
@@ -37,7 +44,7 @@ std::string amount_of(DifferenceKind kind, const DifferencePart& part, const std
     case DifferenceKind::gain:
       return fmt::format("{} %", with_two_digits(100.0 * std::abs(part.value - 1.0), 100.0 * part.sigma));
     case DifferenceKind::lag:
-      return fmt::format("{} s", with_two_digits(std::abs(part.value), part.sigma));
+      return time_text(std::abs(part.value), part.sigma);
     case DifferenceKind::drift:
       return fmt::format("{} {}/h", with_two_digits(std::abs(part.value), part.sigma), unit);
   }
@@ -48,23 +55,21 @@ std::string sentence_of(DifferenceKind kind, const DifferencePart& part, const A
   const std::string amount = amount_of(kind, part, axis.unit);
   switch (kind) {
     case DifferenceKind::offset:
-      return fmt::format("{} of B stands {} {} A's from the first sample on: the reference point, or what moved there.",
-                         axis.name, amount, part.value > 0.0 ? "above" : "below");
+      return fmt::format("{} of B is {} {} A from the first sample on. Check the reference point.", axis.name, amount,
+                         part.value > 0.0 ? "above" : "below");
     case DifferenceKind::gain:
-      return fmt::format(
-          "{} of B is {:.1f} % {} than A's ({}): a wrong scale or bar length, or another place along the spindle.",
-          axis.name, 100.0 * std::abs(part.value - 1.0), part.value > 1.0 ? "larger" : "smaller", amount);
+      return fmt::format("{} of B is {} {} than A. Check the scale, the bar length and the place along the spindle.",
+                         axis.name, amount, part.value > 1.0 ? "larger" : "smaller");
     case DifferenceKind::lag:
-      return fmt::format("{0} of {1} lags {2}'s by {3}: a clock.", axis.name, part.value > 0.0 ? "A" : "B",
-                         part.value > 0.0 ? "B" : "A", amount);
+      return fmt::format("{} of {} is {} late. Check the clocks.", axis.name, part.value > 0.0 ? "A" : "B", amount);
     case DifferenceKind::drift:
-      return fmt::format("{} of B moves {} from A's by {}: a stand or a fixture that creeps.", axis.name,
+      return fmt::format("{} of B drifts {} from A by {}. Check the stand and the fixture for creep.", axis.name,
                          part.value > 0.0 ? "up" : "down", amount);
   }
   return {};
 }
 
-constexpr const char* kNames[] = {"an offset", "a scale", "a clock", "a steady drift"};
+constexpr const char* kNames[] = {"an offset", "a scale error", "a clock error", "a steady drift"};
 
 // Empty where nothing stands out. Largest first.
 std::string sentences_of_structure(const AxisComparison& axis) {
@@ -96,27 +101,70 @@ std::string sentences_of_structure(const AxisComparison& axis) {
                                    amount_of(kind, *part_of(structure.alone, kind), axis.unit)));
     }
     sentences.push_back(
-        fmt::format("{} of A and B differs by more than both state. Each of these alone would explain it: {}; "
-                    "these samples cannot tell which.",
+        fmt::format("{} of A and B differs by more than the uncertainty. One of these explains it: {}. "
+                    "The samples cannot show which.",
                     axis.name, fmt::join(either, ", ")));
   } else {
     sentences.push_back(
-        fmt::format("{} of A and B differs by more than both state; no scale, clock, offset or steady "
-                    "drift alone explains it.",
+        fmt::format("{} of A and B differs by more than the uncertainty. No scale, clock, offset or "
+                    "steady drift alone explains it.",
                     axis.name));
   }
   if (structure.noise == NoiseOfDifference::from_rows) {
-    sentences.push_back(fmt::format("No uncertainty of {} is stated: its noise was found in the samples.", axis.name));
+    sentences.push_back(
+        fmt::format("The uncertainty of {} is not stated; its noise is estimated from the samples.", axis.name));
   }
   return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+struct CommonLag {
+  double lag_s = 0.0, sigma_s = 0.0;  // positive: A is late
+  std::vector<std::string> axes;      // that have a lag
+};
+
+// One clock that is late: the lags of best agreement of two axes or more, which are the same within 3 sigma and not 0,
+// where some axis disagrees. An axis that a scale explains better has no lag.
+std::optional<CommonLag> common_lag(const Comparison& comparison) {
+  constexpr double kMostSigmas = 3.0;
+  const auto alone = [](const AxisComparison& axis, DifferenceKind kind) {
+    return axis.structure ? axis.structure->alone[static_cast<std::size_t>(kind)] : std::nullopt;
+  };
+  CommonLag common;
+  double weight = 0.0;
+  bool stands_out = false;
+  for (const AxisComparison& axis : comparison.axes) {
+    stands_out = stands_out || (axis.structure && axis.structure->stands_out);
+    if (!axis.lag_s || !(*axis.lag_sigma_s > 0.0)) continue;
+    const auto gain = alone(axis, DifferenceKind::gain), lag = alone(axis, DifferenceKind::lag);
+    if (gain && gain->named && (!lag || lag->explains < gain->explains)) return std::nullopt;
+    const double of_axis = 1.0 / (*axis.lag_sigma_s * *axis.lag_sigma_s);
+    common.lag_s += of_axis * *axis.lag_s;
+    weight += of_axis;
+    common.axes.push_back(axis.name);
+  }
+  if (!stands_out || common.axes.size() < 2) return std::nullopt;
+  common.lag_s /= weight;
+  common.sigma_s = 1.0 / std::sqrt(weight);
+  const bool same = std::all_of(comparison.axes.begin(), comparison.axes.end(), [&](const AxisComparison& axis) {
+    return !axis.lag_s || std::abs(*axis.lag_s - common.lag_s) <= kMostSigmas * *axis.lag_sigma_s;
+  });
+  return same && std::abs(common.lag_s) > kMostSigmas * common.sigma_s ? std::optional(common) : std::nullopt;
 }
 
 }  // namespace
 
 std::string conclusion(const Comparison& comparison) {
   std::vector<std::string> sentences, agree, unknown, deviations;
+  const std::optional<CommonLag> lag = common_lag(comparison);
+  if (lag) {
+    const bool on_all = lag->axes.size() == comparison.axes.size();
+    sentences.push_back(fmt::format("{} is {} late on {}. Check the clocks.", lag->lag_s > 0.0 ? "A" : "B",
+                                    time_text(std::abs(lag->lag_s), lag->sigma_s),
+                                    on_all ? "every axis" : fmt::format("{}", fmt::join(lag->axes, ", "))));
+  }
   for (const AxisComparison& axis : comparison.axes) {
-    if (std::string text = sentences_of_structure(axis); !text.empty()) sentences.push_back(std::move(text));
+    std::string text = lag ? std::string() : sentences_of_structure(axis);
+    if (!text.empty()) sentences.push_back(std::move(text));
     if (axis.agreement == Agreement::agrees) agree.push_back(axis.name);
     if (axis.agreement == Agreement::cannot_tell) unknown.push_back(axis.name);
     if (!axis.samples_agree && axis.deviation) deviations.push_back(stretch_of(axis));
@@ -130,7 +178,8 @@ std::string conclusion(const Comparison& comparison) {
                                     sentences.empty() ? " within the stated uncertainty" : ""));
   }
   if (!unknown.empty()) {
-    sentences.push_back(fmt::format("{}: cannot tell, no uncertainty is known.", fmt::join(unknown, ", ")));
+    sentences.push_back(
+        fmt::format("{}: agreement unknown, because no uncertainty is stated.", fmt::join(unknown, ", ")));
   }
   return fmt::format("{}", fmt::join(sentences, " "));
 }

@@ -54,10 +54,10 @@ void note_common_bars(const AllSeries& all, History& history) {
       if (common < 2) continue;
       one->kind = FindingKind::instrument;
       one->sentence = fmt::format(
-          "The scales of all axes stepped alike between {} and {}, on {} machines that were tested with bar {}: the "
-          "instrument, not the machine.",
+          "The scales of all axes stepped alike between {} and {}, on {} machines tested with bar {}. The cause is the "
+          "instrument, not the machines.",
           day_text(one->from_s), day_text(one->to_s), common, bar);
-      one->remedy = "Leave the machine as it is; ask when the bar was calibrated, and correct the scales by the step.";
+      one->remedy = "Do not adjust the machine. Check when the bar was calibrated and correct the scales by the step.";
     }
   }
 }

@@ -69,27 +69,27 @@ std::string scale_text(const AllSeries& all, const Event& event) {
 
 EventTexts step_texts(const AllSeries& all, const Event& event) {
   if (event.is_common_scale) {
-    return {fmt::format("The scales of all axes stepped alike, by {}, {}, and nothing else did.",
+    return {fmt::format("The scales of all axes stepped alike, by {}, {}. Nothing else changed.",
                         scale_text(all, event), between(event)),
-            "Ask whether the bar was calibrated anew or set by another calibrator, and at which temperature; test once "
-            "more with another bar before the machine is touched."};
+            "Check whether the bar was calibrated again, with which calibrator and at which temperature. Repeat the "
+            "test with another bar before adjusting the machine."};
   }
   const bool several = event.calls.size() > 1;
   std::string sentence =
       fmt::format("{} stepped {}{}: {}{}.", several ? fmt::format("{} quantities", event.calls.size()) : "One quantity",
                   several ? "together " : "", between(event), list_of(all, event, " "),
                   event.to_the_worse ? ", as after a collision" : "");
-  const std::string remedy =
-      remedy_of(all, event, "Look up what was done to the machine on these days, and test again.");
+  const std::string remedy = remedy_of(all, event, "Check what was done to the machine on these days, and test again.");
   if (!event.to_the_worse) return {std::move(sentence), remedy};
-  return {std::move(sentence), "Ask for a collision on these days; check guideways, clamping and levelling. " + remedy};
+  return {std::move(sentence),
+          "Ask about a collision on these days. Check guideways, clamping and levelling. " + remedy};
 }
 
 EventTexts trend_texts(const AllSeries& all, const Event& event) {
   const Call& call = *event.calls.front();
   const bool grows = call.after == 0.0 ? call.size > 0.0 : call.size * call.after > 0.0;
   return {
-      fmt::format("{} {}: {} a year.", label_of(all, call), grows ? "grows" : "goes back", list_of(all, event, " ")),
+      fmt::format("{} {}: {} per year.", label_of(all, call), grows ? "grows" : "goes back", list_of(all, event, " ")),
       remedy_of(all, event, "Find which error makes it grow: ballbar history shows them one by one.")};
 }
 
@@ -106,9 +106,8 @@ EventTexts season_texts(const AllSeries& all, const Event& event) {
                         amount_text(one.size, one.sigma, series_of(all, one).unit));
   }
   if (event.calls.size() > named) text += fmt::format(" and {} more", event.calls.size() - named);
-  return {fmt::format("Follows the season, highest in {}: {} to either side; neither wear nor a step.", kMonths[month],
-                      text),
-          "Nothing to mend: keep the hall's temperature steady, or compare with tests of the same month."};
+  return {fmt::format("Follows the season, highest in {}: ±{}. This is neither wear nor a step.", kMonths[month], text),
+          "No repair is needed. Keep the hall's temperature steady, or compare with tests of the same month."};
 }
 
 }  // namespace
@@ -127,19 +126,18 @@ std::string amount_text(double value, double sigma, std::string_view unit) {
 EventTexts texts_of(const AllSeries& all, const Event& event) {
   switch (event.kind) {
     case FindingKind::instrument:
-      return {fmt::format("The scales of all axes stepped alike, by {}, when the bar changed from {} to {} {}, and "
-                          "nothing else did: the instrument, not the machine.",
-                          scale_text(all, event), event.bar_before.empty() ? "one unnamed" : event.bar_before,
-                          event.bar_after.empty() ? "one unnamed" : event.bar_after, between(event)),
-              "Leave the machine as it is; calibrate both bars on one calibrator, and correct the scales by the "
-              "difference."};
-    case FindingKind::replaced_part:
       return {
-          fmt::format("Errors of {} came nearer to 0 together {}: {}; a part of that axis was replaced or adjusted.",
-                      letter_of(*event.axis), between(event), list_of(all, event, " ")),
-          fmt::format("Note the repair; check the pitch compensation of {}, and take tests from then on as the "
-                      "machine's new state.",
-                      letter_of(*event.axis))};
+          fmt::format("The scales of all axes stepped alike, by {}, when the bar changed from {} to {} {}. Nothing "
+                      "else changed. The cause is the instrument, not the machine.",
+                      scale_text(all, event), event.bar_before.empty() ? "one unnamed" : event.bar_before,
+                      event.bar_after.empty() ? "one unnamed" : event.bar_after, between(event)),
+          "Do not adjust the machine. Calibrate both bars on one calibrator and correct the scales by the difference."};
+    case FindingKind::replaced_part:
+      return {fmt::format("Errors of {} decreased together {}: {}. A part of that axis was replaced or adjusted.",
+                          letter_of(*event.axis), between(event), list_of(all, event, " ")),
+              fmt::format(
+                  "Record the repair and check the pitch compensation of {}. Later tests show the machine's new state.",
+                  letter_of(*event.axis))};
     case FindingKind::trend:
       return trend_texts(all, event);
     case FindingKind::season:

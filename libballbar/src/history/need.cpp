@@ -90,7 +90,7 @@ void say_need(MachineHistory& machine) {
   if (const ToleranceOutlook* first = soonest(machine)) {
     machine.need = Need::expected;
     machine.reason =
-        fmt::format("{} meets its tolerance of {:g} {} on {} ({} to {}) if it goes on.",
+        fmt::format("{} reaches its tolerance of {:g} {} on {} ({} to {}) if the trend continues.",
                     label_of(first->name, first->plane), *first->date.limit, first->unit, day_text(*first->date.at_s),
                     day_text(*first->date.earliest_s), first->date.latest_s ? day_text(*first->date.latest_s) : "open");
     return;
@@ -106,11 +106,12 @@ void say_need(MachineHistory& machine) {
   machine.need = Need::nothing;
   for (const ToleranceOutlook& one : machine.tolerances) {
     if (!one.last_alone) continue;
-    machine.reason = fmt::format("{} of the last test is beyond its tolerance, those before are not: measure again.",
+    machine.reason = fmt::format("{} of the last test is beyond its tolerance, earlier ones are not. Measure again.",
                                  label_of(one.name, one.plane));
     return;
   }
-  machine.reason = machine.judged == 0 ? "The tests are too few to show a step or a trend." : "Nothing stands out.";
+  machine.reason =
+      machine.judged == 0 ? "There are too few tests to show a step or a trend." : "No significant change.";
 }
 
 void rank(std::vector<MachineHistory>& machines) {

@@ -111,10 +111,9 @@ std::vector<ClearChange> clear_changes(const TestComparison& comparison) {
 
 TestComparison compared_tests(const MachineTest& before, const MachineTest& after) {
   if (before.plane != after.plane) {
-    throw Error(
-        fmt::format("expected two tests of one plane, found {} and {}: they are no before and after, but parts of one "
-                    "picture of the machine.",
-                    name_of(before.plane), name_of(after.plane)));
+    throw Error(fmt::format(
+        "expected two tests of one plane, found {} and {}. Use `ballbar history` for tests of different planes.",
+        name_of(before.plane), name_of(after.plane)));
   }
   TestComparison result{before, after, differing_conditions(before, after), {}, 0};
   for (const TestQuantity& one : before.quantities) {

@@ -47,12 +47,11 @@ History small_plant() {
 
 TEST(ranking_text, says_the_conclusion_first) {
   EXPECT_EQ(ranking_text(small_plant()),
-            "1 of 2 machines: 0 beyond a tolerance, 0 on the way to one, 1 with something to look at; 1 with\n"
-            "nothing.\n"
-            "60 questions were asked, 1 answered with yes; at most 5 % of such answers are by chance.\n"
+            "Findings on 1 of 2 machines: 0 beyond a tolerance, 0 drifting towards one, 1 with another change.\n"
+            "60 quantities tested, 1 significant; at most 5 % of these by chance.\n"
             "\n"
-            "machine  needs  found  quantity             size     between         and        q\n"
-            "mill-01   look   step   play XY  +4.50 ± 0.25 um  2026-01-01  2026-02-01  < 0.001\n"
+            "machine  status  finding  quantity             size        from          to        q\n"
+            "mill-01   check     step   play XY  +4.50 ± 0.25 um  2026-01-01  2026-02-01  < 0.001\n"
             "\n"
             "mill-01: One quantity stepped. Adjust it.\n");
 }
@@ -61,8 +60,8 @@ TEST(ranking_text, says_that_there_is_nothing) {
   History history;
   history.machines.resize(3);
   EXPECT_EQ(ranking_text(history),
-            "Nothing stands out on any of 3 machines.\n"
-            "0 questions were asked, 0 answered with yes; at most 5 % of such answers are by chance.\n");
+            "No significant change on any of 3 machines.\n"
+            "0 quantities tested, 0 significant; at most 5 % of these by chance.\n");
 }
 
 TEST(history_result, has_every_key) {

@@ -215,10 +215,10 @@ TEST(ControlFile, SaysWhichControlsThereAre) {
   };
   EXPECT_EQ(message_of([] { control_of("okuma"); }),
             "expected one of the controls siemens, beckhoff, linuxcnc, found \"okuma\".");
-  EXPECT_EQ(message_of([] { control_of("fanuc"); }),
-            "fanuc: not written, for the manual of FANUC, where it is public, has no formula of temperatures: thermal "
-            "growth compensation along the tool (Series 15i, 16i) takes a length from the PMC. Hand it the offsets of "
-            "--signals, --format word.");
+  EXPECT_EQ(
+      message_of([] { control_of("fanuc"); }),
+      "fanuc: not written, because the public FANUC manual has no formula of temperatures: thermal growth compensation "
+      "along the tool (Series 15i, 16i) takes a length from the PMC. Send it the offsets of --signals, --format word.");
   EXPECT_EQ(message_of([] {
               control_file(Control::linuxcnc, {"z1", one_sensor(Control::linuxcnc), 0.2, {}});
             }),

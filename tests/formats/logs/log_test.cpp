@@ -110,10 +110,9 @@ TEST(log, summer_time_neither_repeats_nor_skips_an_hour) {
 
 TEST(log, days_and_months_are_told_apart_only_where_they_can_be) {
   const std::string open = "Time,a\n03/04/2026 10:00,1\n03/04/2026 10:01,2\n";
-  EXPECT_EQ(
-      said(open),
-      "log.csv:2: expected a date that can be read in one way, found \"03/04/2026 10:00\": the third number is the "
-      "year, but which of the others is the month? Say --dates day-first or --dates month-first.");
+  EXPECT_EQ(said(open),
+            "log.csv:2: expected an unambiguous date, found \"03/04/2026 10:00\". The third number is the year; state "
+            "--dates day-first or --dates month-first.");
   LogRecipe recipe;
   recipe.month_first = true;
   EXPECT_EQ(read_log(open, "log.csv", recipe).series.started, "2026-03-04T10:00:00");
@@ -141,25 +140,22 @@ TEST(log, what_is_not_clear_is_refused_with_its_line_and_the_way_out) {
       "log.csv:1: expected rows of at least two values separated by commas, semicolons, tabs or blanks, found none in "
       "the first 2 lines.");
   EXPECT_EQ(said("time,b\n1,2\n3,5\n4,4\n"),
-            "log.csv:1: expected the unit of the time \"time\", found none; say --time-unit s, ms, min or h.");
-  EXPECT_EQ(
-      said("time_s,b\n1,2\n3,5\n2,4\n"),
-      "log.csv:4: expected a time above 3 s of the row before, found 2 s; if here begins another recording, cut the "
-      "file there.");
+            "log.csv:1: expected the unit of the time \"time\", found none; state --time-unit s, ms, min or h.");
+  EXPECT_EQ(said("time_s,b\n1,2\n3,5\n2,4\n"),
+            "log.csv:4: expected a time above 3 s of the row before, found 2 s. If another recording starts here, "
+            "split the file.");
   EXPECT_EQ(said("t [s];b\n1;2\n2;5\n3;x\n4;4\n"),
-            "log.csv:4: expected a number for \"b\", found \"x\"; --missing takes such a text for a gap. "
-            "--skip-bad-rows leaves the row out.");
+            "log.csv:4: expected a number for \"b\", found \"x\". Use --missing to read such a text as a gap. Use "
+            "--skip-bad-rows to omit the row.");
   EXPECT_EQ(said(table("t [s];b", 50, [](std::size_t i) { return fmt::format("{};2{}", i, i % 10 == 9 ? ";7" : ""); })),
-            "log.csv:11: expected 2 values, one for each column, found more: \"7\". 5 of 50 rows are such; "
-            "--skip-bad-rows leaves them out.");
-  EXPECT_EQ(
-      said("t [s]\ta\n0\t1,234\n1\t1,235\n"),
-      "log.csv:2: expected a number of one reading: decimals or thousands, found \"1,234\"; say --decimal comma or "
-      "--decimal point.");
-  EXPECT_EQ(
-      said("t [s],a\n0,5,23,4\n1,0,23,5\n1,5,23,6\n"),
-      "log.csv:2: expected 2 values, one for each name of line 1, found 4; commas that separate and commas of decimals "
-      "cannot be told apart: export with semicolons or tabs between the values, or with decimal points.");
+            "log.csv:11: expected 2 values, one for each column, found more: \"7\". This affects 5 of 50 rows. Use "
+            "--skip-bad-rows to omit them.");
+  EXPECT_EQ(said("t [s]\ta\n0\t1,234\n1\t1,235\n"),
+            "log.csv:2: expected a number of one reading: decimals or thousands, found \"1,234\". State --decimal "
+            "comma or --decimal point.");
+  EXPECT_EQ(said("t [s],a\n0,5,23,4\n1,0,23,5\n1,5,23,6\n"),
+            "log.csv:2: expected 2 values, one for each name of line 1, found 4. Separators and decimal commas are "
+            "ambiguous. Export with semicolons or tabs between the values, or with decimal points.");
   EXPECT_EQ(said(std::string("\x7F"
                              "ELF\0\0\1\2",
                              8)),
@@ -167,8 +163,8 @@ TEST(log, what_is_not_clear_is_refused_with_its_line_and_the_way_out) {
   EXPECT_EQ(
       said("Tag;Zeit;Wert\nn;10:00:00;0,5\nT;10:00:00;20,5\nn;10:00:01;1,5\nT;10:00:01;20,5\nn;10:00:02;0,5\nT;10:00:"
            "02;20,5\n"),
-      "log.csv:2: expected a column for each quantity, found rows of 2 quantities below each other, named in \"Tag\"; "
-      "export them side by side.");
+      "log.csv:2: expected one column per quantity, found rows of 2 quantities below each other, named in \"Tag\". "
+      "Export them side by side.");
 }
 
 double warm(std::size_t row, double start) { return start + 8.0 * (1.0 - std::exp(-static_cast<double>(row) / 30.0)); }
@@ -177,7 +173,7 @@ TEST(log, rows_without_a_time_are_numbered) {
   const Log log = read_log("a,b\n1,2\n3,5\n4,4\n", "log.csv");
   EXPECT_FALSE(log.series.has_clock);
   EXPECT_EQ(log.series.time_s, (std::vector<double>{0.0, 1.0, 2.0}));
-  EXPECT_EQ(log.unclear.front(), "No column tells the time, and no line the interval of the rows.");
+  EXPECT_EQ(log.unclear.front(), "No column holds the time, and no line states the interval of the rows.");
   LogRecipe every;
   every.every_s = 10.0;
   EXPECT_TRUE(read_log("a,b\n1,2\n3,5\n4,4\n", "log.csv", every).series.has_clock);
@@ -272,10 +268,9 @@ TEST(log, another_file_stands_beside_row_by_row) {
   EXPECT_EQ(text_of(read_log("time_s,a_degC\n0,20\n10,21\n20,22\n", "x.csv", recipe)),
             "a_degC ambient: 20 21 22; Dia_um measured: 1500 2500 3500; ");
   // A row that one of them lacks would shift all behind it.
-  EXPECT_EQ(
-      said("time_s,a_degC\n0,20\n10,21\n,21\n20,22\n", recipe),
-      "log.csv: expected rows of numbers alone, for the files are joined row by row, found 1 other line between the "
-      "first row and the last.");
+  EXPECT_EQ(said("time_s,a_degC\n0,20\n10,21\n,21\n20,22\n", recipe),
+            "log.csv: expected only rows of numbers, because the files are joined row by row, found 1 other line "
+            "between the first and the last row.");
   recipe.columns = {{"nosuch", "", "mm", std::nullopt, false}};
   EXPECT_EQ(
       said("time_s,a_degC\n0,20\n10,21\n20,22\n", recipe),
@@ -315,10 +310,9 @@ TEST(log, a_few_rows_of_garbage_are_skipped_with_their_lines) {
   const Log log = read_log(with(6), "log.csv");
   EXPECT_EQ(log.series.time_s.size(), 394u);
   EXPECT_EQ(log.skipped_lines, (std::vector<std::size_t>{102, 103, 104, 105, 106, 107}));
-  EXPECT_EQ(
-      said(with(7)),
-      "log.csv:102: expected a number for \"z_um\", found \"#!x7\"; --missing takes such a text for a gap. 7 of 400 "
-      "rows are such; --skip-bad-rows leaves them out.");
+  EXPECT_EQ(said(with(7)),
+            "log.csv:102: expected a number for \"z_um\", found \"#!x7\". Use --missing to read such a text as a gap. "
+            "This affects 7 of 400 rows. Use --skip-bad-rows to omit them.");
   LogRecipe all;
   all.skip_bad_rows = true;
   EXPECT_EQ(read_log(with(40), "log.csv", all).skipped_lines.size(), 40u);
@@ -335,7 +329,7 @@ TEST(log, a_line_that_ends_within_a_number_gives_no_value) {
                      [](std::size_t i) { return i == 50 ? fmt::format("{},1.", i) : fmt::format("{},1.25,21.50", i); }),
                "log.csv");
   EXPECT_TRUE(std::isnan(early.series.columns[0].values[50]));
-  EXPECT_EQ(early.remarks.back(), "1 line cut off within a number, which is a gap: line 52.");
+  EXPECT_EQ(early.remarks.back(), "1 line cut off within a number, read as a gap: line 52.");
 }
 
 TEST(log, rows_in_bursts_become_their_means) {

@@ -243,8 +243,8 @@ TEST(batch_model, bad_text_that_is_no_json) {
   expect_messages({
       {"*", "", "1:1: expected text, found an empty file."},
       {"*", "{\"a\0\"}"s, "1:4: expected text, found a NUL byte; this is a binary file."},
-      {"*", "\xFF\xFE{\0"s, "1:1: expected UTF-8, found UTF-16; save the file as UTF-8."},
-      {"x_um", "\xE9_um", "3:14: expected UTF-8, found the byte \"\\xE9\"; save the file as UTF-8."},
+      {"*", "\xFF\xFE{\0"s, "1:1: expected UTF-8, found UTF-16. Save the file as UTF-8."},
+      {"x_um", "\xE9_um", "3:14: expected UTF-8, found the byte \"\\xE9\". Save the file as UTF-8."},
       {"*", " \n", "2:1: expected JSON, found the end of the file."},
       {"*", "{\"format\": \"ball", "1:17: expected JSON, found the end of the file."},
       {"*", "{\"format\": tru", "1:15: expected JSON, found the end of the file."},
@@ -353,7 +353,7 @@ TEST(batch_model, bad_names_and_choices) {
       {"\"pcr\"", "\"lasso\"", " expected one of \"pcr\", \"ridge\" at method, found the text \"lasso\"."},
       {"\"pcr\"", "true", " expected one of \"pcr\", \"ridge\" at method, found true."},
       {"\"pcr\"", "\"pls\"",
-       " expected \"pcr\" or \"ridge\" at method, found \"pls\" of an older version; train the model again."},
+       " expected \"pcr\" or \"ridge\" at method, found \"pls\" of an older version. Train the model again."},
       {"\"20200617\"", "[\"20200617\"]", " expected a printable text at batches[1].name, found an array."},
   });
 }

@@ -95,8 +95,8 @@ TEST(runs, bad_text) {
   const Bad cases[] = {
       {"", "runs.csv:1:1: expected text, found an empty file."},
       {"run\n1\0"s, "runs.csv:2:2: expected text, found a NUL byte; this is a binary file."},
-      {"\xFF\xFEr\0u\0n\0"s, "runs.csv:1:1: expected UTF-8, found UTF-16; save the file as UTF-8."},
-      {"run\n\xE9\n", "runs.csv:2:1: expected UTF-8, found the byte \"\\xE9\"; save the file as UTF-8."},
+      {"\xFF\xFEr\0u\0n\0"s, "runs.csv:1:1: expected UTF-8, found UTF-16. Save the file as UTF-8."},
+      {"run\n\xE9\n", "runs.csv:2:1: expected UTF-8, found the byte \"\\xE9\". Save the file as UTF-8."},
       {"# nothing else\n", "runs.csv:2:1: expected a header such as run,speed_rpm, found the end of the file."},
       {"\r\n\n", "runs.csv:3:1: expected a header such as run,speed_rpm, found the end of the file."},
       {"# a\n\nrun\n1\n", "runs.csv:2:1: expected a header whose first column is run or file, found \"\"."},

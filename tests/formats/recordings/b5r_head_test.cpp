@@ -254,7 +254,7 @@ TEST(b5r_results_alone, are_refused_where_readings_are_needed) {
   EXPECT_TRUE(file.recordings.empty());
   EXPECT_EQ(file.remarks.size(), 1u);
   const std::string expected =
-      "DIR/tests/alone.b5r: expected readings, found stored results alone; ballbar fit prints those.";
+      "DIR/tests/alone.b5r: expected readings, found only stored results. Show them with ballbar fit.";
   EXPECT_EQ(complaint(folder, [&] { expect_readings(file, alone); }), expected);
   EXPECT_EQ(complaint(folder, [&] { open_session(folder.path() / "tests"); }),
             "DIR/tests/alone.b5r: expected readings, or the stored centre and radius of a run (AF_CENTRE_OFFSET_A, "

@@ -83,7 +83,7 @@ TEST(b5r, the_plane_is_that_of_the_axes_names) {
   EXPECT_EQ(by_names.plane, Plane::ZX);
   ASSERT_EQ(by_names.remarks.size(), 2u);  // one of the run that misses
   EXPECT_EQ(by_names.remarks.front(),
-            "file:11:24: expected the axes X and Z of the plane XZ, found Z first; it is read as the plane ZX.");
+            "file:11:24: expected the axes X and Z of the plane XZ, found Z first. The file is read as the plane ZX.");
   std::string text = changed("b5r", "TEST_PLANE=\"ZX\"", "TEST_PLANE=\"XZ\"");
   text.replace(text.find(">Z</A_AXIS_NAME>"), 2, ">X");
   text.replace(text.find(">X</B_AXIS_NAME>"), 2, ">Z");

@@ -76,8 +76,8 @@ TEST(circle_table, angle_and_radius_with_semicolons_and_decimal_commas) {
   const std::string text = "Winkel [°];Radius [mm]\n" + with_commas(rows(100.0, polar));
   const RecordingFile file = expect_circle(text, 100.0, {Direction::CCW}, {100.0});
   EXPECT_EQ(file.recordings[0].plane, Plane::XY);
-  EXPECT_EQ(file.remarks, (std::vector<std::string>{"f: read as a circle by angles in deg and lengths in mm; plane XY "
-                                                    "(not stated), nominal radius 100 mm; CCW of 360 readings."}));
+  EXPECT_EQ(file.remarks, (std::vector<std::string>{"f: read as a circle from angles in deg and lengths in mm; plane "
+                                                    "XY (not stated), nominal radius 100 mm; CCW of 360 readings."}));
 }
 
 TEST(circle_table, without_a_header) {
@@ -167,7 +167,7 @@ TEST(circle_table, assumes_a_whole_radius_and_asks_for_that_of_deviations) {
     return fmt::format("{:.4f};{:.4f}", deg_from_rad(t), um_from_mm(r - 100.0));
   };
   EXPECT_EQ(complaint_of("angle;deviation\n" + rows(100.0, um_of)),
-            "f: expected the nominal radius of this circle, found deviations alone; state it, as in --radius 100mm.");
+            "f: expected the nominal radius of this circle, found only deviations. State it, as in --radius 100mm.");
 }
 
 TEST(circle_table, other_tables_are_none) {

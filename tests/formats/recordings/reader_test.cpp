@@ -129,8 +129,8 @@ TEST(reader, messages_are_of_the_list_that_was_handed_in) {
       "(XML), a ballbar log (a table whose first lines say # format = \"ballbar-log 1\") or a table whose numbers "
       "are a circle (angle and radius, or two coordinates), found a logger's table.");
   EXPECT_EQ(complaint(folder, [&] { open_drift_data(circle, readers); }),
-            "DIR/circle:1:1: expected a session, which is a folder or a file that says format = \"ballbar-session 1\", "
-            "or a series of columns over time, found a circle test of another maker.");
+            "DIR/circle:1:1: expected a session (a folder or a file with format = \"ballbar-session 1\") or a series "
+            "of columns over time, found a circle test of another maker.");
   EXPECT_EQ(complaint(folder, [&] { open_recording(folder.write("bare", "<CircleTest >"), readers); }),
             "DIR/bare:2:1: expected length, found none.");
   EXPECT_EQ(complaint(folder, [&] { open_recording(circle); }),

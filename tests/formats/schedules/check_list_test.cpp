@@ -20,12 +20,12 @@ TEST(check_list, whole) {
 Before
 [ ] The machine has been at rest for a night, powered, in the room of the test.
 [ ] The tool in the spindle may turn at 12 000 rpm; guards and door are closed while it turns.
-[ ] Clearances are checked: axes move in the ballbar tests alone, first with the override of the feed turned down.
+[ ] Clearances are checked: axes move only in the ballbar tests, first with a reduced feed override.
 [ ] The zero of the workpiece (G54, preset) is the centre of the fixed ball; X101.5 Y0 can be reached.
 [ ] Bar of 100 mm, calibrated, at the room's temperature; feed 1000 mm/min, XY, CCW then CW.
 [ ] The clocks of the machine, of the loggers and of the ballbar's computer agree to a few seconds.
 [ ] The machine's own thermal compensation is off, or its offsets are logged.
-[ ] Load, room and coolant can be set as the timetable says, and what they were in the data is known.
+[ ] Load, room and coolant can be set to the timetable, and their values in the previous data are known.
 
 Log from before the start until after the end, one file, one clock
 [ ] time, as time_s or a time stamp; the target every 30 s, all else at least as often
@@ -40,25 +40,25 @@ During: hours and minutes since the start
     2:01:30  end
 
 [ ] Start the loggers, wait for ten readings at rest, start the program, write down the time of day: ______
-[ ] At each stop set what the message says, write down when and what was reached, start again.
+[ ] At each stop set the values of the message, note the time and the values reached, then restart.
 [ ] A ballbar test at the start, every 20 min and at the end; the bar is off while the spindle turns.
 [ ] The override of the spindle's speed stays at 100 %.
-[ ] What was other than planned (door open, a pause, an alarm) is written down with its time.
+[ ] Every deviation from the plan (door open, a pause, an alarm) is noted with its time.
 
 After
 [ ] Let the loggers run for ten more minutes, then save.
 [ ] Each column of the list is in the file, has its unit in its name and no long gap.
 [ ] The spindle's speed in the file is that of the timetable.
-[ ] Each ballbar recording bears its own time.
+[ ] Each ballbar recording has its own time.
 [ ] Give the run to ballbar diagnose together with the data so far.
 )");
 }
 
 TEST(check_list, warm_and_without_a_bar) {
   const std::string text = check_list({.dwells = {{.duration_s = 60.0}}, .starts_warm = true}, {}, {}, "");
-  EXPECT_TRUE(text.starts_with(
-      "Check list of a thermal test\n1 min in all; the program runs through without a stop.\n\nBefore\n"
-      "[ ] The machine still moves from what it did before: begin within minutes of its end.\n"))
+  EXPECT_TRUE(
+      text.starts_with("Check list of a thermal test\n1 min in all; the program runs without a stop.\n\nBefore\n"
+                       "[ ] The machine is still warm from its previous work: start within minutes of its end.\n"))
       << text;
   EXPECT_EQ(text.find("bar is off"), std::string::npos);
   EXPECT_EQ(text.find("Load, room"), std::string::npos);

@@ -192,8 +192,7 @@ TEST(live_rows, time_is_no_signal) {
     ADD_FAILURE() << "accepted";
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(),
-                 "live.csv:1: expected signals for the model to read, found that it reads time_s; in a formula time is "
-                 "t.");
+                 "live.csv:1: expected signals for the model to read, found time_s. In a formula, time is t.");
   }
 }
 

@@ -42,8 +42,8 @@ TEST(drift_data, says_what_it_found_instead) {
     return complaint(folder, [&] { open_drift_data(path); });
   };
   const std::string expected =
-      "DIR/f:1:1: expected a session, which is a folder or a file that says format = \"ballbar-session 1\", or a "
-      "series of columns over time, found ";
+      "DIR/f:1:1: expected a session (a folder or a file with format = \"ballbar-session 1\") or a series "
+      "of columns over time, found ";
   EXPECT_EQ(opening(good_text("log")), expected + "a ballbar log.");
   EXPECT_EQ(opening(good_text("b5r")), expected + "XML, such as a .b5r file.");
   EXPECT_EQ(opening(""), expected + "an empty file.");

@@ -243,21 +243,21 @@ TEST(session, folders_that_are_no_session) {
   folder.write("a.b5r", good_text("b5r"));
   folder.write("b.b5r", good_text("b5r"));
   const std::string no_drift =
-      "DIR: expected at least two tests of the same plane for a drift, found one of ZX; ballbar history DIR gives "
-      "squareness and scales. Left out: DIR/b.b5r: ";
+      "DIR: expected at least two tests of the same plane for a drift, found one of ZX. Use ballbar history DIR for "
+      "squareness and scales. Omitted: DIR/b.b5r: ";
   EXPECT_EQ(opening(), no_drift +
                            "expected tests that started at different times, found the same DATE_STARTED as "
                            "a.b5r has.");
   folder.write("b.b5r", changed("b5r", "  <DATE_STARTED>20200229-120001</DATE_STARTED>\n", ""));
   EXPECT_EQ(opening(),
             no_drift +
-                "expected DATE_STARTED, the time of this test in the session, found none that can be read; --every "
-                "30min states how far apart the tests of the folder are, in the order of their names.");
+                "expected DATE_STARTED, the time of this test, found none that can be read. State the interval "
+                "of the tests in order of their names, as in --every 30min.");
   folder.write("b.b5r", replaced(changed("b5r", "20200229-120001", "20200301-000001"), "<NOMINAL_LENGTH>100",
                                  "<NOMINAL_LENGTH>50"));
   EXPECT_EQ(opening(),
-            "DIR: expected tests of one nominal length for a drift, found 100 mm in a.b5r and 50 mm in b.b5r; ballbar "
-            "history DIR keeps them apart.");
+            "DIR: expected tests of one nominal length for a drift, found 100 mm in a.b5r and 50 mm in b.b5r. Use "
+            "ballbar history DIR for different lengths.");
 }
 
 // A test of results alone, whose run stores its circle.
@@ -303,7 +303,7 @@ TEST(session, a_folder_of_one_test_a_plane_has_no_drift) {
   folder.write("a.b5r", good_text("b5r"));
   EXPECT_EQ(
       opening(),
-      "DIR: expected at least two tests of the same plane for a drift, found one of ZX; ballbar history DIR gives "
+      "DIR: expected at least two tests of the same plane for a drift, found one of ZX. Use ballbar history DIR for "
       "squareness and scales.");
   folder.write("b.b5r", changed("b5r", "20200229-120001", "20200301-000001"));
   EXPECT_NO_THROW(open_session(folder.path()));
@@ -316,7 +316,7 @@ TEST(session, files_that_are_no_session) {
     return complaint(folder, [&] { open_session(file); });
   };
   const std::string expected =
-      "DIR/f:1:1: expected a session, which is a folder or a file that says format = \"ballbar-session 1\", found ";
+      "DIR/f:1:1: expected a session (a folder or a file with format = \"ballbar-session 1\"), found ";
   EXPECT_EQ(opening(good_text("b5r")), expected + "XML, such as a .b5r file.");
   EXPECT_EQ(opening(good_text("log")), expected + "a ballbar log.");
   EXPECT_EQ(opening(good_text("series")), expected + "a series of columns over time.");

@@ -123,7 +123,7 @@ TEST(bytes, a_state_is_on_the_disk_and_so_is_its_name) {
   EXPECT_EQ(read_bytes(file, 10), "more");
   g_refuse = EIO;
   EXPECT_EQ(complaint(folder, [&] { write_bytes_durably(file, "lost"); }),
-            "DIR/file: expected a disk that keeps it, found: Input/output error.");
+            "DIR/file: expected a disk that stores it, found: Input/output error.");
   g_refuse = 0;
   EXPECT_EQ(read_bytes(file, 10), "more");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 2);

@@ -474,12 +474,12 @@ TEST(comparison, conclusions) {
        "0.10 um at 10 min. x agrees."},
       {{{"x", zero, 0.1}, {"y", zero, 0.1}, {"z", {0, 1.0, 0, 0, 0}, 0.1}},
        "Beyond the stated uncertainty: z at 10 min, by 1.00 ± 0.10 um at 10 min. x, y agree."},
-      {{{"x", zero, 0.0}, {"y", zero, 0.0}}, "x, y: cannot tell, no uncertainty is known."},
+      {{{"x", zero, 0.0}, {"y", zero, 0.0}}, "x, y: agreement unknown, because no uncertainty is stated."},
       {{{"x", zero, 0.1}, {"y", zero, 0.0}},
-       "x agrees within the stated uncertainty. y: cannot tell, no uncertainty is known."},
+       "x agrees within the stated uncertainty. y: agreement unknown, because no uncertainty is stated."},
       {{{"x", {0, 1.0, 0, 0, 0}, 0.1}, {"y", zero, 0.0}, {"z", zero, 0.1}},
-       "Beyond the stated uncertainty: x at 10 min, by 1.00 ± 0.10 um at 10 min. z agrees. y: cannot tell, no "
-       "uncertainty is known."},
+       "Beyond the stated uncertainty: x at 10 min, by 1.00 ± 0.10 um at 10 min. z agrees. y: agreement unknown, "
+       "because no uncertainty is stated."},
   };
   for (const auto& [axes, sentence] : cases) {
     MeasuredDrift a, b;

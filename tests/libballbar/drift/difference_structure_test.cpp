@@ -228,10 +228,10 @@ TEST(difference_structure, conclusions) {
       {{}, "z agrees within the stated uncertainty."},
       {{.gain = 1.04}, "z of B is 4."},
       {{.gain = 0.96}, "z of B is "},
-      {{.lag_s = -100.0}, "z of B lags A's by "},
-      {{.lag_s = 100.0}, "z of A lags B's by "},
-      {{.offset = -1.0}, "z of B stands 1."},
-      {{.per_h = 0.4}, "z of B moves up from A's by 0."},
+      {{.lag_s = -100.0}, "z of B is 1"},
+      {{.lag_s = 100.0}, "z of A is 1"},
+      {{.offset = -1.0}, "z of B is 1."},
+      {{.per_h = 0.4}, "z of B drifts up from A by 0."},
   };
   for (const auto& [made, begins] : cases) {
     std::mt19937_64 random = stream("conclusions");
@@ -246,6 +246,30 @@ TEST(difference_structure, conclusions) {
     const std::string text = conclusion(compare(side("a", rows.a), side("b", rows.b)));
     EXPECT_TRUE(text.starts_with(begins)) << text << " instead of " << begins;
   }
+}
+
+// Two axes that are late by the same time: one clock, said once.
+TEST(difference_structure, one_clock_of_all_axes) {
+  std::mt19937_64 random = stream("one_clock");
+  const auto conclusion_of = [&](const Difference& x, const Difference& y) {
+    MeasuredDrift a, b;
+    for (const auto& [name, made] : {std::pair{"x", x}, std::pair{"y", y}}) {
+      const DifferenceRows rows = seen(made, {.a = 0.05, .b = 0.05}, random);
+      Values sigma(rows.a.size(), 0.05 * std::numbers::sqrt2);
+      sigma[0] = 0.0;
+      a.time_s = b.time_s = rows.time_s;
+      a.axes.push_back({name, "um", rows.a, {{"scatter", sigma}}});
+      b.axes.push_back({name, "um", rows.b, {{"scatter", sigma}}});
+    }
+    return conclusion(compare(a, b));
+  };
+  const std::string late = conclusion_of({.lag_s = -200.0}, {.lag_s = -200.0});
+  EXPECT_TRUE(late.starts_with("B is 3.")) << late;
+  EXPECT_NE(late.find(" min late on every axis. Check the clocks."), std::string::npos) << late;
+  const std::string scaled = conclusion_of({.gain = 1.04}, {.gain = 1.04});
+  EXPECT_TRUE(scaled.starts_with("x of B is ")) << scaled;
+  const std::string apart = conclusion_of({.lag_s = -300.0}, {.lag_s = 300.0});
+  EXPECT_TRUE(apart.starts_with("x of B is ")) << apart;
 }
 
 // A straight line: scale and drift are the same thing, a lag is an offset.

@@ -106,7 +106,7 @@ TEST(findings, nothing_is_found_where_nothing_is) {
   EXPECT_EQ(history.judged, 20u * 9u * 3u);
   for (const MachineHistory& machine : history.machines) {
     EXPECT_EQ(machine.need, Need::nothing) << machine.name;
-    EXPECT_EQ(machine.reason, "Nothing stands out.");
+    EXPECT_EQ(machine.reason, "No significant change.");
     EXPECT_EQ(machine.tests, 36u);
   }
 }
@@ -305,7 +305,7 @@ TEST(findings, takes_stored_values_two_tests_a_day_and_few_tests) {
   EXPECT_EQ(history.found, 0u);
   EXPECT_EQ(history.without_date.size(), 1u);
   EXPECT_EQ(machine_called(history, "twice").tests, 48u);
-  EXPECT_EQ(machine_called(history, "one").reason, "The tests are too few to show a step or a trend.");
+  EXPECT_EQ(machine_called(history, "one").reason, "There are too few tests to show a step or a trend.");
 }
 
 // Three machines tell no scatter of a quantity: the line of each is held against the sigmas of its fits, 0.1 um.

@@ -112,9 +112,9 @@ TEST(test_comparison, two_planes_are_no_before_and_after) {
     compared_tests(test_of(1.0, 4.0), after);
     FAIL();
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(),
-                 "expected two tests of one plane, found XY and YZ: they are no before and after, but parts of one "
-                 "picture of the machine.");
+    EXPECT_STREQ(
+        error.what(),
+        "expected two tests of one plane, found XY and YZ. Use `ballbar history` for tests of different planes.");
   }
 }
 

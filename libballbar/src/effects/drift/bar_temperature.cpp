@@ -16,16 +16,17 @@ struct BarTemperature {
 extern const Effect kBarTemperature{
     "bar_temperature",
     Level::series,
-    {.summary = "The gauge itself grows.",
-     .cause = "Bar and extension were calibrated at 20 °C and grow with their own temperature: hands, coolant, room.",
+    {.summary = "The bar itself expands.",
+     .cause = "Bar and extension are calibrated at 20 °C and expand with their own temperature, set by hands, coolant "
+              "and room.",
      .formula = "length expansion (T_bar - 20 °C)",
      .signature =
          "The residual follows the bar's temperature, with about the expansion of its material times its length.",
      .confused_with = {"expansion", "lagged_expansion", "day_cycle"},
-     .separated_by = "Measure the same set-up with a longer bar, or warm the bar alone: only the gauge's part changes.",
+     .separated_by = "Measure the same set-up with a longer bar, or warm the bar alone: only the bar's share changes.",
      .remedy = "Let the bar take the machine's temperature; gloves; calibrate on the Zerodur gauge; a bar with low "
                "expansion.",
-     .validity = "Bar of one temperature. A fitted expansion far from its material's is something else.",
+     .validity = "Uniform temperature of the bar. A fitted expansion far from that of its material has another cause.",
      .source = "Definition of the expansion coefficient, at the reference temperature of 20 °C."},
     {{"temperature",
       {"degC"},

@@ -40,7 +40,7 @@ struct BearingClearance {
 extern const Effect kBearingClearance{
     "bearing_clearance",
     Level::series,
-    {.summary = "Elongation unloads the bearing and the rotor gets room.",
+    {.summary = "Elongation unloads the bearing and opens its clearance.",
      .cause = "The growing rotor pulls the balls of an angular contact bearing along its groove; contact angle and "
               "preload fall and radial clearance opens.",
      .formula = "gain c(dL), dL the axial drift since the first row, elongation positive: "
@@ -48,9 +48,9 @@ extern const Effect kBearingClearance{
                 "theta = (180° - (18° - alpha)) / 2 - 72°, c = 0.8 dL tan theta; gain = 1 is the formula",
      .signature = "A radial drift of about a quarter of the axial one, less than proportional.",
      .confused_with = {"axial_crosstalk", "preload_loss", "expansion"},
-     .separated_by = "A light push in all radial directions at rest, cold and warm: clearance gives way in any "
-                     "direction. An inclined axis shifts always the same way and in proportion.",
-     .remedy = "Springs or hydraulics that keep the preload; cool the rotor; check the preload when warm.",
+     .separated_by = "Push lightly in all radial directions at rest, cold and warm: clearance yields in any direction. "
+                     "An inclined axis always shifts in one direction and in proportion.",
+     .remedy = "Keep the preload with springs or hydraulics; cool the rotor; check the preload when warm.",
      .validity = "Back-to-back pair with a contact angle of 18° at dL = 0; up to dL = 120 um, where the contact angle "
                  "is 0 for the paper's bearing. Negative dL continues the formula: the bearing closes again. Where the "
                  "arcsin has no value the contact angle stays at ±90°.",

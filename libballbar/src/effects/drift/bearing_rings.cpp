@@ -22,19 +22,18 @@ extern const Effect kBearingRings{
     "bearing_rings",
     Level::series,
     {.summary = "Rings of unequal growth open or close the bearing.",
-     .cause =
-         "The raceway of the outer ring and that of the inner ring grow with their own temperatures. The difference "
-         "is room for the rotor; an inner ring that is warmer takes room away.",
+     .cause = "The raceways of the outer and the inner ring expand with their own temperatures. Their difference is "
+              "clearance; a warmer inner ring reduces it.",
      .formula = "gain (outer_radius expansion (T_outer - T_outer0) - inner_radius expansion (T_inner - T_inner0)); "
                 "gain = 1 is the formula",
-     .signature = "A radial drift of a micrometre or so that follows both ring temperatures.",
+     .signature = "A radial drift of about a micrometre that follows both ring temperatures.",
      .confused_with = {"expansion", "gradient_bending", "bearing_clearance"},
      .separated_by =
          "Warm the inner ring alone (speed with the housing cooled) and the outer ring alone (coolant): the "
          "signs are opposite.",
      .remedy =
          "Cool the inner ring or the housing so that both rings warm alike; choose the preload for the warm state.",
-     .validity = "Each ring of one temperature, free of contact forces; ceramic balls, which hardly grow.",
+     .validity = "Uniform temperature of each ring, no contact forces; ceramic balls, which hardly expand.",
      .source = "Huang, Li, Zhao 2022, eq. 15, 17 and 18 with one temperature for each ring; radii and "
                "expansion are those of the paper's bearing."},
     {{"inner", {"degC", "K"}, "temperature of the inner ring", is_inside},

@@ -30,21 +30,21 @@ struct ClockOffset {
 extern const Effect kClockOffset{
     "clock_offset",
     Level::series,
-    {.summary = "Two loggers' clocks disagree.",
-     .cause = "The signal was logged on another clock than the drift: its column is early or late.",
+    {.summary = "The clocks of two loggers disagree.",
+     .cause = "The signal and the drift are logged on different clocks, so the column is early or late.",
      .formula =
          "gain (u(t - offset) - u(t)); where another effect takes gain u(t), both together are gain u(t - offset)",
-     .signature = "Sharp errors of alternating sign wherever the signal changes fast, none where it is steady.",
+     .signature = "Sharp errors of alternating sign where the signal changes fast, none where it is steady.",
      .confused_with = {"lagged_expansion", "play_hysteresis", "gradient_bending"},
-     .separated_by = "A sharp event in both logs (a stop): a clock moves it as a whole, a lag rounds it.",
+     .separated_by = "Compare a sharp event in both logs, such as a stop: a clock offset shifts it, a lag rounds it.",
      .remedy = "Set both clocks before the run, note one event by both, or log everything with one logger.",
      .validity =
          "Constant offset; rows closer than the offset. For an offset within which the signal is a straight line "
          "only gain times offset is determined.",
-     .source = "A shift of the time axis, straight lines between the rows; no paper's equation."},
+     .source = "Shift of the time axis with linear interpolation; not from a paper."},
     {{"signal",
       {"degC", "K", "um", "rpm", "W", "A", "percent", "Nm"},
-      "signal whose clock is in doubt",
+      "signal that may have another clock",
       {},
       true,
       "the model reads no signal whose clock could be off"}},

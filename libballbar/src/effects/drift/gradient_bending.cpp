@@ -20,19 +20,17 @@ struct GradientBending {
 extern const Effect kGradientBending{
     "gradient_bending",
     Level::series,
-    {.summary = "A wall warmer on one side bends.",
-     .cause =
-         "One side of a column, headstock or ram warms more than the other: it grows longer there and tilts what it "
-         "carries.",
+    {.summary = "A wall bends when one side is warmer.",
+     .cause = "One side of a column, headstock or ram warms more than the other, expands more and tilts the spindle.",
      .formula = "gain LP_tau[D - D0], D = T_hot - T_cold; tau = 0: at once",
      .signature = "The residual follows the difference of two temperatures, not their level.",
      .confused_with = {"expansion", "lagged_expansion", "bearing_rings"},
      .separated_by =
-         "Warm both sides alike (room) and then one side alone (coolant off, lamp): bending needs the second.",
+         "Warm both sides alike (room), then one side alone (coolant off, lamp): only the second causes bending.",
      .remedy = "Shield or insulate one side; run coolant through both; compensate with the difference.",
      .validity = "Linear gradient through the wall; small angles; one dominant time constant.",
      .source = "Bending of a bar with a linear temperature gradient: alpha length^2 / (2 thickness) for each kelvin of "
-               "difference; no paper's equation."},
+               "difference; not from a paper."},
     {{"hot", {"degC", "K"}, "temperature of the side that is warmer"},
      {"cold", {"degC", "K"}, "temperature of the other side"}},
     {{"gain_um_per_K", "um/K", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "shift for each kelvin of difference"},
@@ -43,7 +41,7 @@ extern const Effect kGradientBending{
       0.0,
       200000.0,
       {0.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0},
-      "how slowly the wall follows; 0: at once"}},
+      "time constant of the wall; 0: no delay"}},
     by_row<2, kLowPassKept>(GradientBending{}),
     false,
     {},

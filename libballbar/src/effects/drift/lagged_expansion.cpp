@@ -19,21 +19,20 @@ struct LaggedExpansion {
 extern const Effect kLaggedExpansion{
     "lagged_expansion",
     Level::series,
-    {.summary = "A body that follows a temperature slowly.",
-     .cause =
-         "Heat needs time to reach the body: the structure behind the sensor, the column that follows the room, the "
-         "housing that follows the coolant.",
+    {.summary = "A body that follows a temperature with a delay.",
+     .cause = "Heat needs time to reach the body, such as the structure behind the sensor, the column that follows the "
+              "room or the housing that follows the coolant.",
      .formula = "gain (LP_tau[T] - T0), LP_tau the first-order low pass",
      .signature =
-         "Residual against temperature is a loop: small while it warms, large while it cools (or the other way).",
+         "Residual against temperature forms a loop: small while warming, large while cooling, or the reverse.",
      .confused_with = {"speed_heating", "day_cycle", "settling", "expansion"},
-     .separated_by = "A step of this temperature alone: door, air conditioning or chiller, at constant speed.",
+     .separated_by = "Step this temperature alone at constant speed, by door, air conditioning or chiller.",
      .remedy = "Move the sensor nearer to the body, shield it from draught, or compensate with the lag.",
      .validity = "One dominant time constant; a thick wall has several.",
-     .source = "Heat balance of a lumped body; no paper's equation."},
+     .source = "Heat balance of a lumped body; not from a paper."},
     {{"temperature", {"degC", "K"}, "temperature that the body follows"}},
-    {{"gain_um_per_K", "um/K", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "growth for each kelvin in the end"},
-     time_constant({60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0, 50000.0}, "how slowly the body follows")},
+    {{"gain_um_per_K", "um/K", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "final growth for each kelvin"},
+     time_constant({60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0, 50000.0}, "time constant of the body")},
     by_row<2, kLowPassKept>(LaggedExpansion{}),
     false,
     {},

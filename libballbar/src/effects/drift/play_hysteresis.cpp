@@ -37,17 +37,18 @@ double usual_half_width(const EffectRows& rows, double share) {
 extern const Effect kPlayHysteresis{
     "play_hysteresis",
     Level::series,
-    {.summary = "Stick and slip at a joint.",
-     .cause = "A joint sticks by friction until the growing body has pushed far enough, then slips along behind it.",
+    {.summary = "Stick-slip at a joint.",
+     .cause =
+         "Friction holds a joint until the expanding body has pushed far enough. Then the joint slips and follows.",
      .formula = "gain (play[u] - u), play_i = max(u_i - half_width, min(u_i + half_width, play_(i-1))), u since the "
                 "first row",
-     .signature = "Residual against the signal is a loop of constant width, however slow or fast the signal changes.",
+     .signature = "Residual against the signal forms a loop of constant width at any rate of change.",
      .confused_with = {"lagged_expansion", "gradient_bending", "preload_loss"},
-     .separated_by =
-         "Warm and cool once fast and once slowly: the loop of a lag shrinks when slow, that of play stays.",
-     .remedy = "Tighten the joint to its torque; guide it so that it can slide without sticking; oil it.",
-     .validity = "One joint; the rows must not miss a turning point of the signal.",
-     .source = "The play operator of hysteresis models; no paper's equation."},
+     .separated_by = "Warm and cool once fast and once slowly: the loop of a lag shrinks at the slow rate, the loop of "
+                     "play does not.",
+     .remedy = "Tighten the joint to its torque; guide it so that it slides without sticking; oil it.",
+     .validity = "One joint; the rows must include every turning point of the signal.",
+     .source = "Play operator of hysteresis models; not from a paper."},
     {{"signal", {"degC", "K", "um"}, "temperature of the body that pushes, or its growth"}},
     {{"gain_um_per_unit",
       "um/unit",

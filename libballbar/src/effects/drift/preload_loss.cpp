@@ -31,15 +31,15 @@ double usual_threshold(const EffectRows& rows, double share) {
 extern const Effect kPreloadLoss{
     "preload_loss",
     Level::series,
-    {.summary = "From one temperature or elongation on the preload is gone.",
-     .cause = "Growth uses up the preload of the bearing; from there on every further kelvin or micrometre is room for "
-              "the rotor.",
+    {.summary = "Preload is lost above a temperature or elongation.",
+     .cause = "Expansion uses up the preload of the bearing. Every further kelvin or micrometre becomes clearance.",
      .formula = "gain max(0, u - u0 - threshold), u the signal, u0 its first value",
-     .signature = "Residual against the signal has a kink, at the same place while it warms and while it cools.",
+     .signature = "Residual against the signal has a kink, at the same place while warming and cooling.",
      .confused_with = {"bearing_clearance", "expansion", "play_hysteresis"},
-     .separated_by = "Warm up and cool down twice past the kink: it stays where it is; a lag or play moves it.",
+     .separated_by = "Warm up and cool down twice past the kink: it stays in place; a lag or play moves it.",
      .remedy = "Set the preload again, or use springs; keep the spindle below the kink by cooling.",
-     .validity = "One bearing, one kink; linear on both sides. The place is u0 + threshold: compare that between runs.",
+     .validity =
+         "One bearing, one kink, linear on both sides. The kink is at u0 + threshold; compare this value between runs.",
      .source =
          "Huang, Li, Zhao 2022, section 3.3, says that elongation uses up the preload; the kink follows from it."},
     {{"signal", {"degC", "K", "um"}, "temperature of the bearing or axial drift"}},

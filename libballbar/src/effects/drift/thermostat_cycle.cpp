@@ -6,20 +6,20 @@ namespace ballbar::catalogue {
 extern const Effect kThermostatCycle{
     "thermostat_cycle",
     Level::series,
-    {.summary = "On and off of a chiller or heater that nobody logged.",
-     .cause = "A two-point thermostat lets coolant, cabinet or room swing between its limits.",
+    {.summary = "On-off cycle of a chiller or heater that is not logged.",
+     .cause = "An on-off thermostat lets coolant, cabinet or room oscillate between its limits.",
      .formula = "cosine cos(2 pi t / period) + sine sin(2 pi t / period), t since the first row",
-     .signature = "The residual swings with one period of 3 to 60 min, whatever the spindle does.",
+     .signature = "The residual oscillates with one period of 3 to 60 min, independent of the spindle.",
      .confused_with = {"day_cycle", "lagged_expansion", "play_hysteresis"},
-     .separated_by =
-         "Log the coolant's temperature; switch the chiller off for some periods: the swing stops or it does "
-         "not. Rows must be closer than half the period.",
-     .remedy = "A chiller with a continuous control; a larger tank; a sensor in the coolant and lagged_expansion.",
-     .validity = "One steady period; the harmonics of the on-off shape are left in the residual.",
-     .source = "First harmonic of a two-point control; no paper's equation."},
+     .separated_by = "Log the coolant temperature, or switch the chiller off for some periods: the oscillation stops "
+                     "if the chiller causes it. Rows must be closer than half the period.",
+     .remedy =
+         "Use a chiller with continuous control or a larger tank; add a sensor in the coolant and lagged_expansion.",
+     .validity = "One steady period; the harmonics of the on-off shape remain in the residual.",
+     .source = "First harmonic of an on-off control; not from a paper."},
     {},
-    {{"cosine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "part that is largest at the first row"},
-     {"sine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "part that is 0 at the first row and rises"},
+    {{"cosine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "cosine amplitude, largest at the first row"},
+     {"sine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "sine amplitude, 0 at the first row and rising"},
      {"period_s",
       "s",
       ParameterKind::shape,

@@ -28,8 +28,8 @@ Effect backlash(Axis axis) {
       Level::recording,
       {.summary = a ? "Play of axis A: a step where A reverses, at 0 and 180 deg."
                     : "Play of axis B: a step where B reverses, at 90 and 270 deg.",
-       .cause = "Play in the screw, its nut or its bearing, or a guideway that winds the drive up before it moves. A "
-                "positive play is lost motion; a negative one is a compensation that does too much.",
+       .cause = "Play in the screw, its nut or its bearing, or a sticking guideway that winds up the drive. Positive "
+                "play is lost motion; negative play is overcompensation.",
        .formula =
            "- (play / 2) sign(velocity of the axis) x, x the axis' position over R; play = play_pos (1 + x) / 2 + "
            "play_neg (1 - x) / 2",
@@ -37,10 +37,10 @@ Effect backlash(Axis axis) {
                     "feed. The two directions step on opposite sides.",
        .confused_with = {a ? "reversal_spike_a" : "reversal_spike_b", a ? "lateral_play_b" : "lateral_play_a",
                          "servo_mismatch", "centre_drift"},
-       .separated_by = "Both directions with a full turn. Two feeds in the order A-B-B-A: a servo mismatch grows with "
-                       "the feed, play does not.",
-       .remedy = "Adjust or replace nut and bearing; the control's backlash compensation hides it only.",
-       .validity = "Linear axes; play that changes evenly along the travel.",
+       .separated_by = "Measure a full circle in both directions at two feeds in the order A-B-B-A: a servo mismatch "
+                       "grows with the feed, play does not.",
+       .remedy = "Adjust or replace nut and bearing. The control's backlash compensation only hides the play.",
+       .validity = "Linear axes; play that changes linearly along the travel.",
        .source = "Kinematics of lost motion; sign and size as AF_BACKLASH of measured .b5r files."},
       {angle_input(), direction_input()},
       {play_at_end("play_pos_um", "pos", "step outwards at the reversal on the + end"),

@@ -18,18 +18,18 @@ struct BarTemperatureOfRecording {
 extern const Effect kBarTemperatureOfRecording{
     "bar_temperature",
     Level::recording,
-    {.summary = "The bar is not at 20 degC, so that it reads the distance wrongly.",
-     .cause = "A warm bar is longer: at the same distance of the balls its transducer is pushed in further, and the "
-              "length it reports is too short.",
+    {.summary = "The bar is not at 20 degC and misreads the distance.",
+     .cause = "A warm bar is longer. At the same distance between the balls its transducer is pushed in further, so "
+              "the reported length is too short.",
      .formula = "- L0 expansion (T_bar - 20 degC)",
-     .signature = "A radius that is off by the same amount all round, more in warmer tests.",
+     .signature = "The same radius error all round, larger in warmer tests.",
      .confused_with = {"circle", "dynamic_contraction"},
-     .separated_by = "Recordings at two temperatures of the bar with the same machine, or the calibrator of the bar "
+     .separated_by = "Record at two temperatures of the bar on the same machine, or check the bar on its calibrator "
                      "before and after.",
-     .remedy = "Let the bar lie on the machine before the test, enter its temperature, keep hands from it.",
-     .validity = "Readings that were not yet corrected for the bar's temperature; steel 11.5 ppm/K, the bar's "
-                 "certificate says its own.",
-     .source = "Free expansion; no paper's equation."},
+     .remedy = "Let the bar adapt on the machine before the test, enter its temperature, do not hold it in the hand.",
+     .validity = "Readings not corrected for the bar temperature; steel has 11.5 ppm/K, the certificate states the "
+                 "bar's own value.",
+     .source = "Free expansion; not from a paper."},
     {radius_input(), bar_input()},
     {{"expansion_ppm_per_K", "ppm/K", ParameterKind::gain, 0.0, -100.0, 100.0, {}, "expansion coefficient of the bar"}},
     evaluated_by<1>(BarTemperatureOfRecording{}),

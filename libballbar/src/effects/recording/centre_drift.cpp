@@ -23,16 +23,15 @@ struct CentreDrift {
 extern const Effect kCentreDrift{
     "centre_drift",
     Level::recording,
-    {.summary = "The centre wanders during the sweep.",
-     .cause = "Spindle or table drifts sideways while the circle is driven: warming, cooling, a chiller that switches.",
+    {.summary = "The centre drifts during the sweep.",
+     .cause = "Spindle or table drifts sideways during the circle because of warming, cooling or a switching chiller.",
      .formula = "t (rate_a cos theta + rate_b sin theta), t from the middle of the sweep",
-     .signature = "The end of the sweep is shifted against its beginning; both directions drift in the same sense of "
-                  "time.",
+     .signature = "The end of the sweep is shifted from its start; both directions drift alike in time.",
      .confused_with = {"sweep_drift", "backlash_a", "backlash_b", "lateral_play_a", "lateral_play_b"},
-     .separated_by = "Both directions and a slower feed: drift grows with the time the sweep takes, play does not and "
-                     "changes sides with the direction.",
-     .remedy = "Wait until the spindle's temperature is steady, or make the sweep shorter; then compensate the drift.",
-     .validity = "A rate that is the same in all the sweeps, small against the radius.",
+     .separated_by = "Measure both directions and a slower feed: drift grows with the duration of the sweep. Play does "
+                     "not, and it changes side with the direction.",
+     .remedy = "Wait for a steady spindle temperature or shorten the sweep; then compensate the drift.",
+     .validity = "Equal rate in all sweeps, small compared with the radius.",
      .source = "Length equation with c = c0 + k t, first order."},
     {angle_input(), sweep_input()},
     {{"rate_a_um_per_min", "um/min", ParameterKind::gain, 0.0, -10000.0, 10000.0, {}, "of the centre along A"},

@@ -32,16 +32,15 @@ extern const Effect kCircle{
     "circle",
     Level::recording,
     {.summary = "Centre and radius of the path: the base of every model of a recording.",
-     .cause = "The path's centre is not quite at the fixed ball, and the path's radius is not quite the bar's nominal "
+     .cause = "The centre of the path is not exactly at the fixed ball, and its radius differs from the nominal "
               "length. Set-up and drift move the centre; feed, scale and temperature change the radius.",
      .formula = "|c + R (cos theta, sin theta) + h n| - L0 with c = (centre_a, centre_b) and R = L0 + radius",
      .signature = "One wave a turn for the centre, a constant for the radius.",
      .confused_with = {"straightness_a", "straightness_b", "bar_temperature", "dynamic_contraction"},
-     .separated_by = "A full circle knows its centre; a short arc does not. Several recordings with one set-up show "
-                     "what moves from one to the next.",
-     .remedy =
-         "The centre is set-up and no error of the machine; a radius that is off asks for the scale of both axes, "
-         "the feed and the bar's calibration.",
+     .separated_by = "A full circle determines its centre, a short arc does not. Several recordings with one set-up "
+                     "show changes between them.",
+     .remedy = "The centre depends on the set-up and is no machine error. For a wrong radius check the scales of both "
+               "axes, the feed and the calibration of the bar.",
      .validity = "Exact for any offset and height; `recording` says which recording it belongs to, -1 all of them.",
      .source = "Length equation, exact; recording.hpp."},
     {angle_input(), radius_input(), height_input(), recording_input()},

@@ -32,18 +32,17 @@ Parameter sum(const char* name, const char* row, const char* meaning) {
 extern const Effect kCubicError{
     "cubic_error",
     Level::recording,
-    {.summary = "An axis is longer in the middle of its travel than at the ends, or bends one way and then the other.",
-     .cause = "A screw or scale whose error is not even along the travel, an error table that does not fit any more, a "
-              "guideway bent in the form of an S.",
+    {.summary = "The error of an axis is cubic along its travel: pitch varies from middle to ends, or the guideway is "
+                "S-shaped.",
+     .cause = "A screw or scale with uneven error along the travel, an outdated error table, or an S-shaped guideway.",
      .formula = "(along / 2) cos 4 theta + (across / 2) sin 4 theta",
-     .signature = "Four lobes a turn, at the same angles in both directions and at every feed.",
+     .signature = "Four lobes per turn, equal in both directions and at every feed.",
      .confused_with = {"sin_4_theta", "scale_mismatch", "lobing", "straightness_a", "straightness_b"},
-     .separated_by =
-         "A full turn. Which of the two axes it is a circle cannot tell; a shorter bar at several places or a "
-         "laser along each axis does.",
+     .separated_by = "A circle cannot show which of the two axes has the error. Use a shorter bar at several places, "
+                     "or a laser along each axis.",
      .remedy = "Measure both axes along their travel and renew the table of pitch errors; check their straightness.",
      .validity = "Linear axes; the sum of both, that of each over half its travel from end to end.",
-     .source = "Kinematics as written; found as what is left in measured .b5r files, alike in both directions."},
+     .source = "Kinematics as written; found as a residual of measured .b5r files, equal in both directions."},
     {angle_input()},
     {sum("along_um", "along", "peak to peak of the errors along both axes"),
      sum("across_um", "across", "peak to peak of the errors across them")},

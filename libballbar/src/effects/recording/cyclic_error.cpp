@@ -95,20 +95,19 @@ Effect cyclic_error(Axis axis) {
   return {
       a ? "cyclic_error_a" : "cyclic_error_b",
       Level::recording,
-      {.summary = a ? "Axis A has an error that repeats with every turn of its screw."
-                    : "Axis B has an error that repeats with every turn of its screw.",
+      {.summary = a ? "The error of axis A repeats with every turn of its screw."
+                    : "The error of axis B repeats with every turn of its screw.",
        .cause =
            "A ball screw that runs out or wobbles, an encoder or coupling off centre, or interpolation of a scale.",
        .formula =
            "(sine sin(2 pi x / pitch) + cosine cos(2 pi x / pitch)) x / (2 R), x the position of the axis; _fwd while "
            "it moves towards +, _rev towards -",
-       .signature =
-           "A wave that is fixed in the axis' position: long near the reversals, short where the axis is fast, "
-           "and nothing where it crosses the middle.",
+       .signature = "A wave fixed to the axis position: long near the reversals, short where the axis is fast, and "
+                    "zero at the middle of the travel.",
        .confused_with = {"vibration", "lobing", a ? "cyclic_error_b" : "cyclic_error_a"},
-       .separated_by = "Another feed: a cyclic error stays where it is, a vibration moves along the path.",
-       .remedy = "Bearing and alignment of the screw, coupling, mounting of the encoder.",
-       .validity = "Linear axes; one wave of one pitch, the same in all recordings.",
+       .separated_by = "Measure at another feed: a cyclic error stays in place, a vibration moves along the path.",
+       .remedy = "Check bearing and alignment of the screw, the coupling and the mounting of the encoder.",
+       .validity = "Linear axes; one wave of one pitch, equal in all recordings.",
        .source = "Periodic error along the axis; pitch and phase as AF_CYCLIC_PITCH and AF_CYCLIC_PHASE of measured "
                  ".b5r files."},
       {angle_input(), radius_input(), direction_input()},
@@ -124,7 +123,7 @@ Effect cyclic_error(Axis axis) {
         200.0,
         {kFinest_mm, 3.0,  4.0,  5.0,  6.0,  8.0,  10.0, 12.0, 12.5, 14.0,
          15.0,       16.0, 18.0, 20.0, 22.0, 25.0, 30.0, 32.0, 40.0, 50.0},
-        "travel from one wave to the next, usually the screw's lead",
+        "wavelength in travel, usually the screw lead",
         false,
         ShapeOf::curve,
         pitches}},

@@ -18,18 +18,18 @@ struct DynamicContraction {
 extern const Effect kDynamicContraction{
     "dynamic_contraction",
     Level::recording,
-    {.summary = "The circle shrinks with the square of the feed.",
-     .cause = "Axes that follow with a time constant tau cut the corner: the path's radius is smaller by "
-              "(tau V)^2 / (2 R). Filters of the commanded path do the same.",
+    {.summary = "The radius shrinks with the square of the feed.",
+     .cause = "Axes that follow with a time constant tau cut the corner: the radius of the path is smaller by (tau "
+              "V)^2 / (2 R). Filters of the commanded path have the same effect.",
      .formula = "- contraction V^2, V in m/min",
      .signature = "The radius is smaller at high feed, the same in both directions.",
      .confused_with = {"circle", "bar_temperature"},
-     .separated_by = "Two feeds in the order A-B-B-A, so that warming is not taken for the feed. One feed shows the "
-                     "radius only.",
-     .remedy = "Feed-forward, higher gain of the position loops, or a lower feed for finishing.",
-     .validity = "Linear axes; one radius: at another radius the contraction is different. Higher feeds meet "
-                 "limits of acceleration.",
-     .source = "Amplitude of a first-order lag at the frequency of the circle, first term; no paper's equation."},
+     .separated_by =
+         "Measure two feeds in the order A-B-B-A to separate the feed from warming. One feed shows only the radius.",
+     .remedy = "Use feed-forward, a higher gain of the position loops, or a lower feed for finishing.",
+     .validity = "Linear axes; one radius, because another radius has another contraction. At high feeds the "
+                 "acceleration is limited.",
+     .source = "Amplitude of a first-order lag at the frequency of the circle, first term; not from a paper."},
     {feed_input()},
     {{"contraction_um_per_m2_min2",
       "um/(m/min)^2",

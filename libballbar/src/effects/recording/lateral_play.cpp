@@ -26,25 +26,22 @@ Effect lateral_play(Axis axis) {
   return {
       a ? "lateral_play_a" : "lateral_play_b",
       Level::recording,
-      {.summary = a ? "Axis A moves sideways, along B, when it reverses."
-                    : "Axis B moves sideways, along A, when it reverses.",
-       .cause =
-           "Play or wear of the guideway: the drive is not in the middle of the slide, and each reversal pushes the "
-           "slide to the other flank.",
+      {.summary = a ? "Axis A shifts sideways, along B, when it reverses."
+                    : "Axis B shifts sideways, along A, when it reverses.",
+       .cause = "Play or wear of the guideway: the drive is off-centre, and each reversal pushes the slide to the "
+                "other flank.",
        .formula =
            "(play / 2) sign(velocity of the axis) times the other axis' position over R; play = play_pos (1 + x) / 2 "
            "+ play_neg (1 - x) / 2, x the axis' own position over R",
-       .signature = "One direction is a little larger, the other a little smaller, most of all across the axis; a kink "
-                    "at the reversals, the same at every feed.",
+       .signature = "One direction is slightly larger, the other slightly smaller, mostly across the axis. A kink at "
+                    "the reversals, equal at every feed.",
        .confused_with = {"scale_mismatch", a ? "lateral_play_b" : "lateral_play_a", "circle",
                          a ? "backlash_b" : "backlash_a"},
-       .separated_by =
-           "Both directions with one set-up: play changes sign with the direction, scale does not. A single "
-           "direction shows play and scale alike.",
-       .remedy = "Adjust gibs or preload of the guideways; lubrication; look for wear.",
-       .validity = "Linear axes; play that changes evenly along the travel. Where every recording has a radius of its "
-                   "own, only "
-                   "the kink is left to tell it by.",
+       .separated_by = "Measure both directions with one set-up: play changes sign with the direction, scale does not. "
+                       "One direction cannot separate play and scale.",
+       .remedy = "Adjust gibs or preload of the guideways; check lubrication and wear.",
+       .validity = "Linear axes; play that changes linearly along the travel. If every recording has its own radius, "
+                   "only the kink identifies it.",
        .source = "Kinematics of a slide between two flanks; size as AF_LATERAL_PLAY of measured .b5r files."},
       {angle_input(), direction_input()},
       {play_at_end("play_pos_um", "pos", "whole sideways movement when it reverses on the + end"),

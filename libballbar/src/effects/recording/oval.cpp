@@ -23,19 +23,18 @@ extern const Effect kOval{
     "oval",
     Level::recording,
     {.summary = "The path of a rotary axis or a spindle is an oval.",
-     .cause =
-         "The axis is tilted against the plane of the test, its bearing is out of round, or the spindle's rotor is.",
+     .cause = "The axis is tilted to the test plane, or its bearing or the spindle rotor is out of round.",
      .formula = "cosine cos 2 theta + sine sin 2 theta",
-     .signature = "Two lobes a turn, fixed in the angle, the same in both directions.",
+     .signature = "Two lobes per turn at fixed angles, equal in both directions.",
      .confused_with = {"scale_mismatch", "squareness", "lobing"},
-     .separated_by = "Turn the part that carries the ball in its mount and repeat: form that belongs to the bearing "
-                     "stays, form that belongs to the part turns with it.",
+     .separated_by = "Turn the part that carries the ball in its mount and repeat: the form of the bearing stays, the "
+                     "form of the part turns with it.",
      .remedy = "Align the rotary axis with the linear axes; check the seat and the preload of its bearing.",
-     .validity = "Recordings driven by a rotary axis or a spindle. On linear axes the same form is scale_mismatch and "
-                 "squareness.",
-     .source = "Second harmonic of the radius; no paper's equation."},
+     .validity = "Recordings driven by a rotary axis or a spindle. On linear axes scale_mismatch and squareness have "
+                 "this form.",
+     .source = "Second harmonic of the radius; not from a paper."},
     {angle_input()},
-    {{"cosine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "half the difference of length along A and B"},
+    {{"cosine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "half the difference in length along A and B"},
      {"sine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "the same along the diagonals"}},
     evaluated_by<2>(Oval{}),
     false,

@@ -37,19 +37,19 @@ Effect reversal_spike(Axis axis) {
       Level::recording,
       {.summary = a ? "Axis A sticks for a moment when it reverses, at 0 and 180 deg."
                     : "Axis B sticks for a moment when it reverses, at 90 and 270 deg.",
-       .cause =
-           "Friction changes sign when the axis reverses, and the control needs a moment to turn the torque round. "
-           "Until then the axis stands still and the path bulges.",
+       .cause = "Friction changes sign when the axis reverses, and the control needs a moment to reverse the torque. "
+                "Until then the axis stands still and the path bulges.",
        .formula = "height exp(- d / width), d the angle travelled since the reversal; one height for each end",
-       .signature = "A short peak outwards right after the reversal, on the other side of it in the other direction.",
+       .signature =
+           "A short outward peak right after the reversal, on the opposite side of it in the opposite direction.",
        .confused_with = {a ? "backlash_a" : "backlash_b", "vibration"},
-       .separated_by = "Two feeds: a spike becomes higher or wider with the feed, a step of backlash stays. Both "
-                       "directions place it on both sides of the reversal.",
-       .remedy = "Friction compensation of the control (quadrant error compensation); lubrication and preload of the "
-                 "guideways.",
-       .validity = "Linear axes; a spike of one exponential. Some spikes rise before they fall.",
-       .source = "Description of the form, no paper's equation; heights as AF_REVERSAL_SPIKES_POS and _NEG, outwards "
-                 "positive."},
+       .separated_by = "Measure two feeds: a spike grows higher or wider with the feed, a step of backlash does not. "
+                       "With both directions it appears on both sides of the reversal.",
+       .remedy = "Use the control's friction compensation (quadrant error compensation); check lubrication and preload "
+                 "of the guideways.",
+       .validity = "Linear axes; a spike with one exponential decay. Some spikes rise before they decay.",
+       .source =
+           "Description of the form, not from a paper; heights as AF_REVERSAL_SPIKES_POS and _NEG, outwards positive."},
       {angle_input(), direction_input()},
       {peak("height_pos_um", "pos", "height after the reversal at the + end"),
        peak("height_neg_um", "neg", "height after the reversal at the - end"),
@@ -60,7 +60,7 @@ Effect reversal_spike(Axis axis) {
         0.2,
         9.0,
         {0.5, 1.0, 2.0, 4.0},
-        "angle over which it falls to 37 %"}},
+        "angle over which it decays to 37 %"}},
       evaluated_by<3>(ReversalSpike{axis}),
       false,
       {Motion::linear_axes},

@@ -22,22 +22,30 @@ struct ScaleMismatch {
 extern const Effect kScaleMismatch{
     "scale_mismatch",
     Level::recording,
-    {.summary = "One axis measures longer than the other.",
-     .cause = "A ball screw or a scale that is longer than the other, because it is warmer, worn, stretched or badly "
-              "compensated.",
+    {.summary = "One axis travels farther than the other.",
+     .cause =
+         "The ball screw or scale of one axis is longer because it is warmer, worn, stretched or badly compensated.",
      .formula = "(mismatch / 4) cos 2 theta, mismatch = 2 R (s_a - s_b), positive where A travels too far",
-     .signature = "An oval along the axes, the same in both directions and at every feed.",
+     .signature = "An oval along the axes, equal in both directions and at every feed.",
      .confused_with = {"lateral_play_a", "lateral_play_b", "oval", "squareness"},
-     .separated_by = "Both directions: play changes sign with the direction, scale does not. Warm up one axis only and "
-                     "see whether the oval grows.",
-     .remedy = "Pitch compensation or linear scales; check the screw's temperature, stretch and bearing.",
+     .separated_by = "Measure both directions: play changes sign with the direction, scale does not. Warm up one axis "
+                     "alone: a thermal cause makes the oval grow.",
+     .remedy =
+         "Correct the pitch compensation or use linear scales; check temperature, stretch and bearing of the screw.",
      .validity =
-         "Linear axes, first order; about half a turn is needed to tell it from the centre. The difference over "
-         "a diameter, as instrument software stores it; over R it is the difference of the scales.",
+         "Linear axes, first order; separating it from the centre needs about half a turn. The value is the difference "
+         "over a diameter, as instrument software stores it; divided by R it is the difference of the scales.",
      .source = "Kinematics: a (1 + s_a), b (1 + s_b) in the length equation; sign and size as AF_SCALE_MISMATCH of "
                "measured .b5r files."},
     {angle_input()},
-    {{"mismatch_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "A longer than B over a diameter"}},
+    {{"mismatch_um",
+      "um",
+      ParameterKind::gain,
+      0.0,
+      -1000.0,
+      1000.0,
+      {},
+      "length of A minus length of B over a diameter"}},
     evaluated_by<1>(ScaleMismatch{}),
     false,
     {Motion::linear_axes},

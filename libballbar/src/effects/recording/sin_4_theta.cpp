@@ -26,12 +26,12 @@ extern const Effect kSin4Theta{
      .cause = "Delays of the position loops that change with the speed of the axis, such as friction or a feed-forward "
               "that suits one speed only.",
      .formula = "dir (size / 2) sin 4 theta",
-     .signature = "Four lobes a turn, in the other direction at the other angles.",
+     .signature = "Four lobes per turn that change sign with the direction.",
      .confused_with = {"servo_mismatch", "backlash_a", "backlash_b", "cubic_error"},
-     .separated_by = "Both directions: what keeps its place in both is a cubic error of the axes.",
-     .remedy =
-         "Tune the position loops of both axes at the test's feed, feed-forward and friction compensation included.",
-     .validity = "Linear axes. A form that is there beside the errors with a name of their own, not a cause.",
+     .separated_by = "Measure both directions: lobes that are equal in both are a cubic error of the axes.",
+     .remedy = "Tune the position loops of both axes at the feed of the test, including feed-forward and friction "
+               "compensation.",
+     .validity = "Linear axes. Describes a form that occurs beside the other errors; it is not a cause.",
      .source = "Form, sign and size as AF_SIN_4_THETA of measured .b5r files."},
     {angle_input(), direction_input()},
     {{"size_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "peak to peak in one direction"}},

@@ -19,16 +19,17 @@ struct SweepDrift {
 extern const Effect kSweepDrift{
     "sweep_drift",
     Level::recording,
-    {.summary = "The length grows or shrinks during the sweep: the figure does not close.",
-     .cause = "The bar, its set-up or the machine warms up while the circle is driven.",
+    {.summary = "The length changes during the sweep, so the figure does not close.",
+     .cause = "The bar, its set-up or the machine warms up during the circle.",
      .formula = "rate t, t from the middle of the sweep",
-     .signature = "A full turn ends higher or lower than it began, in both directions in the same sense of time.",
+     .signature = "A full turn ends higher or lower than it started; both directions drift alike in time.",
      .confused_with = {"mounting_slip", "centre_drift", "circle"},
-     .separated_by = "Repeat the test after a rest: drift fades as temperatures settle, a slip is not repeated. A "
-                     "slower feed lets more of it happen.",
-     .remedy = "Let bar and machine come to temperature, then test; keep hands and draught from the bar.",
-     .validity = "A rate that is the same in all the sweeps. Without times or feed, one reading a second is assumed.",
-     .source = "First term of any slow drift; no paper's equation."},
+     .separated_by = "Repeat the test after a rest: drift fades as temperatures settle, a slip does not recur. At a "
+                     "slower feed the drift is larger.",
+     .remedy =
+         "Let bar and machine reach a steady temperature before the test; keep hands and draught away from the bar.",
+     .validity = "Equal rate in all sweeps. Without times or feed, one reading per second is assumed.",
+     .source = "First term of any slow drift; not from a paper."},
     {sweep_input()},
     {{"rate_um_per_min", "um/min", ParameterKind::gain, 0.0, -10000.0, 10000.0, {}, "growth of the length"}},
     evaluated_by<1>(SweepDrift{}),

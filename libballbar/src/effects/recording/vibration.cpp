@@ -52,20 +52,19 @@ std::vector<double> searched_Hz(const EffectRows& rows, double, double, std::siz
 extern const Effect kVibration{
     "vibration",
     Level::recording,
-    {.summary = "The machine shakes at one frequency while it travels.",
-     .cause = "A servo loop near its limit of stability, a pump, a fan, a motor with cogging, or a neighbour of the "
-              "machine.",
+    {.summary = "The machine vibrates at one frequency while it moves.",
+     .cause = "A servo loop near its stability limit, a pump, a fan, motor cogging, or another machine nearby.",
      .formula = "sine sin(2 pi f t) + cosine cos(2 pi f t), t from the middle of the sweep; one pair a direction",
-     .signature = "Waves of one length all along the path, whatever the axes do; their number changes with the feed.",
+     .signature =
+         "Waves of one length along the whole path, independent of the axes; their number changes with the feed.",
      .confused_with = {"cyclic_error_a", "cyclic_error_b", "lobing"},
-     .separated_by = "Another feed: at twice the feed there are half as many waves. What is fixed in the machine's "
-                     "position stays where it was.",
-     .remedy = "Tune the servo loop; stop pumps and fans one after the other and look again; check the foundation.",
+     .separated_by = "Measure at another feed: twice the feed gives half as many waves. Position errors of the machine "
+                     "stay in place.",
+     .remedy = "Tune the servo loop; stop pumps and fans one by one and repeat the test; check the foundation.",
      .validity =
-         "One frequency, constant over the sweep, from 1 Hz (what is slower is the form of the path) to half the "
-         "rate of the readings. Two sweeps in one "
-         "direction have different phases: use one vibration for each and name its `recording`.",
-     .source = "Sinusoid in time; no paper's equation."},
+         "One constant frequency, from 1 Hz (slower waves are the form of the path) to half the reading rate. Two "
+         "sweeps in one direction have different phases: use one vibration for each and state its `recording`.",
+     .source = "Sinusoid in time; not from a paper."},
     {sweep_input(), direction_input(), recording_input()},
     {{"sine_ccw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "sine part in CCW recordings"},
      {"cosine_ccw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "cosine part in CCW recordings"},

@@ -89,7 +89,7 @@ struct ResultType<DriftSeries> {
   static constexpr std::tuple fields{
       Field{"method", &DriftSeries::method, "spindle_rotation, two_arcs, circles; of five probes five_probe"},
       Field{"reference_s", known(&DriftSeries::reference_s), "time of the test that drift is taken to"},
-      Field{"points", &DriftSeries::points, "a row a test"},
+      Field{"points", &DriftSeries::points, "one row per test"},
       Field{"positions", &DriftSeries::positions, "the same before the reference is taken off"},
       Field{"not_cancelled", &DriftSeries::not_cancelled, "what of the set-up remains"}};
 };
