@@ -72,7 +72,16 @@ std::string labels(const std::vector<BoundEffect>& bounds, std::string_view betw
 // What was not searched of the columns that the data offer: "gradient_bending on 16 of 528 choices of columns".
 std::string not_searched_text(const Diagnosis& found);
 
-// The same for the terminal, the verdict first.
-void print_text(const DiagnosisReport& diagnosis_report, const std::string& title);
+// How much of a diagnosis is printed: a screen, less of each of several targets, or all.
+struct TextLength {
+  bool details = false;
+  bool is_one_of_several = false;
+};
+
+// The same for the terminal, the verdict first. title: empty: printed already.
+void print_text(const DiagnosisReport& diagnosis_report, const std::string& title, const TextLength& length);
+
+// What --details shows, a phrase.
+std::string_view details_of_diagnosis();
 
 }  // namespace ballbar

@@ -32,7 +32,7 @@ std::string conclusion(const GrownModel& grown, const std::vector<std::string>& 
                        const std::vector<Driver>& drivers);
 
 // Revision by revision: error, forecasts, and how far these are from those of all effects.
-std::string tables(const GrownModel& grown);
+std::string tables(const GrownModel& grown, bool details);
 
 // Without a further effect, then of each revision.
 std::vector<GrowthStep> steps_of(const GrownModel& grown);

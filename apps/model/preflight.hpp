@@ -11,7 +11,7 @@
 namespace ballbar {
 
 // A table of all effects, of each target of the model. Throws Error where the data cannot be fitted.
-void show_preflight(const ModelOptions& options, const Model& model, const ModelData& data, bool json);
+void show_preflight(const ModelOptions& options, const Model& model, const ModelData& data, bool json, bool details);
 
 // Why effects could not be tested, what several have in common once: each reason with their names, in the order of the
 // detectabilities.

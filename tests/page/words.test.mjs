@@ -185,7 +185,7 @@ test("choice: the page is written anew, with what was chosen, zoomed and unfolde
   await page.getByLabel("Sprache").selectOption("中文");
   assert.match(await page.locator(".verdict").textContent(), /修复比例不匹配后，圆度从 5\.6 µm 降至 2\.3 µm/);
   await page.getByLabel("语言").selectOption("English");
-  assert.match(await page.locator(".verdict").textContent(), /Mending scale mismatch .*takes the circularity from 5\.6 to 2\.3 µm/);
+  assert.match(await page.locator(".verdict").textContent(), /Correcting scale mismatch .*lowers the circularity from 5\.6 to 2\.3 µm/);
   assert.deepEqual(wrong, []);
   await close();
 });

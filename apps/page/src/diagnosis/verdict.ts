@@ -18,12 +18,11 @@ const kSure_driver = 0.9; // P, as in the program's sentence
 const same = (a: Bound, b: Bound): boolean =>
   a.effect === b.effect && JSON.stringify(a.columns) === JSON.stringify(b.columns);
 
-// "very likely (98 %)": words and steps are the program's.
+// "98 % sure"
 const p_text = (p: Num): string => {
   if (p === null) return "–";
-  const words = p >= 0.9 ? t.sure.very_likely : p >= 0.65 ? t.sure.likely : p > 0.35 ? t.sure.even : p > 0.1 ? t.sure.unlikely : t.sure.very_unlikely;
   const percent = p >= 0.995 ? t.sure_over : p < 0.005 ? t.sure_under : `${shown(100 * p, 0)} %`;
-  return t.sure_text({ words, percent });
+  return t.sure_text({ percent });
 };
 
 // "2 h 11 min"

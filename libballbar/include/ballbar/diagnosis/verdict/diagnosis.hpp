@@ -88,11 +88,15 @@ struct Diagnosis {
   // ln of how much more likely the readings are with any effect or other value than with none, whatever the
   // discrepancy: its exponential is at most 1 on average where none is hidden.
   double log_bayes_factor = 0.0;
-  double discrepancy_um = 0.0;        // its standard deviation, where it is most likely
+  double discrepancy_um = 0.0;        // its standard deviation, where it is most likely; at most half of what the
+                                      // readings span
   Noise noise;                        // beside the best set
   std::vector<Candidate> candidates;  // the best set first, then by P; at most 12
+  // Largest less smallest of what the best set adds together; at most that of the readings, because more than that is
+  // cancelled by the model's own effects.
+  double explained_um = 0.0;
   // Amplitude up to which an effect that blind challenges hide could be there: that which shows worst, in the middle of
-  // its shapes.
+  // its shapes; at most what the readings span.
   double hidden_um = 0.0;
   BoundEffect hidden;          // that effect
   double rmse_after_um = 0.0;  // with the best set
