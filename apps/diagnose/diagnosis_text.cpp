@@ -175,7 +175,7 @@ void print_reasons(const Diagnosis& found, bool details) {
 }
 
 constexpr std::string_view kDetails =
-    "all candidates, what the columns mean, all probabilities, and what these data cannot test";
+    "all candidates and probabilities, what the columns mean and what cannot be tested";
 
 }  // namespace
 

@@ -111,6 +111,7 @@ std::string whiteness_text(const Whiteness& whiteness, std::size_t n) {
 
 void print_remarks(const Fit& fit) {
   const std::size_t discounted = fit.discounted.size();
+  if (discounted > 0 || !fit.remarks.empty()) fmt::print("\n");
   if (discounted > 0) fmt::print("{} {} discounted.\n", discounted, discounted == 1 ? "value was" : "values were");
   for (const std::string& remark : fit.remarks) fmt::print("{}", wrapped(remark));
 }

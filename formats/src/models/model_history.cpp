@@ -23,7 +23,7 @@ constexpr Key kKeys[] = {
     {"data", "texts", "files, as they were named on the command line"},
     {"parameters", "number", "how many parameters are free"},
     {"rmse_um", "um", "root mean square of what the model leaves"},
-    {"times_floor", "1", "that over the floor; absent where the floor is not known"},
+    {"times_floor", "1", "that over the noise; absent where the noise is not known"},
     {"held_out_um", "um", "the same where cycles, or recordings, are left out and predicted from the others"},
     {"likelihood_ratio", "1",
      "2 ln B: of how much more likely the readings are with the change; chi^2 of errors of axes"},

@@ -52,10 +52,11 @@ export const place_sentence = ({ where, n }: Pick<Checked, "where" | "n">): stri
   return t.diagnosis_fails_most({ place: worst.what === "time" ? range : t.diagnosis_place_of({ what: plain(place_name(worst.what), 50), range }) });
 };
 
-const effect_text = ({ candidates, effects }: Diagnosed, bound: Bound): string => {
+// No larger than what all explain together: another effect may cancel a part of it.
+const effect_text = ({ candidates, effects, explained_um }: Diagnosed, bound: Bound): string => {
   const candidate = candidates.find((one) => same(one, bound));
   const effect = effects.find((one) => same(one, bound));
-  const size_um = candidate?.amplitude_um ?? 0;
+  const size_um = Math.min(candidate?.amplitude_um ?? 0, (explained_um ?? 0) > 0 ? (explained_um ?? 0) : Infinity);
   const size = size_um > 0 ? rounded(size_um, 2) : "";
   const label = effect?.label ?? candidate?.label ?? bound.effect;
   const p = p_text(effect?.p ?? candidate?.p ?? null);
