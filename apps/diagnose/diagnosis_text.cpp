@@ -185,7 +185,8 @@ void print_text(const DiagnosisReport& diagnosis_report, const std::string& titl
   const Diagnosis& found = diagnosis_report.diagnosis;
   const bool details = length.details, is_whole = details || !length.is_one_of_several;
   if (!title.empty()) fmt::print("{}\n", title);
-  fmt::print("{}\n\n", heading(diagnosis_report.residual_report.fit));
+  fmt::print("{}{}\n\n", heading(diagnosis_report.residual_report.fit),
+             is_whole ? "" : fmt::format(". Verdict: {}.", name_of(found.verdict)));
   if (!diagnosis_report.unsupported.empty()) fmt::print("{}", wrapped(unsupported_text(diagnosis_report)));
   fmt::print("{}", wrapped(found.sentence));
   if (!diagnosis_report.command.empty()) fmt::print("\n{}\n", diagnosis_report.command);

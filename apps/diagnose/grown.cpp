@@ -119,7 +119,7 @@ std::string conclusion(const GrownModel& grown, const std::vector<std::string>& 
 
 std::string tables(const GrownModel& grown, bool details) {
   if (grown.rows.empty()) return "";
-  Table table({"revision", "effects", "RMSE um", "forecast error um", "difference to train um", "cause"});
+  Table table({"revision", "effects", "RMSE um", "forecast um", "from train um", "cause"});
   const auto add = [&](const std::string& name, const GrowthErrors& errors, const std::string& what) {
     table.add({one_line(name), fmt::format("{}", errors.effects), known(errors.rmse_um), known(errors.forecast_um),
                known(errors.apart_um), what});
@@ -133,8 +133,8 @@ std::string tables(const GrownModel& grown, bool details) {
   return fmt::format(
       "{}{}", table.text(table_width()),
       wrapped(fmt::format(
-          "forecast error: RMSE of rows predicted from earlier rows alone, from {} origins; the growth is repeated "
-          "each time. difference to train: RMS difference to the forecasts of a regression on all effects, which the "
+          "forecast: RMSE of rows predicted from earlier rows alone, from {} origins; the growth is repeated "
+          "each time. from train: RMS difference to the forecasts of a regression on all effects, which the "
           "few effects are to imitate; the RMSE of that regression is {:.2f} um. A falling RMSE is no evidence of a "
           "cause.",
           grown.growth.origins, grown.growth.all_um)));

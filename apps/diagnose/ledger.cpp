@@ -46,15 +46,15 @@ Table table_of(const std::vector<LedgerRow>& rows) {
     return row.level == Level::recording && row.revision > 0 && !std::isfinite(row.best_surrogate_fall);
   });
   // A figure that no row has would only take room from the names of the revisions.
-  std::vector<Figure> figures{{"forecast error um", &LedgerRow::forecast_um},
-                              {"surrogate forecast um", &LedgerRow::surrogate_forecast_um},
+  std::vector<Figure> figures{{"forecast um", &LedgerRow::forecast_um},
+                              {"surrogate um", &LedgerRow::surrogate_forecast_um},
                               {of_axes ? "chi^2" : "2 ln B", &LedgerRow::likelihood_ratio, 1},
                               {"threshold", &LedgerRow::threshold, 1}};
   std::erase_if(figures, [&](const Figure& figure) {
     return std::none_of(rows.begin(), rows.end(),
                         [&](const LedgerRow& row) { return std::isfinite(row.*figure.value); });
   });
-  heading.insert(heading.end(), {"parameters", "RMSE um", "times the noise", "left-out error um"});
+  heading.insert(heading.end(), {"parameters", "RMSE um", "times noise", "left-out um"});
   for (const Figure& figure : figures) heading.emplace_back(figure.name);
   heading.emplace_back("verdict");
   Table table(heading);
