@@ -70,7 +70,7 @@ void print_text(const Preflight& result, const std::string& title, bool details)
   fmt::print(
       "{}\n{}, {} values\n\nThese data can show {} of {} effects. {} of them can be distinguished from all others.\n\n",
       title, result.target, result.n, rows.size(), result.detectability.size(), separable);
-  Table table({"effect", "columns", "visible from um", "named from um", "own part %", "confused with"});
+  Table table({"effect", "columns", "visible um", "named um", "own %", "confused with"});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     table.add_wrapped(
         {fmt::format("{:2} {}", i + 1, rows[i]->effect->name), columns_text(*rows[i]), um_text(rows[i]->detectable_um),
@@ -83,16 +83,17 @@ void print_text(const Preflight& result, const std::string& title, bool details)
     print_untestable(result);
     fmt::print("\n");
   }
-  fmt::print("{}", wrapped(fmt::format(
-                       "um: range (max - min) of what the effect adds to these data. own part: share of it that the "
-                       "model cannot produce already. Noise from: {}.",
-                       result.noise_source)));
+  fmt::print("{}",
+             wrapped(fmt::format(
+                 "visible, named: from this range (max - min) on the effect shows, and can be named. own: share of it "
+                 "that the model cannot produce already. Noise from: {}.",
+                 result.noise_source)));
   if (!details) fmt::print("\n{}", details_text(kDetails));
 }
 
 // Effects by targets: the smallest that could be named.
 void print_targets(const std::vector<Preflight>& results, const std::string& title, bool details) {
-  std::vector<std::string> heading{"named from um"};
+  std::vector<std::string> heading{"named um"};
   const std::size_t shown = std::min(results.size(), kTargetsShown);
   for (std::size_t i = 0; i < shown; ++i) heading.push_back(results[i].target);
   Table table(heading);
@@ -110,7 +111,7 @@ void print_targets(const std::vector<Preflight>& results, const std::string& tit
     print_untestable(results.front());
     fmt::print("\n");
   }
-  fmt::print("{}", wrapped(fmt::format("um: range (max - min) of what the effect adds to these data. Noise from: {}. "
+  fmt::print("{}", wrapped(fmt::format("named: from this range (max - min) on an effect can be named. Noise from: {}. "
                                        "--target {} shows one target in full.",
                                        results.front().noise_source, results.front().target)));
   if (!details) fmt::print("\n{}", details_text(kDetails));

@@ -301,8 +301,9 @@ TEST(Sentences, of_a_model_that_fails) {
   EXPECT_EQ(found[0],
             "Remaining error 0.801 um RMS, 8.0 times the noise. The noise is 0.1 um (standstill from "
             "510 to 569 min).");
-  EXPECT_EQ(found[1],
-            "The model fails most after a change of speed: 99 % of the misfit in 7 % of the readings, bias -3.00 ± 0.13 um.");
+  EXPECT_EQ(
+      found[1],
+      "The model fails most after a change of speed: 99 % of the misfit in 7 % of the readings, bias -3.00 ± 0.13 um.");
   EXPECT_EQ(found[2].substr(0, 73), "The residual is not noise (p < 0.000001): something that changes slowly (");
 }
 
@@ -312,10 +313,9 @@ TEST(Sentences, of_a_model_that_is_adequate) {
   fit.rmse_um = 1.0;
   const std::vector<std::string> found =
       sentences(fit, where_it_fails(fit, series_with(400, {})), Whiteness{{}, 0.05, 0.42});
-  EXPECT_EQ(found,
-            (std::vector<std::string>{
-                "Remaining error 1 um RMS, no more than the noise. The noise is 0.98 um (3 pairs of repeats).",
-                "The misfit is spread evenly over the data.", "The residual looks like noise (p = 0.42)."}));
+  EXPECT_EQ(found, (std::vector<std::string>{
+                       "Remaining error 1 um RMS, no more than the noise. The noise is 0.98 um (3 pairs of repeats).",
+                       "The misfit is spread evenly over the data.", "The residual looks like noise (p = 0.42)."}));
 }
 
 TEST(Sentences, of_noise_with_a_memory_and_of_few_readings) {

@@ -82,7 +82,7 @@ TEST(Ledger, sentence_after_a_row_of_other_data) {
   LedgerRow before = row(0, "start", 12.3, 4.0, 14.0);
   const LedgerRow after = row(1, "+ step", 3.1, 1.0, 3.9);
   before.data = {"other.csv"};
-  const std::string alone = "Revision 1 added step: RMSE 3.10 um (1.00 times the noise), left-out cycles 3.90 um.";
+  const std::string alone = "Revision 1 added step. RMSE 3.10 um (1.00 times the noise), left-out cycles 3.90 um.";
   EXPECT_EQ(sentence(after, &before), alone);
   EXPECT_EQ(sentence(after, nullptr), alone);
   before.data = after.data;

@@ -63,8 +63,7 @@ TEST(Follow, three_looks_in_a_row_decide_and_it_stays) {
   EXPECT_EQ(state.outcome, Outcome::open);
   state = after(state, naming({expansion("T_a_degC")}));
   EXPECT_EQ(state.outcome, Outcome::decided);
-  EXPECT_EQ(outcome_text(state),
-            "Decided after 1 h 15 min, at 75 values: expansion(T_a_degC) is missing (99 % sure).");
+  EXPECT_EQ(outcome_text(state), "Decided after 1 h 15 min, at 75 values: expansion(T_a_degC) is missing (99 % sure).");
   state = after(state, undecided(0.5, 0.4, 0.0));
   EXPECT_EQ(state.outcome, Outcome::decided);
   EXPECT_EQ(state.decided, (std::vector<std::string>{"expansion(T_a_degC)"}));
@@ -91,7 +90,8 @@ TEST(Follow, a_doubt_is_said_where_it_alone_is_in_the_way) {
   doubtful.reasons = {"expansion(T_a_degC): its gain differs from cycle to cycle."};
   EXPECT_EQ(outcome_text(after({}, doubtful)),
             "Not decided after 1 h 4 min, at 64 values. Probability that nothing is missing: 0.00. Best candidate: "
-            "expansion(T_a_degC) (probability 0.99). Why it is not named: expansion(T_a_degC): its gain differs from cycle to cycle.");
+            "expansion(T_a_degC) (probability 0.99). Why it is not named: expansion(T_a_degC): its gain differs from "
+            "cycle to cycle.");
   doubtful.log_bayes_factor = 8.0;
   EXPECT_EQ(outcome_text(after({}, doubtful)),
             "Not decided after 1 h 4 min, at 64 values. Probability that nothing is missing: 0.00. Best candidate: "
@@ -134,8 +134,9 @@ TEST(Follow, values_that_are_logged_twice_are_not_decided) {
   found.effects.push_back({expansion("T_b_degC"), 0.011});
   const FollowState after_three = after(after(after(state, found), found), found);
   EXPECT_EQ(after_three.outcome, Outcome::undecidable);
-  EXPECT_EQ(after_three.looks.back().why_stop,
-            "No readings can distinguish expansion(T_a_degC) from expansion(T_b_degC): the same values are logged twice.");
+  EXPECT_EQ(
+      after_three.looks.back().why_stop,
+      "No readings can distinguish expansion(T_a_degC) from expansion(T_b_degC): the same values are logged twice.");
   found = naming({expansion("T_c_degC")});
   EXPECT_EQ(after(after(after(state, found), found), found).outcome, Outcome::decided);
 }
@@ -202,18 +203,19 @@ TEST(Follow, a_run_whose_rivals_stay_stops) {
     state = after(state, undecided(0.6 + 0.1 * (k % 2), 0.4 - 0.1 * (k % 2), 20.0));
   }
   EXPECT_EQ(state.outcome, Outcome::undecidable);
-  EXPECT_EQ(state.looks.back().why_stop,
-            "At this rate the probability of expansion(T_a_degC), the best candidate, will be at most 0.91 by the planned "
-            "end, 5 h 24 min. A decision needs 0.98.");
+  EXPECT_EQ(
+      state.looks.back().why_stop,
+      "At this rate the probability of expansion(T_a_degC), the best candidate, will be at most 0.91 by the planned "
+      "end, 5 h 24 min. A decision needs 0.98.");
 }
 
 TEST(Follow, too_few_values_and_the_bound) {
   EXPECT_EQ(outcome_text({}), "There are too few values: the first look is at 64.");
   EXPECT_EQ(error_text(),
-            "However often it is looked at, a run in which nothing is missing comes to a decision in at most 2 % of "
-            "cases, as far as noise and logging are what they are taken for: at each of at most 100 looks the readings "
-            "must be 5000 times as likely with something missing as with nothing. What is decided has P of 0.98 or "
-            "more, by all tests, at 3 looks in a row.");
+            "A run in which nothing is missing is decided wrongly in at most 2 % of cases, however often you look, if "
+            "noise and logging are as assumed. There are at most 100 looks. At each, a decision needs readings that "
+            "are 5000 times as likely with something missing as with nothing. A decided effect has a probability of "
+            "0.98 or more and passes all tests at 3 looks in a row.");
 }
 
 }  // namespace

@@ -31,13 +31,15 @@ TEST(Sentence, of_an_effect_that_is_named) {
   Diagnosis found = with_verdict(Verdict::named);
   add(found, expansion("T1_degC"), 0.984, 3.21);
   found.named = {expansion("T1_degC")};
-  EXPECT_EQ(sentence_of(found),
-            "Missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 3.2 um (98 % sure).");
+  EXPECT_EQ(
+      sentence_of(found),
+      "Missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 3.2 um (98 % sure).");
   found.candidates[0].minor = true;
   found.where = "while warming";
   EXPECT_EQ(sentence_of(found),
-            "Missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 3.2 um (98 % sure, minor). "
-"The model fails most while warming.");
+            "Missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 3.2 um (98 % "
+            "sure, minor). "
+            "The model fails most while warming.");
 }
 
 TEST(Sentence, of_one_with_a_time) {
@@ -52,8 +54,9 @@ TEST(Sentence, of_one_with_a_time) {
   found.candidates[0].parameters = {time};
   found.named = {lagged};
   EXPECT_EQ(sentence_of(found),
-            "Missing from the model of z_um: lagged_expansion(T1_degC), a body that follows a temperature slowly: 12 um (over 99 % "
-"sure), time constant 4 min 25 s.");
+            "Missing from the model of z_um: lagged_expansion(T1_degC), a body that follows a temperature slowly: 12 "
+            "um (over 99 % "
+            "sure), time constant 4 min 25 s.");
 }
 
 TEST(Sentence, of_one_that_is_certain_and_one_that_is_open) {
@@ -64,8 +67,9 @@ TEST(Sentence, of_one_that_is_certain_and_one_that_is_open) {
   found.named = {expansion("T1_degC")};
   found.equivalent = {{expansion("T2_degC"), expansion("T3_degC")}};
   EXPECT_EQ(sentence_of(found),
-            "Missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 12 um (99 % sure). A further "
-"effect is open: most likely expansion(T2_degC) (60 %), possibly expansion(T3_degC).");
+            "Missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 12 um (99 % "
+            "sure). A further "
+            "effect is open: most likely expansion(T2_degC) (60 %), possibly expansion(T3_degC).");
 }
 
 // An effect is as large as what the whole set explains: another one cancels the rest of it.
@@ -87,10 +91,11 @@ TEST(Sentence, of_several_that_are_open) {
     add(found, bound, 0.9 - 0.2 * k, 5.0);
     found.equivalent.push_back({bound});
   }
-  EXPECT_EQ(sentence_of(found),
-            "Something of about 5 um is missing from the model of z_um (98 % sure). The data do not tell for certain what "
-            "it is: most likely expansion(T1_degC) (70 %). A further effect is open as well: most likely "
-            "expansion(T2_degC) (50 %). So is 1 more.");
+  EXPECT_EQ(
+      sentence_of(found),
+      "Something of about 5 um is missing from the model of z_um (98 % sure). The data do not tell for certain what "
+      "it is: most likely expansion(T1_degC) (70 %). A further effect is open as well: most likely "
+      "expansion(T2_degC) (50 %). So is 1 more.");
 }
 
 TEST(Sentence, of_what_is_probable) {
@@ -98,15 +103,17 @@ TEST(Sentence, of_what_is_probable) {
   add(found, expansion("T1_degC"), 0.83, 3.0);
   found.probable = {expansion("T1_degC")};
   EXPECT_EQ(sentence_of(found),
-            "Probably missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 3 um (83 % sure).");
+            "Probably missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 3 um "
+            "(83 % sure).");
 }
 
 TEST(Sentence, of_a_value_that_the_model_holds) {
   Diagnosis found = with_verdict(Verdict::named);
   found.own = {{"speed_heating(n_rpm)", "exponent", "1", 5.0 / 3.0, 1.0, {0.9, 1.1}, 0.97}};
   EXPECT_EQ(sentence_of(found),
-            "In the model of z_um, the exponent of speed_heating(n_rpm) is held at 1.67, but the data say 1 (0.9 to 1.1, 97 % "
-"sure).");
+            "In the model of z_um, the exponent of speed_heating(n_rpm) is held at 1.67, but the data say 1 (0.9 to "
+            "1.1, 97 % "
+            "sure).");
 }
 
 TEST(Sentence, of_an_input_that_drives) {
@@ -117,12 +124,14 @@ TEST(Sentence, of_an_input_that_drives) {
   add(found, expansion("T4_degC"), 0.5, 3.0);
   found.equivalent = {{expansion("T4_degC")}};
   EXPECT_EQ(sentence_of(found),
-            "T4_degC drives about 3 um that the model of z_um does not explain (over 99 % sure). Its form is open: most likely "
-"expansion(T4_degC) (50 %).");
+            "T4_degC drives about 3 um that the model of z_um does not explain (over 99 % sure). Its form is open: "
+            "most likely "
+            "expansion(T4_degC) (50 %).");
   found.drivers[1].p = 0.97;
   found.equivalent.clear();
-  EXPECT_EQ(sentence_of(found),
-            "T4_degC and T5_degC drive about 3 um that the model of z_um does not explain (97 % sure). Their form is open.");
+  EXPECT_EQ(
+      sentence_of(found),
+      "T4_degC and T5_degC drive about 3 um that the model of z_um does not explain (97 % sure). Their form is open.");
 }
 
 // Two are named, of one the probability: those of alternatives need not add up to 1.
@@ -135,12 +144,14 @@ TEST(Sentence, of_many_that_cannot_be_told_apart) {
     found.equivalent[0].push_back(bound);
   }
   EXPECT_EQ(sentence_of(found),
-            "Something of about 11 um is missing from the model of z_um (98 % sure). The data do not tell which of 6 effects it "
-"is: most likely expansion(T1_degC) (16 %), possibly expansion(T2_degC) or one of 4 more.");
+            "Something of about 11 um is missing from the model of z_um (98 % sure). The data do not tell which of 6 "
+            "effects it "
+            "is: most likely expansion(T1_degC) (16 %), possibly expansion(T2_degC) or one of 4 more.");
   found.equivalent[0].resize(1);
   EXPECT_EQ(sentence_of(found),
-            "Something of about 11 um is missing from the model of z_um (98 % sure). The data do not tell for certain what it is: "
-"most likely expansion(T1_degC) (16 %).");
+            "Something of about 11 um is missing from the model of z_um (98 % sure). The data do not tell for certain "
+            "what it is: "
+            "most likely expansion(T1_degC) (16 %).");
 }
 
 TEST(Sentence, of_what_no_effect_explains) {
@@ -148,12 +159,14 @@ TEST(Sentence, of_what_no_effect_explains) {
   found.p_discrepancy = 0.9;
   found.discrepancy_um = 2.5;
   EXPECT_EQ(sentence_of(found),
-            "About ±2.5 um of slow drift remains in z_um that no known effect explains (90 % sure). No logged column follows it. "
-"Log another sensor, such as the temperature of the coolant, the structure or the room.");
+            "About ±2.5 um of slow drift remains in z_um that no known effect explains (90 % sure). No logged column "
+            "follows it. "
+            "Log another sensor, such as the temperature of the coolant, the structure or the room.");
   found.drivers = {{"T1_degC", 0.64}};
   EXPECT_EQ(sentence_of(found),
-            "About ±2.5 um of slow drift remains in z_um that no known effect explains (90 % sure). Likely driver: T1_degC (64 "
-"%).");
+            "About ±2.5 um of slow drift remains in z_um that no known effect explains (90 % sure). Likely driver: "
+            "T1_degC (64 "
+            "%).");
   found.drivers.clear();
   found.p_discrepancy = 0.1;
   found.base.rmse_um = 3.7;
@@ -169,7 +182,7 @@ TEST(Sentence, of_nothing) {
   EXPECT_EQ(
       sentence_of(found),
       "Nothing further is missing from the model of z_um that these data could show (91 % sure). Up to 0.53 um of "
-"expansion(T1_degC) could still be hidden.");
+      "expansion(T1_degC) could still be hidden.");
   found.verdict = Verdict::untestable;
   EXPECT_EQ(sentence_of(found), "These data could not have shown a missing effect.");
 }
