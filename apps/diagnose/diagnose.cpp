@@ -51,7 +51,8 @@ void show_one_of_several(const DiagnoseArguments& options, const Model& model,
     if (options.json) {
       all.targets.emplace_back(diagnosis_report);
     } else {
-      print_text(diagnosis_report, target == 0 || options.details ? data->title : "", {options.details, true});
+      print_text(diagnosis_report, target == 0 || options.details ? data->title : "",
+                 {options.details, model.targets.size()});
     }
   } catch (const Error& error) {
     if (options.json) {
@@ -101,8 +102,7 @@ void run(DiagnoseArguments options) {
   if (model.targets.size() == 1) {
     DiagnosisReport diagnosis_report = diagnosed(options, model, data);
     diagnosis_report.stand_ins = stand_ins_of(options.model, options.how, model, *data);
-    options.json ? print_json(json_of(diagnosis_report))
-                 : print_text(diagnosis_report, data->title, {options.details, false});
+    options.json ? print_json(json_of(diagnosis_report)) : print_text(diagnosis_report, data->title, {options.details});
     return;
   }
   DiagnosedTargets all;

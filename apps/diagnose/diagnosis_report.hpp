@@ -75,7 +75,7 @@ std::string not_searched_text(const Diagnosis& found);
 // How much of a diagnosis is printed: a screen, less of each of several targets, or all.
 struct TextLength {
   bool details = false;
-  bool is_one_of_several = false;
+  std::size_t targets = 1;  // that are printed
 };
 
 // The same for the terminal, the verdict first. title: empty: printed already.

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kDrivers = 4;
 constexpr std::size_t kRows = 5, kRowsOfSeveral = 3;  // of candidates, unasked
+constexpr std::size_t kTargetsWithRows = 3;           // of more targets a table each would not fit a screen
 constexpr std::size_t kReasons = 3;
 
 // "1. Certain: ...", "2. Probable: ...", "3. One of these as well: ...": where there is more than one thing to say.
@@ -183,7 +184,7 @@ std::string_view details_of_diagnosis() { return kDetails; }
 
 void print_text(const DiagnosisReport& diagnosis_report, const std::string& title, const TextLength& length) {
   const Diagnosis& found = diagnosis_report.diagnosis;
-  const bool details = length.details, is_whole = details || !length.is_one_of_several;
+  const bool details = length.details, is_whole = details || length.targets == 1;
   if (!title.empty()) fmt::print("{}\n", title);
   fmt::print("{}{}\n\n", heading(diagnosis_report.residual_report.fit),
              is_whole ? "" : fmt::format(". Verdict: {}.", name_of(found.verdict)));
@@ -196,7 +197,7 @@ void print_text(const DiagnosisReport& diagnosis_report, const std::string& titl
                one.command);
   if (is_whole) print_verdict(diagnosis_report);
   const std::size_t rows = details ? found.candidates.size() : is_whole ? kRows : kRowsOfSeveral;
-  print_candidates(found, rows, details);
+  if (is_whole || length.targets <= kTargetsWithRows) print_candidates(found, rows, details);
   if (!is_whole) return;
   if (!found.reasons.empty() && found.verdict != Verdict::nothing) print_reasons(found, details);
   print_gains_by_run(found);

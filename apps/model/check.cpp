@@ -139,12 +139,12 @@ void print_targets(const std::vector<ResidualReport>& all, const std::string& ti
   for (const ResidualReport& residual_report : all) {
     fmt::print("\n{}\n", heading(residual_report.fit));
     print_sentences(residual_report);
-    print_remarks(residual_report.fit);
+    if (details) print_remarks(residual_report.fit);
     add_parameters(table, residual_report.fit, residual_report.fit.target + ": ");
   }
   if (details) fmt::print("\n{}", table.text(table_width()));
   fmt::print("\n--target {} shows one target in full.\n", all.front().fit.target);
-  if (!details) fmt::print("{}", details_text("the parameters of all targets"));
+  if (!details) fmt::print("{}", details_text("the parameters of all targets, and the remarks on their fits"));
 }
 
 void run(const CheckArguments& options) {

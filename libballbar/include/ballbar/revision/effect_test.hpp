@@ -2,7 +2,7 @@
 //
 //   2 ln B             2 ln of how much more likely the readings are with an effect than without, its gains and shapes
 //                      and the noise integrated out, as diagnose() weighs it (candidate.hpp)
-//   P not needed       of an effect of the model: 1 / (1 + B); it is needed below 0.05
+//   P superfluous      of an effect of the model: 1 / (1 + B); it is needed below 0.05
 //
 // An added effect is supported where 2 ln B is at least 10 and it has no doubt: its gain is the same in every cycle
 // (p >= 0.01), and it does not go with time alone. That holds for an effect chosen before looking at these data; one
