@@ -25,6 +25,7 @@
 #include "model/effect_options.hpp"
 #include "model/residual_report.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/details.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
@@ -42,6 +43,7 @@ struct AddArguments {
   bool named_only = false;
   bool prune = false;
   bool dry_run = false;
+  bool details = false;
   std::vector<std::string> replace;  // labels of effects of the model, taken out first
 };
 
@@ -113,8 +115,8 @@ std::string stop_text(const AddArguments& options, const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
     case Verdict::nothing:
       return diagnosis.hidden_um > 0.0
-                 ? fmt::format("Stopped: no further effect is found; {} of up to {} um could hide.{}",
-                               label_of(diagnosis.hidden), size_text(diagnosis.hidden_um), why)
+                 ? fmt::format("Stopped: no further effect is found. Up to {} um of {} could still be hidden.{}",
+                               size_text(diagnosis.hidden_um), label_of(diagnosis.hidden), why)
                  : fmt::format("Stopped: no further effect is found.{}", why);
     case Verdict::named:
     case Verdict::probable:
@@ -122,12 +124,12 @@ std::string stop_text(const AddArguments& options, const Diagnosis& diagnosis) {
     case Verdict::driver:
       return fmt::format("Stopped. {}{}", diagnosis.sentence, why);
     case Verdict::equivalent:
-      return fmt::format("Stopped: something real is left, and the data cannot name it: {}.{}",
+      return fmt::format("Stopped: an effect is missing, but the data do not tell which: {}.{}",
                          either_text(diagnosis.equivalent), why);
     case Verdict::unexplained:
-      return fmt::format("Stopped: something real is left that no effect of the catalogue explains.{}", why);
+      return fmt::format("Stopped: something is missing that no known effect explains.{}", why);
     default:
-      return fmt::format("Stopped: these data cannot test anything more.{}", why);
+      return fmt::format("Stopped: these data cannot test any further effect.{}", why);
   }
 }
 
@@ -146,12 +148,12 @@ std::string add_errors(const AddArguments& options, const ModelData& data, Addit
   }
   const double left_um = found.residual_rms_um;
   return found.left ? fmt::format(
-                          "Stopped: no other error is clear among all of the axes; what is left, a wave of {} a "
-                          "turn, no effect of the catalogue explains.",
+                          "Stopped: no other error of the axes is significant. A wave of {} per turn remains that no "
+                          "known effect explains.",
                           found.left->harmonic)
                     : fmt::format(
-                          "Stopped: no other error is clear among all of the axes; all of them together leave "
-                          "{:.2f} um.",
+                          "Stopped: no other error of the axes is significant. With all errors, {:.2f} um RMS "
+                          "remains.",
                           left_um);
 }
 
@@ -186,17 +188,17 @@ std::string add_named(const AddArguments& options, Additions& additions, Verdict
       with.terms.push_back(term);
       terms.push_back(std::move(term));
     }
-    if (terms.empty()) return "Stopped: what is named once more is in the model already.";
+    if (terms.empty()) return "Stopped: the effect that is named is in the model already.";
     additions.model.add(terms, options.replace);
     if (const EffectTest& tried = additions.model.bench().added(); tried.after.verdict == kNotSupported) {
       const std::string why = conclusion(tried);
       additions.model.take_back();
       verdict = Verdict::unexplained;
-      return fmt::format("Stopped, and not added: {}", why);
+      return fmt::format("Stopped, and not added. {}", why);
     }
     additions.effect_tests.push_back(additions.model.revise({.prune = options.prune, .named = true}));
     if (additions.effect_tests.size() < kMostAdditions) continue;
-    return fmt::format("Stopped after {} revisions: a model that grows further fits these data alone.", kMostAdditions);
+    return fmt::format("Stopped after {} revisions: a larger model would fit these data only.", kMostAdditions);
   }
 }
 
@@ -220,12 +222,11 @@ std::size_t revisions_of(const Additions& additions) {
   return additions.effect_tests.size() + (additions.grown ? additions.grown->rows.size() : 0);
 }
 
+// Behind the sentence that says it.
 std::string unneeded_text(const EffectTest& tried) {
   const std::vector<std::string>& labels = tried.after.no_longer_needed;
   if (labels.empty()) return "";
-  return fmt::format("{} {} no longer needed (P not needed is {} or more): --prune takes {} out.",
-                     fmt::join(labels, ", "), labels.size() == 1 ? "is" : "are", kDropTest,
-                     labels.size() == 1 ? "it" : "them");
+  return fmt::format(" --prune takes {} out.", labels.size() == 1 ? "it" : "them");
 }
 
 Added added_of(const Additions& additions) {
@@ -242,25 +243,29 @@ Added added_of(const Additions& additions) {
   return added;
 }
 
-void print_text(const Additions& additions, const std::string& stopped, const std::string& title) {
+constexpr std::string_view kDetails = "the tests of the earlier effects, all parameters, and what the figures mean";
+
+// Of several revisions the row of each, and what the last one is worth.
+void print_text(const Additions& additions, const std::string& stopped, const std::string& title, bool details) {
   fmt::print("{}\n\n", title);
   for (const EffectTest& tried : additions.effect_tests) {
-    fmt::print("{}{}", wrapped(conclusion(tried)), wrapped(sentence(tried.after, &tried.before)));
-    const std::string unneeded = unneeded_text(tried);
-    if (!unneeded.empty()) fmt::print("{}", wrapped(unneeded));
+    if (details || &tried == &additions.effect_tests.back()) fmt::print("{}", wrapped(conclusion(tried)));
+    fmt::print("{}", wrapped(sentence(tried.after, &tried.before) + unneeded_text(tried)));
   }
   if (additions.grown) {
     fmt::print("{}{}\n{}\n{}", additions.effect_tests.empty() ? "" : "\n",
-               wrapped(conclusion(*additions.grown, causes_of(additions), additions.drivers)), tables(*additions.grown),
-               wrapped(stopped));
+               wrapped(conclusion(*additions.grown, causes_of(additions), additions.drivers)),
+               tables(*additions.grown, details), wrapped(stopped));
     return;
   }
   if (!stopped.empty()) fmt::print("{}{}", additions.effect_tests.empty() ? "" : "\n", wrapped(stopped));
-  if (!additions.effect_tests.empty()) fmt::print("\n{}", tables(additions.effect_tests.back()));
+  if (additions.effect_tests.empty()) return;
+  fmt::print("\n{}", tables(additions.effect_tests.back(), details));
+  if (!details) fmt::print("\n{}", details_text(kDetails));
 }
 
 // The model with and without the effects; no file is needed, none is written.
-void try_effects(EffectOptions options) {
+void try_effects(EffectOptions options, bool details) {
   split_words(options, true);
   const auto data = std::make_shared<const ModelData>(open_data(options.model));
   const Model model = open_model(options.model, *data);
@@ -278,13 +283,14 @@ void try_effects(EffectOptions options) {
     print_json(json_of(tested));
     return;
   }
-  fmt::print("{}\n{}\n\n{}\n{}\nNothing was saved; {}\n", data->title, heading(tested.fit_after),
-             wrapped(conclusion(tested)), tables(tested),
-             saves.empty() ? "without --dry-run it is." : "this saves it:\n" + saves);
+  fmt::print("{}\n{}\n\n{}\n{}\nNothing was saved. {}\n", data->title, heading(tested.fit_after),
+             wrapped(conclusion(tested)), tables(tested, details),
+             saves.empty() ? "Run it without --dry-run to save it." : "To save it:\n" + saves);
+  if (!details) fmt::print("\n{}", details_text(kDetails));
 }
 
 void run(AddArguments options) {
-  if (options.dry_run) return try_effects(options.effect);
+  if (options.dry_run) return try_effects(options.effect, options.details);
   if (options.named_only && !options.automatic) throw CLI::ValidationError("--named-only: expected --auto with it");
   split_words(options.effect, !options.automatic);
   expect_file(options);
@@ -309,7 +315,8 @@ void run(AddArguments options) {
       const bool is_one_run = data.series->runs.size() < 2;
       if (!options.named_only && data.level == Level::series && is_left(verdict)) {
         if (is_one_run) add_grown(options, data, additions);
-        if (!is_one_run) stderr_line("of several runs a model grows by names alone; `ballbar train` takes runs");
+        if (!is_one_run)
+          stderr_line("data of several runs: only named effects are added; `ballbar train` takes several runs");
       }
     }
   } else {
@@ -327,7 +334,7 @@ void run(AddArguments options) {
     if (changed && !to.is_path()) added.text.value = additions.model.text();
     print_json(json_of(added));
   } else {
-    print_text(additions, stopped, data.title);
+    print_text(additions, stopped, data.title, options.details);
   }
   if (!changed) {
     stderr_line("nothing added, nothing written");
@@ -335,7 +342,7 @@ void run(AddArguments options) {
   }
   const std::vector<std::string> targets = read_model(additions.model.text(), how.model.name()).targets;
   if (targets.size() > 1) {
-    stderr_line(fmt::format("the effects of {} hold for all its targets, {}; the row is of {}", out,
+    stderr_line(fmt::format("{} holds for all its targets, {}; the ledger's row is of {}", out,
                             fmt::join(targets, ", "), additions.model.model().targets.front()));
   }
   if (to.is_path()) wrote_line(out);
@@ -368,6 +375,7 @@ void add_add(CLI::App& app) {
   for (const char* of_a_file : {"--out", "--auto", "--named-only", "--replace", "--prune"}) {
     dry_run->excludes(command->get_option(of_a_file));
   }
+  add_details(*command, options->details);
   command->footer(
       "Examples:\n"
       "  ballbar add lagged_expansion:temperature=T16_degC sample-runs/spindle-46h/measured.csv \\\n"

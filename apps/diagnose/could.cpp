@@ -9,6 +9,7 @@
 #include "diagnose/injection.hpp"
 #include "model/effect_options.hpp"
 #include "model/preflight.hpp"
+#include "terminal/details.hpp"
 #include "terminal/option_checks.hpp"
 
 namespace ballbar::commands {
@@ -17,6 +18,7 @@ namespace {
 struct CouldArguments {
   EffectOptions of;
   InjectionOptions injection;
+  bool details = false;
 };
 
 void run(CouldArguments options, const std::vector<CLI::Option*>& of_an_effect) {
@@ -31,7 +33,7 @@ void run(CouldArguments options, const std::vector<CLI::Option*>& of_an_effect) 
   const ModelData data = open_data(how);
   const Model model = open_model(how, data);
   say_start(how, data);
-  if (effects.empty()) return show_preflight(how, model, data, options.of.json);
+  if (effects.empty()) return show_preflight(how, model, data, options.of.json, options.details);
   options.injection.effect = effects.front();
   show_injection(options.injection, how, model, data, options.of.json);
 }
@@ -65,6 +67,7 @@ void add_could(CLI::App& app) {
   of_an_effect.push_back(command->add_option("--out", injection.out, "write the data with EFFECT added, .csv")
                              ->type_name("FILE")
                              ->check(name_that_ends_in({".csv"})));
+  add_details(*command, options->details);
   command->footer(
       "Examples:\n"
       "  ballbar could sample-runs/two-arcs-he2015 --target y_um\n"

@@ -17,6 +17,7 @@
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/details.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
@@ -29,6 +30,7 @@ struct DiagnoseArguments {
   ModelOptions model;
   DiagnoseOptions how;
   FollowOptions follow;
+  bool details = false;
   bool json = false;
 };
 
@@ -49,14 +51,15 @@ void show_one_of_several(const DiagnoseArguments& options, const Model& model,
     if (options.json) {
       all.targets.emplace_back(diagnosis_report);
     } else {
-      print_text(diagnosis_report, data->title);
+      print_text(diagnosis_report, target == 0 || options.details ? data->title : "",
+                 {options.details, model.targets.size()});
     }
   } catch (const Error& error) {
     if (options.json) {
       all.targets.emplace_back(NotDiagnosed{model.targets[target], error.what()});
     } else {
-      fmt::print("{}\n{}\n\n{}", data->title, model.targets[target],
-                 wrapped(fmt::format("Not diagnosed: {}", error.what())));
+      if (target == 0) fmt::print("{}\n", data->title);
+      fmt::print("{}\n\n{}", model.targets[target], wrapped(fmt::format("Not diagnosed: {}", error.what())));
     }
   }
 }
@@ -99,14 +102,18 @@ void run(DiagnoseArguments options) {
   if (model.targets.size() == 1) {
     DiagnosisReport diagnosis_report = diagnosed(options, model, data);
     diagnosis_report.stand_ins = stand_ins_of(options.model, options.how, model, *data);
-    options.json ? print_json(json_of(diagnosis_report)) : print_text(diagnosis_report, data->title);
+    options.json ? print_json(json_of(diagnosis_report)) : print_text(diagnosis_report, data->title, {options.details});
     return;
   }
   DiagnosedTargets all;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     show_one_of_several(options, model, data, target, all);
   }
-  if (options.json) print_json(json_of(all));
+  if (options.json) {
+    print_json(json_of(all));
+  } else if (!options.details) {
+    fmt::print("\n{}", details_text(fmt::format("each target in full: {}", details_of_diagnosis())));
+  }
 }
 
 }  // namespace
@@ -130,6 +137,7 @@ void add_diagnose(CLI::App& app) {
       ->type_name("N")
       ->check(whole_number_within(30, 5000));
   add_follow_options(*command, options->follow);
+  add_details(*command, options->details);
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"

@@ -118,7 +118,7 @@ std::string next_text(const DiagnosisReport& diagnosis_report) {
   if (found.verdict == Verdict::named && found.equivalent.empty()) return "";  // nothing is left to tell
   if (!diagnosis_report.next_tests.empty()) return diagnosis_report.next_tests.front().text;
   if (!diagnosis_report.is_for_plan) return "";
-  return "another run of the machine. `ballbar plan` finds which one, and says how surely it would decide.";
+  return "another run of the machine. `ballbar plan` designs it and says how likely it is to decide.";
 }
 
 std::string predicted_text(const DiagnosisReport& report) {
@@ -127,19 +127,21 @@ std::string predicted_text(const DiagnosisReport& report) {
   const std::string_view unit = unit_of(report.diagnosis.target);
   if (!of.is_better) {
     return fmt::format(
-        "Nor can it be predicted: on new rows a regression on all effects leaves {:.2f} {} RMSE, the model {:.2f} {}.",
+        "It cannot be predicted either: on new rows the RMSE of a regression on all effects is {:.2f} {}, that of the "
+        "model {:.2f} {}.",
         of.forecasts.rmse_um, unit, of.model_um, unit);
   }
   return fmt::format(
-      "It can be predicted all the same: {:.2f} {} RMSE expected on new rows, {:.2f} {} by the model as it is.",
+      "It can still be predicted: on new rows the RMSE of a regression on all effects is {:.2f} {}, that of the model "
+      "{:.2f} {}.",
       of.forecasts.rmse_um, unit, of.model_um, unit);
 }
 
 std::string unsupported_text(const DiagnosisReport& report) {
   if (report.unsupported.empty()) return "";
   return fmt::format(
-      "The model holds {}, which the data did not support when it was added: the verdict holds only if "
-      "it is real.",
+      "The model contains {}, which the data did not support when it was added. The verdict is valid only if it is "
+      "real.",
       fmt::join(report.unsupported, " and "));
 }
 

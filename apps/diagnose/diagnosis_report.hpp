@@ -72,7 +72,16 @@ std::string labels(const std::vector<BoundEffect>& bounds, std::string_view betw
 // The effects whose column choices were not all searched: "gradient_bending on 16 of 528 choices of columns".
 std::string not_searched_text(const Diagnosis& found);
 
-// The same for the terminal, the verdict first.
-void print_text(const DiagnosisReport& diagnosis_report, const std::string& title);
+// How much of a diagnosis is printed: a screen, less of each of several targets, or all.
+struct TextLength {
+  bool details = false;
+  std::size_t targets = 1;  // that are printed
+};
+
+// The same for the terminal, the verdict first. title: empty: printed already.
+void print_text(const DiagnosisReport& diagnosis_report, const std::string& title, const TextLength& length);
+
+// What --details shows, a phrase.
+std::string_view details_of_diagnosis();
 
 }  // namespace ballbar

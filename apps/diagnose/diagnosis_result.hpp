@@ -70,6 +70,8 @@ struct ResultType<DiagnosisReport> {
       Field{"p_discrepancy", &Diagnosis::p_discrepancy, "probability of a slow curve without a cause"},
       Field{"discrepancy_um", &Diagnosis::discrepancy_um, "its standard deviation"}};
   static constexpr std::tuple hidden{
+      Field{"explained_um", &Diagnosis::explained_um,
+            "largest less smallest of what the likeliest set adds together, at most that of the readings"},
       Field{"hidden_um", &Diagnosis::hidden_um, "amplitude up to which an effect could hide in these data"},
       Field{"untestable", [](const Diagnosis& of) { return untestable_of(of); }, "effects that these data cannot show"},
       Field{"not_searched", [](const Diagnosis& of) { return not_searched_of(of); },

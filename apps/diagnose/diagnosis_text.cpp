@@ -1,4 +1,4 @@
-// A diagnosis for the terminal: what it says, what to type next, then what it rests on.
+// A diagnosis for the terminal: what it says, what to type next, then what it rests on; all of that by --details.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,12 +9,16 @@
 
 #include "diagnose/diagnosis_report.hpp"
 #include "model/preflight.hpp"
+#include "terminal/details.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr std::size_t kDrivers = 4;
+constexpr std::size_t kRows = 5, kRowsOfSeveral = 3;  // of candidates, unasked
+constexpr std::size_t kTargetsWithRows = 3;           // of more targets a table each would not fit a screen
+constexpr std::size_t kReasons = 3;
 
 // "1. Certain: ...", "2. Probable: ...", "3. One of these as well: ...": where there is more than one thing to say.
 std::vector<std::string> parts_of(const Diagnosis& found) {
@@ -59,10 +63,12 @@ std::string inseparable_rows(const Candidate& candidate, const std::vector<Candi
   return text.empty() ? "-" : text;
 }
 
-Table candidate_table(const Diagnosis& found) {
-  Table table({"candidate", "amplitude um", "P", "2 ln B", "RMSE um", "held out um", "not told from"});
+Table candidate_table(const Diagnosis& found, std::size_t rows) {
+  const bool of_recordings = found.candidates.front().bound.effect->level == Level::recording;
+  Table table({"candidate", "amplitude um", "probability", "2 ln B", "RMSE um",
+               of_recordings ? "left-out recordings um" : "left-out cycles um", "confused with"});
   const int decimals = decimals_of(found.base.rmse_um);
-  for (std::size_t i = 0; i < found.candidates.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(rows, found.candidates.size()); ++i) {
     const Candidate& candidate = found.candidates[i];
     const bool held_out = candidate.in_best_set;  // of the others nothing is
     table.add({fmt::format("{}{} {}", i + 1, candidate.in_best_set ? "*" : ".", one_line(label_of(candidate.bound))),
@@ -77,25 +83,28 @@ Table candidate_table(const Diagnosis& found) {
   return table;
 }
 
-// "* the most probable set: together 0.719 um. "
+// "* is the most probable set, with a remaining error of 0.719 um. "
 std::string set_text(const Diagnosis& found) {
   const auto in_set = std::count_if(found.candidates.begin(), found.candidates.end(),
                                     [](const Candidate& one) { return one.in_best_set; });
-  if (in_set < 2) return "* the most probable set. ";
-  return fmt::format("* the most probable set, which leaves {:.{}f} um. ", found.rmse_after_um,
-                     decimals_of(found.base.rmse_um) + 1);
+  if (in_set == 0) return "";
+  if (in_set == 1) return "* marks the most probable set. ";
+  return fmt::format("* marks the most probable set, with a remaining error of {:.{}f} um together. ",
+                     found.rmse_after_um, decimals_of(found.base.rmse_um) + 1);
 }
 
-void print_candidates(const Diagnosis& found) {
+void print_candidates(const Diagnosis& found, std::size_t rows, bool details) {
   if (found.candidates.empty()) return;
-  fmt::print("\n{}", candidate_table(found).text(table_width()));
+  fmt::print("\n{}", candidate_table(found, rows).text(table_width()));
+  if (!details) return;
   const bool of_recordings = found.candidates.front().bound.effect->level == Level::recording;
-  const bool best = found.candidates.front().in_best_set;
-  fmt::print("{}",
-             wrapped(fmt::format(
-                 "{}P: that it is missing. 2 ln B: 2 ln of how much more likely the readings are "
-                 "with it; 10 is 150 to 1. RMSE: with it alone. Held out: {} left out, before and after.",
-                 best ? set_text(found) : "", of_recordings ? "recordings, or quarters of their sweeps," : "cycles")));
+  const std::string_view left_out = of_recordings ? "recordings, or quarters of their sweeps," : "cycles";
+  fmt::print("{}", wrapped(fmt::format(
+                       "{}amplitude: largest less smallest value of what the effect adds. probability: that the effect "
+                       "is missing. 2 ln B: 10 means that the readings are 150 times as likely with the effect. RMSE: "
+                       "remaining error with this effect alone. left-out {}: error in {} that the fit did not use, "
+                       "without and with the effect. confused with: rows that these data do not distinguish from it.",
+                       set_text(found), of_recordings ? "recordings" : "cycles", left_out)));
 }
 
 std::string posterior_text(const Diagnosis& found) {
@@ -104,17 +113,16 @@ std::string posterior_text(const Diagnosis& found) {
   for (const Driver& driver : found.drivers) {
     if (drivers.size() < kDrivers) drivers.push_back(fmt::format("{} {:.2f}", driver.column, driver.p));
   }
-  if (!drivers.empty()) texts.push_back(fmt::format("P that a column drives it: {}", fmt::join(drivers, ", ")));
+  if (!drivers.empty()) texts.push_back(fmt::format("that a column drives it: {}", fmt::join(drivers, ", ")));
   for (const OwnValue& own : found.own) {
-    texts.push_back(fmt::format("P that the {} of {} is not {:.4g}: {:.2f}, it would be {:.3g} ({:.3g} to {:.3g})",
-                                own.parameter, own.effect, own.held, own.p, own.fitted, own.interval.low,
-                                own.interval.high));
+    texts.push_back(fmt::format("that the {} of {} is not {:.4g} but {:.3g} ({:.3g} to {:.3g}): {:.2f}", own.parameter,
+                                own.effect, own.held, own.fitted, own.interval.low, own.interval.high, own.p));
   }
-  texts.push_back(fmt::format("P of nothing: {:.2f}", found.p_nothing));
-  texts.push_back(
-      fmt::format("P of a slow curve without a cause: {:.2f}{}", found.p_discrepancy,
-                  found.discrepancy_um > 0.0 ? fmt::format(", it would be of {:.2g} um", found.discrepancy_um) : ""));
-  return fmt::format("{}.", fmt::join(texts, ". "));
+  texts.push_back(fmt::format("that nothing is missing: {:.2f}", found.p_nothing));
+  texts.push_back(fmt::format("of a slow drift without a known cause{}: {:.2f}",
+                              found.discrepancy_um > 0.0 ? fmt::format(", ±{:.2g} um", found.discrepancy_um) : "",
+                              found.p_discrepancy));
+  return fmt::format("Probabilities: {}.", fmt::join(texts, "; "));
 }
 
 std::string untestable_text(const Diagnosis& found) {
@@ -139,48 +147,68 @@ void print_gains_by_run(const Diagnosis& found) {
     for (std::size_t run = 0; run < one.gain.size(); ++run) {
       texts.push_back(fmt::format("{:.3g} ± {:.1g} in run {}", one.gain[run], one.sigma[run], run + 1));
     }
-    fmt::print("\n{}",
-               wrapped(fmt::format("The {} of {} is not the same in all runs: {} ({}). The machine, or its set-up, "
-                                   "changed between them.",
-                                   one.parameter, one.effect, fmt::join(texts, ", "), one.unit)));
+    fmt::print("\n{}", wrapped(fmt::format("The {} of {} differs from run to run: {} ({}). The machine or its set-up "
+                                           "changed between them.",
+                                           one.parameter, one.effect, fmt::join(texts, ", "), one.unit)));
   }
 }
 
-}  // namespace
-
-void print_text(const DiagnosisReport& diagnosis_report, const std::string& title) {
+void print_verdict(const DiagnosisReport& diagnosis_report) {
   const Diagnosis& found = diagnosis_report.diagnosis;
-  fmt::print("{}\n{}\n\n", title, heading(diagnosis_report.residual_report.fit));
-  if (!diagnosis_report.unsupported.empty()) fmt::print("{}", wrapped(unsupported_text(diagnosis_report)));
-  fmt::print("{}", wrapped(found.sentence));
-  if (!diagnosis_report.command.empty()) fmt::print("\n{}\n", diagnosis_report.command);
-  if (!diagnosis_report.hint.empty()) fmt::print("\n{}", wrapped(diagnosis_report.hint));
-  for (const StandIn& one : diagnosis_report.stand_ins)
-    fmt::print("\n{}{}\n", wrapped(fmt::format("{} stood in for {}:", one.effect, one.by)), one.command);
   const std::vector<std::string> parts = parts_of(found);
-  const std::string next = next_text(diagnosis_report);
   fmt::print("\nVerdict: {}.\n", name_of(found.verdict));
   if (parts.size() > 1) {
     for (std::size_t k = 0; k < parts.size(); ++k) fmt::print("{}", wrapped(fmt::format("{}. {}.", k + 1, parts[k])));
   }
+  const std::string next = next_text(diagnosis_report);
   if (!next.empty()) fmt::print("{}", wrapped("To decide: " + next));
   if (!diagnosis_report.plan_command.empty()) fmt::print("{}\n", diagnosis_report.plan_command);
   const std::string predicted = predicted_text(diagnosis_report);
   if (!predicted.empty()) fmt::print("{}", wrapped(predicted));
   if (!diagnosis_report.train_command.empty()) fmt::print("{}\n", diagnosis_report.train_command);
-  print_candidates(found);
-  if (!found.reasons.empty() && found.verdict != Verdict::nothing) {
-    fmt::print("\nWhy{}:\n", found.verdict == Verdict::untestable ? "" : " it is not named, or not all of it");
-    for (const std::string& reason : found.reasons) fmt::print("{}", wrapped("- " + reason));
-  }
+}
+
+void print_reasons(const Diagnosis& found, bool details) {
+  fmt::print("\nWhy{}:\n", found.verdict == Verdict::untestable ? "" : " it is not named, or not all of it");
+  const std::size_t shown = details ? found.reasons.size() : std::min(found.reasons.size(), kReasons);
+  for (std::size_t k = 0; k < shown; ++k) fmt::print("{}", wrapped("- " + found.reasons[k]));
+  if (shown < found.reasons.size()) fmt::print("- {} more\n", found.reasons.size() - shown);
+}
+
+constexpr std::string_view kDetails =
+    "all candidates and probabilities, what the columns mean and what cannot be tested";
+
+}  // namespace
+
+std::string_view details_of_diagnosis() { return kDetails; }
+
+void print_text(const DiagnosisReport& diagnosis_report, const std::string& title, const TextLength& length) {
+  const Diagnosis& found = diagnosis_report.diagnosis;
+  const bool details = length.details, is_whole = details || length.targets == 1;
+  if (!title.empty()) fmt::print("{}\n", title);
+  fmt::print("{}{}\n\n", heading(diagnosis_report.residual_report.fit),
+             is_whole ? "" : fmt::format(". Verdict: {}.", name_of(found.verdict)));
+  if (!diagnosis_report.unsupported.empty()) fmt::print("{}", wrapped(unsupported_text(diagnosis_report)));
+  fmt::print("{}", wrapped(found.sentence));
+  if (!diagnosis_report.command.empty()) fmt::print("\n{}\n", diagnosis_report.command);
+  if (!diagnosis_report.hint.empty()) fmt::print("\n{}", wrapped(diagnosis_report.hint));
+  for (const StandIn& one : diagnosis_report.stand_ins)
+    fmt::print("\n{}{}\n", wrapped(fmt::format("{} only stood in for {}. This replaces it:", one.effect, one.by)),
+               one.command);
+  if (is_whole) print_verdict(diagnosis_report);
+  const std::size_t rows = details ? found.candidates.size() : is_whole ? kRows : kRowsOfSeveral;
+  if (is_whole || length.targets <= kTargetsWithRows) print_candidates(found, rows, details);
+  if (!is_whole) return;
+  if (!found.reasons.empty() && found.verdict != Verdict::nothing) print_reasons(found, details);
   print_gains_by_run(found);
-  if (found.verdict != Verdict::untestable) fmt::print("\n{}", wrapped(posterior_text(found)));
+  if (details && found.verdict != Verdict::untestable) fmt::print("\n{}", wrapped(posterior_text(found)));
   fmt::print("\n");
   print_sentences(diagnosis_report.residual_report);
   const std::string untestable = untestable_text(found);
-  if (!untestable.empty()) fmt::print("\n{}", wrapped("Not testable here: " + untestable + "."));
+  if (details && !untestable.empty()) fmt::print("\n{}", wrapped("Not testable here: " + untestable + "."));
   const std::string not_searched = not_searched_text(found);
   if (!not_searched.empty()) fmt::print("\n{}", wrapped("Not searched: " + not_searched + "."));
+  if (!details) fmt::print("\n{}", details_text(kDetails));
 }
 
 }  // namespace ballbar

@@ -9,6 +9,7 @@
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/fit/residual.hpp"
 #include "ballbar/number_text.hpp"
+#include "ballbar/numerics/range.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "terminal/terminal_table.hpp"
@@ -36,7 +37,7 @@ Table figures(const EffectTest& effect_test) {
     table.add({what, known(from, digits), known(to, digits)});
   };
   row("RMSE um", before.rmse_um, after.rmse_um, decimals);
-  row("times the floor", before.times_floor, after.times_floor, 2);
+  row("times the noise", before.times_floor, after.times_floor, 2);
   row(before.level == Level::recording ? "left-out recordings um" : "left-out cycles um", before.held_out_um,
       after.held_out_um, decimals);
   row("free parameters", static_cast<double>(before.parameters), static_cast<double>(after.parameters), 0);
@@ -49,8 +50,8 @@ bool is_of_axes(const EffectTest& effect_test) {
 }
 
 Table added_table(const EffectTest& effect_test) {
-  Table table({"added", "amplitude um", is_of_axes(effect_test) ? "chi^2" : "2 ln B", "counts from", "fall %",
-               "best surrogate's %"});
+  Table table({"added effect", "amplitude um", is_of_axes(effect_test) ? "chi^2" : "2 ln B", "threshold", "RMSE fall %",
+               "surrogate fall %"});
   const double fall = 1.0 - effect_test.after.rmse_um / effect_test.before.rmse_um;
   for (const Candidate& tried : effect_test.added) {
     table.add({one_line(tried.label),
@@ -63,11 +64,10 @@ Table added_table(const EffectTest& effect_test) {
   return table;
 }
 
-std::string p_text(double p) { return p < 1e-6 ? "< 0.000001" : fmt::format("{:.2g}", p); }
-
 Table earlier_table(const EffectTest& effect_test) {
   const bool of_axes = is_of_axes(effect_test);
-  Table table({"earlier", of_axes ? "chi^2" : "2 ln B", "parameters", of_axes ? "p" : "P not needed", "needed"});
+  Table table({"earlier effect", of_axes ? "chi^2" : "2 ln B", "parameters", of_axes ? "p" : "probability superfluous",
+               "needed"});
   for (const DropTest& drop_test : effect_test.earlier) {
     table.add({one_line(drop_test.label), fixed(drop_test.likelihood_ratio, 1), fmt::format("{}", drop_test.parameters),
                p_text(drop_test.p), drop_test.needed ? "yes" : "no"});
@@ -98,78 +98,83 @@ Table parameter_table(const EffectTest& effect_test) {
   return table;
 }
 
-// "The data support expansion(T_room_degC), 14 um of z_um, very likely (98 %)": effect, size, how sure.
+// "expansion(T_room_degC): 14 um of z_um (98 % sure)": effect, size, how sure. An effect that another one partly
+// cancels is no larger than what was measured.
+std::string effect_words(const EffectTest& effect_test, const Candidate& tried, bool supported) {
+  const double odds = std::exp(-0.5 * tried.likelihood_ratio);  // against it: 1 / B
+  const bool has_odds = supported && !is_of_axes(effect_test) && std::isfinite(tried.likelihood_ratio);
+  const double size_um = std::min(tried.amplitude_um, range_of(effect_test.fit_after.measured_um));
+  return fmt::format("{}{}{}", tried.label,
+                     size_um > 0.0 ? fmt::format(", {} um of {}", size_text(size_um), effect_test.after.target) : "",
+                     has_odds ? fmt::format(" ({})", sure_text(1.0 / (1.0 + odds))) : "");
+}
+
+// "The data support expansion(T_room_degC), 14 um of z_um (98 % sure)"
 std::string first_words(const EffectTest& effect_test, bool supported) {
   std::vector<std::string> texts;
   texts.reserve(effect_test.added.size());
-  for (const Candidate& tried : effect_test.added) {
-    const double odds = std::exp(-0.5 * tried.likelihood_ratio);  // against it: 1 / B
-    const bool has_odds = supported && !is_of_axes(effect_test) && std::isfinite(tried.likelihood_ratio);
-    texts.push_back(fmt::format(
-        "{}{}{}", tried.label,
-        tried.amplitude_um > 0.0 ? fmt::format(", {} um of {}", size_text(tried.amplitude_um), effect_test.after.target)
-                                 : "",
-        has_odds ? ", " + sure_text(1.0 / (1.0 + odds)) : ""));
-  }
-  return fmt::format("The data {} {}", supported ? "support" : "do not support", fmt::join(texts, ", and "));
+  for (const Candidate& tried : effect_test.added) texts.push_back(effect_words(effect_test, tried, supported));
+  const std::string_view all = supported || texts.size() == 1 ? "" : texts.size() == 2 ? "both " : "all of ";
+  return fmt::format("The data {} {}{}", supported ? "support" : "do not support", all, fmt::join(texts, " and "));
 }
 
-std::string left_words(const EffectTest& effect_test) {
-  return fmt::format("with {} the model leaves {} um, without {} um", effect_test.added.size() == 1 ? "it" : "them",
-                     size_text(effect_test.after.rmse_um), size_text(effect_test.before.rmse_um));
+std::string error_words(const EffectTest& effect_test) {
+  const std::string before = size_text(effect_test.before.rmse_um), after = size_text(effect_test.after.rmse_um);
+  if (before == after) return fmt::format("The remaining error stays at {} um.", before);
+  return fmt::format("The remaining error {} from {} to {} um.",
+                     effect_test.after.rmse_um < effect_test.before.rmse_um ? "falls" : "rises", before, after);
 }
 
 }  // namespace
 
 std::string conclusion(const EffectTest& effect_test) {
-  std::vector<std::string> labels, doubts;
+  std::vector<std::string> doubts;
   for (const Candidate& tried : effect_test.added) {
-    labels.push_back(tried.label);
     if (tried.doubts.empty()) continue;
     doubts.push_back(
         fmt::format("{}{}", effect_test.added.size() == 1 ? "" : tried.label + ": ", fmt::join(tried.doubts, ", ")));
   }
-  std::string text = fmt::format("{}; {}.", first_words(effect_test, doubts.empty()), left_words(effect_test));
+  std::string text = fmt::format("{}. {}", first_words(effect_test, doubts.empty()), error_words(effect_test));
   if (!doubts.empty()) return fmt::format("{} Why not: {}.", text, fmt::join(doubts, "; "));
+  const bool is_one = effect_test.added.size() == 1;
   if (effect_test.after.verdict == "time only") {
-    text += fmt::format(" {} nothing but time, so that one run cannot name it as a cause.",
-                        labels.size() == 1 ? labels.front() + " needs" : "One of them needs");
+    text += fmt::format(" {} on time alone. One run cannot prove it as a cause.",
+                        is_one ? effect_test.added.front().label + " depends" : "One of them depends");
   }
   const Whiteness white = whiteness(effect_test.fit_after);
   if (!is_adequate(effect_test.fit_after, white)) {
-    const std::string_view these = effect_test.added.size() == 1 ? "this effect" : "these effects";
+    const std::string_view these = is_one ? "this effect" : "these effects";
     text += white.p < kNotNoise
-                ? fmt::format(
-                      " What is left is not noise: something else is missing too, and {} may stand in for that.", these)
+                ? fmt::format(" The residual is not noise: another effect is missing too, and {} may stand in for it.",
+                              these)
                 : fmt::format(
-                      " What is left is above the floor: noise with a memory, or something else that is missing, for "
-                      "which {} may stand in.",
+                      " The residual is larger than the noise. Either the noise changes slowly, or another effect is "
+                      "missing and {} may stand in for it.",
                       these);
   }
   return text;
 }
 
-std::string tables(const EffectTest& effect_test) {
+std::string tables(const EffectTest& effect_test, bool details) {
   std::string text = figures(effect_test).text(table_width()) + "\n" + added_table(effect_test).text(table_width());
+  if (!details) return text;
   if (!effect_test.earlier.empty()) text += "\n" + earlier_table(effect_test).text(table_width());
   text += "\n" + parameter_table(effect_test).text(table_width());
   if (is_of_axes(effect_test)) {
     return text + "\n" +
            wrapped(
-               "Each error has the value that it has beside all errors of the axes, sigma by the noise that these "
-               "leave together. chi^2: of all its gains together; it counts from where noise shows as much among all "
-               "of them in 1 % of tests; an earlier error is needed where p is below 0.001. Left-out recordings: CCW "
-               "from CW and the other way round.");
+               "Each error has its value beside all errors of the axes; sigma is by the noise that these leave "
+               "together. chi^2: of all gains of the error together. threshold: what noise reaches in 1 % of tests. An "
+               "earlier error is needed where p is below 0.001. left-out recordings: CCW predicted from CW and the "
+               "other way round.");
   }
   return text + "\n" +
-         wrapped(fmt::format("2 ln B: 2 ln of how much more likely the readings are with it, gains, shapes and noise "
-                             "integrated out; 10 "
-                             "is 150 to 1. It holds for an effect chosen before looking at these data. best "
-                             "surrogate's %: by which the "
-                             "best of {} surrogates, the same smoothness and no cause, lowers the RMSE. P not needed: "
-                             "an earlier effect "
-                             "is needed below {}.",
-                             kSurrogates, kDropTest));
+         wrapped(fmt::format(
+             "2 ln B: 10 means that the readings are 150 times as likely with the effect. Gains, shapes and noise are "
+             "integrated out. It is valid for an effect chosen before looking at these data. surrogate fall: largest "
+             "fall of the RMSE by {} random curves that are as smooth and have no cause. An earlier effect is needed "
+             "where the probability that it is superfluous is below {}.",
+             kSurrogates, kDropTest));
 }
 
 }  // namespace ballbar

@@ -10,8 +10,8 @@ namespace ballbar {
 // "The data support X.", or the reasons against it.
 std::string conclusion(const EffectTest& effect_test);
 
-// Error before and after, added effects with 2 ln B and surrogates, earlier effects tested anew, all
-// parameters.
-std::string tables(const EffectTest& effect_test);
+// Error before and after, added effects with 2 ln B and surrogates. details: earlier effects tested anew, all
+// parameters, and what the figures mean.
+std::string tables(const EffectTest& effect_test, bool details);
 
 }  // namespace ballbar

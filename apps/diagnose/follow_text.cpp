@@ -34,8 +34,8 @@ std::string_view word_of(Outcome outcome) { return outcome == Outcome::undecidab
 
 void print_follow_heading(const std::string& name, const std::string& target) {
   fmt::print("{}\n{}\n\n", name, target);
-  fmt::print("{:>8}  {:>6}  {:>9}  {:>7}  {:<7}  {}\n", "hours", "values", "P nothing", "ln B", "so far",
-             "P of the most probable");
+  fmt::print("{:>8}  {:>6}  {:>9}  {:>7}  {:<7}  {}\n", "hours", "values", "P nothing", "ln B", "state",
+             "best candidates and their P");
   std::fflush(stdout);
 }
 
@@ -60,7 +60,7 @@ void print_outcome(const FollowState& state, const NextStep& next, bool json) {
   fmt::print("{}{}", state.looks.empty() ? "" : "\n", wrapped(outcome_text(state)));
   if (!next.command.empty()) fmt::print("\n{}\n", next.command);
   if (!next.hint.empty()) fmt::print("\n{}", wrapped(next.hint));
-  fmt::print("\n{}", wrapped(error_text() + " ln B: ln of that ratio."));
+  fmt::print("\n{}", wrapped(error_text() + " ln B: natural logarithm of that ratio. P: probability."));
 }
 
 }  // namespace ballbar

@@ -95,31 +95,31 @@ std::string conclusion(const GrownModel& grown, const std::vector<std::string>& 
   if (grown.growth.stop == GrowthStop::untested) {
     return "No effect is added: too few rows to test whether any would predict new ones.";
   }
-  if (grown.rows.empty()) return "No effect is added: none predicts new rows better than the model does.";
+  if (grown.rows.empty()) return "No effect is added: none predicts new rows better than the model.";
   const GrowthErrors &first = grown.growth.errors.front(), &last = grown.growth.errors[grown.rows.size()];
-  std::string text =
-      fmt::format("{} effect{} new rows to {:.2f} um RMSE, the model as it was to {:.2f} um", last.effects,
-                  last.effects == 1 ? " predicts" : "s predict", last.forecast_um, first.forecast_um);
-  if (grown.train) text += fmt::format("; `ballbar train`, with all effects, to {:.2f} um", grown.train->rmse_um);
-  text += ". ";
+  std::string text = fmt::format(
+      "The model with {} more effect{} predicts new rows with an RMSE of {:.2f} um, the model before with "
+      "{:.2f} um. ",
+      last.effects, last.effects == 1 ? "" : "s", last.forecast_um, first.forecast_um);
+  if (grown.train) text += fmt::format("`ballbar train`, with all effects, reaches {:.2f} um. ", grown.train->rmse_um);
   std::vector<std::string> known_drivers;
   for (const Driver& driver : drivers) {
     if (driver.p >= kKnownDriver) known_drivers.push_back(driver.column);
   }
   if (!causes.empty()) {
-    text += fmt::format("Of the model you may call cause: {}. ", fmt::join(causes, ", "));
+    text += fmt::format("Proven causes in the model: {}. ", fmt::join(causes, ", "));
   } else if (!known_drivers.empty()) {
-    text += fmt::format("{} {} the drift, in a form that is not known: no effect may be called its cause. ",
+    text += fmt::format("{} {} the drift in an unknown form, so no effect is proven as its cause. ",
                         fmt::join(known_drivers, " and "), known_drivers.size() == 1 ? "drives" : "drive");
   } else {
-    text += "None of them may be called a cause: they predict, they do not explain. ";
+    text += "None of them is a proven cause: they predict, they do not explain. ";
   }
   return text + std::string(stop_text(grown.growth.stop));
 }
 
-std::string tables(const GrownModel& grown) {
+std::string tables(const GrownModel& grown, bool details) {
   if (grown.rows.empty()) return "";
-  Table table({"revision", "effects", "RMSE um", "forecasts um", "from train's um", "what it is"});
+  Table table({"revision", "effects", "RMSE um", "forecast um", "from train um", "cause"});
   const auto add = [&](const std::string& name, const GrowthErrors& errors, const std::string& what) {
     table.add({one_line(name), fmt::format("{}", errors.effects), known(errors.rmse_um), known(errors.forecast_um),
                known(errors.apart_um), what});
@@ -129,12 +129,14 @@ std::string tables(const GrownModel& grown) {
     add(fmt::format("{} {}", grown.rows[k].revision, grown.rows[k].change), grown.growth.errors[k + 1],
         grown.rows[k].verdict);
   }
+  if (!details) return table.text(table_width());
   return fmt::format(
       "{}{}", table.text(table_width()),
       wrapped(fmt::format(
-          "forecasts: RMSE of rows predicted from earlier ones alone, from {} origins, all of the growth done again "
-          "each time. from train's: RMS difference to the forecasts of a regression on all effects, which a model of "
-          "few is grown to repeat; its own error is {:.2f} um. A falling RMSE is no evidence of a cause.",
+          "forecast: RMSE of rows predicted from earlier rows alone, from {} origins; the growth is repeated "
+          "each time. from train: RMS difference to the forecasts of a regression on all effects, which the "
+          "few effects are to imitate; the RMSE of that regression is {:.2f} um. A falling RMSE is no evidence of a "
+          "cause.",
           grown.growth.origins, grown.growth.all_um)));
 }
 

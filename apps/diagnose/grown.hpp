@@ -32,7 +32,7 @@ std::string conclusion(const GrownModel& grown, const std::vector<std::string>& 
                        const std::vector<Driver>& drivers);
 
 // For each revision: error, error of forecasts, and the difference from the forecasts of all effects.
-std::string tables(const GrownModel& grown);
+std::string tables(const GrownModel& grown, bool details);
 
 // Without further effects, then for each revision.
 std::vector<GrowthStep> steps_of(const GrownModel& grown);

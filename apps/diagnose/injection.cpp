@@ -67,8 +67,8 @@ void print_text(const Injected& result, const std::string& title) {
   fmt::print(
       "{}\n",
       wrapped(fmt::format(
-          "Added: {}{}, {:.4g} um from its lowest to its highest value: d = {:.1f} beside the noise of the model's "
-          "residual. Detectable (d = 5) are {:.2g} um, identifiable (d = 7.5) {:.2g} um.",
+          "Added: {}{}, {:.4g} um from its lowest to its highest value. Against the noise of the residual this is d = "
+          "{:.1f}. The effect is visible from {:.2g} um (d = 5) and can be named from {:.2g} um (d = 7.5).",
           label_of(result.injection.bound), shapes_text(result.injection), result.amplitude_um, result.d,
           result.amplitude_of_um(kDetectable), result.amplitude_of_um(kIdentifiable))));
   Table table({"", "verdict", label_of(result.injection.bound)});
@@ -155,10 +155,8 @@ std::string answer_text(const Injected& result) {
   const Sight before = result.sighting(result.without).sight;
   const Sight now = result.sighting(result.with).sight;
   if (is_detected(before)) {
-    return fmt::format(
-        "These data already show {}: it is {} without anything added, so that what is added proves "
-        "nothing.",
-        label, name_of(before));
+    return fmt::format("These data already show {}: it is {} without anything added. What is added proves nothing.",
+                       label, name_of(before));
   }
   std::string text;
   switch (now) {
@@ -172,13 +170,13 @@ std::string answer_text(const Injected& result) {
       text = "What drives it would be named, not the effect itself.";
       break;
     case Sight::in_set:
-      text = "It would be in the reported set, not named.";
+      text = "It would be one of the alternatives that are reported, but not named.";
       break;
     case Sight::candidate:
-      text = "It would lead the candidates, neither named nor in a reported set.";
+      text = "It would be the best candidate, but neither named nor reported as an alternative.";
       break;
     case Sight::unexplained:
-      text = before == Sight::unexplained ? "It would not be seen: something unexplained is there already."
+      text = before == Sight::unexplained ? "It would not be seen: these data already have an unexplained part."
                                           : "It would show as something unexplained, not under its name.";
       break;
     case Sight::undetected:
@@ -187,17 +185,18 @@ std::string answer_text(const Injected& result) {
   }
   const DetectionLimit& smallest = result.smallest;
   if (!std::isfinite(smallest.detected_um)) {
-    text += fmt::format(" Up to {:.2g} um it is neither named nor in the set", smallest.undetected_um);
+    text += fmt::format(" Up to {:.2g} um it is neither named nor reported as an alternative", smallest.undetected_um);
   } else if (smallest.undetected_um > 0.0) {
-    text += fmt::format(" The smallest amplitude that is named or in the set lies between {:.2g} and {:.2g} um",
-                        smallest.undetected_um, smallest.detected_um);
+    text += fmt::format(
+        " The smallest amplitude that is named or reported as an alternative is between {:.2g} and {:.2g} um",
+        smallest.undetected_um, smallest.detected_um);
   } else {
-    text +=
-        fmt::format(" The smallest amplitude that is named or in the set is at most {:.2g} um", smallest.detected_um);
+    text += fmt::format(" The smallest amplitude that is named or reported as an alternative is at most {:.2g} um",
+                        smallest.detected_um);
   }
   text += fmt::format(" ({} diagnoses).", smallest.diagnoses);
   if (smallest.detected_um < result.amplitude_of_um(3.0))
-    text += " That is chance: the noise already has some of its shape.";
+    text += " This limit is low by chance: the noise happens to have a similar shape.";
   return text;
 }
 

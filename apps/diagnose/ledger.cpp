@@ -16,6 +16,7 @@
 #include "diagnose/revision_results.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/details.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -23,6 +24,7 @@ namespace {
 
 struct LedgerArguments {
   Source model;
+  bool details = false;
   bool json = false;
 };
 
@@ -44,15 +46,15 @@ Table table_of(const std::vector<LedgerRow>& rows) {
     return row.level == Level::recording && row.revision > 0 && !std::isfinite(row.best_surrogate_fall);
   });
   // A figure that no row has would only take room from the names of the revisions.
-  std::vector<Figure> figures{{"forecasts um", &LedgerRow::forecast_um},
-                              {"with surrogate", &LedgerRow::surrogate_forecast_um},
+  std::vector<Figure> figures{{"forecast um", &LedgerRow::forecast_um},
+                              {"surrogate um", &LedgerRow::surrogate_forecast_um},
                               {of_axes ? "chi^2" : "2 ln B", &LedgerRow::likelihood_ratio, 1},
-                              {"counts from", &LedgerRow::threshold, 1}};
+                              {"threshold", &LedgerRow::threshold, 1}};
   std::erase_if(figures, [&](const Figure& figure) {
     return std::none_of(rows.begin(), rows.end(),
                         [&](const LedgerRow& row) { return std::isfinite(row.*figure.value); });
   });
-  heading.insert(heading.end(), {"parameters", "RMSE um", "x floor", "left out um"});
+  heading.insert(heading.end(), {"parameters", "RMSE um", "times noise", "left-out um"});
   for (const Figure& figure : figures) heading.emplace_back(figure.name);
   heading.emplace_back("verdict");
   Table table(heading);
@@ -82,7 +84,10 @@ void run(const LedgerArguments& options) {
   fmt::print("{}{}\n\n{}\n", options.model.name(),
              std::all_of(rows.begin(), rows.end(), same) ? ", " + shortened(rows.front().target, 40) : "",
              table_of(rows).text(table_width()));
-  for (const LedgerEntry& entry : ledger_of(rows).rows) fmt::print("{}", wrapped(entry.sentence));
+  const std::vector<LedgerEntry> entries = ledger_of(rows).rows;
+  const std::size_t first = options.details ? 0 : entries.size() - 1;
+  for (std::size_t k = first; k < entries.size(); ++k) fmt::print("{}", wrapped(entries[k].sentence));
+  if (first > 0) fmt::print("\n{}", details_text("a sentence on each revision"));
 }
 
 }  // namespace
@@ -91,6 +96,7 @@ void add_ledger(CLI::App& app) {
   const auto options = std::make_shared<LedgerArguments>();
   CLI::App* command = app.add_subcommand("ledger", "What a model went through: every revision and its error");
   add_source(*command, "--model", options->model, "model.toml with a ledger")->type_name("FILE")->required();
+  add_details(*command, options->details);
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example, after `ballbar add ... --out model.toml`:\n"

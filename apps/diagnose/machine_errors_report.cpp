@@ -129,16 +129,16 @@ const RankedError* first_of(const MachineErrors& found) {
 std::vector<std::string> difference_texts(const ErrorsReport& report) {
   const MachineErrors& found = report.found;
   // What ours has and the instrument's has not, or the other way round.
-  std::string why = "there it is held near 0, which this arc hardly tells";
+  std::string why = "the instrument holds it near 0, and this arc hardly determines it";
   if (deg_from_rad(arc_rad(report.recordings.front())) > 358.0) {
-    why = "what the centre adds in second order is not taken off there";
+    why = "the instrument does not remove the second-order part of the centre offset";
   }
   double most_um = 0.0;
   for (const RankedError& one : found.ranked) {
     const bool is_extra = one.effect->rules.error_fit == ErrorFit::where_it_shows && one.significant;
     if (!is_extra || one.individual_circularity_um <= most_um) continue;
     most_um = one.individual_circularity_um;
-    why = fmt::format("{} took it, which the instrument does not have", one.effect->name);
+    why = fmt::format("{} explains a part of it here, and the instrument does not have that error", one.effect->name);
   }
   std::vector<std::string> texts;
   for (const RankedError& one : found.ranked) {
@@ -152,7 +152,7 @@ std::vector<std::string> difference_texts(const ErrorsReport& report) {
                             : difference * one.individual_circularity_um / std::abs(error.value);
       if (difference <= kDiffers * error.sigma || um <= kDiffers_um) continue;
       const int decimals = error.unit == "ms" ? 2 : 1;
-      texts.push_back(fmt::format("{}: {:.{}f} here, {:.{}f} there; {}.", error.name, error.value, decimals,
+      texts.push_back(fmt::format("{}: {:.{}f} here, {:.{}f} by the instrument; {}.", error.name, error.value, decimals,
                                   *error.as_instrument, decimals, why));
     }
   }
@@ -168,8 +168,7 @@ std::string conclusion(const ErrorsReport& report) {
   const MachineErrors& found = report.found;
   const std::vector<const RankedError*> significant = significant_of(found);
   if (significant.empty()) {
-    return fmt::format("The circularity is {:.1f} um, and no error of the axes stands out of the noise.",
-                       found.circularity_um);
+    return fmt::format("The circularity is {:.1f} um. No error of the axes is significant.", found.circularity_um);
   }
   const RankedError& most = *significant.front();
   const Plane plane = report.recordings.front().plane;
@@ -177,15 +176,15 @@ std::string conclusion(const ErrorsReport& report) {
   if (words.ends_with('.')) words.pop_back();
   words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
   const std::string first = fmt::format("{} ({})", plain_name(most.effect->name, plane), words);
-  std::string text = most.rank ? fmt::format("Mending {} takes the circularity from {:.1f} to {:.1f} um; ", first,
+  std::string text = most.rank ? fmt::format("Correcting {} lowers the circularity from {:.1f} to {:.1f} um. ", first,
                                              found.circularity_um, most.circularity_without_um)
-                               : fmt::format("The circularity is {:.1f} um, and mending {} alone leaves it so; ",
+                               : fmt::format("The circularity is {:.1f} um. Correcting {} alone does not lower it. ",
                                              found.circularity_um, first);
-  if (significant.size() == 1) return text + "no other error stands out of the noise.";
+  if (significant.size() == 1) return text + "No other error is significant.";
   std::vector<std::string> others;
   for (std::size_t k = 1; k < significant.size(); ++k)
     others.push_back(plain_name(significant[k]->effect->name, plane));
-  text += fmt::format("{} significant errors together, to {:.1f}. The other{}: {}.",
+  text += fmt::format("Correcting {} significant errors lowers it to {:.1f} um. The other{}: {}.",
                       significant.size() == 2 ? "both" : "all " + number_word(significant.size()),
                       found.circularity_without_all_um, others.size() == 1 ? "" : "s", fmt::join(others, ", "));
   return text;
@@ -195,34 +194,30 @@ std::string left_text(const ErrorsReport& report) {
   const MachineErrors& found = report.found;
   std::string text;
   if (!found.one_by_one.empty()) {
-    text = fmt::format("One by one: the circle alone leaves {:.2f} um rms", found.circle_rms_um);
+    text = fmt::format("Remaining error, one error added at a time: circle alone {:.2f} um RMS", found.circle_rms_um);
     for (const AddedError& one : found.one_by_one) {
       text += fmt::format(", + {} {:.2f}", plain_name(one.effect->name, report.recordings.front().plane), one.rms_um);
     }
     text += ". ";
   }
-  text += fmt::format("All errors together leave {:.2f} um rms", found.residual_rms_um);
+  text += fmt::format("With all errors, {:.2f} um RMS remains", found.residual_rms_um);
   if (std::isfinite(found.repeatability_um)) {
     text += fmt::format("; CCW and CW repeat to {:.2f} um", found.repeatability_um);
   }
   text += ". ";
   if (found.residual_rms_um < kNothing_um) {
-    text += "That is nothing.";
+    text += "That is negligible.";
   } else if (found.left) {
     const LeftHarmonic& left = *found.left;
-    text += fmt::format(
-        "Unexplained is a wave of {} a turn, {:.2f} um from peak to peak, {}: no error of the catalogue "
-        "has this form.",
-        left.harmonic, left.peak_to_peak_um,
-        left.in_both ? "alike in both directions"
-                     : fmt::format("in recording {} ({})", left.recording + 1,
-                                   name_of(report.recordings[left.recording].direction)));
+    text += fmt::format("Unexplained: a wave of {} per turn, {:.2f} um peak to peak, {}. No known error has this form.",
+                        left.harmonic, left.peak_to_peak_um,
+                        left.in_both ? "alike in both directions"
+                                     : fmt::format("in recording {} ({})", left.recording + 1,
+                                                   name_of(report.recordings[left.recording].direction)));
   } else if (found.residual_rms_um > kMoreThanRepeats * found.repeatability_um) {
-    text +=
-        "What is left is the same in both directions, without a wave that stands out: a form that these errors do "
-        "not have.";
+    text += "The residual is the same in both directions, without a distinct wave: none of these errors has this form.";
   } else {
-    text += "No form stands out of what is left.";
+    text += "The residual shows no further pattern.";
   }
   return text;
 }

@@ -20,7 +20,7 @@ struct ResultType<LedgerRow> {
   static constexpr std::tuple fields{
       Field{"parameters", &LedgerRow::parameters, "free ones"},
       Field{"rmse_um", &LedgerRow::rmse_um, "of the fit to all rows"},
-      Field{"times_floor", &LedgerRow::times_floor, "RMSE over the floor; null: not known"},
+      Field{"times_floor", &LedgerRow::times_floor, "RMSE over the noise; null: not known"},
       Field{"held_out_um", &LedgerRow::held_out_um, "RMSE of cycles (recordings) left out; null: not known"}};
 };
 

@@ -33,7 +33,7 @@ void run(const UndoArguments& options) {
     print_json(json_of(result));
     return;
   }
-  fmt::print("{} is {}; taken back: {}\n", name,
+  fmt::print("{} is {}. Undone: {}\n", name,
              revision == 0 ? "as it started" : fmt::format("at revision {} again", revision), undone.change);
 }
 

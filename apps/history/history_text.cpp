@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "ballbar/number_text.hpp"
 #include "history/quantity_text.hpp"
 #include "history/ranking_text.hpp"
 #include "terminal/terminal_table.hpp"
@@ -137,11 +138,9 @@ std::string who_text(const ScaleAgreement& agreement) {
   return planes.size() > 1 ? "planes" : fmt::format("tests of {}", name_of(planes.front()));
 }
 
-std::string p_text(double p_value) { return p_value < 0.001 ? "p < 0.001" : fmt::format("p {:.2g}", p_value); }
-
 std::string chi2_text(const ScaleAgreement& agreement) {
   return fmt::format("chi^2 {:.1f} at {} degree{} of freedom, {}", agreement.chi2, agreement.degrees,
-                     agreement.degrees == 1 ? "" : "s", p_text(agreement.p_value));
+                     agreement.degrees == 1 ? "" : "s", p_equals_text(agreement.p_value));
 }
 
 // How the tests differ of which the axes that several planes tell say different things.
@@ -167,7 +166,7 @@ std::vector<std::string> sentences_of(const MachineGeometry& geometry) {
   for (const PlaneSquareness& plane : geometry.squareness) {
     if (plane.p_value >= 0.01) continue;
     sentences.push_back(fmt::format("The tests of {} disagree on the squareness, {}. Its sigma is widened.",
-                                    name_of(plane.plane), p_text(plane.p_value)));
+                                    name_of(plane.plane), p_equals_text(plane.p_value)));
   }
   if (geometry.agreement.degrees > 0 && geometry.agreement.scatter_ppm == 0.0) {
     sentences.push_back(

@@ -13,15 +13,19 @@
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/details.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {
 
-constexpr std::size_t kGroupsShown = 8;
+constexpr std::size_t kGroupsShown = 8;  // with --details
+constexpr std::size_t kWorstShown = 6;   // without
+constexpr std::size_t kParametersShown = 12;
 
 struct CheckArguments {
   ModelOptions model;
+  bool details = false;
   bool json = false;
 };
 
@@ -54,25 +58,27 @@ Table parameter_table(const Fit& fit) {
   return table;
 }
 
-// Regimes and quadrants whole, then the groups that hold more of the misfit than their share of the rows.
-std::vector<Misfit> worth_showing(const ResidualReport& residual_report) {
+// The groups that hold more of the misfit than their share of the rows; in front of them, with --details, regimes and
+// quadrants whole.
+std::vector<Misfit> worth_showing(const ResidualReport& residual_report, bool details) {
   std::vector<Misfit> shown, rest;
   for (const Misfit& misfit : residual_report.where) {
-    (misfit.what == "regime" || misfit.what == "quadrant" || misfit.what == "run" ? shown : rest).push_back(misfit);
+    const bool is_whole = misfit.what == "regime" || misfit.what == "quadrant" || misfit.what == "run";
+    (details && is_whole ? shown : rest).push_back(misfit);
   }
   const auto n = static_cast<double>(residual_report.fit.residual_um.size() - residual_report.fit.discounted.size());
   const auto excess = [&](const Misfit& misfit) { return misfit.share / (static_cast<double>(misfit.n) / n); };
   std::stable_sort(rest.begin(), rest.end(),
                    [&](const Misfit& left, const Misfit& right) { return excess(left) > excess(right); });
-  rest.resize(std::min(rest.size(), kGroupsShown));
+  rest.resize(std::min(rest.size(), details ? kGroupsShown : kWorstShown));
   shown.insert(shown.end(), rest.begin(), rest.end());
   return shown;
 }
 
-Table misfit_table(const ResidualReport& residual_report) {
+Table misfit_table(const ResidualReport& residual_report, bool details) {
   Table table({"where", "from", "to", "rows", "bias um", "RMSE um", "% of misfit"});
   const int decimals = decimals_of(residual_report.fit.rmse_um);
-  for (const Misfit& misfit : worth_showing(residual_report)) {
+  for (const Misfit& misfit : worth_showing(residual_report, details)) {
     table.add({one_line(misfit.what), misfit.from, misfit.from == misfit.to ? "" : misfit.to,
                fmt::format("{}", misfit.n), with_sigma(misfit.bias_um, misfit.bias_sigma_um, decimals),
                fixed(misfit.rmse_um, decimals + 1), fmt::format("{:.0f}", 100.0 * misfit.share)});
@@ -85,7 +91,7 @@ std::string noise_text(const Noise& noise) {
     return fmt::format("Noise of the residual: white, {:.3g} um.", std::abs(noise.white_um));
   const std::string white =
       noise.white_um > 0.0005 * noise.correlated_um ? fmt::format("{:.3g} um white, ", noise.white_um) : "";
-  return fmt::format("Noise of the residual: {}{:.3g} um with a memory of {}.", white, noise.correlated_um,
+  return fmt::format("Noise of the residual: {}{:.3g} um slow, correlated over {}.", white, noise.correlated_um,
                      duration_text(noise.correlation_time_s));
 }
 
@@ -99,39 +105,46 @@ std::string whiteness_text(const Whiteness& whiteness, std::size_t n) {
     text = fmt::format(" Autocorrelation of the residual at lags 1 to {}: {}.", lags.size(), fmt::join(lags, ", "));
   }
   if (n < 16) return text;
-  const std::string p = whiteness.p < 0.001 ? "p < 0.001" : fmt::format("p = {:.3f}", whiteness.p);
   return text + fmt::format(" Cumulated periodogram of the whitened residual: distance {:.3f}, {}.",
-                            whiteness.periodogram_distance, p);
+                            whiteness.periodogram_distance, p_equals_text(whiteness.p));
 }
 
 void print_remarks(const Fit& fit) {
   const std::size_t discounted = fit.discounted.size();
+  if (discounted > 0 || !fit.remarks.empty()) fmt::print("\n");
   if (discounted > 0) fmt::print("{} {} discounted.\n", discounted, discounted == 1 ? "value was" : "values were");
   for (const std::string& remark : fit.remarks) fmt::print("{}", wrapped(remark));
 }
 
-void print_text(const ResidualReport& residual_report, const std::string& title) {
+void print_text(const ResidualReport& residual_report, const std::string& title, bool details) {
   const Fit& fit = residual_report.fit;
   fmt::print("{}\n{}\n\n", title, heading(fit));
   print_sentences(residual_report);
-  fmt::print("\n{}\n{}", parameter_table(fit).text(table_width()), wrapped(floor_text(fit)));
-  if (!residual_report.where.empty()) fmt::print("\n{}", misfit_table(residual_report).text(table_width()));
-  fmt::print("\n{}",
-             wrapped(noise_text(fit.noise) + whiteness_text(residual_report.whiteness, fit.residual_um.size())));
+  if (details || fit.parameters.size() <= kParametersShown)
+    fmt::print("\n{}", parameter_table(fit).text(table_width()));
+  if (details) fmt::print("{}", wrapped(floor_text(fit)));
+  if (!residual_report.where.empty()) fmt::print("\n{}", misfit_table(residual_report, details).text(table_width()));
+  if (details) {
+    fmt::print("\n{}",
+               wrapped(noise_text(fit.noise) + whiteness_text(residual_report.whiteness, fit.residual_um.size())));
+  }
   print_remarks(fit);
+  if (!details) fmt::print("\n{}", details_text("all parameters, all regimes and the noise of the residual"));
 }
 
-// Several targets: the sentences of each, and one table of all parameters.
-void print_targets(const std::vector<ResidualReport>& all, const std::string& title) {
+// Several targets: the sentences of each; with --details one table of all parameters.
+void print_targets(const std::vector<ResidualReport>& all, const std::string& title, bool details) {
   fmt::print("{}\n", title);
   Table table({"target: effect", "parameter", "value", "unit"});
   for (const ResidualReport& residual_report : all) {
     fmt::print("\n{}\n", heading(residual_report.fit));
     print_sentences(residual_report);
-    print_remarks(residual_report.fit);
+    if (details) print_remarks(residual_report.fit);
     add_parameters(table, residual_report.fit, residual_report.fit.target + ": ");
   }
-  fmt::print("\n{}\n--target {} shows one target in full.\n", table.text(table_width()), all.front().fit.target);
+  if (details) fmt::print("\n{}", table.text(table_width()));
+  fmt::print("\n--target {} shows one target in full.\n", all.front().fit.target);
+  if (!details) fmt::print("{}", details_text("the parameters of all targets, and the remarks on their fits"));
 }
 
 void run(const CheckArguments& options) {
@@ -146,9 +159,9 @@ void run(const CheckArguments& options) {
   if (options.json) {
     print_json(all.size() == 1 ? json_of(all.front()) : json_of(CheckedTargets{all}));
   } else if (all.size() == 1) {
-    print_text(all.front(), data->title);
+    print_text(all.front(), data->title, options.details);
   } else {
-    print_targets(all, data->title);
+    print_targets(all, data->title, options.details);
   }
 }
 
@@ -160,6 +173,7 @@ void add_check(CLI::App& app) {
   add_model_options(*command, options->model, false);
   add_also_input(*command, options->model);
   add_fit_options(*command, options->model);
+  add_details(*command, options->details);
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"

@@ -8,6 +8,7 @@
 
 #include "model/preflight_result.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/details.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::size_t kTargetsShown = 6;
 constexpr std::size_t kListWidth = 19;
+constexpr std::string_view kDetails = "which effects are confused with which, and what these data cannot test";
 
 // "0.13": two decimals, more where that would leave nothing; a metre is never seen.
 std::string um_text(double value_um) {
@@ -40,6 +42,12 @@ std::string inseparable_text(const Detectability& detectable, const std::vector<
   return texts.empty() ? "-" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
+std::string inseparable_count(const Detectability& detectable) {
+  const std::size_t count = detectable.inseparable_from.size();
+  if (count == 0) return "-";
+  return count == 1 ? detectable.inseparable_from.front() : fmt::format("{} effects", count);
+}
+
 void print_untestable(const Preflight& result) {
   std::vector<Detectability> untestable;
   std::copy_if(result.detectability.begin(), result.detectability.end(), std::back_inserter(untestable),
@@ -51,7 +59,7 @@ void print_untestable(const Preflight& result) {
   }
 }
 
-void print_text(const Preflight& result, const std::string& title) {
+void print_text(const Preflight& result, const std::string& title, bool details) {
   std::vector<const Detectability*> rows;
   std::size_t separable = 0;
   for (const Detectability& detectable : result.detectability) {
@@ -59,26 +67,33 @@ void print_text(const Preflight& result, const std::string& title) {
     rows.push_back(&detectable);
     if (detectable.inseparable_from.empty()) ++separable;
   }
-  fmt::print("{}\n{}, {} values\n\n{} of {} effects could be seen here, {} of them could be told from all others.\n\n",
-             title, result.target, result.n, rows.size(), result.detectability.size(), separable);
-  Table table({"effect", "columns", "seen from um", "named from um", "own %", "inseparable from"});
+  fmt::print(
+      "{}\n{}, {} values\n\nThese data can show {} of {} effects. {} of them can be distinguished from all others.\n\n",
+      title, result.target, result.n, rows.size(), result.detectability.size(), separable);
+  Table table({"effect", "columns", "visible um", "named um", "own %", "confused with"});
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    table.add_wrapped({fmt::format("{:2} {}", i + 1, rows[i]->effect->name), columns_text(*rows[i]),
-                       um_text(rows[i]->detectable_um), um_text(rows[i]->identifiable_um),
-                       fmt::format("{:.0f}", 100.0 * rows[i]->surviving_share), inseparable_text(*rows[i], rows)},
-                      kListWidth);
+    table.add_wrapped(
+        {fmt::format("{:2} {}", i + 1, rows[i]->effect->name), columns_text(*rows[i]), um_text(rows[i]->detectable_um),
+         um_text(rows[i]->identifiable_um), fmt::format("{:.0f}", 100.0 * rows[i]->surviving_share),
+         details ? inseparable_text(*rows[i], rows) : inseparable_count(*rows[i])},
+        kListWidth);
   }
   if (!rows.empty()) fmt::print("{}\n", table.text(table_width()));
-  print_untestable(result);
-  fmt::print("\n{}", wrapped(fmt::format(
-                         "um: range (max - min) that the effect would add over these data, to be seen and to be named. "
-                         "own %: what of it the model cannot make already. Noise from: {}.",
-                         result.noise_source)));
+  if (details) {
+    print_untestable(result);
+    fmt::print("\n");
+  }
+  fmt::print("{}",
+             wrapped(fmt::format(
+                 "visible, named: from this range (max - min) on the effect shows, and can be named. own: share of it "
+                 "that the model cannot produce already. Noise from: {}.",
+                 result.noise_source)));
+  if (!details) fmt::print("\n{}", details_text(kDetails));
 }
 
 // Effects by targets: the smallest that could be named.
-void print_targets(const std::vector<Preflight>& results, const std::string& title) {
-  std::vector<std::string> heading{"named from um"};
+void print_targets(const std::vector<Preflight>& results, const std::string& title, bool details) {
+  std::vector<std::string> heading{"named um"};
   const std::size_t shown = std::min(results.size(), kTargetsShown);
   for (std::size_t i = 0; i < shown; ++i) heading.push_back(results[i].target);
   Table table(heading);
@@ -92,16 +107,19 @@ void print_targets(const std::vector<Preflight>& results, const std::string& tit
   }
   fmt::print("{}\n{} targets{}\n\n{}\n", title, results.size(),
              shown < results.size() ? fmt::format(", the first {} shown", shown) : "", table.text(table_width()));
-  print_untestable(results.front());
-  fmt::print("\n{}", wrapped(fmt::format(
-                         "um: range (max - min) that the effect would add over these data. Noise from: {}. --target {} "
-                         "shows one target in full: columns, and what is inseparable from what.",
-                         results.front().noise_source, results.front().target)));
+  if (details) {
+    print_untestable(results.front());
+    fmt::print("\n");
+  }
+  fmt::print("{}", wrapped(fmt::format("named: from this range (max - min) on an effect can be named. Noise from: {}. "
+                                       "--target {} shows one target in full.",
+                                       results.front().noise_source, results.front().target)));
+  if (!details) fmt::print("\n{}", details_text(kDetails));
 }
 
 }  // namespace
 
-void show_preflight(const ModelOptions& options, const Model& model, const ModelData& data, bool json) {
+void show_preflight(const ModelOptions& options, const Model& model, const ModelData& data, bool json, bool details) {
   std::vector<Preflight> results;
   const ProgressLine progress;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
@@ -115,9 +133,9 @@ void show_preflight(const ModelOptions& options, const Model& model, const Model
   if (json) {
     print_json(results.size() == 1 ? json_of(results.front()) : json_of(PreflightTargets{results}));
   } else if (results.size() == 1) {
-    print_text(results.front(), data.title);
+    print_text(results.front(), data.title, details);
   } else {
-    print_targets(results, data.title);
+    print_targets(results, data.title, details);
   }
 }
 

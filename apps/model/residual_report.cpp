@@ -50,11 +50,11 @@ int decimals_of(double rmse_um) {
 std::string floor_text(const Fit& fit) {
   const int decimals = decimals_of(fit.rmse_um) + 1;
   const std::string of_floor =
-      has_floor(fit) ? fmt::format(", {} times the floor of {} um ({})", fixed(fit.rmse_um / fit.floor.rms_um, 2),
+      has_floor(fit) ? fmt::format(", {} times the noise of {} um ({})", fixed(fit.rmse_um / fit.floor.rms_um, 2),
                                    fixed(fit.floor.rms_um, decimals), fit.floor.source)
                      : "";
   const std::string rmse = fit.rmse_um < 1e-6 ? "below 0.000001" : fixed(fit.rmse_um, decimals);
-  return fmt::format("RMSE {} um{}. {} values, as good as {} independent ones.", rmse, of_floor, fit.residual_um.size(),
+  return fmt::format("RMSE {} um{}. {} values, worth {} independent ones.", rmse, of_floor, fit.residual_um.size(),
                      independent_text(fit.n_effective));
 }
 

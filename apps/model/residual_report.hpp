@@ -46,8 +46,8 @@ struct ResultType<ResidualReport> {
       Field{"target_unit", [](Report of) { return std::string(unit_of(of.fit.target)); },
             "for which um stands in the other keys; empty: the column states none"},
       Field{"rmse_um", [](Report of) { return of.fit.rmse_um; }, "that the model leaves"},
-      Field{"floor_um", &floor_um, "that no model could explain; null: not known"},
-      Field{"floor_source", [](Report of) { return of.fit.floor.source; }, "what tells the floor"},
+      Field{"floor_um", &floor_um, "the noise: what no model could explain; null: not known"},
+      Field{"floor_source", [](Report of) { return of.fit.floor.source; }, "where the noise is taken from"},
       Field{"n", [](Report of) { return of.fit.residual_um.size(); }, "readings"},
       Field{"n_effective", [](Report of) { return of.fit.n_effective; }, "independent readings that they are worth"},
       Field{"adequate", [](Report of) { return is_adequate(of.fit, of.whiteness); },
@@ -59,7 +59,7 @@ struct ResultType<ResidualReport> {
       Field{"noise", [](Report of) { return of.fit.noise; }, "of the residual"},
       Field{"whiteness", &ResidualReport::whiteness, ""},
       Field{"sentences", [](Report of) { return sentences(of.fit, of.where, of.whiteness); },
-            "how far from the floor, where worst, what is left"}};
+            "error against noise, where worst, what the residual is"}};
   static constexpr std::tuple end{
       Field{"converged", [](Report of) { return of.fit.converged; }, "whether the fit came to an end"}};
   static constexpr std::tuple fields =

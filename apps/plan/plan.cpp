@@ -10,6 +10,7 @@
 #include "plan/plan_files.hpp"
 #include "plan/plan_result.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/details.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
@@ -25,28 +26,34 @@ struct PlanArguments {
   std::string out;
   double ballbar_mm = 0.0;  // length of the bar; 0: no ballbar tests between
   double ballbar_every_min = 60.0;
+  bool details = false;
   bool json = false;
 };
 
-void print_text(const TestPlan& plan, const ModelData& data, const std::string& target) {
+constexpr std::size_t kTests = 6, kCurves = 6;  // unasked
+
+void print_text(const TestPlan& plan, const ModelData& data, const std::string& target, bool details) {
   fmt::print("{}\n{}\n\n{}", data.title, target, wrapped(plan.sentence));
   if (plan.tests.empty()) return;
-  Table tests({"test", "hours", "P right", "P some", "P wrong", "simulated"});
-  for (const ExpectedTest& test : plan.tests) {
+  Table tests({"test", "hours", "all named", "part named", "wrong name", "simulated cases"});
+  const auto shown = [&](std::size_t all, std::size_t most) { return details ? all : std::min(all, most); };
+  for (std::size_t k = 0; k < shown(plan.tests.size(), kTests); ++k) {
+    const ExpectedTest& test = plan.tests[k];
     tests.add({test.kind, fmt::format("{:g}", test.hours),
                fmt::format("{:.2f} ± {:.2f}", test.p_right, test.p_right_sigma), fmt::format("{:.2f}", test.p_part),
                fmt::format("{:.2f}", test.p_wrong), fmt::format("{}", test.truths)});
   }
   fmt::print("\n{}", tests.text(table_width()));
-  fmt::print(
-      "{}",
-      wrapped(
-          "P right: share of the simulated cases, drawn from what these data leave possible, in which the data and "
-          "the run together name all that is missing and nothing else; P some: at least some of it that is not named "
-          "now. P wrong: they name another effect."));
-  Table curves({"what may be missing", "P now"});
-  for (const ExpectedCurve& curve : plan.curves) curves.add({curve.label, fmt::format("{:.2f}", curve.p)});
+  if (details) {
+    fmt::print("{}", wrapped("The simulated cases are drawn from what these data leave possible. all named: share of "
+                             "them in which data and run together name everything that is missing and nothing else. "
+                             "part named: at least one effect that is not named now. wrong name: another effect."));
+  }
+  Table curves({"possibly missing", "probability now"});
+  for (std::size_t k = 0; k < shown(plan.curves.size(), kCurves); ++k)
+    curves.add({plan.curves[k].label, fmt::format("{:.2f}", plan.curves[k].p)});
   if (!plan.curves.empty()) fmt::print("\n{}", curves.text(table_width()));
+  if (!details) fmt::print("\n{}", details_text("all tests and candidates, and what the columns mean"));
 }
 
 // Spread of the curves at each time, beside the readings' sigma.
@@ -119,10 +126,10 @@ void run(PlanArguments options) {
   if (options.json) {
     print_json(json_of(plan));
   } else {
-    print_text(plan, data, model.targets.front());
+    print_text(plan, data, model.targets.front(), options.details);
   }
   if (options.out.empty() || plan.tests.empty()) {
-    if (!options.out.empty()) stderr_line("no test is proposed: nothing was written to " + options.out);
+    if (!options.out.empty()) stderr_line("no test is proposed; nothing was written to " + options.out);
     return;
   }
   write_plan(options.out, contents_of(plan, options, data, model.targets.front()));
@@ -162,6 +169,7 @@ void add_plan(CLI::App& app) {
   command->add_option("--seed", options->plan.search.seed, "of the random draws; the same seed gives the same result")
       ->type_name("N")
       ->check(whole_number_within(0, kLargestSeed));
+  add_details(*command, options->details);
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"

@@ -34,14 +34,19 @@ std::string percent_text(double p) {
   return fmt::format("{:.0f} %", 100.0 * p);
 }
 
-std::string sure_text(double p) {
-  constexpr double kVery = 0.9, kLikely = 0.65;
-  const char* words = p >= kVery          ? "very likely"
-                      : p >= kLikely      ? "likely"
-                      : p > 1.0 - kLikely ? "about even"
-                      : p > 1.0 - kVery   ? "unlikely"
-                                          : "very unlikely";
-  return fmt::format("{} ({})", words, percent_text(p));
+std::string sure_text(double p) { return percent_text(p) + " sure"; }
+
+std::string p_text(double p) {
+  constexpr double kLeast = 1e-6;
+  if (p < kLeast) return "< 0.000001";
+  if (!(p < 0.995)) return "1";
+  const int decimals = 1 - static_cast<int>(std::floor(std::log10(p)));
+  return fmt::format("{:.{}f}", p, decimals);
+}
+
+std::string p_equals_text(double p) {
+  const std::string text = p_text(p);
+  return text.starts_with('<') ? "p " + text : "p = " + text;
 }
 
 std::string size_text(double size_um) {

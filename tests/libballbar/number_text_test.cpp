@@ -28,13 +28,24 @@ TEST(NumberText, groups_of_three_from_five_digits_on) {
   EXPECT_EQ(grouped_text(-1234567.0), "-1 234 567");
 }
 
+TEST(NumberText, a_small_p) {
+  EXPECT_EQ(p_text(0.996), "1");
+  EXPECT_EQ(p_text(0.18), "0.18");
+  EXPECT_EQ(p_text(0.00123), "0.0012");
+  EXPECT_EQ(p_text(1.2e-6), "0.0000012");
+  EXPECT_EQ(p_text(9e-7), "< 0.000001");
+  EXPECT_EQ(p_text(0.0), "< 0.000001");
+  EXPECT_EQ(p_equals_text(0.05), "p = 0.050");
+  EXPECT_EQ(p_equals_text(1e-300), "p < 0.000001");
+}
+
 TEST(NumberText, how_sure) {
-  EXPECT_EQ(sure_text(1.0), "very likely (over 99 %)");
-  EXPECT_EQ(sure_text(0.98), "very likely (98 %)");
-  EXPECT_EQ(sure_text(0.83), "likely (83 %)");
-  EXPECT_EQ(sure_text(0.51), "about even (51 %)");
-  EXPECT_EQ(sure_text(0.2), "unlikely (20 %)");
-  EXPECT_EQ(sure_text(0.001), "very unlikely (under 1 %)");
+  EXPECT_EQ(sure_text(1.0), "over 99 % sure");
+  EXPECT_EQ(sure_text(0.98), "98 % sure");
+  EXPECT_EQ(sure_text(0.83), "83 % sure");
+  EXPECT_EQ(sure_text(0.51), "51 % sure");
+  EXPECT_EQ(sure_text(0.2), "20 % sure");
+  EXPECT_EQ(sure_text(0.001), "under 1 % sure");
 }
 
 TEST(NumberText, sizes) {

@@ -34,7 +34,7 @@ const english_on = (page) =>
     { pattern: english.source, names: names.map((one) => one.source) },
   );
 
-for (const [locale, verdict] of [["de-DE", /wahrscheinlich \((über )?\d+ %\)/], ["zh-CN", /(可能|各半)（(超过 )?\d+ %）/]]) {
+for (const [locale, verdict] of [["de-DE", /\((über )?\d+ % sicher\)/], ["zh-CN", /（把握 (超过 )?\d+ %）/]]) {
   for (const name of samples) {
     test(`${name} in ${locale}`, async () => {
       const { page, wrong, close } = await live({ locale });

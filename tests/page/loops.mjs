@@ -155,12 +155,12 @@ const same = (a, b) => {
   return Math.abs(coarse.value - fine.value) <= 0.5 * 10 ** -decimals + (a.decimals === b.decimals ? -0.4 * 10 ** -decimals : 0.51 * 10 ** -fine.decimals);
 };
 const kind_of = (verdict) =>
-  /lacks nothing|Nothing is missing/i.test(verdict) ? "nothing"
-  : /cannot tell|cannot say|could be any|one of these/i.test(verdict) ? "cannot tell"
-  : /drives? something/i.test(verdict) ? "a driver"
-  : /, the data say /i.test(verdict) ? "a held value is wrong"
-  : /lacks something|goes with time alone|no logged column/i.test(verdict) ? "something"
-  : /lacks /i.test(verdict) ? "named"
+  /^Nothing further is missing/i.test(verdict) ? "nothing"
+  : /data do not tell/i.test(verdict) ? "cannot tell"
+  : /drives? (about .* um|a part) that/i.test(verdict) ? "a driver"
+  : /, but the data say /i.test(verdict) ? "a held value is wrong"
+  : /^Something|depends on time alone|no known effect explains/i.test(verdict) ? "something"
+  : /missing from /i.test(verdict) ? "named"
   : "other";
 const refused_in = (said) => said.find((one) => /do not support|does not support|not kept|too few|cannot be resolved/i.test(one)) ?? "";
 

@@ -11,11 +11,17 @@ std::string duration_text(double duration_s);
 // "20 000", "5000": rounded to an integer, in groups of three from five digits on.
 std::string grouped_text(double value);
 
-// A probability in words: "very likely (98 %)", "likely (83 %)", "about even (51 %)", "unlikely (20 %)".
+// A probability in words: "98 % sure", "over 99 % sure".
 std::string sure_text(double p);
 
 // "98 %", "over 99 %", "under 1 %".
 std::string percent_text(double p);
+
+// A p-value or a small probability with two digits: "0.18", "0.00012", "< 0.000001".
+std::string p_text(double p);
+
+// "p = 0.18", "p < 0.000001".
+std::string p_equals_text(double p);
 
 // A length in um with two significant digits: "3.2", "14", "0.53", "1200".
 std::string size_text(double size_um);

@@ -193,9 +193,8 @@ Fit fit(const Model& stated, const Series& data, std::size_t target, const FitOp
                           without(speed_rpm, result.discounted), result.noise);
   if (misfit) {
     result.remarks.push_back(
-        fmt::format("The residual has a memory of {:.0f} min. It is taken as what the model lacks rather than noise: "
-                    "the parameters "
-                    "are those of {}, their sigma is widened for that memory.",
+        fmt::format("The residual changes slowly (about {:.0f} min). It is treated as a missing effect, not as noise: "
+                    "the parameters are those of {}, and their sigmas are widened accordingly.",
                     result.noise.correlation_time_s / 60.0, options.robust ? "a robust fit" : "least squares"));
   }
   add_remarks(result, free);

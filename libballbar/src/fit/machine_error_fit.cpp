@@ -11,7 +11,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kFewestReadings = 120;  // readings of a recording
-constexpr const char* kFloorSource = "what all errors of the axes together leave";
+constexpr const char* kFloorSource = "residual with all errors of the axes";
 
 bool is_error(const Term& term) {
   if (term.effect->rules.error_fit == ErrorFit::none) return false;

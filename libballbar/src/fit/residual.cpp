@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ballbar/number_text.hpp"
 #include "ballbar/series/runs.hpp"
 #include "ballbar/units.hpp"
 #include "fit/inlier_rows.hpp"
@@ -171,22 +172,17 @@ std::string digits(double value_um) {
   return value_um < 999.5 || value_um >= 1e9 ? fmt::format("{:.3g}", value_um) : fmt::format("{:.0f}", value_um);
 }
 
-// The result for an engineer first; the term and its source follow.
-std::string of_floor(const Fit& fit) {
-  const double floor_um = fit.floor.rms_um;
-  if (!(floor_um > 0.0) || fit.floor.source.empty()) {
-    return fmt::format("The model leaves {} um; what a true model could leave at least is not known.",
-                       digits(fit.rmse_um));
-  }
-  const double ratio = fit.rmse_um / floor_um;
-  if (ratio < 1.05) {
-    return fmt::format("The model leaves {} um, as little as any model could. The floor is {} um ({}).",
-                       digits(fit.rmse_um), digits(floor_um), fit.floor.source);
-  }
+// What an engineer reads first; how the noise is known comes after that.
+std::string of_noise(const Fit& fit) {
+  const double noise_um = fit.floor.rms_um;
+  const std::string error = fmt::format("Remaining error {} um RMS", digits(fit.rmse_um));
+  if (!(noise_um > 0.0) || fit.floor.source.empty()) return error + ". The noise is not known.";
+  const std::string noise = fmt::format("The noise is {} um ({}).", digits(noise_um), fit.floor.source);
+  const double ratio = fit.rmse_um / noise_um;
+  if (ratio < 1.05) return fmt::format("{}, no more than the noise. {}", error, noise);
   const std::string times =
       ratio < 1e6 ? fmt::format("{:.{}f}", ratio, ratio < 2.0 ? 2 : 1) : fmt::format("{:.1e}", ratio);
-  return fmt::format("The model leaves {} um, {} times what no model could explain. The floor is {} um ({}).",
-                     digits(fit.rmse_um), times, digits(floor_um), fit.floor.source);
+  return fmt::format("{}, {} times the noise. {}", error, times, noise);
 }
 
 std::string place_of(const Misfit& group) {
@@ -220,8 +216,8 @@ const Misfit* worst_of(const Fit& fit, const std::vector<Misfit>& where) {
 
 std::string of_place(const Fit& fit, const std::vector<Misfit>& where) {
   const Misfit* worst = worst_of(fit, where);
-  if (worst == nullptr) return "It fails nowhere more than elsewhere.";
-  return fmt::format("It fails most {}: {:.0f} % of the misfit in {:.0f} % of the readings, bias {} um.",
+  if (worst == nullptr) return "The misfit is spread evenly over the data.";
+  return fmt::format("The model fails most {}: {:.0f} % of the misfit in {:.0f} % of the readings, bias {} um.",
                      place_of(*worst), 100.0 * worst->share,
                      100.0 * static_cast<double>(worst->n) / static_cast<double>(fit.residual_um.size()),
                      with_sigma(worst->bias_um, worst->bias_sigma_um));
@@ -235,27 +231,23 @@ std::string duration(double time_s) {
 
 std::string of_rest(const Fit& fit, const Whiteness& whiteness) {
   constexpr std::size_t kFewestForWhiteness = 16;
-  constexpr double kNotNoise = 0.01, kMemory = 0.1;  // of the variance
+  constexpr double kNotNoise = 0.01, kSlow = 0.1;  // of the variance
   const std::size_t n = fit.residual_um.size();
-  if (n < kFewestForWhiteness) {
-    return fmt::format("With {} readings it cannot be said whether what is left is noise.", n);
-  }
+  if (n < kFewestForWhiteness) return fmt::format("{} readings are too few to tell whether the residual is noise.", n);
+  const std::string p = p_equals_text(whiteness.p);
   if (whiteness.p < kNotNoise) {
     const Noise noise = fit.noise.correlated_um > 0.0 ? fit.noise : noise_of(fit.time_s, fit.residual_um, fit.sigma_um);
-    const std::string p = whiteness.p < 0.001 ? "p < 0.001" : fmt::format("p = {:.3f}", whiteness.p);
     if (!(noise.correlated_um > 0.0)) return fmt::format("The residual is not noise ({}).", p);
-    return fmt::format("The residual is not noise ({}): something with a memory of about {} is left.", p,
+    return fmt::format("The residual is not noise ({}): something that changes slowly (about {}) is missing.", p,
                        duration(noise.correlation_time_s));
   }
-  const double memory_um2 = fit.noise.correlated_um * fit.noise.correlated_um;
+  const double slow_um2 = fit.noise.correlated_um * fit.noise.correlated_um;
   const double white_um2 = fit.noise.white_um * fit.noise.white_um;
-  if (memory_um2 > kMemory * (memory_um2 + white_um2)) {
-    return fmt::format(
-        "What is left has a memory of about {}: noise of that kind, or an effect that the model does not have (p = "
-        "{:.2f}).",
-        duration(fit.noise.correlation_time_s), whiteness.p);
+  if (slow_um2 > kSlow * (slow_um2 + white_um2)) {
+    return fmt::format("The residual changes slowly (about {}): slow noise or a missing effect ({}).",
+                       duration(fit.noise.correlation_time_s), p);
   }
-  return fmt::format("What is left is as noise would be (p = {:.2f}).", whiteness.p);
+  return fmt::format("The residual looks like noise ({}).", p);
 }
 
 }  // namespace
@@ -288,7 +280,7 @@ std::string worst_place(const Fit& fit, const std::vector<Misfit>& where) {
 
 std::vector<std::string> sentences(const Fit& fit, const std::vector<Misfit>& where, const Whiteness& whiteness) {
   if (!fit.discounted.empty()) return sentences(inliers_of(fit), where, whiteness);
-  return {of_floor(fit), of_place(fit, where), of_rest(fit, whiteness)};
+  return {of_noise(fit), of_place(fit, where), of_rest(fit, whiteness)};
 }
 
 }  // namespace ballbar

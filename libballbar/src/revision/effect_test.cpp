@@ -22,7 +22,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
-constexpr const char* kLowLikelihoodRatio = "it makes the readings hardly more likely";
+constexpr const char* kLowLikelihoodRatio = "the evidence for it is weak";
 
 std::size_t free_parameters(const Term& term) {
   return static_cast<std::size_t>(
@@ -34,7 +34,7 @@ Candidate untestable_candidate(const BoundEffect& bound) {
   Candidate one;
   one.bound = bound;
   one.label = label_of(bound);
-  one.doubts.emplace_back("what it adds cannot be told from the model");
+  one.doubts.emplace_back("the model can already produce what it adds");
   return one;
 }
 

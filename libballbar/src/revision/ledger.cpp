@@ -31,7 +31,7 @@ std::string change_text(double before, double after, Text text) {
 
 std::string needed_text(const std::vector<std::string>& labels, std::string_view what) {
   if (labels.empty()) return "";
-  return fmt::format("; {} {} {}", fmt::join(labels, ", "), labels.size() == 1 ? "is" : "are", what);
+  return fmt::format(" {} {} {}.", fmt::join(labels, ", "), labels.size() == 1 ? "is" : "are", what);
 }
 
 // "added A, B and took out C", "set D to 3.2, held"
@@ -81,33 +81,33 @@ std::string sentence(const LedgerRow& row, const LedgerRow* before) {
   const LedgerRow none{.rmse_um = LedgerRow::kUnknown};
   const LedgerRow& from = same ? *before : none;
   std::string text = row.revision == 0 ? "The model started with"
-                                       : fmt::format("Revision {} {}:", row.revision, done_text(row.change));
+                                       : fmt::format("Revision {} {}.", row.revision, done_text(row.change));
   text += fmt::format(" RMSE {} um", change_text(from.rmse_um, row.rmse_um, um_text));
   if (std::isfinite(row.times_floor)) {
-    text += fmt::format(" ({} times the floor)", change_text(from.times_floor, row.times_floor, times_text));
+    text += fmt::format(" ({} times the noise)", change_text(from.times_floor, row.times_floor, times_text));
   }
   if (std::isfinite(row.held_out_um)) {
     text += fmt::format(", left-out {} {} um", row.level == Level::recording ? "recordings" : "cycles",
                         change_text(from.held_out_um, row.held_out_um, um_text));
   }
+  text += '.';
   if (std::isfinite(row.likelihood_ratio)) {
     const bool of_errors = row.level == Level::recording && !std::isfinite(row.best_surrogate_fall);
-    text += fmt::format("; {} {:.1f}", of_errors ? "chi^2" : "2 ln B", row.likelihood_ratio);
-    if (std::isfinite(row.threshold)) text += fmt::format(", which counts from {:.1f}", row.threshold);
+    text += fmt::format(" {} is {:.1f}", of_errors ? "chi^2" : "2 ln B", row.likelihood_ratio);
+    if (std::isfinite(row.threshold)) text += fmt::format(" (threshold {:.1f})", row.threshold);
+    text += '.';
   }
   if (std::isfinite(row.best_surrogate_fall)) {
-    text += fmt::format("{} a surrogate effect would have bought up to {:.0f} %",
-                        std::isfinite(row.likelihood_ratio) ? ", and" : ";", 100.0 * row.best_surrogate_fall);
+    text += fmt::format(" A random curve lowers the RMSE by up to {:.0f} %.", 100.0 * row.best_surrogate_fall);
   }
   if (std::isfinite(row.forecast_um) && row.revision > 0) {
-    text += fmt::format("; forecasts {} um", change_text(from.forecast_um, row.forecast_um, um_text));
+    text += fmt::format(" Forecast error {} um", change_text(from.forecast_um, row.forecast_um, um_text));
     if (std::isfinite(row.surrogate_forecast_um)) {
-      text += fmt::format(", {} um with as many surrogates", um_text(row.surrogate_forecast_um));
+      text += fmt::format(", {} um with as many random curves", um_text(row.surrogate_forecast_um));
     }
+    text += '.';
   }
-  text += needed_text(row.still_needed, "still needed");
-  text += needed_text(row.no_longer_needed, "no longer needed");
-  return text + '.';
+  return text + needed_text(row.still_needed, "still needed") + needed_text(row.no_longer_needed, "no longer needed");
 }
 
 }  // namespace ballbar

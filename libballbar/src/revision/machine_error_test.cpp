@@ -14,7 +14,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kDropTestOfErrors = 0.001;  // p of chi^2, the same of errors of the axes
-constexpr const char* kNotClear = "it is not clear among all errors of the axes";
+constexpr const char* kNotClear = "it is not significant beside the other errors of the axes";
 
 struct Errors {
   ErrorFitted fitted;
@@ -79,7 +79,7 @@ Candidate candidate_of_error(const Model& model, std::size_t place, const Fit& a
       ranked->chi2 > 0.0 ? candidate.amplitude_um / std::sqrt(ranked->chi2) : Candidate::kUnknown;
   if (!ranked->significant) candidate.doubts.emplace_back(kNotClear);
   if (ranked->predicts_other_run == false)
-    candidate.doubts.emplace_back("recordings left out are not predicted better");
+    candidate.doubts.emplace_back("it does not predict left-out recordings better");
   return candidate;
 }
 

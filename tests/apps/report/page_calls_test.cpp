@@ -178,7 +178,7 @@ TEST(PageCalls, an_effect_is_removed_and_the_file_without_it_is_a_revision) {
   EXPECT_EQ(row["change"], "- expansion(T_housing_degC)");
   EXPECT_EQ(row["verdict"], "by hand");
   EXPECT_EQ(row["rmse_um"], removed["check"]["targets"][0]["rmse_um"]);
-  EXPECT_EQ(row["sentence"].get<std::string>().substr(0, 52), "Revision 2 took out expansion(T_housing_degC): RMSE ");
+  EXPECT_EQ(row["sentence"].get<std::string>().substr(0, 52), "Revision 2 took out expansion(T_housing_degC). RMSE ");
   EXPECT_EQ(PageCalls().answer(desk.call("fitted")), calls.answer(desk.call("fitted")));
   // As a page takes it back.
   write_bytes(desk.model, with_both);

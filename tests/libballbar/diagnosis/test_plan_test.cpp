@@ -111,7 +111,7 @@ TEST(test_plan, what_is_inseparable_is_said_before_any_test) {
                        [](const BoundEffect& one) { return one.columns == std::vector<std::string>{"T_twin_degC"}; });
   };
   EXPECT_TRUE(std::any_of(plan.inseparable.begin(), plan.inseparable.end(), holds_twin));
-  EXPECT_NE(plan.sentence.find("No test can tell"), std::string::npos) << plan.sentence;
+  EXPECT_NE(plan.sentence.find("No test can distinguish"), std::string::npos) << plan.sentence;
 }
 
 // In noise of 0.3 um the housing itself is known already: one of 0.7 um leaves open what follows the speed.

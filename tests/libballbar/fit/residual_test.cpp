@@ -299,11 +299,12 @@ TEST(Sentences, of_a_model_that_fails) {
   const std::vector<std::string> found = sentences(fit, where_it_fails(fit, data), whiteness(fit));
   ASSERT_EQ(found.size(), 3U);
   EXPECT_EQ(found[0],
-            "The model leaves 0.801 um, 8.0 times what no model could explain. The floor is 0.1 um (standstill from "
+            "Remaining error 0.801 um RMS, 8.0 times the noise. The noise is 0.1 um (standstill from "
             "510 to 569 min).");
-  EXPECT_EQ(found[1],
-            "It fails most after a change of speed: 99 % of the misfit in 7 % of the readings, bias -3.00 ± 0.13 um.");
-  EXPECT_EQ(found[2].substr(0, 70), "The residual is not noise (p < 0.001): something with a memory of abou");
+  EXPECT_EQ(
+      found[1],
+      "The model fails most after a change of speed: 99 % of the misfit in 7 % of the readings, bias -3.00 ± 0.13 um.");
+  EXPECT_EQ(found[2].substr(0, 73), "The residual is not noise (p < 0.000001): something that changes slowly (");
 }
 
 TEST(Sentences, of_a_model_that_is_adequate) {
@@ -312,22 +313,20 @@ TEST(Sentences, of_a_model_that_is_adequate) {
   fit.rmse_um = 1.0;
   const std::vector<std::string> found =
       sentences(fit, where_it_fails(fit, series_with(400, {})), Whiteness{{}, 0.05, 0.42});
-  EXPECT_EQ(found,
-            (std::vector<std::string>{
-                "The model leaves 1 um, as little as any model could. The floor is 0.98 um (3 pairs of repeats).",
-                "It fails nowhere more than elsewhere.", "What is left is as noise would be (p = 0.42)."}));
+  EXPECT_EQ(found, (std::vector<std::string>{
+                       "Remaining error 1 um RMS, no more than the noise. The noise is 0.98 um (3 pairs of repeats).",
+                       "The misfit is spread evenly over the data.", "The residual looks like noise (p = 0.42)."}));
 }
 
 TEST(Sentences, of_noise_with_a_memory_and_of_few_readings) {
   const Fit fit = fit_with(white(400, 9), {0.5, 1.0, 2100.0, 0.0});
   EXPECT_EQ(sentences(fit, {}, Whiteness{{}, 0.05, 0.42})[2],
-            "What is left has a memory of about 35 min: noise of that kind, or an effect that the model does not have "
-            "(p = 0.42).");
+            "The residual changes slowly (about 35 min): slow noise or a missing effect (p = 0.42).");
   Fit few = fit_with({1.0, -1.0, 1.0, -1.0});
   const std::vector<std::string> found = sentences(few, {}, whiteness(few));
-  EXPECT_EQ(found[0], "The model leaves 1 um; what a true model could leave at least is not known.");
-  EXPECT_EQ(found[1], "It fails nowhere more than elsewhere.");
-  EXPECT_EQ(found[2], "With 4 readings it cannot be said whether what is left is noise.");
+  EXPECT_EQ(found[0], "Remaining error 1 um RMS. The noise is not known.");
+  EXPECT_EQ(found[1], "The misfit is spread evenly over the data.");
+  EXPECT_EQ(found[2], "4 readings are too few to tell whether the residual is noise.");
 }
 
 // A group of the time, of a signal and at a value.
@@ -337,13 +336,13 @@ TEST(Sentences, name_the_place) {
     return sentences(fit, {Misfit{what, from, to, 2, 1.2, 0.31, 3.0, 0.75}}, {})[1];
   };
   const std::string rest = ": 75 % of the misfit in 20 % of the readings, bias 1.2 ± 0.3 um.";
-  EXPECT_EQ(second("time", "0 min", "60 min"), "It fails most from 0 to 60 min" + rest);
+  EXPECT_EQ(second("time", "0 min", "60 min"), "The model fails most from 0 to 60 min" + rest);
   EXPECT_EQ(second("T_air_degC", "20 degC", "22.5 degC"),
-            "It fails most where T_air_degC is from 20 to 22.5 degC" + rest);
-  EXPECT_EQ(second("speed_rpm", "0 rpm", "0 rpm"), "It fails most where speed_rpm is at 0 rpm" + rest);
-  EXPECT_EQ(second("regime", "warming", "warming"), "It fails most while warming" + rest);
-  EXPECT_EQ(second("regime", "steady", "steady"), "It fails most at steady speed" + rest);
-  EXPECT_EQ(second("regime", "standstill", "standstill"), "It fails most at standstill" + rest);
+            "The model fails most where T_air_degC is from 20 to 22.5 degC" + rest);
+  EXPECT_EQ(second("speed_rpm", "0 rpm", "0 rpm"), "The model fails most where speed_rpm is at 0 rpm" + rest);
+  EXPECT_EQ(second("regime", "warming", "warming"), "The model fails most while warming" + rest);
+  EXPECT_EQ(second("regime", "steady", "steady"), "The model fails most at steady speed" + rest);
+  EXPECT_EQ(second("regime", "standstill", "standstill"), "The model fails most at standstill" + rest);
 }
 
 }  // namespace

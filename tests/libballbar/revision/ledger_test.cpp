@@ -43,14 +43,14 @@ TEST(Ledger, row_of_a_constant_by_hand) {
 
 TEST(Ledger, sentence_of_the_start) {
   EXPECT_EQ(sentence(row(0, "start", 12.34, 4.0, 140.4), nullptr),
-            "The model started with RMSE 12.3 um (4.00 times the floor), left-out cycles 140 um.");
+            "The model started with RMSE 12.3 um (4.00 times the noise), left-out cycles 140 um.");
 }
 
 TEST(Ledger, sentence_of_recordings) {
   LedgerRow of_recordings = row(0, "start", 12.34, 4.0, 140.4);
   of_recordings.level = Level::recording;
   EXPECT_EQ(sentence(of_recordings, nullptr),
-            "The model started with RMSE 12.3 um (4.00 times the floor), left-out recordings 140 um.");
+            "The model started with RMSE 12.3 um (4.00 times the noise), left-out recordings 140 um.");
 }
 
 TEST(Ledger, sentence_of_an_addition) {
@@ -62,10 +62,9 @@ TEST(Ledger, sentence_of_an_addition) {
   after.still_needed = {"speed_heating(speed_rpm)"};
   EXPECT_EQ(
       sentence(after, &before),
-      "Revision 2 added lagged_expansion(T16_degC): RMSE 12.3 -> 3.10 um (14.0 -> 1.00 times the floor), left-out "
-      "cycles 14.0 -> 3.90 um; 2 ln B 431.2, which counts from 25.0, and a surrogate effect would have "
-      "bought up to "
-      "27 %; speed_heating(speed_rpm) is still needed.");
+      "Revision 2 added lagged_expansion(T16_degC). RMSE 12.3 -> 3.10 um (14.0 -> 1.00 times the noise), left-out "
+      "cycles 14.0 -> 3.90 um. 2 ln B is 431.2 (threshold 25.0). A random curve lowers the RMSE by up to 27 %. "
+      "speed_heating(speed_rpm) is still needed.");
 }
 
 TEST(Ledger, sentence_of_effects_taken_out) {
@@ -74,7 +73,7 @@ TEST(Ledger, sentence_of_effects_taken_out) {
                         LedgerRow::kUnknown);
   after.no_longer_needed = {"linear_drift", "day_cycle"};
   EXPECT_EQ(sentence(after, &before),
-            "Revision 2 added gradient_bending(T3_degC, T16_degC) and took out step, settling: RMSE 0.500 -> 0.250 um; "
+            "Revision 2 added gradient_bending(T3_degC, T16_degC) and took out step, settling. RMSE 0.500 -> 0.250 um. "
             "linear_drift, day_cycle are no longer needed.");
 }
 
@@ -83,7 +82,7 @@ TEST(Ledger, sentence_after_a_row_of_other_data) {
   LedgerRow before = row(0, "start", 12.3, 4.0, 14.0);
   const LedgerRow after = row(1, "+ step", 3.1, 1.0, 3.9);
   before.data = {"other.csv"};
-  const std::string alone = "Revision 1 added step: RMSE 3.10 um (1.00 times the floor), left-out cycles 3.90 um.";
+  const std::string alone = "Revision 1 added step. RMSE 3.10 um (1.00 times the noise), left-out cycles 3.90 um.";
   EXPECT_EQ(sentence(after, &before), alone);
   EXPECT_EQ(sentence(after, nullptr), alone);
   before.data = after.data;

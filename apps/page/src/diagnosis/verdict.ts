@@ -18,12 +18,11 @@ const kSure_driver = 0.9; // P, as in the program's sentence
 const same = (a: Bound, b: Bound): boolean =>
   a.effect === b.effect && JSON.stringify(a.columns) === JSON.stringify(b.columns);
 
-// "very likely (98 %)": words and steps are the program's.
+// "98 % sure"
 const p_text = (p: Num): string => {
   if (p === null) return "–";
-  const words = p >= 0.9 ? t.sure.very_likely : p >= 0.65 ? t.sure.likely : p > 0.35 ? t.sure.even : p > 0.1 ? t.sure.unlikely : t.sure.very_unlikely;
   const percent = p >= 0.995 ? t.sure_over : p < 0.005 ? t.sure_under : `${shown(100 * p, 0)} %`;
-  return t.sure_text({ words, percent });
+  return t.sure_text({ percent });
 };
 
 // "2 h 11 min"
@@ -53,10 +52,11 @@ export const place_sentence = ({ where, n }: Pick<Checked, "where" | "n">): stri
   return t.diagnosis_fails_most({ place: worst.what === "time" ? range : t.diagnosis_place_of({ what: plain(place_name(worst.what), 50), range }) });
 };
 
-const effect_text = ({ candidates, effects }: Diagnosed, bound: Bound): string => {
+// No larger than what all explain together: another effect may cancel a part of it.
+const effect_text = ({ candidates, effects, explained_um }: Diagnosed, bound: Bound): string => {
   const candidate = candidates.find((one) => same(one, bound));
   const effect = effects.find((one) => same(one, bound));
-  const size_um = candidate?.amplitude_um ?? 0;
+  const size_um = Math.min(candidate?.amplitude_um ?? 0, (explained_um ?? 0) > 0 ? (explained_um ?? 0) : Infinity);
   const size = size_um > 0 ? rounded(size_um, 2) : "";
   const label = effect?.label ?? candidate?.label ?? bound.effect;
   const p = p_text(effect?.p ?? candidate?.p ?? null);

@@ -201,7 +201,7 @@ export const de: Texts = {
   errors_conclusion:
     ({ circularity, error, without }) => `Die Behebung von ${error} senkt die Kreisformabweichung von ${circularity} auf ${without} µm.`,
   errors_conclusion_none:
-    ({ circularity }) => `Die Kreisformabweichung beträgt ${circularity} µm, und kein Fehler der Achsen ragt aus dem Rauschen.`,
+    ({ circularity }) => `Die Kreisformabweichung beträgt ${circularity} µm. Kein Fehler der Achsen ist signifikant.`,
   errors_of_axis: ({ name, axis }) => `${name} ${axis}`,
   errors_gain: "Gewinn µm",
   errors_whole_table: "Alle Fehler, daneben die Werte des Messgeräts",
@@ -387,13 +387,13 @@ export const de: Texts = {
   model_contributions_caption: "Jeder Effekt seit Beginn, gestapelt; die Linie ist das Modell.",
   model_contributions_about:
     "Was das Modell hebt, geht von null nach oben, was es senkt, nach unten. Oben minus unten ist das Modell.",
-  model_floor_band: "± Grundrauschen",
-  floor: "Grundrauschen",
+  model_floor_band: "± Rauschen",
+  floor: "Rauschen",
   model_error_bars: "Fehlerbalken",
   model_fit_title: "Gemessen, Modell, Residuum",
   model_fit_caption: "Oben gemessen (Punkte) und Modell (Linie); unten gemessen minus Modell.",
   model_fit_bars: "Balken sind ein Sigma.",
-  model_fit_floor: "Die gestrichelten Linien sind das Grundrauschen, etwa was Rauschen allein übrig ließe.",
+  model_fit_floor: "Die gestrichelten Linien sind das Rauschen: etwa der Fehler, der mit einem vollkommenen Modell bliebe.",
   model_fit_regimes: "Die Schattierungen sind die Betriebszustände der Drehzahl.",
   model_where_title: "Wo es versagt, das Schlimmste zuerst",
   model_where_worst: ({ rows, all }) => `Wo es versagt: die ${rows} schlimmsten von ${all}`,
@@ -419,9 +419,9 @@ export const de: Texts = {
     "Der Eingang springt bei 0 min und bleibt; die anderen bleiben auf ihrem Median. Die Höhe ist, was der Sprung beiträgt, der Weg dorthin, wie langsam es kommt.",
   model_steps_axis: "Zeit nach dem Sprung, min",
   model_result:
-    ({ rmse, floor, parameters }) => `RMSE ${rmse} µm${floor === "" ? "" : `, das ${floor}-Fache des Grundrauschens`}; ${parameters} Parameter`,
+    ({ rmse, floor, parameters }) => `RMSE ${rmse} µm${floor === "" ? "" : `, das ${floor}-Fache des Rauschens`}; ${parameters} Parameter`,
   model_leaves:
-    ({ rmse, times }) => `Das Modell lässt ${rmse} µm übrig${times === "" ? "; was ein wahres Modell mindestens übrig ließe, ist nicht bekannt" : `, das ${times}-Fache des Grundrauschens`}.`,
+    ({ rmse, times }) => `Restfehler ${rmse} µm RMS${times === "" ? "" : `, das ${times}-Fache des Rauschens`}.`,
   model_target: "Zielgröße",
   model_find: "Finden, was fehlt",
   regimes: {
@@ -454,9 +454,9 @@ export const de: Texts = {
   diagnosis_verdict: ({ verdict }) => `Befund: ${verdict}.`,
   diagnosis_why: "Warum es nicht oder nicht ganz benannt ist:",
   diagnosis_predicted:
-    ({ expected, today }: { expected: string; today: string }) => `Vorhersagen lässt es sich dennoch: Auf neuen Zeilen sind ${expected} µm RMSE zu erwarten, mit dem jetzigen Modell ${today} µm.`,
+    ({ expected, today }: { expected: string; today: string }) => `Vorhersagen lässt es sich dennoch: Auf neuen Zeilen beträgt der RMSE einer Regression auf alle Effekte ${expected} µm, der des Modells ${today} µm.`,
   diagnosis_not_predicted:
-    ({ expected, today }: { expected: string; today: string }) => `Auch vorhersagen lässt es sich nicht: Auf neuen Zeilen lässt eine Regression über alle Effekte ${expected} µm RMSE, das Modell ${today} µm.`,
+    ({ expected, today }: { expected: string; today: string }) => `Auch vorhersagen lässt es sich nicht: Auf neuen Zeilen beträgt der RMSE einer Regression auf alle Effekte ${expected} µm, der des Modells ${today} µm.`,
   diagnosis_to_decide: "Zur Entscheidung:",
   diagnosis_untestable: "Hier nicht prüfbar",
   diagnosis_not_searched: "Nicht durchsucht",
@@ -485,7 +485,7 @@ export const de: Texts = {
   diagnosis_star_best: "* die beste Gruppe, jeder neben den anderen.",
   diagnosis_star_closest: "* das Nächstliegende im Katalog, nicht angenommen, jeder neben den anderen.",
   diagnosis_columns:
-    ({ left_out, surrogates }) => `P: dass er fehlt. 2 ln B: 2 ln davon, wie viel wahrscheinlicher die Messwerte mit ihm sind; 10 ist 150 zu 1. RMSE mit ihm; ausgelassen: ${left_out} weggelassen, vorher und nachher; ${surrogates ? "Surrogate treten gegen die mit * an; " : ""}nicht zu trennen von: Zeilen, und Effekte ohne Zeile.`,
+    ({ left_out, surrogates }) => `P: Wahrscheinlichkeit, dass der Effekt fehlt. 2 ln B: 10 heißt, dass die Messwerte mit dem Effekt 150-mal so wahrscheinlich sind. RMSE: Restfehler mit dem Effekt. Ausgelassen: Fehler in ${left_out}, die der Fit nicht verwendet, ohne und mit dem Effekt. ${surrogates ? "Zufallskurven treten gegen die mit * an. " : ""}Zu verwechseln mit: Zeilen, und Effekte ohne Zeile.`,
   diagnosis_left_out_recordings: "Messläufe, oder Viertel davon,",
   diagnosis_left_out_cycles: "Zyklen",
   diagnosis_no: "Nr.",
@@ -494,7 +494,7 @@ export const de: Texts = {
   diagnosis_rmse: "RMSE, µm",
   diagnosis_held_out: "ausgelassen, µm",
   diagnosis_beats: "schlägt Surrogate",
-  diagnosis_inseparable: "nicht zu trennen von",
+  diagnosis_inseparable: "zu verwechseln mit",
   diagnosis_not_tested: "nicht geprüft",
   diagnosis_more: ({ more }) => `${more} weitere`,
   diagnosis_coherence_title: "Welche Effekte verwechselt werden können",
@@ -517,8 +517,8 @@ export const de: Texts = {
   diagnosis_no_evidence_of_several:
     ({ effects, percent }) => `Auch eine gleich glatte Zufallskurve ohne Ursache senkt ihn. Ein solches Surrogat stand an der Stelle eines der ${effects} Effekte, neben den anderen${percent === "" ? "" : `: Es nahm bis zu ${percent} % des RMSE weg, den sie übrig lassen`}. Wie tief das ist, ist nicht bekannt, und keine Linie ist gezeichnet.`,
   diagnosis_not_known: ({ missing }) => `Nicht bekannt: ${missing}.`,
-  diagnosis_the_floor: "das Grundrauschen",
-  diagnosis_the_surrogate: "was ein Surrogat gebracht hätte",
+  diagnosis_the_floor: "das Rauschen",
+  diagnosis_the_surrogate: "was eine Zufallskurve gebracht hätte",
   diagnosis_the_left_out: "der Fehler des Ausgelassenen",
   diagnosis_fall_none: "Kein Effekt wurde gefunden, keiner wird vorgeschlagen.",
   diagnosis_fall_hollow:
@@ -542,7 +542,7 @@ export const de: Texts = {
   diagnosis_own:
     ({ parameter, effect, held, range }) => `${parameter} von ${effect} ist nicht ${held}; es wäre ${range}`,
   diagnosis_slow:
-    ({ size }) => size === "" ? "eine langsame Kurve ohne Ursache bleibt" : `eine langsame Kurve ohne Ursache bleibt, von ${size} µm`,
+    ({ size }) => size === "" ? "eine langsame Drift ohne bekannte Ursache bleibt" : `eine langsame Drift ohne bekannte Ursache bleibt, ±${size} µm`,
   diagnosis_nothing: "nichts fehlt",
   diagnosis_ledger: "Was jede Revision brachte",
   diagnosis_revisions: "Revisionen",
@@ -552,11 +552,11 @@ export const de: Texts = {
   diagnosis_change: "Änderung",
   diagnosis_target: "Zielgröße",
   diagnosis_parameters: "Parameter",
-  diagnosis_times_floor: "× Grundrauschen",
+  diagnosis_times_floor: "Vielfaches des Rauschens",
   diagnosis_left_out_um: "ausgelassen, µm",
   diagnosis_likelihood_about:
     "2 ln B: 2 ln davon, wie viel wahrscheinlicher die Messwerte mit der Änderung sind, bei Achsfehlern chi².",
-  diagnosis_counts_from: "zählt ab",
+  diagnosis_counts_from: "Schwelle",
   diagnosis_surrogate_fall: "Abfall des besten Surrogats, %",
   diagnosis_surrogate_fall_about: "Der Abfall des besten Surrogats bezieht sich auf den RMSE.",
   diagnosis_forecasts: "Vorhersagen, µm",
@@ -605,17 +605,10 @@ export const de: Texts = {
   diagnosis_with_without_about:
     "Mit ihm geben die eigenen Parameter des Modells nach, wie sie es beim Aufnehmen täten. Der RMSE gilt für alle Zeilen.",
   diagnosis_measured_about: "Der RMSE gilt für alle Zeilen.",
-  sure: {
-    very_likely: "sehr wahrscheinlich",
-    likely: "wahrscheinlich",
-    even: "etwa gleich wahrscheinlich",
-    unlikely: "unwahrscheinlich",
-    very_unlikely: "sehr unwahrscheinlich",
-  },
-  sure_text: ({ words, percent }: { words: string; percent: string }) => `${words} (${percent})`,
+  sure_text: ({ percent }: { percent: string }) => `${percent} sicher`,
   sure_over: "über 99 %",
   sure_under: "unter 1 %",
-  diagnosis_fails_most: ({ place }: { place: string }) => `Am meisten versagt es ${place}.`,
+  diagnosis_fails_most: ({ place }: { place: string }) => `Am schlechtesten passt das Modell ${place}.`,
   diagnosis_place_range: ({ from, to }: { from: string; to: string }) => `von ${from} bis ${to}`,
   diagnosis_place_regime: ({ regime }: { regime: string }) => `im Betriebszustand ${regime}`,
   diagnosis_place_of: ({ what, range }: { what: string; range: string }) => `bei ${what} ${range}`,
@@ -623,16 +616,16 @@ export const de: Texts = {
   drift_thinned: ({ shown, rows }: { shown: string; rows: string }) => `Gezeichnet sind ${shown} von ${rows} Zeilen: von jedem Abschnitt der kleinste und der größte Wert jeder Spalte.`,
   diagnosis_says_named: ({ target, effects }) => `Dem Modell von ${target} fehlt: ${effects}.`,
   diagnosis_says_probable: ({ target, effects }) => `Dem Modell von ${target} fehlt wahrscheinlich: ${effects}.`,
-  diagnosis_says_effect: ({ effect, size, p }) => `${effect}${size === "" ? "" : `, ${size} µm`}, ${p}`,
-  diagnosis_says_own: ({ own, p }) => `Im Modell: ${own}, ${p}.`,
+  diagnosis_says_effect: ({ effect, size, p }) => `${effect}${size === "" ? "" : `, ${size} µm`} (${p})`,
+  diagnosis_says_own: ({ own, p }) => `Im Modell: ${own} (${p}).`,
   diagnosis_says_driver:
-    ({ target, column, p }) => `${column} treibt etwas, das dem Modell von ${target} fehlt, ${p}; die Form ist offen.`,
+    ({ target, column, p }) => `${column} treibt einen Teil, den das Modell von ${target} nicht erklärt (${p}). Die Form ist offen.`,
   diagnosis_says_equivalent:
-    ({ target, effects, p }) => `Dem Modell von ${target} fehlt etwas, ${p}; die Daten können nicht entscheiden, was davon: ${effects}.`,
+    ({ target, effects, p }) => `Dem Modell von ${target} fehlt etwas (${p}). Die Daten entscheiden nicht, welcher dieser Effekte es ist: ${effects}.`,
   diagnosis_says_unexplained:
-    ({ target, size, p }) => `Dem Modell von ${target} fehlt etwas, das kein Effekt des Katalogs erklärt${size === "" ? "" : `, eine langsame Kurve von etwa ${size} µm`}, ${p}.`,
+    ({ target, size, p }) => `Dem Modell von ${target} fehlt etwas, das kein bekannter Effekt erklärt${size === "" ? "" : `: ±${size} µm langsame Drift`} (${p}).`,
   diagnosis_says_untestable: "Diese Daten hätten einen fehlenden Effekt nicht zeigen können.",
-  diagnosis_says_nothing: ({ target, p }) => `Dem Modell von ${target} fehlt nichts, was diese Daten zeigen, ${p}.`,
+  diagnosis_says_nothing: ({ target, p }) => `Dem Modell von ${target} fehlt nichts Weiteres, was diese Daten zeigen könnten (${p}).`,
 
   // batch
   batch_heading: ({ target }) => `${target}, aus Losen vorhergesagt`,
@@ -852,7 +845,7 @@ export const de: Texts = {
     what: "was",
     verdict: "Befund",
     step: "Schritt",
-    floor: "Grundrauschen",
+    floor: "Rauschen",
     best_surrogate: "bestes Surrogat",
     left_out: "ausgelassen",
     forecast: "Vorhersage",

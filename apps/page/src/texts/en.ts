@@ -392,13 +392,13 @@ export const en = {
   model_contributions_caption: "Each effect since the start, stacked; the line is the model.",
   model_contributions_about:
     "What raises the model goes up from zero, what lowers it goes down. Up less down is the model.",
-  model_floor_band: "± floor",
-  floor: "floor",
+  model_floor_band: "± noise",
+  floor: "noise",
   model_error_bars: "error bars",
   model_fit_title: "Measured, model, residual",
   model_fit_caption: "Above, measured (points) and the model (line); below, measured less model.",
   model_fit_bars: "Bars are one sigma.",
-  model_fit_floor: "The dashed lines are the floor, about what noise alone would leave.",
+  model_fit_floor: "The dashed lines are the noise: about the error that would remain with a perfect model.",
   model_fit_regimes: "The shades are the regimes of the speed.",
   model_where_title: "Where it fails, worst first",
   model_where_worst: ({ rows, all }: { rows: number; all: number }) => `Where it fails: the ${rows} worst of ${all}`,
@@ -424,11 +424,11 @@ export const en = {
     "The input steps at 0 min and stays there; the others stay at their median. The height is what the step adds, the way there how slowly it comes.",
   model_steps_axis: "time after the step, min",
   model_result:
-    ({ rmse, floor, parameters }: { rmse: string; floor: string; parameters: number }) => `RMSE ${rmse} µm${floor === "" ? "" : `, ${floor} times the floor`}; ${parameters} ${parameters === 1 ? "parameter" : "parameters"}`,
+    ({ rmse, floor, parameters }: { rmse: string; floor: string; parameters: number }) => `RMSE ${rmse} µm${floor === "" ? "" : `, ${floor} times the noise`}; ${parameters} ${parameters === 1 ? "parameter" : "parameters"}`,
   model_leaves:
-    ({ rmse, times }: { rmse: string; times: string }) => `The model leaves ${rmse} µm${times === "" ? "; what a true model could leave at least is not known" : `, ${times} times the floor`}.`,
+    ({ rmse, times }: { rmse: string; times: string }) => `Remaining error ${rmse} µm RMS${times === "" ? "" : `, ${times} times the noise`}.`,
   model_target: "Target",
-  model_find: "Find what it lacks",
+  model_find: "Find what is missing",
   regimes: {
     warming: "warming",
     cooling: "cooling",
@@ -455,13 +455,13 @@ export const en = {
   },
 
   // diagnosis
-  diagnosis_lacks: ({ target }: { target: string }) => `What the model of ${target} lacks`,
+  diagnosis_lacks: ({ target }: { target: string }) => `What is missing from the model of ${target}`,
   diagnosis_verdict: ({ verdict }: { verdict: string }) => `Verdict: ${verdict}.`,
   diagnosis_why: "Why it is not named, or not all of it:",
   diagnosis_predicted:
-    ({ expected, today }: { expected: string; today: string }) => `It can be predicted all the same: ${expected} µm RMSE expected on new rows, ${today} µm by the model as it is.`,
+    ({ expected, today }: { expected: string; today: string }) => `It can still be predicted: on new rows the RMSE of a regression on all effects is ${expected} µm, that of the model ${today} µm.`,
   diagnosis_not_predicted:
-    ({ expected, today }: { expected: string; today: string }) => `Nor can it be predicted: on new rows a regression on all effects leaves ${expected} µm RMSE, the model ${today} µm.`,
+    ({ expected, today }: { expected: string; today: string }) => `It cannot be predicted either: on new rows the RMSE of a regression on all effects is ${expected} µm, that of the model ${today} µm.`,
   diagnosis_to_decide: "To decide:",
   diagnosis_untestable: "Not testable here",
   diagnosis_not_searched: "Not searched",
@@ -491,24 +491,24 @@ export const en = {
   diagnosis_star_best: "* the best set, each beside the others.",
   diagnosis_star_closest: "* the closest that the catalogue comes, not accepted, each beside the others.",
   diagnosis_columns:
-    ({ left_out, surrogates }: { left_out: string; surrogates: boolean }) => `P: that it is missing. 2 ln B: 2 ln of how much more likely the readings are with it; 10 is 150 to 1. RMSE with it; held out: ${left_out} left out, before and after; ${surrogates ? "surrogates are tried against those with *; " : ""}not told from: rows, and effects without one.`,
+    ({ left_out, surrogates }: { left_out: string; surrogates: boolean }) => `P: probability that the effect is missing. 2 ln B: 10 means that the readings are 150 times as likely with the effect. RMSE: remaining error with the effect. Left out: error in ${left_out} that the fit did not use, without and with the effect. ${surrogates ? "Random curves compete with those marked *. " : ""}Confused with: rows, and effects without a row.`,
   diagnosis_left_out_recordings: "recordings, or quarters of their sweeps,",
   diagnosis_left_out_cycles: "cycles",
   diagnosis_no: "no.",
   diagnosis_one_candidate: "candidate",
   diagnosis_amplitude: "amplitude, µm",
   diagnosis_rmse: "RMSE, µm",
-  diagnosis_held_out: "held out, µm",
+  diagnosis_held_out: "left out, µm",
   diagnosis_beats: "beats surrogates",
-  diagnosis_inseparable: "not told from",
+  diagnosis_inseparable: "confused with",
   diagnosis_not_tested: "not tested",
   diagnosis_more: ({ more }: { more: number }) => `${more} more`,
-  diagnosis_coherence_title: "Which effects may be taken for each other",
+  diagnosis_coherence_title: "Which effects may be confused",
   diagnosis_coherence_caption:
     "Along a row: how well each other effect imitates this one beside the model, |cos|, 0 to 1.",
   diagnosis_coherence_about:
-    "Before anything is added, of typical shapes (the median over shapes), each effect with the columns named: |cos| between what survives of the two. A frame and ≡, above 0.95: the two may be taken for each other. Which candidates of this fit are not told apart stands in their table (not told from). An empty cell is the effect itself, or not known.",
-  diagnosis_may_be_taken: "may be taken for each other",
+    "Before anything is added, of typical shapes (the median over shapes), each effect with the columns named: |cos| between what survives of the two. A frame and ≡, above 0.95: the two may be confused. The table of candidates says which of them are confused in this fit. An empty cell is the effect itself, or not known.",
+  diagnosis_may_be_taken: "may be confused",
   diagnosis_imitated_by: ({ effect }: { effect: string }) => `imitated by ${effect}`,
   diagnosis_same_curve: "1: the same curve",
   diagnosis_nothing_common: "0: nothing in common",
@@ -523,8 +523,8 @@ export const en = {
   diagnosis_no_evidence_of_several:
     ({ effects, percent }: { effects: number; percent: string }) => `A random curve as smooth that has no cause lowers it too. Such a surrogate stood in the place of one of the ${effects} effects, beside the others${percent === "" ? "" : `: it took up to ${percent} % off the RMSE that they leave`}. How low that is is not known, and no line is drawn.`,
   diagnosis_not_known: ({ missing }: { missing: string }) => `Not known: ${missing}.`,
-  diagnosis_the_floor: "the floor",
-  diagnosis_the_surrogate: "what a surrogate would have bought",
+  diagnosis_the_floor: "the noise",
+  diagnosis_the_surrogate: "what a random curve would have gained",
   diagnosis_the_left_out: "the error of what was left out",
   diagnosis_fall_none: "No effect was found, and none is proposed.",
   diagnosis_fall_hollow:
@@ -548,7 +548,7 @@ export const en = {
   diagnosis_own:
     ({ parameter, effect, held, range }: { parameter: string; effect: string; held: string; range: string }) => `the ${parameter} of ${effect} is not ${held}; it would be ${range}`,
   diagnosis_slow:
-    ({ size }: { size: string }) => size === "" ? "a slow curve without a cause is left" : `a slow curve without a cause is left, of ${size} µm`,
+    ({ size }: { size: string }) => size === "" ? "a slow drift without a known cause remains" : `a slow drift without a known cause remains, ±${size} µm`,
   diagnosis_nothing: "nothing is missing",
   diagnosis_ledger: "What each revision bought",
   diagnosis_revisions: "Revisions",
@@ -558,11 +558,11 @@ export const en = {
   diagnosis_change: "change",
   diagnosis_target: "target",
   diagnosis_parameters: "parameters",
-  diagnosis_times_floor: "× floor",
+  diagnosis_times_floor: "times the noise",
   diagnosis_left_out_um: "left out, µm",
   diagnosis_likelihood_about:
-    "2 ln B: 2 ln of how much more likely the readings are with the change, of errors of axes chi².",
-  diagnosis_counts_from: "counts from",
+    "2 ln B: 10 means that the readings are 150 times as likely with the change; of errors of axes, chi².",
+  diagnosis_counts_from: "threshold",
   diagnosis_surrogate_fall: "best surrogate's fall, %",
   diagnosis_surrogate_fall_about: "The fall of the best surrogate is in the RMSE.",
   diagnosis_forecasts: "forecasts, µm",
@@ -612,38 +612,31 @@ export const en = {
   diagnosis_with_without_about:
     "With it the model's own parameters give way, as they would when it is added. RMSE is of all rows.",
   diagnosis_measured_about: "RMSE is of all rows.",
-  sure: {
-    very_likely: "very likely",
-    likely: "likely",
-    even: "about even",
-    unlikely: "unlikely",
-    very_unlikely: "very unlikely",
-  },
-  sure_text: ({ words, percent }: { words: string; percent: string }) => `${words} (${percent})`,
+  sure_text: ({ percent }: { percent: string }) => `${percent} sure`,
   sure_over: "over 99 %",
   sure_under: "under 1 %",
-  diagnosis_fails_most: ({ place }: { place: string }) => `It fails most ${place}.`,
+  diagnosis_fails_most: ({ place }: { place: string }) => `The model fails most ${place}.`,
   diagnosis_place_range: ({ from, to }: { from: string; to: string }) => `from ${from} to ${to}`,
   diagnosis_place_regime: ({ regime }: { regime: string }) => `in the state ${regime}`,
   diagnosis_place_of: ({ what, range }: { what: string; range: string }) => `where ${what} is ${range}`,
   diagnosis_time_constant: ({ name, duration }: { name: string; duration: string }) => `, ${name} ${duration}`,
   drift_thinned: ({ shown, rows }: { shown: string; rows: string }) => `Drawn are ${shown} of ${rows} rows: of each stretch the smallest and the largest value of every column.`,
   diagnosis_says_named:
-    ({ target, effects }: { target: string; effects: string }) => `The model of ${target} lacks ${effects}.`,
+    ({ target, effects }: { target: string; effects: string }) => `Missing from the model of ${target}: ${effects}.`,
   diagnosis_says_probable:
-    ({ target, effects }: { target: string; effects: string }) => `The model of ${target} probably lacks ${effects}.`,
+    ({ target, effects }: { target: string; effects: string }) => `Probably missing from the model of ${target}: ${effects}.`,
   diagnosis_says_effect:
-    ({ effect, size, p }: { effect: string; size: string; p: string }) => `${effect}${size === "" ? "" : `, ${size} µm`}, ${p}`,
-  diagnosis_says_own: ({ own, p }: { own: string; p: string }) => `In the model, ${own}, ${p}.`,
+    ({ effect, size, p }: { effect: string; size: string; p: string }) => `${effect}${size === "" ? "" : `, ${size} µm`} (${p})`,
+  diagnosis_says_own: ({ own, p }: { own: string; p: string }) => `In the model, ${own} (${p}).`,
   diagnosis_says_driver:
-    ({ target, column, p }: { target: string; column: string; p: string }) => `${column} drives something that the model of ${target} lacks, ${p}; its form is open.`,
+    ({ target, column, p }: { target: string; column: string; p: string }) => `${column} drives a part that the model of ${target} does not explain (${p}). Its form is open.`,
   diagnosis_says_equivalent:
-    ({ target, effects, p }: { target: string; effects: string; p: string }) => `The model of ${target} lacks something, ${p}; the data cannot tell which of these it is: ${effects}.`,
+    ({ target, effects, p }: { target: string; effects: string; p: string }) => `Something is missing from the model of ${target} (${p}). The data do not tell which of these effects it is: ${effects}.`,
   diagnosis_says_unexplained:
-    ({ target, size, p }: { target: string; size: string; p: string }) => `The model of ${target} lacks something that no effect of the catalogue explains${size === "" ? "" : `, a slow curve of about ${size} µm`}, ${p}.`,
+    ({ target, size, p }: { target: string; size: string; p: string }) => `Something is missing from the model of ${target} that no known effect explains${size === "" ? "" : `: ±${size} µm of slow drift`} (${p}).`,
   diagnosis_says_untestable: "These data could not have shown a missing effect.",
   diagnosis_says_nothing:
-    ({ target, p }: { target: string; p: string }) => `The model of ${target} lacks nothing that these data show, ${p}.`,
+    ({ target, p }: { target: string; p: string }) => `Nothing further is missing from the model of ${target} that these data could show (${p}).`,
 
   // batch
   batch_heading: ({ target }: { target: string }) => `${target} predicted by batches`,
@@ -867,7 +860,7 @@ export const en = {
     what: "what",
     verdict: "verdict",
     step: "step",
-    floor: "floor",
+    floor: "noise",
     best_surrogate: "best surrogate",
     left_out: "left out",
     forecast: "forecast",
@@ -1345,7 +1338,7 @@ export const en = {
   live_tour_do: "Do it",
   live_tour_end: "End the tour",
   live_tour_step: ({ step, all }: { step: number; all: number }) => `Step ${step} of ${all}`,
-  live_tour_look: "A spindle, measured for a day. Points: measured. Line: what the model believes, that the motor's heat moves it. Below: what is left over, several times the floor.",
+  live_tour_look: "A spindle, measured for a day. Points: measured. Line: the model, in which the heat of the motor moves the spindle. Below: the residual, several times the noise.",
   live_tour_search: "The program weighs every effect of its catalogue on every signal and says what is missing, how large it is and how sure that is.",
   live_tour_add: "The room moves the spindle, it says. One button adds that to the model.",
   live_tour_fall: "The error falls to a third at once; the dotted line is what was left before.",

@@ -1,8 +1,8 @@
 // Tests effects added to a model (workbench.hpp): before, after, and whether the data support them.
 //
-//   2 ln B             2 ln of the Bayes factor of an effect; gains, shapes and noise are integrated out as in
-//                      diagnose() (candidate.hpp)
-//   P not needed       of an effect of the model: 1 / (1 + B); the effect is needed if it is below 0.05
+//   2 ln B             2 ln of how much more likely the readings are with an effect than without, its gains and shapes
+//                      and the noise integrated out, as diagnose() weighs it (candidate.hpp)
+//   P superfluous      of an effect of the model: 1 / (1 + B); it is needed below 0.05
 //
 // An added effect is supported if 2 ln B is at least 10, its gain is equal in all cycles (p >= 0.01), and it does not
 // depend on time alone. This is valid for an effect chosen before looking at these data. Use diagnose() to search the

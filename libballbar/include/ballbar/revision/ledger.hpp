@@ -47,10 +47,10 @@ struct LedgerRow {
 // every second, third ... value for it. The other members have their default values.
 LedgerRow row_of(const Model& model, const Series& data, std::size_t target = 0);
 
-// "Revision 2 added lagged_expansion(T16_degC): RMSE 12.3 -> 3.1 um (4.0 -> 1.0 times the floor), left-out cycles
-// 14.0 -> 3.9 um; 2 ln B 431, which counts from 10, and a surrogate effect would have bought up to 27 %;
-// speed_heating(speed_rpm) is still needed." Has no earlier figures if `before` is nullptr or refers to another target
-// or other data. For recordings it says "left-out recordings".
+// "Revision 2 added lagged_expansion(T16_degC). RMSE 12.3 -> 3.1 um (4.0 -> 1.0 times the noise), left-out cycles
+// 14.0 -> 3.9 um. 2 ln B is 431.2 (threshold 10.0). A random curve lowers the RMSE by up to 27 %.
+// speed_heating(speed_rpm) is still needed." Without figures from before where `before` is nullptr or of another
+// target or other data; of recordings "left-out recordings".
 std::string sentence(const LedgerRow& row, const LedgerRow* before);
 
 }  // namespace ballbar

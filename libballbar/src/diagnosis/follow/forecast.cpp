@@ -59,12 +59,14 @@ std::string why_not_the_first(const std::vector<Look>& looks, std::size_t half) 
   for (const Hypothesis& other : now.hypotheses) {
     if (other.label == first.label) continue;
     if (other.once == first.once) {
-      return fmt::format("No readings tell {} from {}: the same values are logged twice.", first.label, other.label);
+      return fmt::format("No readings can distinguish {} from {}: the same values are logged twice.", first.label,
+                         other.label);
     }
     if (half == looks.size() || other.p < kTwinNow || first.p >= 1.0 - kTwinNow) continue;
     if (moved(looks, half, first.label, other.label) < kTwinMoves) {
-      return fmt::format("The readings do not tell {} from {}: their odds did not move while the values doubled.",
-                         first.label, other.label);
+      return fmt::format(
+          "The readings do not distinguish {} from {}: their odds stayed the same while the number of values doubled.",
+          first.label, other.label);
     }
   }
   return "";
@@ -75,8 +77,6 @@ double at_most(double before, double now, double further) {
   const double gained = std::max(0.0, now - before);
   return now + further * gained + kForecastSigmas * std::sqrt((further * further + further) * (2.0 * gained + 1.0));
 }
-
-std::string end_text(double end_h) { return fmt::format("by {}, the planned end,", duration_text(3600.0 * end_h)); }
 
 }  // namespace
 
@@ -97,16 +97,18 @@ std::string why_it_stays_open(const FollowState& state) {
   const double most = at_most(then.log_bayes_factor, now.log_bayes_factor, further);
   if (most < least_log_bayes_factor()) {
     return fmt::format(
-        "As it goes, the readings will {} be at most {:.2g} times as likely with something missing as "
-        "with nothing; {:.0f} times are needed.",
-        end_text(end_h), std::exp(most), std::exp(least_log_bayes_factor()));
+        "At this rate the readings will be at most {:.2g} times as likely with something missing as with nothing by "
+        "the planned end, {}. A decision needs {:.0f} times.",
+        std::exp(most), duration_text(3600.0 * end_h), std::exp(least_log_bayes_factor()));
   }
   if (now.hypotheses.empty()) return "";
   const double most_odds = at_most(log_odds(best_p(then)), log_odds(best_p(now)), further);
   if (most_odds >= log_odds(1.0 - kFalselyDecided)) return "";
-  return fmt::format("As it goes, P of {}, the most probable, will {} be at most {:.2f}; {:.2f} is needed.",
-                     now.hypotheses.front().label, end_text(end_h), 1.0 / (1.0 + std::exp(-most_odds)),
-                     1.0 - kFalselyDecided);
+  return fmt::format(
+      "At this rate the probability of {}, the best candidate, will be at most {:.2f} by the planned end, {}. A "
+      "decision needs {:.2f}.",
+      now.hypotheses.front().label, 1.0 / (1.0 + std::exp(-most_odds)), duration_text(3600.0 * end_h),
+      1.0 - kFalselyDecided);
 }
 
 }  // namespace ballbar

@@ -18,8 +18,8 @@ std::string decided_label_text(const FollowState& state, const std::string& labe
   double p = 0.0;
   for (const Hypothesis& one : state.looks[state.decided_at].hypotheses) p = one.label == label ? one.p : p;
   const bool is_own = label.find(" of ") < label.find('(');
-  return fmt::format("{}, {}",
-                     is_own ? fmt::format("the {} is another one", label) : fmt::format("{} is missing", label),
+  return fmt::format("{} ({})",
+                     is_own ? fmt::format("the {} has another value", label) : fmt::format("{} is missing", label),
                      sure_text(p));
 }
 
@@ -27,7 +27,7 @@ std::string decided_label_text(const FollowState& state, const std::string& labe
 
 std::string outcome_text(const FollowState& state) {
   if (state.looks.empty()) {
-    return fmt::format("There are too few values to look at: the first look is at {}.", kFirstLook);
+    return fmt::format("There are too few values: the first look is at {}.", kFirstLook);
   }
   const Look& last = state.looks.back();
   if (state.outcome == Outcome::decided) {
@@ -37,24 +37,25 @@ std::string outcome_text(const FollowState& state) {
     return fmt::format("Decided {}: {}.", place_of(state.looks[state.decided_at]), fmt::join(texts, "; "));
   }
   if (state.outcome == Outcome::undecidable) {
-    return fmt::format("Stop, it will not be decided in this run, {}. {}", place_of(last), last.why_stop);
+    return fmt::format("Stop {}: this run will not decide. {}", place_of(last), last.why_stop);
   }
   if (!last.fault.empty()) return fmt::format("Not decided {}. {}", place_of(last), last.fault);
   const std::string best = last.hypotheses.empty()
                                ? ""
-                               : fmt::format(", the most probable is {} with {:.2f}", last.hypotheses.front().label,
+                               : fmt::format(" Best candidate: {} (probability {:.2f}).", last.hypotheses.front().label,
                                              last.hypotheses.front().p);
-  return fmt::format("Not decided {}: P of nothing is {:.2f}{}.{}{}", place_of(last), last.p_nothing, best,
-                     last.doubts.empty() ? "" : " It is not named: ", fmt::join(last.doubts, " "));
+  return fmt::format("Not decided {}. Probability that nothing is missing: {:.2f}.{}{}{}", place_of(last),
+                     last.p_nothing, best,
+                     last.doubts.empty() ? "" : " Why it is not named: ", fmt::join(last.doubts, " "));
 }
 
 std::string error_text() {
   return fmt::format(
-      "However often it is looked at, a run in which nothing is missing comes to a decision in at most {:.0f} % of "
-      "cases, as far as noise and logging are what they are taken for: at each of at most {} looks the readings must "
-      "be "
-      "{:.0f} times as likely with something missing as with nothing. What is decided has P of {:.2f} or more, by all "
-      "tests, at {} looks in a row.",
+      "A run in which nothing is missing is decided wrongly in at most {:.0f} % of cases, however often you look, if "
+      "noise and logging are as assumed. There are at most {} looks. At each, a decision needs readings that are "
+      "{:.0f} "
+      "times as likely with something missing as with nothing. A decided effect has a probability of {:.2f} or more "
+      "and passes all tests at {} looks in a row.",
       100.0 * kFalselyDecided, kMostLooks, static_cast<double>(kMostLooks) / kFalselyDecided, 1.0 - kFalselyDecided,
       kLooksToDecide);
 }

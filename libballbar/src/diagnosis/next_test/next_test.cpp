@@ -106,7 +106,7 @@ std::string pair_text(const UndecidedPairs& question, const Pair& pair, Holds ho
   if (question.candidates.competitors[pair.b].only_once) return fmt::format("show whether {} comes again", a);
   if (holds == Holds::a_holds_b) return fmt::format("show whether {} is more than {}", a, b);
   if (holds == Holds::b_holds_a) return fmt::format("show whether {} is more than {}", b, a);
-  return fmt::format("tell {} from {}", a, b);
+  return fmt::format("distinguish {} from {}", a, b);
 }
 
 std::string text_of(const UndecidedPairs& question, const RatedTest& rated) {
@@ -186,10 +186,10 @@ std::vector<NextTest> next_tests(const Model& model, const Series& all, const Di
   for (const RatedTest& rated : tests) {
     std::string text = text_of(question, rated);
     if (result.empty() && rated.smallest < kUseless) {
-      text = fmt::format("None on the list would tell all of them apart: the best ({}) reaches {}, 5 is needed.",
+      text = fmt::format("No known test would distinguish all of them: the best ({}) reaches {}, and 5 is needed.",
                          rated.test.name, d_text(rated.smallest));
     } else if (result.empty() && rated.smallest < kDetectable) {
-      text = "No test on the list tells all of them apart (d of 5 or more); the best is this. " + text;
+      text = "No known test distinguishes all of them (d of 5 or more). This is the best one. " + text;
     }
     result.push_back({rated.test.name, std::move(text), rated.smallest, rated.test.duration_s, rated.so_far});
   }

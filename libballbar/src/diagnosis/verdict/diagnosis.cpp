@@ -8,7 +8,9 @@
 #include <set>
 #include <utility>
 
+#include "ballbar/number_text.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/numerics/range.hpp"
 #include "diagnosis/posterior/inference.hpp"
 #include "diagnosis/posterior/set_at.hpp"
 #include "diagnosis/posterior/shock.hpp"
@@ -58,6 +60,7 @@ class Decision {
     result_.base = problem().base;
     result_.target = problem().base.target;
     result_.where = options.where;
+    measured_um_ = range_of(problem().base.measured_um);
   }
 
   Diagnosis run() {
@@ -87,7 +90,7 @@ class Decision {
   Diagnosis still() {
     result_.detectability = detectability_by(problem().base.noise);
     result_.rmse_after_um = problem().base.rmse_um;
-    result_.sentence = "The readings do not move: there is nothing to explain.";
+    result_.sentence = "The readings do not change: there is nothing to explain.";
     return std::move(result_);
   }
 
@@ -118,6 +121,7 @@ class Decision {
       result_.hidden_um = usual_um;
       result_.hidden = family(f).bound;
     }
+    result_.hidden_um = std::min(result_.hidden_um, measured_um_);
   }
 
   std::vector<Detectability> detectability_by(const Noise& noise) {
@@ -149,7 +153,7 @@ class Decision {
     result_.noise = noise_of(covariance, at_.variance);
     for (const Point& point : posterior().points) {
       if (!(point.covariance.slow > 0.0)) continue;
-      result_.discrepancy_um = std::sqrt(point.covariance.slow * at_.variance);
+      result_.discrepancy_um = std::min(std::sqrt(point.covariance.slow * at_.variance), 0.5 * measured_um_);
       break;
     }
     result_.detectability = detectability_by(result_.noise);
@@ -182,16 +186,16 @@ class Decision {
     tell(fmt::format("testing {} effects", best_->families.size()));
     const FittedSet fitted = fitted_set(problem(), posterior(), *best_, true);
     result_.rmse_after_um = rmse_um_with(fitted);
+    result_.explained_um = std::min(fitted.together_um, measured_um_);
     for (std::size_t m = 0; m < best_->signatures.size(); ++m) {
       Candidate one = tested_member(inference_, *best_, fitted, at_, m, options_.surrogates, options_.search.seed);
       one.in_best_set = true;
       one.minor = one.amplitude_um < std::max(kMinor * problem().base.rmse_um, options_.tolerance_um);
-      if (!(one.likelihood_ratio >= kLeastLikelihoodRatio))
-        one.doubts.emplace_back("it makes the readings hardly more likely");
+      if (!(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.emplace_back("the evidence for it is weak");
       if (may_be_shock(problem(), posterior(), *best_, at_, m))
-        one.doubts.emplace_back("one large change of the noise would do nearly as well");
+        one.doubts.emplace_back("one large jump of the noise explains the data nearly as well");
       if (reads_an_open_form(best_->families[m]))
-        one.doubts.emplace_back("more of the same column is missing, of no form that the catalogue has");
+        one.doubts.emplace_back("the same column drives more, in a form that no known effect has");
       if (one.amplitude_um > kCancelled * fitted.together_um)
         one.doubts.emplace_back("another effect of the set nearly cancels it");
       result_.candidates.push_back(std::move(one));
@@ -243,7 +247,7 @@ class Decision {
         if (std::find(group.begin(), group.end(), one.bound) == group.end()) group.push_back(one.bound);
         const bool is_reported = std::find(d.equivalent.begin(), d.equivalent.end(), group) != d.equivalent.end();
         if (is_of_any_form(l)) {
-          d.reasons.push_back(fmt::format("{}: its column in another form is likelier.", one.label));
+          d.reasons.push_back(fmt::format("{}: another form of the same column is more likely.", one.label));
         } else if (!is_reported) {
           d.equivalent.push_back(std::move(group));
         }
@@ -255,7 +259,7 @@ class Decision {
       for (const std::string& doubt : one.doubts) d.reasons.push_back(fmt::format("{}: {}.", one.label, doubt));
     }
     if (d.p_discrepancy >= kDiscrepancy) {
-      d.reasons.push_back(fmt::format("A slow curve without any cause is left, P = {:.2f}.", d.p_discrepancy));
+      d.reasons.push_back(fmt::format("A slow drift without a known cause remains ({}).", sure_text(d.p_discrepancy)));
     }
     const bool driver =
         model_.level == Level::series &&
@@ -329,6 +333,7 @@ class Decision {
   const Series& data_;
   std::size_t target_;
   const DiagnosisOptions& options_;
+  double measured_um_ = 0.0;  // largest less smallest reading
   const EffectSet* best_ = nullptr;
   SetAt at_;
   Diagnosis result_;

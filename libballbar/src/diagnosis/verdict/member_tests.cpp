@@ -168,15 +168,15 @@ double held_out_um(const Inference& inference) {
 std::vector<std::string> doubts_of(const Candidate& tested, const Effect& effect) {
   const bool of_recordings = effect.level == Level::recording;
   if (effect.time_only && !effect.rules.may_repeat && !of_recordings)
-    return {"it goes with time alone, as a slow drift would"};
+    return {"it depends on time alone, as any slow drift does"};
   std::vector<std::string> doubts;
   if (tested.p_same_gain < kSameGain) {
     doubts.emplace_back(of_recordings ? "its gain differs from recording to recording"
                                       : "its gain differs from cycle to cycle");
   }
   if (tested.held_out_evidence < kHeldOutEvidence && !effect.time_only) {
-    doubts.emplace_back(of_recordings ? "recordings left out are not predicted better"
-                                      : "cycles left out are not predicted better");
+    doubts.emplace_back(of_recordings ? "it does not predict left-out recordings better"
+                                      : "it does not predict left-out cycles better");
   }
   return doubts;
 }

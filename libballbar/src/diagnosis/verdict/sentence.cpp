@@ -15,8 +15,6 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kInASentence = 4;
-
 const Candidate* candidate_of(const Diagnosis& d, const BoundEffect& bound) {
   const auto at =
       std::find_if(d.candidates.begin(), d.candidates.end(), [&](const Candidate& one) { return one.bound == bound; });
@@ -29,8 +27,15 @@ double p_of(const Diagnosis& d, const BoundEffect& bound) {
   return at == d.effects.end() ? 0.0 : at->p;
 }
 
-// "; it fails most while warming"
-std::string where_text(const Diagnosis& d) { return d.where.empty() ? "" : "; it fails most " + d.where; }
+// An effect by itself may be larger than what all explain together: another one then cancels a part of it.
+double said_um(const Diagnosis& d, double amplitude_um) {
+  return d.explained_um > 0.0 ? std::min(amplitude_um, d.explained_um) : amplitude_um;
+}
+
+// " The model fails most while warming."
+std::string where_text(const Diagnosis& d) {
+  return d.where.empty() ? "" : fmt::format(" The model fails most {}.", d.where);
+}
 
 // "Free expansion with one temperature." within a sentence
 std::string in_words(const Effect& effect) {
@@ -57,46 +62,61 @@ std::string time_text(const Candidate& one) {
   return "";
 }
 
-// "step, a jump of -2.4 um at 9 h 24 min: very likely (over 99 %)"; empty: no onset
+// "step, a jump of -2.4 um at 9 h 24 min (over 99 % sure)"; empty: it does not begin at a moment
 std::string jump_text(const Diagnosis& d, const Candidate& one) {
   const auto onset = std::find_if(one.parameters.begin(), one.parameters.end(), [](const FittedParameter& parameter) {
     return parameter.shape_of == ShapeOf::onset;
   });
   if (onset == one.parameters.end() || !one.bound.effect->time_only) return "";
-  return fmt::format("{}, a jump of {} um at {}: {}", label_of(one.bound), size_text(one.parameters.front().value),
+  return fmt::format("{}, a jump of {} um at {} ({})", label_of(one.bound), size_text(one.parameters.front().value),
                      duration_text(onset->value), sure_text(p_of(d, one.bound)));
 }
 
-// "expansion(T_room_degC), free expansion with one temperature: 3.2 um, very likely (98 %)"
+// "expansion(T_room_degC), free expansion with one temperature: 3.2 um (98 % sure)"
 std::string effect_text(const Diagnosis& d, const BoundEffect& bound) {
   const Candidate* one = candidate_of(d, bound);
   if (one != nullptr) {
     if (std::string jump = jump_text(d, *one); !jump.empty()) return jump;
   }
   const bool sized = one != nullptr && one->amplitude_um > 0.0;
-  return fmt::format("{}, {}: {}{}{}{}", label_of(bound), in_words(*bound.effect),
-                     sized ? size_text(one->amplitude_um) + " um, " : "", one != nullptr && one->minor ? "minor, " : "",
-                     sure_text(p_of(d, bound)), one != nullptr ? time_text(*one) : "");
+  const std::string sure = sure_text(p_of(d, bound)) + (one != nullptr && one->minor ? ", minor" : "");
+  return fmt::format("{}, {}: {}{}", label_of(bound), in_words(*bound.effect),
+                     sized ? fmt::format("{} um ({})", size_text(said_um(d, one->amplitude_um)), sure) : sure,
+                     one != nullptr ? time_text(*one) : "");
 }
 
-std::string effects_text(const Diagnosis& d, const std::vector<BoundEffect>& bounds) {
-  std::vector<std::string> texts;
-  texts.reserve(bounds.size());
-  for (const BoundEffect& bound : bounds) texts.push_back(effect_text(d, bound));
-  return fmt::format("{}", fmt::join(texts, "; and "));
+// "the model of z_um"
+std::string model_text(const Diagnosis& d) {
+  return d.target.empty() ? "the model" : fmt::format("the model of {}", d.target);
 }
 
+// The first is said with what it is missing from, each other one in a sentence of its own.
+std::string missing_text(const Diagnosis& d, std::string_view first, std::string_view other,
+                         const std::vector<BoundEffect>& bounds) {
+  std::string text;
+  for (const BoundEffect& bound : bounds) {
+    text += text.empty() ? fmt::format("{} from {}: ", first, model_text(d)) : fmt::format(" {}: ", other);
+    text += effect_text(d, bound) + '.';
+  }
+  return text;
+}
+
+// "expansion(T1_degC) (60 %), possibly expansion(T2_degC) or one of 3 more": one probability, because those of
+// alternatives need not add up to 1.
 std::string group_text(const Diagnosis& d, const std::vector<BoundEffect>& group) {
-  std::vector<std::string> texts;
-  const std::size_t shown = group.size() > kInASentence + 1 ? kInASentence : group.size();
-  for (std::size_t k = 0; k < shown; ++k)
-    texts.push_back(fmt::format("{} ({})", label_of(group[k]), percent_text(p_of(d, group[k]))));
-  if (shown < group.size()) texts.push_back(fmt::format("one of {} more", group.size() - shown));
-  return fmt::format("{}", fmt::join(texts, ", or "));
+  std::string text = fmt::format("{} ({})", label_of(group.front()), percent_text(p_of(d, group.front())));
+  if (group.size() > 1) text += fmt::format(", possibly {}", label_of(group[1]));
+  if (group.size() > 2) text += fmt::format(" or one of {} more", group.size() - 2);
+  return text;
 }
 
-std::string model_text(const Diagnosis& d, std::string_view the) {
-  return d.target.empty() ? fmt::format("{} model", the) : fmt::format("{} model of {}", the, d.target);
+// " A further effect is open as well: most likely A (65 %)." Of all groups behind the first.
+std::string further_text(const Diagnosis& d) {
+  if (d.equivalent.size() < 2) return "";
+  std::string text = fmt::format(" A further effect is open as well: most likely {}.", group_text(d, d.equivalent[1]));
+  const std::size_t more = d.equivalent.size() - 2;
+  if (more > 0) text += fmt::format(" So {} {} more.", more == 1 ? "is" : "are", more);
+  return text;
 }
 
 // One sentence for each wrong held value.
@@ -104,16 +124,16 @@ std::string own_text(const Diagnosis& d, double least) {
   std::string text;
   for (const OwnValue& own : d.own) {
     if (own.p < least) continue;
-    text += fmt::format("{} holds {:.3g} for the {} of {}, the data say {:.3g} ({:.3g} to {:.3g}): {}{}. ",
-                        model_text(d, "The"), own.held, own.parameter, own.effect, own.fitted, own.interval.low,
-                        own.interval.high, sure_text(own.p), text.empty() ? where_text(d) : "");
+    text += fmt::format("{}In {}, the {} of {} is held at {:.3g}, but the data say {:.3g} ({:.3g} to {:.3g}, {}).",
+                        text.empty() ? "" : " ", model_text(d), own.parameter, own.effect, own.held, own.fitted,
+                        own.interval.low, own.interval.high, sure_text(own.p));
   }
   return text;
 }
 
 bool is_driver(const Driver& driver) { return driver.p >= kSureDriver; }
 
-std::string drivers_text(const Diagnosis& d) {
+std::string driver_text(const Diagnosis& d) {
   std::vector<std::string> names;
   double least = 1.0;
   for (const Driver& driver : d.drivers) {
@@ -127,80 +147,77 @@ std::string drivers_text(const Diagnosis& d) {
     const bool reads = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
       return std::find(columns.begin(), columns.end(), name) != columns.end();
     });
-    if (reads && one.in_best_set) size_um = std::max(size_um, one.amplitude_um);
+    if (reads && one.in_best_set) size_um = std::max(size_um, said_um(d, one.amplitude_um));
   }
-  return fmt::format("{} {} something that {} lacks{}: {}{}; its form is open.", fmt::join(names, " and "),
-                     names.size() == 1 ? "drives" : "drive", model_text(d, "the"),
-                     size_um > 0.0 ? fmt::format(", about {} um", size_text(size_um)) : "", sure_text(least),
-                     where_text(d));
+  const bool is_one = names.size() == 1;
+  std::string text = fmt::format("{} {} {} that {} does not explain ({}). {} form is open", fmt::join(names, " and "),
+                                 is_one ? "drives" : "drive",
+                                 size_um > 0.0 ? fmt::format("about {} um", size_text(size_um)) : "a part",
+                                 model_text(d), sure_text(least), is_one ? "Its" : "Their");
+  if (!d.equivalent.empty()) text += fmt::format(": most likely {}", group_text(d, d.equivalent.front()));
+  return text + '.' + further_text(d) + where_text(d);
 }
 
-std::string open_text(const Diagnosis& d) {
-  std::string text;
-  for (const std::vector<BoundEffect>& group : d.equivalent)
-    text += fmt::format("{}{}", text.empty() ? "" : "; and ", group_text(d, group));
-  return text;
-}
-
-// " What drives it: T_room_degC (64 %)."
+// " Likely driver: T_room_degC (64 %)."
 std::string likely_drivers_text(const Diagnosis& d) {
+  constexpr std::size_t kMost = 2;
   std::vector<std::string> likely;
-  for (const Driver& driver : d.drivers)
-    likely.push_back(fmt::format("{} ({})", driver.column, percent_text(driver.p)));
-  return likely.empty() ? "" : fmt::format(" What drives it: {}.", fmt::join(likely, ", "));
+  for (const Driver& driver : d.drivers) {
+    if (likely.size() < kMost) likely.push_back(fmt::format("{} ({})", driver.column, percent_text(driver.p)));
+  }
+  if (likely.empty()) return "";
+  return fmt::format(" Likely driver{}: {}.", likely.size() == 1 ? "" : "s", fmt::join(likely, ", "));
 }
 
 std::string equivalent_text(const Diagnosis& d) {
   double size_um = 0.0;
-  std::size_t effects = 0;
   for (const std::vector<BoundEffect>& group : d.equivalent) {
-    effects += group.size();
     for (const BoundEffect& bound : group) {
       const Candidate* one = candidate_of(d, bound);
-      if (one != nullptr && one->in_best_set) size_um = std::max(size_um, one->amplitude_um);
+      if (one != nullptr && one->in_best_set) size_um = std::max(size_um, said_um(d, one->amplitude_um));
     }
   }
-  return fmt::format("{} lacks something{}: {}{}; the data cannot tell {}. {}: {}.{}", model_text(d, "The"),
-                     size_um > 0.0 ? fmt::format(" of about {} um", size_text(size_um)) : "",
-                     sure_text(1.0 - d.p_nothing), where_text(d),
-                     effects == 1 ? "for certain what it is" : fmt::format("which of {} effects it is", effects),
-                     effects == 1 ? "In question is" : "It may be", open_text(d), likely_drivers_text(d));
+  const std::vector<BoundEffect>& first = d.equivalent.front();
+  return fmt::format(
+      "{} is missing from {} ({}). The data do not tell {}: most likely {}.{}{}{}",
+      size_um > 0.0 ? fmt::format("Something of about {} um", size_text(size_um)) : "Something", model_text(d),
+      sure_text(1.0 - d.p_nothing),
+      first.size() == 1 ? "for certain what it is" : fmt::format("which of {} effects it is", first.size()),
+      group_text(d, first), further_text(d), likely_drivers_text(d), where_text(d));
 }
 
-// "linear_drift, about 10.6 um": an effect of time alone.
+// "linear_drift, about 10.6 um": what depends on time alone.
 std::string drifts_text(const Diagnosis& d) {
   std::vector<std::string> texts;
   for (const Candidate& one : d.candidates) {
     if (one.in_best_set && one.bound.effect->time_only)
-      texts.push_back(fmt::format("{}, about {} um", one.label, size_text(one.amplitude_um)));
+      texts.push_back(fmt::format("{}, about {} um", one.label, size_text(said_um(d, one.amplitude_um))));
   }
-  return fmt::format("{}", fmt::join(texts, "; and "));
+  return fmt::format("{}", fmt::join(texts, "; "));
 }
 
 std::string unexplained_text(const Diagnosis& d) {
   const std::string drivers = likely_drivers_text(d);
   if (d.discrepancy_um > 0.0 && d.p_discrepancy >= kDiscrepancy) {
-    return fmt::format("About {} um of slow drift of {} is unexplained: {}{}.{}", size_text(d.discrepancy_um),
-                       d.target.empty() ? "the readings" : d.target, sure_text(d.p_discrepancy), where_text(d),
-                       drivers.empty() ? " No logged column follows it: log another sensor, such as coolant, structure "
-                                         "or room temperature."
-                                       : drivers);
+    return fmt::format("About ±{} um of slow drift remains{} that no known effect explains ({}).{}{}",
+                       size_text(d.discrepancy_um), d.target.empty() ? "" : fmt::format(" in {}", d.target),
+                       sure_text(d.p_discrepancy),
+                       drivers.empty() ? " No logged column follows it. Log another sensor, such as the temperature of "
+                                         "the coolant, the structure or the room."
+                                       : drivers,
+                       where_text(d));
   }
   if (const std::string drifts = drifts_text(d); !drifts.empty() && drivers.empty()) {
-    return fmt::format("{} lacks something that goes with time alone: {}{}. No logged column follows it.",
-                       model_text(d, "The"), drifts, where_text(d));
+    return fmt::format("Something that depends on time alone is missing from {}: {}. No logged column follows it.{}",
+                       model_text(d), drifts, where_text(d));
   }
   const std::string candidate = !drivers.empty() || d.candidates.empty()
                                     ? drivers
-                                    : fmt::format(" Best candidate: {}, {}, not proven.", d.candidates.front().label,
-                                                  percent_text(d.candidates.front().p));
-  return fmt::format("Something is probably still missing in {} ({}), of the {} um that it leaves{}.{}",
-                     model_text(d, "the"), percent_text(1.0 - d.p_nothing), size_text(d.base.rmse_um), where_text(d),
-                     candidate);
-}
-
-std::string missing_text(const Diagnosis& d, std::string_view verb, const std::vector<BoundEffect>& bounds) {
-  return fmt::format("{} {} {}{}. ", model_text(d, "The"), verb, effects_text(d, bounds), where_text(d));
+                                    : fmt::format(" The best candidate, {} ({}), is not proven.",
+                                                  d.candidates.front().label, percent_text(d.candidates.front().p));
+  return fmt::format("Something is probably still missing from {} ({}). The remaining error is {} um RMS.{}{}",
+                     model_text(d), percent_text(1.0 - d.p_nothing), size_text(d.base.rmse_um), candidate,
+                     where_text(d));
 }
 
 }  // namespace
@@ -208,21 +225,23 @@ std::string missing_text(const Diagnosis& d, std::string_view verb, const std::v
 std::string sentence_of(const Diagnosis& d) {
   switch (d.verdict) {
     case Verdict::named: {
-      std::string text = d.named.empty() ? "" : missing_text(d, "lacks", d.named);
-      text += own_text(d, kNamed);
-      if (!d.probable.empty()) text += fmt::format("Probably also {}. ", effects_text(d, d.probable));
-      if (!d.equivalent.empty()) text += fmt::format("One of these as well: {}. ", open_text(d));
-      text.pop_back();
-      return text;
+      std::string text = missing_text(d, "Missing", "Also missing", d.named);
+      const std::string own = own_text(d, kNamed);
+      if (!own.empty()) text += (text.empty() ? "" : " ") + own;
+      for (const BoundEffect& bound : d.probable)
+        text += fmt::format(" Probably also missing: {}.", effect_text(d, bound));
+      if (!d.equivalent.empty())
+        text += fmt::format(" A further effect is open: most likely {}.", group_text(d, d.equivalent.front()));
+      return text + further_text(d) + where_text(d);
     }
     case Verdict::probable: {
-      std::string text = d.probable.empty() ? "" : missing_text(d, "probably lacks", d.probable);
-      text += own_text(d, kProbable);
-      text.pop_back();
-      return text;
+      std::string text = missing_text(d, "Probably missing", "Probably also missing", d.probable);
+      const std::string own = own_text(d, kProbable);
+      if (!own.empty()) text += (text.empty() ? "" : " ") + own;
+      return text + where_text(d);
     }
     case Verdict::driver:
-      return drivers_text(d) + (d.equivalent.empty() ? "" : fmt::format(" It may be: {}.", open_text(d)));
+      return driver_text(d);
     case Verdict::equivalent:
       return equivalent_text(d);
     case Verdict::unexplained:
@@ -232,12 +251,11 @@ std::string sentence_of(const Diagnosis& d) {
     case Verdict::nothing:
       break;
   }
-  std::string text = fmt::format("Nothing is missing in {} that these data could show: {}", model_text(d, "the"),
+  std::string text = fmt::format("Nothing further is missing from {} that these data could show ({}).", model_text(d),
                                  sure_text(d.p_nothing));
-  if (d.hidden_um > 0.0 && d.hidden.effect != nullptr) {
-    text += fmt::format("; {} of up to {} um could hide", label_of(d.hidden), size_text(d.hidden_um));
-  }
-  return text + '.';
+  if (d.hidden_um > 0.0 && d.hidden.effect != nullptr)
+    text += fmt::format(" Up to {} um of {} could still be hidden.", size_text(d.hidden_um), label_of(d.hidden));
+  return text;
 }
 
 }  // namespace ballbar

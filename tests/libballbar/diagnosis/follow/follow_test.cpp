@@ -63,8 +63,7 @@ TEST(Follow, three_looks_in_a_row_decide_and_it_stays) {
   EXPECT_EQ(state.outcome, Outcome::open);
   state = after(state, naming({expansion("T_a_degC")}));
   EXPECT_EQ(state.outcome, Outcome::decided);
-  EXPECT_EQ(outcome_text(state),
-            "Decided after 1 h 15 min, at 75 values: expansion(T_a_degC) is missing, very likely (99 %).");
+  EXPECT_EQ(outcome_text(state), "Decided after 1 h 15 min, at 75 values: expansion(T_a_degC) is missing (99 % sure).");
   state = after(state, undecided(0.5, 0.4, 0.0));
   EXPECT_EQ(state.outcome, Outcome::decided);
   EXPECT_EQ(state.decided, (std::vector<std::string>{"expansion(T_a_degC)"}));
@@ -90,12 +89,13 @@ TEST(Follow, a_doubt_is_said_where_it_alone_is_in_the_way) {
   Diagnosis doubtful = undecided(0.99, 0.0, 20.0);
   doubtful.reasons = {"expansion(T_a_degC): its gain differs from cycle to cycle."};
   EXPECT_EQ(outcome_text(after({}, doubtful)),
-            "Not decided after 1 h 4 min, at 64 values: P of nothing is 0.00, the most probable is expansion(T_a_degC) "
-            "with 0.99. It is not named: expansion(T_a_degC): its gain differs from cycle to cycle.");
+            "Not decided after 1 h 4 min, at 64 values. Probability that nothing is missing: 0.00. Best candidate: "
+            "expansion(T_a_degC) (probability 0.99). Why it is not named: expansion(T_a_degC): its gain differs from "
+            "cycle to cycle.");
   doubtful.log_bayes_factor = 8.0;
   EXPECT_EQ(outcome_text(after({}, doubtful)),
-            "Not decided after 1 h 4 min, at 64 values: P of nothing is 0.00, the most probable is expansion(T_a_degC) "
-            "with 0.99.");
+            "Not decided after 1 h 4 min, at 64 values. Probability that nothing is missing: 0.00. Best candidate: "
+            "expansion(T_a_degC) (probability 0.99).");
 }
 
 TEST(Follow, only_what_all_three_looks_name_is_decided) {
@@ -114,8 +114,8 @@ TEST(Follow, a_value_that_the_model_holds_is_decided) {
   found.own = {own};
   const FollowState state = after(after(after({}, found), found), found);
   EXPECT_EQ(outcome_text(state),
-            "Decided after 1 h 15 min, at 75 values: the exponent of speed_heating(n_rpm) is another one, very likely "
-            "(over 99 %).");
+            "Decided after 1 h 15 min, at 75 values: the exponent of speed_heating(n_rpm) has another value (over 99 % "
+            "sure).");
 }
 
 // A search may leave unequal what is equal.
@@ -134,8 +134,9 @@ TEST(Follow, values_that_are_logged_twice_are_not_decided) {
   found.effects.push_back({expansion("T_b_degC"), 0.011});
   const FollowState after_three = after(after(after(state, found), found), found);
   EXPECT_EQ(after_three.outcome, Outcome::undecidable);
-  EXPECT_EQ(after_three.looks.back().why_stop,
-            "No readings tell expansion(T_a_degC) from expansion(T_b_degC): the same values are logged twice.");
+  EXPECT_EQ(
+      after_three.looks.back().why_stop,
+      "No readings can distinguish expansion(T_a_degC) from expansion(T_b_degC): the same values are logged twice.");
   found = naming({expansion("T_c_degC")});
   EXPECT_EQ(after(after(after(state, found), found), found).outcome, Outcome::decided);
 }
@@ -148,8 +149,9 @@ TEST(Follow, rivals_whose_odds_do_not_move_stop_it) {
   state = after(state, undecided(0.5, 0.48, 3.0));
   EXPECT_EQ(state.outcome, Outcome::undecidable);
   EXPECT_EQ(outcome_text(state),
-            "Stop, it will not be decided in this run, after 2 h 34 min, at 154 values. The readings do not tell "
-            "expansion(T_a_degC) from expansion(T_b_degC): their odds did not move while the values doubled.");
+            "Stop after 2 h 34 min, at 154 values: this run will not decide. The readings do not distinguish "
+            "expansion(T_a_degC) from expansion(T_b_degC): their odds stayed the same while the number of values "
+            "doubled.");
   EXPECT_EQ(after(state, naming({expansion("T_a_degC")})).outcome, Outcome::open);
 }
 
@@ -183,9 +185,9 @@ TEST(Follow, a_run_that_is_too_short_stops) {
   EXPECT_EQ(state.outcome, Outcome::undecidable);
   EXPECT_EQ(
       outcome_text(state),
-      "Stop, it will not be decided in this run, after 5 h 17 min, at 317 values. As it goes, the readings will by "
-      "7 h 56 min, the planned end, be at most 16 times as likely with something missing as with nothing; 5000 "
-      "times are needed.");
+      "Stop after 5 h 17 min, at 317 values: this run will not decide. At this rate the readings will be at most 16 "
+      "times as likely with something missing as with nothing by the planned end, 7 h 56 min. A decision needs 5000 "
+      "times.");
   EXPECT_EQ(flat(3.0, 21, 20.0).looks.back().why_stop, "The planned end, 3 h, is over.");
   EXPECT_EQ(flat(2.6 * 317.0 / 60.0, 21, 0.0).outcome, Outcome::open);       // less than half of it is over
   EXPECT_EQ(flat(1.5 * 317.0 / 60.0, 21, 0.0, 0.4).outcome, Outcome::open);  // ln B grows, from 4 to 8
@@ -201,18 +203,19 @@ TEST(Follow, a_run_whose_rivals_stay_stops) {
     state = after(state, undecided(0.6 + 0.1 * (k % 2), 0.4 - 0.1 * (k % 2), 20.0));
   }
   EXPECT_EQ(state.outcome, Outcome::undecidable);
-  EXPECT_EQ(state.looks.back().why_stop,
-            "As it goes, P of expansion(T_a_degC), the most probable, will by 5 h 24 min, the planned end, be at most "
-            "0.91; 0.98 is needed.");
+  EXPECT_EQ(
+      state.looks.back().why_stop,
+      "At this rate the probability of expansion(T_a_degC), the best candidate, will be at most 0.91 by the planned "
+      "end, 5 h 24 min. A decision needs 0.98.");
 }
 
 TEST(Follow, too_few_values_and_the_bound) {
-  EXPECT_EQ(outcome_text({}), "There are too few values to look at: the first look is at 64.");
+  EXPECT_EQ(outcome_text({}), "There are too few values: the first look is at 64.");
   EXPECT_EQ(error_text(),
-            "However often it is looked at, a run in which nothing is missing comes to a decision in at most 2 % of "
-            "cases, as far as noise and logging are what they are taken for: at each of at most 100 looks the readings "
-            "must be 5000 times as likely with something missing as with nothing. What is decided has P of 0.98 or "
-            "more, by all tests, at 3 looks in a row.");
+            "A run in which nothing is missing is decided wrongly in at most 2 % of cases, however often you look, if "
+            "noise and logging are as assumed. There are at most 100 looks. At each, a decision needs readings that "
+            "are 5000 times as likely with something missing as with nothing. A decided effect has a probability of "
+            "0.98 or more and passes all tests at 3 looks in a row.");
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(MemberTests, doubts_in_words) {
   failed.held_out_evidence = 0.0;
   failed.p_same_gain = 0.5 * kSameGain;
   EXPECT_EQ(doubts_of(failed, expansion), (std::vector<std::string>{"its gain differs from cycle to cycle",
-                                                                    "cycles left out are not predicted better"}));
+                                                                    "it does not predict left-out cycles better"}));
   const Effect& slip = *find_effect("mounting_slip", Level::recording);
   EXPECT_EQ(doubts_of(failed, slip).front(), "its gain differs from recording to recording");
 }
@@ -87,7 +87,7 @@ TEST(MemberTests, doubts_in_words) {
 // A drift is no cause that one run could tell; a jump happens once, and a cycle repeats.
 TEST(MemberTests, what_goes_with_time_alone) {
   EXPECT_EQ(doubts_of({}, *find_effect("settling", Level::series)),
-            (std::vector<std::string>{"it goes with time alone, as a slow drift would"}));
+            (std::vector<std::string>{"it depends on time alone, as any slow drift does"}));
   EXPECT_TRUE(doubts_of({}, *find_effect("step", Level::series)).empty());
   EXPECT_TRUE(doubts_of({}, *find_effect("thermostat_cycle", Level::series)).empty());
 }

@@ -42,7 +42,7 @@ TEST(Diagnosis, names_the_room_and_its_gain) {
   EXPECT_LT(found.p_nothing, 1e-6);
   ASSERT_FALSE(found.drivers.empty());
   EXPECT_EQ(found.drivers.front().column, "T_room_degC");
-  EXPECT_NE(found.sentence.find(" lacks lagged_expansion(T_room_degC), "), std::string::npos);
+  EXPECT_NE(found.sentence.find("Missing from the model of y_um: lagged_expansion(T_room_degC), "), std::string::npos);
 }
 
 // The same column twice under two names: no data tell them apart.

@@ -31,14 +31,15 @@ TEST(Sentence, of_an_effect_that_is_named) {
   Diagnosis found = with_verdict(Verdict::named);
   add(found, expansion("T1_degC"), 0.984, 3.21);
   found.named = {expansion("T1_degC")};
-  EXPECT_EQ(sentence_of(found),
-            "The model of z_um lacks expansion(T1_degC), free expansion with one temperature: 3.2 um, very likely (98 "
-            "%).");
+  EXPECT_EQ(
+      sentence_of(found),
+      "Missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 3.2 um (98 % sure).");
   found.candidates[0].minor = true;
   found.where = "while warming";
   EXPECT_EQ(sentence_of(found),
-            "The model of z_um lacks expansion(T1_degC), free expansion with one temperature: 3.2 um, minor, very "
-            "likely (98 %); it fails most while warming.");
+            "Missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 3.2 um (98 % "
+            "sure, minor). "
+            "The model fails most while warming.");
 }
 
 TEST(Sentence, of_one_with_a_time) {
@@ -53,8 +54,9 @@ TEST(Sentence, of_one_with_a_time) {
   found.candidates[0].parameters = {time};
   found.named = {lagged};
   EXPECT_EQ(sentence_of(found),
-            "The model of z_um lacks lagged_expansion(T1_degC), a body that follows a temperature slowly: 12 um, very "
-            "likely (over 99 %), time constant 4 min 25 s.");
+            "Missing from the model of z_um: lagged_expansion(T1_degC), a body that follows a temperature slowly: 12 "
+            "um (over 99 % "
+            "sure), time constant 4 min 25 s.");
 }
 
 TEST(Sentence, of_one_that_is_certain_and_one_that_is_open) {
@@ -65,8 +67,35 @@ TEST(Sentence, of_one_that_is_certain_and_one_that_is_open) {
   found.named = {expansion("T1_degC")};
   found.equivalent = {{expansion("T2_degC"), expansion("T3_degC")}};
   EXPECT_EQ(sentence_of(found),
-            "The model of z_um lacks expansion(T1_degC), free expansion with one temperature: 12 um, very likely (99 "
-            "%). One of these as well: expansion(T2_degC) (60 %), or expansion(T3_degC) (38 %).");
+            "Missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 12 um (99 % "
+            "sure). A further "
+            "effect is open: most likely expansion(T2_degC) (60 %), possibly expansion(T3_degC).");
+}
+
+// An effect is as large as what the whole set explains: another one cancels the rest of it.
+TEST(Sentence, of_an_effect_that_another_one_cancels) {
+  Diagnosis found = with_verdict(Verdict::driver);
+  found.drivers = {{"T1_degC", 0.99}};
+  add(found, expansion("T1_degC"), 0.9, 40.0);
+  add(found, expansion("T2_degC"), 0.9, 38.0);
+  found.explained_um = 3.0;
+  EXPECT_EQ(sentence_of(found),
+            "T1_degC drives about 3 um that the model of z_um does not explain (99 % sure). Its form is open.");
+}
+
+// The further ones have a sentence each, from the third on a number.
+TEST(Sentence, of_several_that_are_open) {
+  Diagnosis found = with_verdict(Verdict::equivalent);
+  for (int k = 1; k <= 3; ++k) {
+    const BoundEffect bound = expansion("T" + std::to_string(k) + "_degC");
+    add(found, bound, 0.9 - 0.2 * k, 5.0);
+    found.equivalent.push_back({bound});
+  }
+  EXPECT_EQ(
+      sentence_of(found),
+      "Something of about 5 um is missing from the model of z_um (98 % sure). The data do not tell for certain what "
+      "it is: most likely expansion(T1_degC) (70 %). A further effect is open as well: most likely "
+      "expansion(T2_degC) (50 %). So is 1 more.");
 }
 
 TEST(Sentence, of_what_is_probable) {
@@ -74,36 +103,38 @@ TEST(Sentence, of_what_is_probable) {
   add(found, expansion("T1_degC"), 0.83, 3.0);
   found.probable = {expansion("T1_degC")};
   EXPECT_EQ(sentence_of(found),
-            "The model of z_um probably lacks expansion(T1_degC), free expansion with one temperature: 3 um, likely "
-            "(83 %).");
+            "Probably missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 3 um "
+            "(83 % sure).");
 }
 
 TEST(Sentence, of_a_value_that_the_model_holds) {
   Diagnosis found = with_verdict(Verdict::named);
   found.own = {{"speed_heating(n_rpm)", "exponent", "1", 5.0 / 3.0, 1.0, {0.9, 1.1}, 0.97}};
   EXPECT_EQ(sentence_of(found),
-            "The model of z_um holds 1.67 for the exponent of speed_heating(n_rpm), the data say 1 (0.9 to 1.1): very "
-            "likely (97 %).");
+            "In the model of z_um, the exponent of speed_heating(n_rpm) is held at 1.67, but the data say 1 (0.9 to "
+            "1.1, 97 % "
+            "sure).");
 }
 
 TEST(Sentence, of_an_input_that_drives) {
   Diagnosis found = with_verdict(Verdict::driver);
   found.drivers = {{"T4_degC", 0.998}, {"T5_degC", 0.6}};
   EXPECT_EQ(sentence_of(found),
-            "T4_degC drives something that the model of z_um lacks: very likely (over 99 %); its form is open.");
+            "T4_degC drives a part that the model of z_um does not explain (over 99 % sure). Its form is open.");
   add(found, expansion("T4_degC"), 0.5, 3.0);
   found.equivalent = {{expansion("T4_degC")}};
   EXPECT_EQ(sentence_of(found),
-            "T4_degC drives something that the model of z_um lacks, about 3 um: very likely (over 99 %); its form is "
-            "open. It may be: expansion(T4_degC) (50 %).");
+            "T4_degC drives about 3 um that the model of z_um does not explain (over 99 % sure). Its form is open: "
+            "most likely "
+            "expansion(T4_degC) (50 %).");
   found.drivers[1].p = 0.97;
   found.equivalent.clear();
-  EXPECT_EQ(sentence_of(found),
-            "T4_degC and T5_degC drive something that the model of z_um lacks, about 3 um: very likely (97 %); its "
-            "form is open.");
+  EXPECT_EQ(
+      sentence_of(found),
+      "T4_degC and T5_degC drive about 3 um that the model of z_um does not explain (97 % sure). Their form is open.");
 }
 
-// More than five are not all told.
+// Two are named, of one the probability: those of alternatives need not add up to 1.
 TEST(Sentence, of_many_that_cannot_be_told_apart) {
   Diagnosis found = with_verdict(Verdict::equivalent);
   found.equivalent.emplace_back();
@@ -113,13 +144,14 @@ TEST(Sentence, of_many_that_cannot_be_told_apart) {
     found.equivalent[0].push_back(bound);
   }
   EXPECT_EQ(sentence_of(found),
-            "The model of z_um lacks something of about 11 um: very likely (98 %); the data cannot tell which of 6 "
-            "effects it is. It may be: expansion(T1_degC) (16 %), or expansion(T2_degC) (16 %), or "
-            "expansion(T3_degC) (16 %), or expansion(T4_degC) (16 %), or one of 2 more.");
+            "Something of about 11 um is missing from the model of z_um (98 % sure). The data do not tell which of 6 "
+            "effects it "
+            "is: most likely expansion(T1_degC) (16 %), possibly expansion(T2_degC) or one of 4 more.");
   found.equivalent[0].resize(1);
   EXPECT_EQ(sentence_of(found),
-            "The model of z_um lacks something of about 11 um: very likely (98 %); the data cannot tell for certain "
-            "what it is. In question is: expansion(T1_degC) (16 %).");
+            "Something of about 11 um is missing from the model of z_um (98 % sure). The data do not tell for certain "
+            "what it is: "
+            "most likely expansion(T1_degC) (16 %).");
 }
 
 TEST(Sentence, of_what_no_effect_explains) {
@@ -127,16 +159,19 @@ TEST(Sentence, of_what_no_effect_explains) {
   found.p_discrepancy = 0.9;
   found.discrepancy_um = 2.5;
   EXPECT_EQ(sentence_of(found),
-            "About 2.5 um of slow drift of z_um is unexplained: very likely (90 %). No logged column follows it: log "
-            "another sensor, such as coolant, structure or room temperature.");
+            "About ±2.5 um of slow drift remains in z_um that no known effect explains (90 % sure). No logged column "
+            "follows it. "
+            "Log another sensor, such as the temperature of the coolant, the structure or the room.");
   found.drivers = {{"T1_degC", 0.64}};
   EXPECT_EQ(sentence_of(found),
-            "About 2.5 um of slow drift of z_um is unexplained: very likely (90 %). What drives it: T1_degC (64 %).");
+            "About ±2.5 um of slow drift remains in z_um that no known effect explains (90 % sure). Likely driver: "
+            "T1_degC (64 "
+            "%).");
   found.drivers.clear();
   found.p_discrepancy = 0.1;
   found.base.rmse_um = 3.7;
   EXPECT_EQ(sentence_of(found),
-            "Something is probably still missing in the model of z_um (98 %), of the 3.7 um that it leaves.");
+            "Something is probably still missing from the model of z_um (98 %). The remaining error is 3.7 um RMS.");
 }
 
 TEST(Sentence, of_nothing) {
@@ -146,8 +181,8 @@ TEST(Sentence, of_nothing) {
   found.hidden_um = 0.534;
   EXPECT_EQ(
       sentence_of(found),
-      "Nothing is missing in the model of z_um that these data could show: very likely (91 %); expansion(T1_degC) "
-      "of up to 0.53 um could hide.");
+      "Nothing further is missing from the model of z_um that these data could show (91 % sure). Up to 0.53 um of "
+      "expansion(T1_degC) could still be hidden.");
   found.verdict = Verdict::untestable;
   EXPECT_EQ(sentence_of(found), "These data could not have shown a missing effect.");
 }

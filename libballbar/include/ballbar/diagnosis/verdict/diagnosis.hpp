@@ -88,11 +88,14 @@ struct Diagnosis {
   // ln of the Bayes factor of any effect or wrong held value against none, the discrepancy marginalised. The mean of
   // its exponential is at most 1 if nothing is missing.
   double log_bayes_factor = 0.0;
-  double discrepancy_um = 0.0;        // most likely standard deviation of the discrepancy
+  double discrepancy_um = 0.0;        // most likely standard deviation of the discrepancy, at most half the range of
+                                      // the readings
   Noise noise;                        // of the fit with the best set
   std::vector<Candidate> candidates;  // the best set first, then by P; at most 12
+  // Range of the sum of the best set, at most that of the readings: effects of the model cancel the rest.
+  double explained_um = 0.0;
   // Amplitude up to which an effect could be present and undetected. It is that of the hardest effect to detect among
-  // those that blind challenges hide, at its middle shape.
+  // those that blind challenges hide, at its middle shape, and at most the range of the readings.
   double hidden_um = 0.0;
   BoundEffect hidden;          // that effect
   double rmse_after_um = 0.0;  // of the fit with the best set
