@@ -24,7 +24,7 @@
 namespace ballbar::commands {
 namespace {
 
-constexpr const char* kPlaceGroup = "Place of a sensor, from pictures or a table";
+constexpr const char* kPlaceGroup = "Sensor position, from pictures or a table";
 
 struct CompensateArguments {
   CompensationOptions compensation;
@@ -41,8 +41,8 @@ struct CompensateArguments {
 void save(const CompensateArguments& options) {
   const std::vector<CompensatedAxis> axes = axes_of(options.compensation);
   if (axes.size() != 1) {
-    throw Error(fmt::format("--out {}: expected a model of one target, found {}: save each of its own.", options.save,
-                            axes.size()));
+    throw Error(fmt::format("--out {}: expected a model of one target, found {}. Save each in its own file.",
+                            options.save, axes.size()));
   }
   std::vector<std::filesystem::path> inputs = paths_of(options.compensation.fit);
   const std::vector<std::filesystem::path> models = paths_of(options.compensation.models);
@@ -79,22 +79,23 @@ void expect_fitting(const CompensateArguments& options) {
   };
   expect(!live || !replay, "expected --signals or --on, found both");
   const bool write = !options.write.control.empty();
-  expect(!write || replay, "--write: expected --on DATA with it, which the model is looked at on");
-  expect(write || options.write.out.empty(), "--out: expected --write with a file for a control");
+  expect(!write || replay, "--write: expected --on DATA, on which the line is fitted to the model");
+  expect(write || options.write.out.empty(), "--out: expected --write for a file of a control");
   expect(!write || options.replay.out.empty(), "--out: expected no .csv with --write");
-  expect(write || !options.write.reversed, "--reversed-sign: expected --write with it");
+  expect(write || !options.write.reversed, "--reversed-sign: expected --write");
   expect(live || replay || !options.save.empty(),
          "expected --signals FILE to run, --on DATA to try it on recorded data, or --fit DATA --out MODEL.toml");
-  expect(live || replay || !options.json, "--json: expected --signals or --on with it");
-  expect(replay || options.replay.out.empty(),
-         "--out: expected --on with a .csv; rows of --signals go to the standard output, --format says how");
+  expect(live || replay || !options.json, "--json: expected --signals or --on");
+  expect(
+      replay || options.replay.out.empty(),
+      "--out: expected --on for a .csv. The rows of --signals go to the standard output; --format sets their format");
   expect(options.save.empty() || !options.compensation.fit.empty(),
-         "--out: expected --fit DATA with a model to write: the file takes what is fitted to them and their ranges");
-  expect(live || options.compensation.state.empty(), "--state: expected --signals with it");
+         "--out: expected --fit DATA for a model. The file holds the fitted parameters and the ranges of DATA");
+  expect(live || options.compensation.state.empty(), "--state: expected --signals");
   const CompensationLimits& limits = options.compensation.limits;
   expect(limits.step_um >= limits.resolution_um, "--step-um: expected at least --resolution-um");
   expect(limits.largest_um >= limits.resolution_um, "--largest-um: expected at least --resolution-um");
-  expect(live || !options.live.follow, "--follow: expected --signals with it");
+  expect(live || !options.live.follow, "--follow: expected --signals");
 }
 
 // The place of a sensor: no model, and of --out a table.
@@ -102,7 +103,7 @@ void run_place(CompensateArguments options, const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
     if (option->count() == 0 || option->get_group() == kPlaceGroup || name == "--out" || name == "--json") continue;
-    throw CLI::ValidationError(fmt::format("{}: expected no --from-picture with it", name));
+    throw CLI::ValidationError(fmt::format("{}: cannot be combined with --from-picture", name));
   }
   if (options.out.size() > 1 || (options.out.size() == 1 && !options.out.front().ends_with(".csv"))) {
     throw CLI::ValidationError(

@@ -62,7 +62,7 @@ std::string stretches_text(const Replay& replay) {
   std::size_t longest = 1;
   for (const ReplayedAxis& axis : replay.axes) longest = std::max(longest, axis.reduction.stretch);
   if (longest == 1) return "each value";
-  return fmt::format("stretches of up to {} values, over which what is left stays alike,", longest);
+  return fmt::format("stretches of up to {} values, over which the residual is correlated,", longest);
 }
 
 void print(const Replay& replay, const CompensationOptions& options, const Recorded& recorded) {

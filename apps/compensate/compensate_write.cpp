@@ -109,37 +109,38 @@ std::string sensors_text(const LinearCompensation& line) {
 
 std::string conclusion(const std::string& axis, const Simplification& result) {
   const LineErrors& errors = result.left_out ? *result.left_out : result.fitted;
-  return fmt::format("{}: {}: {} um instead of {} um by the model, {} um without compensation.", axis,
+  return fmt::format("{} by {}: {} um with this line, {} um with the model, {} um without compensation.", axis,
                      sensors_text(result.line), fixed(errors.line.after_um, 2), fixed(errors.model.after_um, 2),
                      fixed(errors.line.before_um, 2));
 }
 
 std::string tested_text(const Simplification& result) {
   if (!result.left_out) {
-    return "These are values that the line was fitted to, for too few could be left out: on others it is worse.";
+    return "These values are those of the fit, because too few could be left out. On new values the error is larger.";
   }
   const LineErrors& errors = *result.left_out;
   const std::string how =
       result.runs > 1
-          ? fmt::format("Each of {} runs was left out in turn: sensors and slopes are then those of the others.",
+          ? fmt::format("Each of {} runs was left out in turn; sensors and slopes were then chosen from the others.",
                         result.runs)
-          : "These values are the last two fifths of the record; sensors and slopes are then those of what is before "
-            "each.";
+          : "These values are the last two fifths of the record; sensors and slopes were chosen from the rows before "
+            "each "
+            "fifth.";
   if (errors.beyond == 0) return how;
-  return fmt::format("{} In {} of {} values a reading was then beyond the ends of the line.", how, errors.beyond,
+  return fmt::format("{} In {} of {} values a reading was beyond the ends of the line.", how, errors.beyond,
                      errors.values);
 }
 
 void print(const std::string& title, const std::string& axis, const std::string& parameters,
            const Simplification& result) {
   fmt::print("{}\n{}\n{}\n", title, wrapped(conclusion(axis, result)), wrapped(tested_text(result) + " " + parameters));
-  Table sensors({"sensor", "um/K", "0 at", "from", "to"});
+  Table sensors({"sensor", "slope um/K", "zero at", "from", "to"});
   for (const SensorSlope& sensor : result.line.sensors) {
     sensors.add({one_line(sensor.column), with_sigma(sensor.slope_um_per_K, sensor.sigma_um_per_K, 3),
                  fixed(sensor.zero, 1), fixed(sensor.low, 1), fixed(sensor.high, 1)});
   }
   fmt::print("{}\n", sensors.text(table_width()));
-  Table table({"values", "n", "without um", "model um", "line um", "model: less %", "line: less %", "largest um",
+  Table table({"values", "n", "without um", "model um", "line um", "model gain %", "line gain %", "largest um",
                "model um", "line um"});
   const auto add = [&](const char* name, const LineErrors& errors) {
     table.add({name, fmt::format("{}", errors.values), fixed(errors.line.before_um, 2), fixed(errors.model.after_um, 2),
@@ -149,10 +150,10 @@ void print(const std::string& title, const std::string& axis, const std::string&
   if (result.left_out) add("left out", *result.left_out);
   add("fitted to", result.fitted);
   fmt::print("{}\n{}", table.text(table_width()),
-             wrapped(fmt::format("RMS and largest errors since the first value of each run, which is left out. ± is "
-                                 "one sigma, of a slope by leaving out {} in turn, of % by leaving out stretches. The "
-                                 "line is as written: its slopes are rounded, its result {} {} um. It leaves {} um "
-                                 "RMS of what the model predicts.",
+             wrapped(fmt::format("RMS and largest errors relative to the first value of each run. ± is one sigma: of a "
+                                 "slope by leaving out {} in turn, of % by leaving out stretches. The line is as "
+                                 "written: its slopes are rounded and its result {} {} um. It differs by {} um RMS "
+                                 "from the model.",
                                  result.runs > 1 ? "each run" : "each fifth of the record",
                                  result.line.increment.toward_zero ? "is cut to whole steps of" : "is rounded to",
                                  fmt::format("{:g}", result.line.increment.um), fixed(result.from_model_um, 2))));
@@ -186,7 +187,8 @@ void compensate_write(const CompensationOptions& options, const WriteOptions& wr
   expect_no_input(write.out, inputs);
   const std::vector<CompensatedAxis> axes = axes_of(options);
   if (axes.size() != 1) {
-    throw Error(fmt::format("--write: expected a model of one target, found {}: write each of its own.", axes.size()));
+    throw Error(
+        fmt::format("--write: expected a model of one target, found {}. Write each to its own file.", axes.size()));
   }
   const CompensatedAxis& axis = axes.front();
   const std::string& target = axis.model.targets.front();
@@ -196,8 +198,9 @@ void compensate_write(const CompensationOptions& options, const WriteOptions& wr
   });
   const LineErrors& judged = result.left_out ? *result.left_out : result.fitted;
   if (!(judged.line.after_um < judged.line.before_um)) {
-    throw Error(fmt::format("{}: expected a line that lowers the error, found {:.2f} um with it and {:.2f} um without.",
-                            write.data.name(), judged.line.after_um, judged.line.before_um));
+    throw Error(
+        fmt::format("{}: expected a line that lowers the error, found {:.2f} um with it and {:.2f} um without it.",
+                    write.data.name(), judged.line.after_um, judged.line.before_um));
   }
   const std::string parameters = parameters_text(options, data.files);
   ControlLine line{axis.name, result.line, options.limits.rate_um_per_s, {}};

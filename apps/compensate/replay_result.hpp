@@ -30,7 +30,7 @@ struct ResultType<ReplayedAxis> {
       Field{"rms_after_um", [](Axis of) { return of.reduction.after_um; }, ""},
       Field{"reduction_percent", [](Axis of) { return 100.0 * of.reduction.share; }, ""},
       Field{"reduction_sigma_percent", [](Axis of) { return 100.0 * of.reduction.sigma; }, ""},
-      Field{"stretch", [](Axis of) { return of.reduction.stretch; }, "values over which what is left stays alike"},
+      Field{"stretch", [](Axis of) { return of.reduction.stretch; }, "values over which the residual is correlated"},
       Field{"largest_before_um", [](Axis of) { return largest_of(of.before_um); }, ""},
       Field{"largest_after_um", [](Axis of) { return largest_of(of.after_um); }, ""},
       Field{"rows_held",

@@ -291,7 +291,7 @@ void try_effects(EffectOptions options, bool details) {
 
 void run(AddArguments options) {
   if (options.dry_run) return try_effects(options.effect, options.details);
-  if (options.named_only && !options.automatic) throw CLI::ValidationError("--named-only: expected --auto with it");
+  if (options.named_only && !options.automatic) throw CLI::ValidationError("--named-only: expected --auto");
   split_words(options.effect, !options.automatic);
   expect_file(options);
   const ProgressLine progress;

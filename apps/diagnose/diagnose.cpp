@@ -138,7 +138,7 @@ void add_diagnose(CLI::App& app) {
       ->check(whole_number_within(30, 5000));
   add_follow_options(*command, options->follow);
   add_details(*command, options->details);
-  command->add_flag("--json", options->json, "the result for a program");
+  command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(
       "Example:\n"
       "  ballbar diagnose sample-runs/spindle-46h/measured.csv --model sample-runs/spindle-46h/speed.toml "

@@ -175,7 +175,7 @@ void add_follow_options(CLI::App& command, FollowOptions& options) {
 
 void expect_follow(const FollowOptions& options) {
   const auto expect = [&](bool given, const char* option) {
-    if (given && !options.follow) throw CLI::ValidationError(fmt::format("{}: expected --follow with it", option));
+    if (given && !options.follow) throw CLI::ValidationError(fmt::format("{}: expected --follow", option));
   };
   expect(options.planned_hours.has_value(), "--hours");
   expect(options.every_s.has_value(), "--look-every");

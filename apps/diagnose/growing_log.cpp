@@ -29,7 +29,7 @@ void expect_rows(std::string_view head, const std::string& name) {
   const Reader* const reader = reader_of(head);
   const bool is_text = head.find('\0') == std::string_view::npos;
   if (is_text && (reader == nullptr || reads_series(reader))) return;
-  throw Error(fmt::format("{}: expected a log of text that grows by a row a line, found {}.", name, found_in(reader)));
+  throw Error(fmt::format("{}: expected a text log with one row per line, found {}.", name, found_in(reader)));
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ GrowingLog::GrowingLog(const std::string& name) : name_(shown_name(name)) {
   if (name != "-") {
     std::error_code absent;
     if (std::filesystem::is_directory(name, absent)) {
-      throw Error(fmt::format("{}: expected a log of text that grows by a row a line, found a directory.", name_));
+      throw Error(fmt::format("{}: expected a text log with one row per line, found a directory.", name_));
     }
     descriptor_ = open(name.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor_ < 0) throw Error(fmt::format("{}: cannot be opened: {}.", name_, std::strerror(errno)));

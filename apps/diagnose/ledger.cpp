@@ -97,7 +97,7 @@ void add_ledger(CLI::App& app) {
   CLI::App* command = app.add_subcommand("ledger", "What a model went through: every revision and its error");
   add_source(*command, "--model", options->model, "model.toml with a ledger")->type_name("FILE")->required();
   add_details(*command, options->details);
-  command->add_flag("--json", options->json, "the result for a program");
+  command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(
       "Example, after `ballbar add ... --out model.toml`:\n"
       "  ballbar ledger --model model.toml");

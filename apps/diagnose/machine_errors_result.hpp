@@ -134,7 +134,7 @@ struct ResultType<ErrorRow> {
             "by the estimator of the instrument's software; null: it has no such error"},
       Field{"significant", of_rank(&RankedError::significant), "null, as all ranks: of the circle, which has none"},
       Field{"predicts_other_run", of_rank(&RankedError::predicts_other_run),
-            "whether its value from one run alone lowers what is left in the other"},
+            "whether its value from one run lowers the residual of the other"},
       Field{"individual_circularity_um", of_rank(&RankedError::individual_circularity_um),
             "peak to peak of its own curve over all recordings"},
       Field{"share_percent", of_rank(&RankedError::share_percent), "of the sum of these of all errors"},
@@ -159,7 +159,7 @@ struct ResultType<ErrorRow> {
 template <>
 struct ResultType<AddedError> {
   static constexpr std::string_view name = "AddedError";
-  static constexpr std::string_view meaning = "What is left once this error joins those before it.";
+  static constexpr std::string_view meaning = "The residual with this error and those before it.";
   static constexpr std::tuple fields{Field{"effect", [](const AddedError& of) { return of.effect->name; }, ""},
                                      Field{"rms_um", &AddedError::rms_um, ""}};
 };

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kRemedies = 3;
 constexpr std::size_t kWidest = 144;
-constexpr std::size_t kRows = 10, kStoredRows = 25, kDifferences = 3;  // without details
+constexpr std::size_t kErrorRows = 10, kStoredRows = 25, kDifferences = 3;  // without details
 
 std::string plain(double value, int decimals) { return fixed(value, decimals); }
 
@@ -94,7 +94,7 @@ std::string table_text(const ErrorsReport& report, bool details) {
   Table table(heading);
   std::size_t rows = 0;
   const auto add = [&](const MachineError& error, const RankedError* ranked, bool first) {
-    if (++rows > kRows && !details) return;
+    if (++rows > kErrorRows && !details) return;
     const int decimals = decimals_of_sigma(error.sigma);
     const bool marked = ranked != nullptr && report.options.in_the_model.contains(ranked->effect->name);
     std::vector<std::string> row{(marked ? "+ " : "") + error.name, with_sigma(error.value, error.sigma, decimals),
@@ -123,7 +123,7 @@ std::string table_text(const ErrorsReport& report, bool details) {
     if (!listed[row]) add(report.found.errors[row], nullptr, true);
   }
   std::string text = table.text(table_width(kWidest));
-  if (rows > kRows && !details) text += more_text(rows - kRows) + '\n';
+  if (rows > kErrorRows && !details) text += more_text(rows - kErrorRows) + '\n';
   return text;
 }
 

@@ -68,7 +68,7 @@ template <>
 struct ResultType<Ledger> {
   static constexpr std::string_view name = "Ledger";
   static constexpr std::string_view meaning = "The story of a model.";
-  static constexpr std::tuple fields{Field{"rows", &Ledger::rows, "a row a revision"}};
+  static constexpr std::tuple fields{Field{"rows", &Ledger::rows, "one row per revision"}};
 };
 
 // An effect that was added for a test.

@@ -45,7 +45,7 @@ void add_undo(CLI::App& app) {
   add_source(*command, "--model", options->model, "model.toml with a ledger, which is changed")
       ->type_name("FILE")
       ->required();
-  command->add_flag("--json", options->json, "the result for a program");
+  command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(
       "Example, after `ballbar add ... --out model.toml`:\n"
       "  ballbar undo --model model.toml");

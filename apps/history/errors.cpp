@@ -46,7 +46,7 @@ bool is_one_test(const std::vector<Source>& files) { return files.size() == 1 &&
 
 // All errors of one plane and one bar together, by what mending each gains.
 void show_ranked(ErrorsArguments options) {
-  if (!options.out.empty()) throw CLI::ValidationError("--out: expected no --show ranked with it");
+  if (!options.out.empty()) throw CLI::ValidationError("--out: cannot be combined with --show ranked");
   std::vector<SkippedFile> faults;
   if (any_folder_of_tests(options.files)) {
     FoundFiles found = put_recordings_below(options.files);
@@ -75,7 +75,7 @@ void show_table(const ErrorsArguments& options) {
 
 // Of two tests, the first before the second.
 void show_change(const ErrorsArguments& options) {
-  if (!options.out.empty()) throw CLI::ValidationError("--out: expected no --show change with it");
+  if (!options.out.empty()) throw CLI::ValidationError("--out: cannot be combined with --show change");
   TestFiles before, after;
   if (options.files.size() == 2) {
     before = read_tests({options.files[0].name()}, options.how.strict, options.how.circle);
@@ -100,7 +100,7 @@ void run(const ErrorsArguments& options, const std::vector<CLI::Option*>& of_a_r
       const char* const other = !options.out.empty()           ? "--out"
                                 : options.view == View::change ? "--show change"
                                                                : "--show table";
-      throw CLI::ValidationError(fmt::format("{}: expected no {} with it, of a ranking", (*found)->get_name(), other));
+      throw CLI::ValidationError(fmt::format("{}: cannot be combined with {}", (*found)->get_name(), other));
     }
     return show_ranked(options);
   }

@@ -162,7 +162,7 @@ void run_one(const ImportArguments& options) {
 }
 
 void run_several(const ImportArguments& options) {
-  if (!options.save.empty()) throw CLI::ValidationError("--save: expected one log with it, found several");
+  if (!options.save.empty()) throw CLI::ValidationError("--save: expected one log, found several");
   const MergedSeries merged = merged_series(options.logs, options.clocks);
   if (!options.out.empty()) write_series(merged.series, options.out);
   if (options.json) {
@@ -184,8 +184,8 @@ std::string file_of_run(const std::string& out, std::size_t run, std::size_t run
 
 void run_circle(const ImportArguments& options) {
   const Source& log = options.logs.front();
-  if (options.logs.size() > 1) throw CLI::ValidationError("--circle: expected one file with it, found several");
-  if (!options.save.empty()) throw CLI::ValidationError("--circle: expected no --save with it");
+  if (options.logs.size() > 1) throw CLI::ValidationError("--circle: expected one file, found several");
+  if (!options.save.empty()) throw CLI::ValidationError("--circle: cannot be combined with --save");
   RecordingFile file = open_recording(log, known_readers(), options.circle.stated);
   expect_readings(file, log.path());
   tell(file.remarks);
@@ -237,10 +237,9 @@ void run(const ImportArguments& options) {
   if (options.logs.size() > 1) return run_several(options);
   const ClockOptions& clocks = options.clocks;
   if (clocks.keep_clocks || clocks.range_s || clocks.max_gap_s) {
-    throw CLI::ValidationError(
-        fmt::format("{}: expected several logs with it, found one", clocks.keep_clocks ? "--keep-clocks"
-                                                                    : clocks.range_s   ? "--lag-range"
-                                                                                       : "--max-gap"));
+    throw CLI::ValidationError(fmt::format("{}: expected several logs, found one", clocks.keep_clocks ? "--keep-clocks"
+                                                                                   : clocks.range_s   ? "--lag-range"
+                                                                                                      : "--max-gap"));
   }
   run_one(options);
 }

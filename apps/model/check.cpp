@@ -174,7 +174,7 @@ void add_check(CLI::App& app) {
   add_also_input(*command, options->model);
   add_fit_options(*command, options->model);
   add_details(*command, options->details);
-  command->add_flag("--json", options->json, "the result for a program");
+  command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(
       "Example:\n"
       "  ballbar check sample-runs/two-arcs-he2015 --model sample-runs/two-arcs-he2015/model.toml");

@@ -55,7 +55,7 @@ void add_effect_options(CLI::App& command, EffectOptions& options, const std::st
   command.remove_option(command.get_option("DATA"));
   forget_places(command);
   add_data(command, "EFFECT_AND_DATA", options.words, words)->required()->type_name("");
-  command.add_flag("--json", options.json, "the result for a program");
+  command.add_flag("--json", options.json, "print the result as JSON");
 }
 
 void split_words(EffectOptions& options, std::optional<bool> effects) {
@@ -85,9 +85,8 @@ void expect_known_effect(const std::string& word) {
   const std::string name = word.substr(0, word.find_first_of(":("));
   const std::vector<std::string> known = effect_words();
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  throw CLI::ValidationError(
-      fmt::format("expected an effect or a file, found {}, which is neither{}; ballbar effects lists all",
-                  in_quotes(name), nearest_hint(name, known)));
+  throw CLI::ValidationError(fmt::format("expected an effect or a file, found {}{}. ballbar effects lists all effects",
+                                         in_quotes(name), nearest_hint(name, known)));
 }
 
 void expect_one_target(const ModelOptions& options, const Model& model) {

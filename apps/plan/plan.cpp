@@ -170,7 +170,7 @@ void add_plan(CLI::App& app) {
       ->type_name("N")
       ->check(whole_number_within(0, kLargestSeed));
   add_details(*command, options->details);
-  command->add_flag("--json", options->json, "the result for a program");
+  command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(
       "Example:\n"
       "  ballbar plan sample-runs/hidden-effect/01/data.csv --model sample-runs/hidden-effect/01/model.toml --hours 8");

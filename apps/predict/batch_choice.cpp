@@ -31,8 +31,8 @@ std::string rule_text(const BatchChoice& choice, const BatchRanking& ranking, do
     case Take::held_out:
       return "best for batches like this";
     case Take::weights:
-      return std::isfinite(ranking.bandwidth) ? fmt::format("weights by likeness, h = {:g}", ranking.bandwidth)
-                                              : "weights by likeness: all alike";
+      return std::isfinite(ranking.bandwidth) ? fmt::format("weights by similarity, h = {:g}", ranking.bandwidth)
+                                              : "weights by similarity: all equal";
     default:
       return "all batches";
   }
@@ -50,7 +50,7 @@ std::string conclusion(const BatchRanking& ranking, const BatchChoice& taken,
   const std::size_t all = ranking.ranked.size();
   std::string text;
   if (taken.take == Take::weights) {
-    text = fmt::format("{} of {} batches, weighed by their likeness to the job (as many as {:.1f} alike)",
+    text = fmt::format("{} of {} batches, weighted by their similarity to the job (effective number {:.1f})",
                        taken.batches, all, effective_batches(taken.weights));
   } else if (taken.batches == all) {
     text = fmt::format("All {} batches", all);
@@ -103,7 +103,7 @@ void print_choices(const BatchRanking& ranking, double fall, const std::optional
 
 void print_ranking(const std::vector<RankedBatch>& ranked, bool every) {
   const bool measured = ranked.front().predicted_rmse_um.has_value();
-  std::vector<std::string> heading{"batch", "rank", "room apart K", "unlike", "weight", "RMSE_m um"};
+  std::vector<std::string> heading{"batch", "rank", "room difference K", "dissimilarity", "weight", "RMSE_m um"};
   if (measured) heading.emplace_back("RMSE_p um");
   Table table(heading);
   const std::size_t shown = every ? ranked.size() : std::min(ranked.size(), kShownBatches);
@@ -120,8 +120,8 @@ void print_ranking(const std::vector<RankedBatch>& ranked, bool every) {
   }
   fmt::print("\n{}", table.text(table_width()));
   if (shown < ranked.size()) fmt::print("{} more (--list-all)\n", ranked.size() - shown);
-  fmt::print("RMSE_m: of the batches up to this rank by a regression to them{}.\n",
-             measured ? "; RMSE_p: of the job by it" : "");
+  fmt::print("RMSE_m: residual of a regression on the batches up to this rank{}.\n",
+             measured ? "; RMSE_p: its error on the job" : "");
 }
 
 // What is odd about the job: a sensor that does not go with the others, a room out of all batches' range.
@@ -132,15 +132,15 @@ void add_remarks(OpenedBatches& opened, const Batch& job) {
   for (const BrokenSensor& broken : broken_sensors(with_job, opened.columns)) {
     if (broken.batches.back() != job.name) continue;
     remarks.push_back(
-        fmt::format("{} is off by {:+.1f} K in {}: it looks broken.", broken.sensor, broken.off_K, job.name));
+        fmt::format("{} is off by {:+.1f} K in {}. It looks broken.", broken.sensor, broken.off_K, job.name));
   }
   const auto [coldest, warmest] = std::minmax_element(
       opened.batches.begin(), opened.batches.end(),
       [](const Batch& a, const Batch& b) { return a.start.room_mean_degC < b.start.room_mean_degC; });
   const double low = coldest->start.room_mean_degC, high = warmest->start.room_mean_degC;
   if (job.start.room_first_degC < low || job.start.room_first_degC > high) {
-    remarks.push_back(
-        fmt::format("The room of the job is outside that of all batches, {:.1f} to {:.1f} degC.", low, high));
+    remarks.push_back(fmt::format(
+        "The room temperature of the job is outside the range of all batches, {:.1f} to {:.1f} degC.", low, high));
   }
 }
 
@@ -167,8 +167,8 @@ void train_for_job(const TrainOptions& options) {
   const Batch job = job_of(options.job.name(), opened.columns, series, measured);
   add_remarks(opened, job);
   if (target != nullptr && !measured) {
-    opened.remarks.push_back(fmt::format("{} has gaps in {}: what is predicted for it is not checked.",
-                                         opened.columns.target, options.job.name()));
+    opened.remarks.push_back(
+        fmt::format("{} has gaps in {}. The prediction is not checked.", opened.columns.target, options.job.name()));
   }
   const ChoiceOptions how{options.method.value_or(RegressionMethod::pcr), options.share, options.fall};
   const BatchRanking ranking = with_source(options.title(), [&] {
@@ -192,7 +192,7 @@ void train_for_job(const TrainOptions& options) {
     print_json(json_of(
         TrainedForJob{opened.columns.target, job.start.room_first_degC, taken.take, ranking, random, opened.remarks}));
   } else {
-    fmt::print("{}: room {:.2f} degC as it begins; {} batches of {}\n\n{}", options.job.name(),
+    fmt::print("{}: room {:.2f} degC at the start; {} batches of {}\n\n{}", options.job.name(),
                job.start.room_first_degC, opened.batches.size(), options.title(),
                wrapped(conclusion(ranking, taken, random)));
     print_choices(ranking, options.fall, random);

@@ -28,7 +28,7 @@ void expect_no_more(const Series& series, const BatchColumns& columns, const std
     const auto is_it = [&](const std::string& name) { return name == column.name; };
     if (std::any_of(columns.sensors.begin(), columns.sensors.end(), is_it)) continue;
     if (std::any_of(left_out.begin(), left_out.end(), is_it)) continue;
-    throw Error(fmt::format("expected the temperatures of {}, found {} beside them.", first, column.name));
+    throw Error(fmt::format("expected the temperatures of {}, found {} in addition.", first, column.name));
   }
 }
 
@@ -62,11 +62,11 @@ void tell_steps(const std::vector<Batch>& batches, const std::string& target, st
       continue;
     }
     const auto& [time_s, um] = batch.steps.front();
-    remarks.push_back(
-        fmt::format("{}: {} steps by {:.1f} um at {:.0f} s{}, as if a probe was touched. --without {} leaves it out.",
-                    batch.name, target, um, time_s, batch.steps.size() > 1 ? " and elsewhere" : "", batch.name));
+    remarks.push_back(fmt::format(
+        "{}: {} steps by {:.1f} um at {:.0f} s{}, as if a probe had been touched. --without {} leaves it out.",
+        batch.name, target, um, time_s, batch.steps.size() > 1 ? " and elsewhere" : "", batch.name));
   }
-  if (more > 0) remarks.push_back(fmt::format("{} more batches with such steps.", more));
+  if (more > 0) remarks.push_back(fmt::format("{} more batches have such steps.", more));
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ OpenedBatches open_batches(const TrainOptions& options) {
     if (options.job.empty() || !options.job.is_path() ||
         !std::filesystem::equivalent(run.file, options.job.path(), absent))
       return false;
-    remarks.push_back(fmt::format("{} is the job itself: left out of the batches.", run.name));
+    remarks.push_back(fmt::format("{} is the job itself. It is left out.", run.name));
     return true;
   });
   if (list.runs.size() < 2) {
@@ -123,7 +123,7 @@ OpenedBatches open_batches(const TrainOptions& options) {
           throw Error(fmt::format("--without-sensor {}: expected a temperature, found none of that name.", sensor));
         }
         if (opened.columns.sensors.empty()) {
-          throw Error("--without-sensor: expected a temperature to be left, found all left out.");
+          throw Error("--without-sensor: expected at least one temperature to remain, found all of them named.");
         }
       }
       expect_no_more(series, opened.columns, options.without_sensor, list.runs.front().name);
@@ -136,11 +136,11 @@ OpenedBatches open_batches(const TrainOptions& options) {
   tell_steps(opened.batches, opened.columns.target, opened.remarks);
   std::vector<std::string> leave;
   for (const std::string& sensor : constant_sensors(opened.batches, opened.columns)) {
-    opened.remarks.push_back(fmt::format("{} reads the same in all rows of all batches: left out.", sensor));
+    opened.remarks.push_back(fmt::format("{} is constant in all batches. It is left out.", sensor));
     leave.push_back(sensor);
   }
   for (const BrokenSensor& broken : broken_sensors(opened.batches, opened.columns)) {
-    opened.remarks.push_back(fmt::format("{} is off by {:+.1f} K in {} of {} batches ({}): it looks broken, {}.",
+    opened.remarks.push_back(fmt::format("{} is off by {:+.1f} K in {} of {} batches ({}). It looks broken and is {}.",
                                          broken.sensor, broken.off_K, broken.batches.size(), opened.batches.size(),
                                          some_of(broken.batches), options.keep_broken ? "kept" : "left out"));
     if (!options.keep_broken) leave.push_back(broken.sensor);
@@ -148,8 +148,8 @@ OpenedBatches open_batches(const TrainOptions& options) {
   if (!options.job.empty()) with_source(options.title(), [&] { expect_room(opened.columns); });
   if (!opened.columns.room.empty() && std::find(leave.begin(), leave.end(), opened.columns.room) != leave.end()) {
     opened.remarks.push_back(
-        fmt::format("{} is the room by which batches are ranked: do not trust the ranking; name "
-                    "another by --room.",
+        fmt::format("{} is the room temperature that ranks the batches. Do not trust the ranking; choose "
+                    "another column with --room.",
                     opened.columns.room));
   }
   FewerSensors fewer =

@@ -71,7 +71,7 @@ double rms(const std::vector<double>& values) {
 }
 
 Table summary(const std::vector<Column>& columns) {
-  Table table({"column", "least um", "largest um", "at the end um", "rms um"});
+  Table table({"column", "minimum um", "maximum um", "end um", "RMS um"});
   for (const Column& column : columns) {
     double low = std::numeric_limits<double>::infinity(), high = -low, last = 0.0;
     for (const double value : column.values) {
@@ -93,19 +93,19 @@ void run_regression(const PredictArguments& options, bool of_effects) {
     throw Error(fmt::format("expected one file of DATA for {}, found {}.", model.model.name(), model.data.size()));
   }
   if (!of_effects && !options.on.empty()) {
-    throw Error("--on: expected a model of effects with it; a regression predicts DATA itself.");
+    throw Error("--on: expected a model of effects, found a regression, which predicts DATA itself.");
   }
   const bool fits = !model.target.empty() || model.robust || model.white;
   if (of_effects && (fits || !options.on.empty() || options.anyway)) {
     throw Error(
-        fmt::format("{}: expected neither --on, --target, --robust, --white nor --anyway: a regression has its "
-                    "target, predicts DATA itself and is fitted to nothing here.",
+        fmt::format("{}: expected neither --on, --target, --robust, --white nor --anyway. A regression has its "
+                    "target and predicts DATA without a fit.",
                     model.model.name()));
   }
   if (!of_effects && (fits || model.max_gap_s)) {
     throw Error(
-        fmt::format("{}: expected neither --target, --max-gap, --robust nor --white: a regression has its target "
-                    "and is fitted to nothing here.",
+        fmt::format("{}: expected neither --target, --max-gap, --robust nor --white. A regression has its target "
+                    "and predicts without a fit.",
                     model.model.name()));
   }
   expect_no_input(options.out, paths_of({model.data.front(), model.model}));
@@ -117,9 +117,9 @@ void run_regression(const PredictArguments& options, bool of_effects) {
 void run(const PredictArguments& options) {
   const std::string head = options.model.model.head(kHeadBytes);
   if (is_effect_regression_json(head)) return run_regression(options, true);
-  if (!options.state.empty()) throw Error("--state: expected a model of train --effects with it.");
+  if (!options.state.empty()) throw Error("--state: expected a model of train --effects.");
   if (is_batch_model_json(head)) return run_regression(options, false);
-  if (options.anyway) throw Error("--anyway: expected a model of train with it, a model of effects was given.");
+  if (options.anyway) throw Error("--anyway: expected a model of train, found a model of effects.");
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
   ModelOptions elsewhere = options.model;
@@ -150,7 +150,7 @@ void run(const PredictArguments& options) {
   }
   for (const std::string& path : options.out) wrote_line(path);
   if (other.series->runs.size() > 1 && !options.out.empty()) {
-    stderr_line("times go on from run to run, one right after another");
+    stderr_line("the times of the runs follow each other without gaps");
   }
 }
 

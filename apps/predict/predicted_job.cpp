@@ -111,25 +111,27 @@ std::string drivers_text(const EffectRegression& model, const RegressionPredicti
   if (prediction.drivers.size() > kToldParts) {
     parts.push_back(fmt::format("{} more {:.2f}", prediction.drivers.size() - kToldParts, more));
   }
-  return fmt::format("Of {:.2f} um, the range of what is predicted: {}; not attributable {:.2f} (standard deviation).",
-                     range, fmt::join(parts, ", "), model.sigma_um);
+  return fmt::format(
+      "Shares of the range of the prediction, {:.2f} um: {}; not attributable {:.2f} (standard deviation).", range,
+      fmt::join(parts, ", "), model.sigma_um);
 }
 
 std::vector<std::string> temperature_warnings(const RegressionPrediction& prediction) {
   std::vector<std::string> warnings;
   if (prediction.broken.size() == 1) {
-    warnings.push_back(
-        fmt::format("{} looks broken: with the reading that the other sensors suggest, rows are like those trained on.",
-                    prediction.broken.front()));
+    warnings.push_back(fmt::format(
+        "{} looks broken: with the value that the other sensors suggest, the rows resemble those of the training.",
+        prediction.broken.front()));
   } else if (!prediction.broken.empty()) {
-    warnings.push_back(fmt::format("{} does not go with the other sensors, or the job is unlike those trained on.",
-                                   fmt::join(prediction.broken, " or ")));
+    warnings.push_back(
+        fmt::format("{} does not agree with the other sensors, or the job differs from those of the training.",
+                    fmt::join(prediction.broken, " or ")));
   }
   const Extrapolation extrapolation = extrapolation_of(prediction);
   if (extrapolation.matters) {
     warnings.push_back(
-        fmt::format("{} of {} rows are farther out than any in training (Hotelling T2), {} unlike all of "
-                    "them (Q). There the model extrapolates: its interval is wider, and less to be trusted.",
+        fmt::format("{} of {} rows are outside the range of the training (Hotelling T2), {} have another "
+                    "pattern (Q). There the model extrapolates. Its interval is wider and less reliable.",
                     extrapolation.far, prediction.predicted_um.size(), extrapolation.odd));
   }
   const std::vector<OutsideRange>& outside = prediction.outside;
@@ -137,11 +139,11 @@ std::vector<std::string> temperature_warnings(const RegressionPrediction& predic
     const OutsideRange& one = outside[i];
     const std::string_view unit = unit_of(one.what) == "degC" ? "degC" : "K";
     warnings.push_back(
-        fmt::format("{} is as far as {:.1f} {} in {} rows from {:.0f} s on; in training {:.1f} to {:.1f}.", one.what,
+        fmt::format("{} reaches {:.1f} {} in {} rows from {:.0f} s on; in training it was {:.1f} to {:.1f}.", one.what,
                     one.value, unit, one.rows, one.time_s, one.low, one.high));
   }
   if (outside.size() > kToldParts)
-    warnings.push_back(fmt::format("{} more leave their range.", outside.size() - kToldParts));
+    warnings.push_back(fmt::format("{} more columns leave their range.", outside.size() - kToldParts));
   return warnings;
 }
 
@@ -157,14 +159,13 @@ std::vector<std::string> effect_warnings(const RegressionPrediction& prediction)
   std::vector<std::string> parts;
   for (const OutsideRange& one : outside) {
     if (parts.size() == kToldParts) break;
-    parts.push_back(fmt::format("{} as far as {:g} ({:g} to {:g})", one.what, one.value, one.low, one.high));
+    parts.push_back(fmt::format("{} reaches {:g} (trained: {:g} to {:g})", one.what, one.value, one.low, one.high));
   }
   if (outside.size() > kToldParts) parts.push_back(fmt::format("{} more", outside.size() - kToldParts));
   const double first_s = std::min_element(outside.begin(), outside.end(), [](const auto& a, const auto& b) {
                            return a.time_s < b.time_s;
                          })->time_s;
-  return {fmt::format("From {:.0f} s on columns leave what was trained, and the model extrapolates: {}.", first_s,
-                      fmt::join(parts, ", "))};
+  return {fmt::format("From {:.0f} s on the model extrapolates: {}.", first_s, fmt::join(parts, ", "))};
 }
 
 // The rows after the last one that was predicted.
@@ -185,11 +186,11 @@ void expect_state_apart(const JobOptions& options) {
   expect_no_input({options.state}, others, "--state");
   for (const std::filesystem::path& other : others) {
     if (state.lexically_normal() != other.lexically_normal()) continue;
-    throw Error(
-        fmt::format("--state {}: expected a file of its own, found one that is read or written here.", options.state));
+    throw Error(fmt::format("--state {}: expected a separate file, found one that this command reads or writes.",
+                            options.state));
   }
   if (state.parent_path().empty() || std::filesystem::is_directory(state.parent_path())) return;
-  throw Error(fmt::format("--state {}: expected a folder that is there, found none.", options.state));
+  throw Error(fmt::format("--state {}: expected an existing folder, found none.", options.state));
 }
 
 // Where the state's file says that an earlier prediction stood; nothing where there is no file yet.
@@ -198,7 +199,7 @@ std::optional<PredictionState> state_of(const std::string& file, const std::stri
   StoredPrediction stored = read_prediction_state(read_bytes(file, kLargestText), file);
   if (stored.model != digest) {
     throw Error(
-        fmt::format("{}: expected the state of this model, found one of another. Without the file a new run "
+        fmt::format("{}: expected the state of this model, found that of another one. Without the file a new run "
                     "begins.",
                     file));
   }
@@ -207,16 +208,17 @@ std::optional<PredictionState> state_of(const std::string& file, const std::stri
 
 std::string start_text(const EffectRegression& model, const RegressionPrediction& prediction, const Series& data,
                        bool from_state) {
-  if (from_state) return "It goes on from where the state stood.";
+  if (from_state) return "Continued from the saved state.";
   if (prediction.holds) {
-    return fmt::format("It begins as the training did; what comes after {} is new.",
+    return fmt::format("Starts with the training; rows after {} are new.",
                        duration_text(model.end_s - data.time_s.front()));
   }
-  if (prediction.goes_on) return "It goes on where training ended: filters and the slow curve are kept.";
+  if (prediction.goes_on) return "Continued from the end of the training, with the state of filters and slow residual.";
   const bool inside = data.time_s.front() > model.end.time_s[0] && data.time_s.front() < model.end_s;
   return fmt::format(
-      "A run of its own: its first row is the zero of temperatures and filters.{}",
-      inside ? " Its times are within those of the training: give the record from its first row on." : "");
+      "A new run: temperatures and filters start at its first row.{}",
+      inside ? " Its times are within those of the training. To continue a record, give it from its first row on."
+             : "");
 }
 
 // What a kind of regression has to say beside what all say.
@@ -245,7 +247,8 @@ void print_and_write(const PredictedJob& job, const JobOptions& options, const K
                duration_text(time_s.back() - time_s.front()), job.target, range_text(prediction));
     if (result.error) {
       fmt::print(
-          "measured less predicted{}: mean of |error| {:.2f} um, RMSE {:.2f} um, {:.0f} % within the 95 % interval\n",
+          "measured minus predicted{}: mean absolute error {:.2f} um, RMSE {:.2f} um, {:.0f} % within the 95 % "
+          "interval\n",
           first_new > 0 ? fmt::format(", {} new rows", result.error->rows) : "", result.error->mean_um,
           result.error->rmse_um, 100.0 * result.error->within_share);
     }
@@ -273,8 +276,8 @@ BatchJob batch_job(const Source& data, const Source& model, bool anyway) {
   job.prediction = with_source(job.source, [&] { return predict(made.model, job.data); });
   if (job.prediction.broken.size() == 1 && !anyway) {
     throw Error(
-        fmt::format("{}: expected sensors as in training, found that {} looks broken; put it right, train "
-                    "without it (--without-sensor), or predict all the same by --anyway.",
+        fmt::format("{}: expected sensors as in training, found that {} looks broken. Repair it, train without it "
+                    "(--without-sensor), or predict nevertheless with --anyway.",
                     job.source, job.prediction.broken.front()));
   }
   expect_prediction(job);
@@ -302,7 +305,7 @@ void predict_by_effects(const JobOptions& options) {
   } else {
     const ModelData opened = open_drift(options.data, options.max_gap_s);
     if (opened.series->runs.size() > 1) {
-      throw Error(fmt::format("{}: expected one run to predict, found {}; name its file, or its sheet by --sheet.",
+      throw Error(fmt::format("{}: expected one run to predict, found {}. Name its file, or its sheet with --sheet.",
                               options.data.name(), opened.series->runs.size()));
     }
     expect_no_input(options.out, opened.files);
@@ -312,7 +315,7 @@ void predict_by_effects(const JobOptions& options) {
     job.data = rows_after(std::move(job.data), from->live.time_s[from->live.rows - 1]);
   }
   if (job.data.time_s.empty()) {
-    throw Error(fmt::format("{}: expected rows after those that {} knows, found none.", job.source, options.state));
+    throw Error(fmt::format("{}: expected rows after those in {}, found none.", job.source, options.state));
   }
   job.prediction = with_source(from ? options.state : job.source, [&] { return predict(model, job.data, from); });
   const RegressionPrediction& prediction = job.prediction;

@@ -48,8 +48,8 @@ std::string contest_text(const std::vector<Contender>& contenders) {
   }
   return table.text(table_width()) +
          wrapped(
-             "* is written. left out: RMSE where each batch in turn is predicted by all the others; the settings "
-             "are chosen by it, so that it is a little too good.");
+             "*: written to the model. left out: RMSE when each batch is predicted by all the others. The settings are "
+             "chosen to minimise it, so it is slightly too small.");
 }
 
 namespace commands {
@@ -58,13 +58,12 @@ namespace {
 void expect_fitting(const TrainOptions& options) {
   const auto is = [&](RegressionMethod method) { return !options.method || *options.method == method; };
   if (options.components && !is(RegressionMethod::pcr)) {
-    throw CLI::ValidationError("--components: expected --method pcr with it.");
+    throw CLI::ValidationError("--components: expected --method pcr.");
   }
-  if (options.share && !is(RegressionMethod::pcr))
-    throw CLI::ValidationError("--share: expected --method pcr with it.");
+  if (options.share && !is(RegressionMethod::pcr)) throw CLI::ValidationError("--share: expected --method pcr.");
   if (options.components && options.share) throw CLI::ValidationError("expected --components or --share, found both.");
   if (options.penalty_K2 && !is(RegressionMethod::ridge)) {
-    throw CLI::ValidationError("--penalty: expected --method ridge with it.");
+    throw CLI::ValidationError("--penalty: expected --method ridge.");
   }
 }
 
@@ -127,17 +126,15 @@ void print_text(const TrainOptions& options, const OpenedBatches& opened, const 
   const InputKind kind = model.columns.kind;
   fmt::print("{}\n{} from {} temperatures ({}), {} batches, {} rows\n\n", options.title(), model.columns.target,
              model.columns.sensors.size(),
-             kind == InputKind::temperature ? "as they are"
-             : kind == InputKind::rise      ? "their rise since each batch began"
-                                            : "as they are, and their rise since each batch began",
+             kind == InputKind::temperature ? "values"
+             : kind == InputKind::rise      ? "rises since the start of each batch"
+                                            : "values, and rises since the start of each batch",
              opened.batches.size(), rows_in(opened.batches));
-  fmt::print(
-      "{}",
-      wrapped(fmt::format(
-          "A batch that the model has not seen is predicted to {:.2f} um RMSE by {}, of "
-          "{:.2f} um without any model. 95 % of its errors are within ±{:.2f} um, if those of each batch are normal.",
-          model.held_out_rmse_um, label_of(model.settings), rms_without_model_um(opened.batches),
-          model.half_width_um)));
+  fmt::print("{}", wrapped(fmt::format("The error on new batches is {:.2f} um RMSE with {}, {:.2f} um without a model. "
+                                       "95 % of the errors are within "
+                                       "±{:.2f} um, if they are normally distributed.",
+                                       model.held_out_rmse_um, label_of(model.settings),
+                                       rms_without_model_um(opened.batches), model.half_width_um)));
   fmt::print("\n{}", contest_text(contenders));
   if (!opened.remarks.empty()) fmt::print("\n");
   for (const std::string& remark : opened.remarks) fmt::print("{}", wrapped(remark));
@@ -186,19 +183,19 @@ void train_temperatures(const TrainOptions& options) {
 void expect_together(const TrainOptions& given) {
   const bool lists = lists_batches(given.data);
   if ((given.effects || !lists) && method_of(given)) {
-    throw CLI::ValidationError(
-        given.effects ? "--effects: expected neither --method, --components, --share nor --penalty with it."
-                      : "--method, --components, --share, --penalty: expected a list of runs with them");
+    throw CLI::ValidationError(given.effects
+                                   ? "--effects: cannot be combined with --method, --components, --share or --penalty."
+                                   : "--method, --components, --share, --penalty: expected a list of runs");
   }
-  if (given.few && !given.model.empty()) throw CLI::ValidationError("--few: expected no --model with it.");
-  if (given.few && !given.start.empty()) throw CLI::ValidationError("--few: expected no --start-from with it.");
+  if (given.few && !given.model.empty()) throw CLI::ValidationError("--few: cannot be combined with --model.");
+  if (given.few && !given.start.empty()) throw CLI::ValidationError("--few: cannot be combined with --start-from.");
   if (given.sensors && (given.few || !given.model.empty() || !given.start.empty()))
-    throw CLI::ValidationError("--sensors: expected neither --few, --model nor --start-from with it.");
+    throw CLI::ValidationError("--sensors: cannot be combined with --few, --model or --start-from.");
   if (given.effects || !lists) return;
-  if (given.sensors) throw CLI::ValidationError("--sensors: expected --effects with it.");
-  if (given.few) throw CLI::ValidationError("--few: expected --effects with it.");
-  if (!given.start.empty()) throw CLI::ValidationError("--start-from: expected --effects with it.");
-  if (given.max_gap_s) throw CLI::ValidationError("--max-gap: expected --effects with it.");
+  if (given.sensors) throw CLI::ValidationError("--sensors: expected --effects.");
+  if (given.few) throw CLI::ValidationError("--few: expected --effects.");
+  if (!given.start.empty()) throw CLI::ValidationError("--start-from: expected --effects.");
+  if (given.max_gap_s) throw CLI::ValidationError("--max-gap: expected --effects.");
 }
 
 void expect_together_for_job(const TrainOptions& given) {
@@ -211,9 +208,9 @@ void expect_together_for_job(const TrainOptions& given) {
                             : !given.start.empty() ? "--start-from"
                             : given.model.empty()  ? nullptr
                                                    : "--model";
-  if (other != nullptr) throw CLI::ValidationError(fmt::format("{}: expected no --for with it", other));
+  if (other != nullptr) throw CLI::ValidationError(fmt::format("{}: cannot be combined with --for", other));
   if (given.share && given.method == RegressionMethod::ridge) {
-    throw CLI::ValidationError("--share: expected --method pcr with it");
+    throw CLI::ValidationError("--share: expected --method pcr");
   }
 }
 

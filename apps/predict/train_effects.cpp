@@ -28,62 +28,64 @@ constexpr std::size_t kShownDrivers = 8;
 constexpr double kNoBetter = 0.95;  // of the error of the last value held
 constexpr std::size_t kHead = 1 << 16;
 
-// In which the numbers of a regression are.
+// The unit of the numbers of a regression.
 std::string unit_text(const EffectRegression& regression) {
   const std::string_view unit = unit_of(regression.model.targets.front());
   return std::string(unit.empty() ? "units" : unit);
 }
 
-// The conclusion: what may be expected of rows that the training did not have.
+// The conclusion: the error to expect on new rows.
 std::string expectation(const EffectRegression& regression) {
   const std::string& target = regression.model.targets.front();
   if (!regression.forecasts) {
-    return fmt::format("{}: too few rows to test forecasts; what it predicts elsewhere is not known.", target);
+    return fmt::format("{}: too few rows to test forecasts. The error on new rows is not known.", target);
   }
   const Forecasts& of = *regression.forecasts;
   const bool several = regression.runs > 1;
   const std::string tested = several ? fmt::format("runs left out (each of {})", of.count)
                                      : fmt::format("forecasts from {} origins", of.count);
   const std::string unit = unit_text(regression);
-  const std::string without = several ? fmt::format("0 {} is taken", unit) : "the last value, or the mean, is held";
+  const std::string without =
+      several ? fmt::format("for a prediction of 0 {}", unit) : "for the last value or the mean";
   if (regression.model.terms.empty() || !(of.rmse_um < kNoBetter * of.held_um)) {
     return fmt::format(
-        "{} is not predicted: in {} the error is {:.2f} {} RMSE, and {:.2f} {} where {}. What moves it is in none of "
-        "these columns.",
-        target, tested, of.rmse_um, unit, of.held_um, unit, without);
+        "{} cannot be predicted from these columns. The error in {} is {:.2f} {} RMSE, and {:.2f} {} {}.", target,
+        tested, of.rmse_um, unit, of.held_um, unit, without);
   }
   return fmt::format(
-      "{} is {}predicted to {:.2f} {} on rows that the training did not have (mean of |error| in {}; RMSE {:.2f} {}, "
-      "and {:.2f} {} where {}). The interval of 95 % held {:.0f} % of them{}.{}",
+      "{} is {}predicted to {:.2f} {} on new rows (mean absolute error in {}). The RMSE is {:.2f} {}, and {:.2f} {} "
+      "{}. "
+      "The 95 % interval contained {:.0f} % of the values{}.{}",
       target, is_predicted(regression) ? "" : "hardly ", of.error_um, unit, tested, of.rmse_um, unit, of.held_um, unit,
       without, 100.0 * of.within_share,
       regression.interval_scale > 1.005
-          ? fmt::format(" and is {:.2f} times as wide in the model's file, so that it holds 95 %",
+          ? fmt::format("; the model's file widens it {:.2f} times, so that it contains 95 %",
                         regression.interval_scale)
           : "",
-      is_predicted(regression) ? "" : " A random walk that no column drives comes as near by chance.");
+      is_predicted(regression) ? "" : " A random walk that no column drives would be predicted as well by chance.");
 }
 
 std::string memory_text(const EffectRegression& regression) {
   const std::string unit = unit_text(regression);
   return regression.length_s > 0.0
-             ? fmt::format("What no column drives is a curve of {:.2f} {} (standard deviation) with a memory of {}.",
+             ? fmt::format("The residual is {:.2f} {} (standard deviation) and changes slowly (about {}).",
                            regression.sigma_um, unit, duration_text(regression.length_s))
-             : fmt::format("What is left scatters by {:.2f} {}, without a memory.", regression.sigma_um, unit);
+             : fmt::format("The residual is {:.2f} {} (standard deviation), white.", regression.sigma_um, unit);
 }
 
-// What the effects of the model are of all that is predicted.
+// The share of the model's effects in the prediction.
 std::string named_text(const NamedEffects& named, const std::string& model, const std::string& unit) {
   std::string compared;
   if (named.with_um && named.without_um) {
-    compared = fmt::format(" Forecasts are {:.2f} {} RMSE with its effects, {:.2f} {} without.", *named.with_um, unit,
-                           *named.without_um, unit);
+    compared = fmt::format(" The error of forecasts is {:.2f} {} RMSE with them, {:.2f} {} without.", *named.with_um,
+                           unit, *named.without_um, unit);
   }
-  if (named.effects.empty()) return fmt::format("The effects of {} are left out: they do not help.{}", model, compared);
+  if (named.effects.empty())
+    return fmt::format("The effects of {} are left out, because they do not improve the forecasts.{}", model, compared);
   std::vector<std::string> parts;
   for (const NamedEffect& one : named.effects)
     parts.push_back(fmt::format("{} {:.2f} ± {:.2f} {}", one.label, one.share_um, one.sigma_um, unit));
-  return fmt::format("Of what is predicted the named causes make {}; {:.2f} {} is prediction without a named cause.{}",
+  return fmt::format("Named causes predict {}. The other {:.2f} {} of the prediction have no named cause.{}",
                      fmt::join(parts, ", "), named.rest_um, unit, compared);
 }
 
@@ -91,13 +93,13 @@ std::string start_text(const Start& start, const std::string& file, const std::s
   std::string text =
       start.used
           ? fmt::format(
-                "{} is adapted: {:.2f} {} of what is predicted is that model, {:.2f} {} this machine's own. These "
-                "rows settle {:.0f} % of what it leaves open; {:.0f} % is borrowed.",
+                "{} is adapted to this machine. It predicts {:.2f} {}; {:.2f} {} are this machine's own correction. "
+                "{:.0f} % of the information is from these rows, {:.0f} % is borrowed.",
                 file, start.start_um, unit, start.own_um, unit, 100.0 * (1.0 - start.borrowed), 100.0 * start.borrowed)
-          : fmt::format("{} does not help: this machine is predicted from its own rows alone.", file);
+          : fmt::format("{} does not improve the forecasts. The model is trained on this machine's rows alone.", file);
   if (start.adapted_um && start.alone_um) {
-    text += fmt::format(" Forecasts are {:.2f} {} RMSE with it, {:.2f} {} without.", *start.adapted_um, unit,
-                        *start.alone_um, unit);
+    text += fmt::format(" The error of forecasts is {:.2f} {} RMSE with it, {:.2f} {} without.", *start.adapted_um,
+                        unit, *start.alone_um, unit);
   }
   return text;
 }
@@ -109,7 +111,7 @@ void expect_start(const TrainOptions& options, const EffectRegression& start, co
 }
 
 Table driver_table(const DriverReport& report, const std::string& unit) {
-  Table table({"column", "role", "share " + unit, "parts left out", "what may be said"});
+  Table table({"column", "role", "share " + unit, "range in refits", "stability"});
   double others = 0.0;
   std::size_t shown = 0, more = 0;
   for (const DriverStability& one : report.drivers) {
@@ -121,7 +123,7 @@ Table driver_table(const DriverReport& report, const std::string& unit) {
     table.add({one_line(one.share.column), std::string(name_of(one.share.role)), fixed(one.share.share_um, 2),
                fmt::format("{:.2f} to {:.2f}", one.low_um, one.high_um),
                one.stable  ? "stable"
-               : one.flips ? "its sign flips"
+               : one.flips ? "sign changes"
                            : "not stable"});
   }
   if (more > 0) table.add({fmt::format("{} more", more), "", fixed(others, 2), "", ""});
@@ -131,14 +133,14 @@ Table driver_table(const DriverReport& report, const std::string& unit) {
 std::vector<std::string> remarks_of(const DriverReport& report, const std::string& unit) {
   std::vector<std::string> remarks;
   for (const std::vector<std::string>& names : report.interchangeable) {
-    remarks.push_back(fmt::format("Interchangeable, any of them will do: {}.", fmt::join(names, ", ")));
+    remarks.push_back(fmt::format("Interchangeable; one of them is enough: {}.", fmt::join(names, ", ")));
   }
   if (!report.not_needed.empty()) {
-    remarks.push_back(fmt::format("Without any one of these nothing changes: {}.", fmt::join(report.not_needed, ", ")));
+    remarks.push_back(fmt::format("Not needed, each by itself: {}.", fmt::join(report.not_needed, ", ")));
   }
   for (const CancellingColumns& pair : report.cancelling) {
     remarks.push_back(fmt::format(
-        "{0} ({1:.1f} {5}) and {2} ({3:.1f} {5}) nearly cancel, to {4:.1f} {5}: neither is a cause by itself.",
+        "{0} ({1:.1f} {5}) and {2} ({3:.1f} {5}) nearly cancel (sum {4:.1f} {5}). Neither is a cause by itself.",
         pair.first, pair.first_um, pair.second, pair.second_um, pair.sum_um, unit));
   }
   return remarks;
@@ -208,7 +210,7 @@ std::optional<OpenedBatches> opened_list(const TrainOptions& options) {
     expect_no_input({options.out}, with_models(options, paths_of(options.data)));
     return std::nullopt;
   }
-  if (options.max_gap_s) throw Error("--max-gap: expected a session or a series with it, found a list of runs.");
+  if (options.max_gap_s) throw Error("--max-gap: expected a session or a series, found a list of runs.");
   OpenedBatches opened = open_batches(options);
   expect_no_input({options.out}, with_models(options, opened.files));
   return opened;
@@ -279,7 +281,7 @@ void train_effects(const TrainOptions& options) {
   if (is_model && !options.out.empty()) write_bytes(options.out, write_effect_regression(of));
   std::vector<std::string> said = remarks_of(trained.drivers, unit_text(of));
   if (!of.left_out.empty()) {
-    said.push_back(fmt::format("Not used, for they stand still or have gaps: {}.", fmt::join(of.left_out, ", ")));
+    said.push_back(fmt::format("Not used, because they are constant or have gaps: {}.", fmt::join(of.left_out, ", ")));
   }
   if (opened) said.insert(said.end(), opened->remarks.begin(), opened->remarks.end());
   std::optional<WorstRun> worst;
@@ -306,8 +308,8 @@ void train_effects(const TrainOptions& options) {
       fmt::print("{}\n", contest_text(contenders));
     }
     fmt::print("{}{}", driver_table(trained.drivers, unit_text(of)).text(table_width()),
-               wrapped(fmt::format("share: of {:.2f} {}, the range of what is predicted. parts left out: least and "
-                                   "largest in {} refits, each without a part of the record.",
+               wrapped(fmt::format("share: of the range of the prediction, {:.2f} {}. range in refits: least and "
+                                   "largest share in {} refits, each without a part of the record.",
                                    trained.drivers.range_um, unit_text(of), trained.drivers.refits)));
     if (!said.empty()) fmt::print("\n");
     for (const std::string& remark : said) fmt::print("{}", wrapped(remark));
@@ -315,7 +317,7 @@ void train_effects(const TrainOptions& options) {
   if (is_model) {
     if (!options.out.empty()) wrote_line(options.out);
   } else {
-    stderr_line("no effect is likelier than none, nothing written");
+    stderr_line("no effect is more likely than none: nothing written");
   }
 }
 

@@ -66,16 +66,17 @@ std::string sensor_choice_text(const SensorChoice& choice, const std::string& ta
       taken.forecasts.error_um, unit, choice.rated, choice.all.forecasts.error_um, unit, names_text(names)));
   if (choice.enough < most) {
     const SensorSet& enough = choice.sets[choice.enough];
-    text += wrapped(choice.enough == 0
-                        ? fmt::format("No sensor is needed: {:.2f} {} without.", enough.forecasts.error_um, unit)
-                        : fmt::format("{} enough, {:.2f} {}: {}.",
-                                      choice.enough == 1 ? "1 is" : fmt::format("{} are", choice.enough),
-                                      enough.forecasts.error_um, unit, names_text(enough.sensors)));
+    text += wrapped(choice.enough == 0 ? fmt::format("No sensor is needed: the error is {:.2f} {} without.",
+                                                     enough.forecasts.error_um, unit)
+                                       : fmt::format("{} enough, {:.2f} {}: {}.",
+                                                     choice.enough == 1 ? "1 is" : fmt::format("{} are", choice.enough),
+                                                     enough.forecasts.error_um, unit, names_text(enough.sensors)));
   }
   if (!choice.kept.empty()) {
-    text += wrapped(fmt::format("Kept and not counted, for they are no temperatures: {}.", names_text(choice.kept)));
+    text +=
+        wrapped(fmt::format("Kept but not counted, because they are no temperatures: {}.", names_text(choice.kept)));
   }
-  Table sizes({"sensors", "error " + unit, "RMSE " + unit, "buys " + unit, "set"});
+  Table sizes({"sensors", "error " + unit, "RMSE " + unit, "gain " + unit, "set"});
   const auto add = [&](const std::string& name, const SensorSet& set, bool buys, const std::string& shown) {
     sizes.add({name, fixed(set.forecasts.error_um, 2), fixed(set.forecasts.rmse_um, 2),
                buys ? with_sigma(set.buys_um, set.sigma_buys_um, 2) : "-", shown});
@@ -87,22 +88,21 @@ std::string sensor_choice_text(const SensorChoice& choice, const std::string& ta
   const bool ahead = choice.forecasts_ahead;
   text += "\n" + sizes.left_aligned(table_width());
   text += wrapped(fmt::format(
-      "error: mean of |error| in {}, where the sensors are chosen anew from {} alone. set: chosen from all rows. buys: "
-      "how much the error falls from the line above, ± its standard error over the {}.",
+      "error: mean absolute error in {}; the sensors are chosen again from {} alone. set: chosen from all rows. gain: "
+      "fall of the error from the line above, ± its standard error over the {}.",
       ahead ? fmt::format("forecasts from {} origins", choice.folds)
             : fmt::format("runs left out (each of {})", choice.folds),
       ahead ? "the rows before each" : "the other runs", ahead ? "forecasts" : "runs"));
-  Table worth({"sensor", "chosen in", "without it " + unit, "in its place would do"});
+  Table worth({"sensor", "chosen in", "loss without it " + unit, "substitutes"});
   for (const ChosenSensor& one : choice.chosen) {
     worth.add({one_line(one.sensor), fmt::format("{} of {}", one.folds, choice.folds),
-               with_sigma(one.without_um, one.sigma_um, 2),
-               one.needed ? names_text(one.substitutes) : "it is not needed"});
+               with_sigma(one.without_um, one.sigma_um, 2), one.needed ? names_text(one.substitutes) : "not needed"});
   }
   text += "\n" + worth.left_aligned(table_width());
   return text +
          wrapped(fmt::format(
-             "chosen in: {} that choose it, too. without it: how much the error of this set rises. in its place: "
-             "with one of these it is as good, the error larger by at most 2 %, or by at most 10 % and its standard "
+             "chosen in: {} in which it is chosen too. loss without it: rise of the error of this set. "
+             "substitutes: with one of these the error is larger by at most 2 %, or by at most 10 % and its standard "
              "error.",
              ahead ? "forecasts" : "runs left out"));
 }

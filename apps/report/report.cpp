@@ -81,12 +81,12 @@ void expect_fitting_options(const ReportArguments& options) {
   const PictureOptions& pictures = options.pictures;
   const bool sheet = options.format == Format::pdf && pictures.names.empty();  // its one picture may be chosen in
   expect(options.format == Format::svg || sheet || (pictures.names.empty() && pictures.choices.empty()),
-         fmt::format("--{}: expected --format svg with it; the page has all pictures",
+         fmt::format("--{}: expected --format svg; the page has all pictures",
                      pictures.names.empty() ? "choose" : "picture"));
-  expect(sheet || pictures.choices.empty() || pictures.names.size() == 1, "--choose: expected one --picture with it");
+  expect(sheet || pictures.choices.empty() || pictures.names.size() == 1, "--choose: expected one --picture");
   if (options.json) {
     expect(options.out.empty() && !options.chosen_format && !options.open,
-           "--json: expected neither --out, --format nor --open with it; it prints the data of the page");
+           "--json: cannot be combined with --out, --format or --open; it prints the data of the page");
     return;
   }
   expect(!options.out.empty(), options.format == Format::svg
@@ -142,7 +142,7 @@ void write_tool(const ReportArguments& options, const CLI::App& command) {
   for (const CLI::Option* other : command.get_options()) {
     if (other->count() == 0 || other->check_lname("tool") || other->check_lname("out")) continue;
     throw CLI::ValidationError(
-        fmt::format("--tool: expected --out alone with it, found {}", other->get_name(other->get_positional())));
+        fmt::format("--tool: expected --out alone, found {}", other->get_name(other->get_positional())));
   }
   const std::string out = options.out.empty() ? "ballbar.html" : options.out;
   const std::string ending = ending_of(out);

@@ -190,7 +190,7 @@ void expect_use(const ReportRequest& options, bool of_recordings, bool of_batche
   const bool has_model = !options.model.model.empty();
   const bool fits = !of_batches && (has_model || options.diagnose);
   const auto expect = [](bool used, const char* option, const char* with) {
-    if (!used) throw CLI::ValidationError(fmt::format("{}: expected {} with it", option, with));
+    if (!used) throw CLI::ValidationError(fmt::format("{}: expected {}", option, with));
   };
   expect(options.model.target.empty() || fits, "--target", "a model of effects or --diagnose");
   expect(options.model.also_input.empty() || fits, "--also-input", "a model of effects or --diagnose");

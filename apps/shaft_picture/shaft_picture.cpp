@@ -140,7 +140,7 @@ void print_picture(const ShaftState& state) {
              wrapped(fmt::format(
                  "Scale: {} {} of {:.3g} degC; {}. Sigma: scatter within columns and the scale's step.",
                  from.scale.colours.size(), from.scale.banded ? "bands" : "colours, steps", from.scale.step_degC,
-                 from.scale.banded ? "whether T goes beyond its end bands is not told"
+                 from.scale.banded ? "temperatures beyond its end bands are not known"
                                    : fmt::format("{} % of the pixels used are at its cold end, {} % at its hot end",
                                                  of_used(from.image.at_cold_end), of_used(from.image.at_hot_end)))));
   fmt::print(
@@ -179,7 +179,8 @@ void print_text(const ShaftPictureArguments& options, const std::vector<ShaftSta
   if (!options.of.start_degC) fmt::print("{}", wrapped("Elongation: not known without --start-degC."));
   if (!states.front().from && states.front().profile.sigma_degC.empty()) {
     fmt::print(
-        "{}", wrapped("No sigma: the table has no column NAME_sigma_degC, and one curve does not tell its own error."));
+        "{}",
+        wrapped("No sigma: the table has no column NAME_sigma_degC, and one curve alone does not give an error."));
   }
   if (best) {
     fmt::print("{}",

@@ -103,9 +103,9 @@ void expect_only(const CLI::App& command, const std::string& way, const std::vec
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name(option->get_positional());
     if (option->count() == 0 || name == way || std::find(names.begin(), names.end(), name) != names.end()) continue;
-    throw CLI::ValidationError(
-        names.empty() ? fmt::format("expected the options of {} behind it, found {} before it", way, name)
-                      : fmt::format("{}: expected only {} with it, found {}", way, fmt::join(names, ", "), name));
+    throw CLI::ValidationError(names.empty()
+                                   ? fmt::format("expected the options of {} behind it, found {} before it", way, name)
+                                   : fmt::format("{}: expected only {}, found {}", way, fmt::join(names, ", "), name));
   }
 }
 

@@ -141,15 +141,15 @@ void add_choice(CLI::App& command, const std::string& name, std::vector<std::str
 
 void expect_none_given(const std::vector<CLI::Option*>& options, std::string_view needed) {
   for (const CLI::Option* option : options) {
-    if (option->count() > 0)
-      throw CLI::ValidationError(fmt::format("{}: expected {} with it", option->get_name(), needed));
+    if (option->count() > 0) throw CLI::ValidationError(fmt::format("{}: expected {}", option->get_name(), needed));
   }
 }
 
 std::string exclusion_text(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options([](const CLI::Option* one) { return one->count() > 0; })) {
     for (const CLI::Option* other : option->get_excludes()) {
-      if (other->count() > 0) return fmt::format("{}: expected no {} with it", option->get_name(), other->get_name());
+      if (other->count() > 0)
+        return fmt::format("{}: cannot be combined with {}", option->get_name(), other->get_name());
     }
   }
   return "";

@@ -46,7 +46,8 @@ void add_choice(CLI::App& command, const std::string& name, std::vector<std::str
 // Throws CLI::ValidationError if one of these options is given, because they need `needed`.
 void expect_none_given(const std::vector<CLI::Option*>& options, std::string_view needed);
 
-// "--sequential: expected no --equal-radii with it": of options that were both given, though one excludes the other.
+// "--sequential: cannot be combined with --equal-radii": of options that were both given, though one excludes the
+// other.
 std::string exclusion_text(const CLI::App& command);
 
 // For all options: an empty value is an error.

@@ -121,7 +121,7 @@ class EffectRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         return pandas.DataFrame({"time_s": self.every_s * np.arange(len(rows)), **dict(zip(names, rows.T))})
 
     def _more_tags(self) -> dict[str, Any]:
-        memory = "with a memory the prediction of a row depends on the rows before it"
+        memory = "the prediction of a row depends on the rows before it"
         names = ("check_methods_subset_invariance", "check_methods_sample_order_invariance")
         return {"poor_score": True, "_xfail_checks": dict.fromkeys(names, memory)}
 

@@ -486,7 +486,7 @@ export const en = {
     "No effect was found, and none is drawn at first; of a candidate is drawn that part which the model cannot make by parameters of its own.",
   diagnosis_candidates_chosen: "One chosen from the list or in the table is drawn broad and pale.",
   diagnosis_candidates_chosen_alone:
-    "One chosen from the list or in the table is drawn broad and pale; dotted, what is left with it taken off, where it is a set by itself.",
+    "The candidate chosen in the list or table is a broad pale line. The dotted line is the residual without it, if it is a set by itself.",
   diagnosis_candidates: "Candidates",
   diagnosis_star_best: "* the best set, each beside the others.",
   diagnosis_star_closest: "* the closest that the catalogue comes, not accepted, each beside the others.",
@@ -649,7 +649,7 @@ export const en = {
   batch_weight: "weight",
   batch_predicted: "predicted",
   batch_interval: "95 % interval",
-  batch_measured_less: "measured less predicted",
+  batch_measured_less: "measured minus predicted",
   batch_difference_axis: "difference, µm",
   batch_title: "Predicted by batches",
   batch_caption_measured: "What the batches predict for this job, and what was measured; below, the difference.",

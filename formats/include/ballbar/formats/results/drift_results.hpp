@@ -168,7 +168,7 @@ struct ResultType<FiveProbeDrift> {
   static constexpr std::tuple fields{
       Field{"method", [](const FiveProbeDrift&) { return std::string_view("five_probe"); }, "five_probe"},
       Field{"reference_s", known(&FiveProbeDrift::reference_s), "time that drift is taken to"},
-      Field{"points", &FiveProbeDrift::points, "a row a time, AXIS_um or AXIS_urad with sigma"},
+      Field{"points", &FiveProbeDrift::points, "one row per time, AXIS_um or AXIS_urad with sigma"},
       Field{"ranges", &FiveProbeDrift::ranges, "by axis"},
       Field{"steps", &FiveProbeDrift::steps, "changes of the speed"},
       Field{"remarks", &FiveProbeDrift::remarks, ""}};

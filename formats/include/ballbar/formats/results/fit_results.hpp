@@ -40,11 +40,11 @@ struct ResultType<FittedParameter> {
 template <>
 struct ResultType<Noise> {
   static constexpr std::string_view name = "Noise";
-  static constexpr std::string_view meaning = "Noise of the readings: a white part, and one with a memory.";
+  static constexpr std::string_view meaning = "Noise of the readings: a white and a correlated part.";
   static constexpr std::tuple fields{
       Field{"white_um", &Noise::white_um, "standard deviation from reading to reading"},
-      Field{"correlated_um", &Noise::correlated_um, "standard deviation of the part with a memory; 0: none"},
-      Field{"correlation_time_s", &Noise::correlation_time_s, "in which its memory falls to 1/e"}};
+      Field{"correlated_um", &Noise::correlated_um, "standard deviation of the correlated part; 0: none"},
+      Field{"correlation_time_s", &Noise::correlation_time_s, "time in which the correlation falls to 1/e"}};
 };
 
 template <>
