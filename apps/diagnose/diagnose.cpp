@@ -120,20 +120,18 @@ void run(DiagnoseArguments options) {
 
 void add_diagnose(CLI::App& app) {
   const auto options = std::make_shared<DiagnoseArguments>();
-  CLI::App* command = app.add_subcommand("diagnose", "Which physical effect a model lacks");
+  CLI::App* command = app.add_subcommand("diagnose", "Find the physical effect that a model lacks");
   add_model_options(*command, options->model, false);
   add_also_input(*command, options->model);
-  command->add_option("--tolerance", options->how.diagnosis.tolerance_um, "smaller effects are called minor")
+  command->add_option("--tolerance", options->how.diagnosis.tolerance_um, "report smaller effects as minor")
       ->type_name("UM")
       ->check(number_within(0.0, 1e6));
-  command
-      ->add_option("--seed", options->how.diagnosis.search.seed,
-                   "of the random draws; the same seed gives the same result")
+  command->add_option("--seed", options->how.diagnosis.search.seed, "seed of the random draws")
       ->type_name("N")
       ->check(whole_number_within(0, kLargestSeed));
   command
       ->add_option("--most-rows", options->how.diagnosis.most_rows,
-                   "values of the target that are searched, of longer series every k-th")
+                   "search at most N readings; a longer series is thinned")
       ->type_name("N")
       ->check(whole_number_within(30, 5000));
   add_follow_options(*command, options->follow);

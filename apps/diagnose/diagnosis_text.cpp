@@ -113,14 +113,14 @@ std::string posterior_text(const Diagnosis& found) {
   for (const Driver& driver : found.drivers) {
     if (drivers.size() < kDrivers) drivers.push_back(fmt::format("{} {:.2f}", driver.column, driver.p));
   }
-  if (!drivers.empty()) texts.push_back(fmt::format("that a column drives it: {}", fmt::join(drivers, ", ")));
+  if (!drivers.empty()) texts.push_back(fmt::format("a column drives the missing part: {}", fmt::join(drivers, ", ")));
   for (const OwnValue& own : found.own) {
-    texts.push_back(fmt::format("that the {} of {} is not {:.4g} but {:.3g} ({:.3g} to {:.3g}): {:.2f}", own.parameter,
+    texts.push_back(fmt::format("the {} of {} is not {:.4g} but {:.3g} ({:.3g} to {:.3g}): {:.2f}", own.parameter,
                                 own.effect, own.held, own.fitted, own.interval.low, own.interval.high, own.p));
   }
-  texts.push_back(fmt::format("that nothing is missing: {:.2f}", found.p_nothing));
-  texts.push_back(fmt::format("of a slow drift without a known cause{}: {:.2f}",
-                              found.discrepancy_um > 0.0 ? fmt::format(", ±{:.2g} um", found.discrepancy_um) : "",
+  texts.push_back(fmt::format("nothing is missing: {:.2f}", found.p_nothing));
+  texts.push_back(fmt::format("a slow drift{} has no known cause: {:.2f}",
+                              found.discrepancy_um > 0.0 ? fmt::format(" of ±{:.2g} um", found.discrepancy_um) : "",
                               found.p_discrepancy));
   return fmt::format("Probabilities: {}.", fmt::join(texts, "; "));
 }

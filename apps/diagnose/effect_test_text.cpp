@@ -51,7 +51,7 @@ bool is_of_axes(const EffectTest& effect_test) {
 
 Table added_table(const EffectTest& effect_test) {
   Table table({"added effect", "amplitude um", is_of_axes(effect_test) ? "chi^2" : "2 ln B", "threshold", "RMSE fall %",
-               "surrogate fall %"});
+               "fall by chance %"});
   const double fall = 1.0 - effect_test.after.rmse_um / effect_test.before.rmse_um;
   for (const Candidate& tried : effect_test.added) {
     table.add({one_line(tried.label),
@@ -144,13 +144,13 @@ std::string conclusion(const EffectTest& effect_test) {
   const Whiteness white = whiteness(effect_test.fit_after);
   if (!is_adequate(effect_test.fit_after, white)) {
     const std::string_view these = is_one ? "this effect" : "these effects";
-    text += white.p < kNotNoise
-                ? fmt::format(" The residual is not noise: another effect is missing too, and {} may stand in for it.",
-                              these)
-                : fmt::format(
-                      " The residual is larger than the noise. Either the noise changes slowly, or another effect is "
-                      "missing and {} may stand in for it.",
-                      these);
+    text +=
+        white.p < kNotNoise
+            ? fmt::format(" The residual is not noise: another effect is missing, which {} may partly imitate.", these)
+            : fmt::format(
+                  " The remaining error is larger than the noise: slow noise, or another effect that {} partly "
+                  "imitates.",
+                  these);
   }
   return text;
 }
@@ -170,10 +170,11 @@ std::string tables(const EffectTest& effect_test, bool details) {
   }
   return text + "\n" +
          wrapped(fmt::format(
-             "2 ln B: 10 means that the readings are 150 times as likely with the effect. Gains, shapes and noise are "
-             "integrated out. It is valid for an effect chosen before looking at these data. surrogate fall: largest "
-             "fall of the RMSE by {} random curves that are as smooth and have no cause. An earlier effect is needed "
-             "where the probability that it is superfluous is below {}.",
+             "2 ln B: 10 means that the readings are 150 times as likely with the effect, whatever its gain and shape. "
+             "It "
+             "holds for an effect chosen before looking at these data. fall by chance: largest fall of the RMSE by {} "
+             "random curves that are as smooth and have no cause. An earlier effect is needed where the probability "
+             "that it is superfluous is below {}.",
              kSurrogates, kDropTest));
 }
 

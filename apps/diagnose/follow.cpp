@@ -158,19 +158,19 @@ class Following {
 }  // namespace
 
 void add_follow_options(CLI::App& command, FollowOptions& options) {
-  command.add_flag("--follow", options.follow, "look at a log that grows again and again, until it is decided");
+  command.add_flag("--follow", options.follow, "read a growing log again and again until there is a verdict");
   command
       .add_option("--hours", options.planned_hours,
-                  "with --follow: how long the run is to be; where that will be too short, it is said")
+                  "with --follow: planned length of the run; warns if it will be too short")
       ->type_name("H")
       ->check(number_above_0());
-  take_time(
-      *command.add_option("--look-every", options.every_s, "with --follow: between looks at the file; default: 1s"),
-      true);
+  take_time(*command.add_option("--look-every", options.every_s,
+                                "with --follow: time between looks at the file; default: 1s"),
+            true);
   take_time(*command.add_option("--patience", options.patience_s,
-                                "with --follow: end where nothing more came for so long; default: never"),
+                                "with --follow: stop after this time without new rows; default: never"),
             false);
-  command.add_flag("--keep", options.keep, "with --follow: go on once it is decided, or will not be");
+  command.add_flag("--keep", options.keep, "with --follow: continue after the verdict");
 }
 
 void expect_follow(const FollowOptions& options) {

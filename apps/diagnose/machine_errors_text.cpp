@@ -109,7 +109,9 @@ std::string table_text(const ErrorsReport& report, bool details) {
     once(ranked == nullptr ? "" : plain(ranked->individual_circularity_um, 2));
     const std::vector<std::string> instrument = instrument_cells(report, error, of_effect);
     row.insert(row.end(), instrument.begin(), instrument.end());
-    once(ranked == nullptr || !ranked->predicts_other_run ? "-" : *ranked->predicts_other_run ? "yes" : "no");
+    once(ranked == nullptr || !ranked->significant || !ranked->predicts_other_run ? "-"
+         : *ranked->predicts_other_run                                            ? "yes"
+                                                                                  : "no");
     table.add(row);
   };
   std::vector<bool> listed(report.found.errors.size(), false);
@@ -147,10 +149,10 @@ void print_group(const ErrorsReport& report, bool details) {
   fmt::print(
       "{}",
       wrapped(
-          "Gain: reduction of the circularity by correcting the error. Rank: by gain; none: no gain, -: not "
-          "significant. IC: circularity from this error alone. ± is one sigma. Instrument: value, share and rank by "
-          "the method of its software; same: as the file stores it. Confirmed: the other run is predicted better "
-          "with the error."));
+          "Gain: reduction of the circularity by correcting this error alone; gains do not add up. Rank: by gain; "
+          "-: not significant, none: no gain. IC: circularity of this error alone. ± is one sigma. Instrument: as the "
+          "instrument's software would report it; same: equal to the stored value. Confirmed: with the error found in "
+          "CCW, CW fits better, and vice versa."));
   const std::vector<std::string> differences = difference_texts(report);
   for (std::size_t i = 0; i < differences.size() && (details || i < kDifferences); ++i) {
     fmt::print("{}", wrapped(differences[i]));
@@ -166,7 +168,7 @@ void print_group(const ErrorsReport& report, bool details) {
   }
   fmt::print("\n{}", wrapped(left_text(report)));
   if (!found.undetermined.empty()) {
-    fmt::print("{}", wrapped(fmt::format("Not separable by these readings: {}.", fmt::join(found.undetermined, "; "))));
+    fmt::print("{}", wrapped(fmt::format("These readings cannot separate {}.", fmt::join(found.undetermined, "; "))));
   }
   if (details) fmt::print("{}", prior_text(report));
 }

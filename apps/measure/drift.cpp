@@ -57,7 +57,7 @@ std::string position_text(const Position& position) {
   add("centre B", position.centre_b);
   text += fmt::format(", radius {:.5f} mm", position.radius_mm);
   if (position.length_mm) text += fmt::format(", axial length {:.5f} mm", *position.length_mm);
-  return text + " (set-up errors included).";
+  return text + " (with set-up errors).";
 }
 
 Table table_of(const DriftSeries& series) {
@@ -82,7 +82,9 @@ Table table_of(const DriftSeries& series) {
 std::string way_of(const DriftSeries& series, const DriftArguments& options) {
   std::string way(name_of(series.method));
   if (series.method == Method::two_arcs) {
-    way += options.sequential ? ", sequential" : options.equal_radii ? ", joint with R_C = R_A" : ", joint";
+    way += options.sequential    ? ", sequential"
+           : options.equal_radii ? ", fitted together with R_C = R_A"
+                                 : ", fitted together";
   }
   if (series.method == Method::spindle_rotation) {
     way += options.eq34 ? ", elongation corrected by eq. 34" : ", elongation corrected exactly";
@@ -110,8 +112,8 @@ void print_text(const Session& session, const DriftSeries& series, const DriftAr
   for (const Position& position : series.positions) {
     if (position.time_s == series.reference_s) fmt::print("Reference: {}\n", position_text(position));
   }
-  fmt::print("{}", wrapped("± is one sigma of the difference to the reference test. The uncertainty of the reference "
-                           "is common to all rows. " +
+  fmt::print("{}", wrapped("± is one sigma of the difference to the reference test. Its part from the reference is "
+                           "common to all rows. " +
                            series.not_cancelled));
   std::vector<std::string> stored;
   for (const SessionTest& test : session.tests) {

@@ -166,7 +166,7 @@ void add_plan(CLI::App& app) {
       ->type_name("MIN")
       ->capture_default_str()
       ->check(number_within(1.0, 1440.0));
-  command->add_option("--seed", options->plan.search.seed, "of the random draws; the same seed gives the same result")
+  command->add_option("--seed", options->plan.search.seed, "seed of the random draws")
       ->type_name("N")
       ->check(whole_number_within(0, kLargestSeed));
   add_details(*command, options->details);

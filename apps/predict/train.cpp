@@ -48,7 +48,7 @@ std::string contest_text(const std::vector<Contender>& contenders) {
   }
   return table.text(table_width()) +
          wrapped(
-             "*: written to the model. left out: RMSE when each batch is predicted by all the others. The settings are "
+             "*: the chosen method. left out: RMSE when each batch is predicted by all the others. The settings are "
              "chosen to minimise it, so it is slightly too small.");
 }
 

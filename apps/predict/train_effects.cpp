@@ -42,22 +42,20 @@ std::string expectation(const EffectRegression& regression) {
   }
   const Forecasts& of = *regression.forecasts;
   const bool several = regression.runs > 1;
-  const std::string tested = several ? fmt::format("runs left out (each of {})", of.count)
+  const std::string tested = several ? fmt::format("each of {} runs, left out in turn", of.count)
                                      : fmt::format("forecasts from {} origins", of.count);
   const std::string unit = unit_text(regression);
   const std::string without =
-      several ? fmt::format("for a prediction of 0 {}", unit) : "for the last value or the mean";
+      several ? fmt::format("with a prediction of 0 {}", unit) : "with the last value or the mean";
   if (regression.model.terms.empty() || !(of.rmse_um < kNoBetter * of.held_um)) {
-    return fmt::format(
-        "{} cannot be predicted from these columns. The error in {} is {:.2f} {} RMSE, and {:.2f} {} {}.", target,
-        tested, of.rmse_um, unit, of.held_um, unit, without);
+    return fmt::format("{} cannot be predicted from these columns. The error in {} is {:.2f} {} RMSE; {}, {:.2f} {}.",
+                       target, tested, of.rmse_um, unit, without, of.held_um, unit);
   }
   return fmt::format(
-      "{} is {}predicted to {:.2f} {} on new rows (mean absolute error in {}). The RMSE is {:.2f} {}, and {:.2f} {} "
-      "{}. "
+      "{} is {}predicted to {:.2f} {} on new rows (mean absolute error in {}). The RMSE is {:.2f} {}; {}, {:.2f} {}. "
       "The 95 % interval contained {:.0f} % of the values{}.{}",
-      target, is_predicted(regression) ? "" : "hardly ", of.error_um, unit, tested, of.rmse_um, unit, of.held_um, unit,
-      without, 100.0 * of.within_share,
+      target, is_predicted(regression) ? "" : "hardly ", of.error_um, unit, tested, of.rmse_um, unit, without,
+      of.held_um, unit, 100.0 * of.within_share,
       regression.interval_scale > 1.005
           ? fmt::format("; the model's file widens it {:.2f} times, so that it contains 95 %",
                         regression.interval_scale)
@@ -68,9 +66,10 @@ std::string expectation(const EffectRegression& regression) {
 std::string memory_text(const EffectRegression& regression) {
   const std::string unit = unit_text(regression);
   return regression.length_s > 0.0
-             ? fmt::format("The residual is {:.2f} {} (standard deviation) and changes slowly (about {}).",
+             ? fmt::format("The noise of the model is {:.2f} {} (standard deviation) and changes slowly (about {}).",
                            regression.sigma_um, unit, duration_text(regression.length_s))
-             : fmt::format("The residual is {:.2f} {} (standard deviation), white.", regression.sigma_um, unit);
+             : fmt::format("The noise of the model is {:.2f} {} (standard deviation), white.", regression.sigma_um,
+                           unit);
 }
 
 // The share of the model's effects in the prediction.
@@ -111,7 +110,7 @@ void expect_start(const TrainOptions& options, const EffectRegression& start, co
 }
 
 Table driver_table(const DriverReport& report, const std::string& unit) {
-  Table table({"column", "role", "share " + unit, "range in refits", "stability"});
+  Table table({"column", "role", "contribution " + unit, "range in refits", "stability"});
   double others = 0.0;
   std::size_t shown = 0, more = 0;
   for (const DriverStability& one : report.drivers) {
@@ -136,7 +135,8 @@ std::vector<std::string> remarks_of(const DriverReport& report, const std::strin
     remarks.push_back(fmt::format("Interchangeable; one of them is enough: {}.", fmt::join(names, ", ")));
   }
   if (!report.not_needed.empty()) {
-    remarks.push_back(fmt::format("Not needed, each by itself: {}.", fmt::join(report.not_needed, ", ")));
+    remarks.push_back(
+        fmt::format("Any one of these can be left out without loss: {}.", fmt::join(report.not_needed, ", ")));
   }
   for (const CancellingColumns& pair : report.cancelling) {
     remarks.push_back(fmt::format(
@@ -307,10 +307,11 @@ void train_effects(const TrainOptions& options) {
       contenders.push_back(effects_contender(trained, *opened));
       fmt::print("{}\n", contest_text(contenders));
     }
-    fmt::print("{}{}", driver_table(trained.drivers, unit_text(of)).text(table_width()),
-               wrapped(fmt::format("share: of the range of the prediction, {:.2f} {}. range in refits: least and "
-                                   "largest share in {} refits, each without a part of the record.",
-                                   trained.drivers.range_um, unit_text(of), trained.drivers.refits)));
+    fmt::print(
+        "{}{}", driver_table(trained.drivers, unit_text(of)).text(table_width()),
+        wrapped(fmt::format("contribution: to the range of the prediction, {:.2f} {}; contributions add up to it. "
+                            "range in refits: of the contribution in {} refits, each without a part of the record.",
+                            trained.drivers.range_um, unit_text(of), trained.drivers.refits)));
     if (!said.empty()) fmt::print("\n");
     for (const std::string& remark : said) fmt::print("{}", wrapped(remark));
   }

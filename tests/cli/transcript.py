@@ -4,7 +4,7 @@
 
       $ head -c 6000 sample-runs/qc20-style-b5r/00.b5r > half.b5r
       $ ballbar fit half.b5r
-      ! ballbar: half.b5r:34:4878: expected whole XML, found a fault or an early end: Start-end tags mismatch.
+      ! ballbar: half.b5r:34:4878: expected a complete XML file, found damage or an early end: Start-end tags mismatch. Copy the file again.
       [1]
 
 Its lines:

@@ -292,9 +292,11 @@ constexpr BadText kBadTexts[] = {
      "file:8:19: expected a number above 0 for axial_length_mm, found the number 0."},
     {"b5r", "*", "", "file:1:1: expected text, found an empty file."},
     {"b5r", "*", "<TEST_DOCUMENT><TEST_SPEC>",
-     "file:1:26: expected whole XML, found a fault or an early end: Start-end tags mismatch."},
+     "file:1:26: expected a complete XML file, found damage or an early end: Start-end tags mismatch. Copy the file "
+     "again."},
     {"b5r", "*", "time_s,length_mm\n",
-     "file:2:1: expected whole XML, found a fault or an early end: No document element found."},
+     "file:2:1: expected a complete XML file, found damage or an early end: No document element found. Copy the file "
+     "again."},
     {"b5r", "TEST_DOCUMENT", "HTML", "file:2:2: expected TEST_DOCUMENT, the root of a .b5r file, found \"HTML\"."},
     {"b5r", "<TEST_DOCUMENT>", "<!DOCTYPE TEST_DOCUMENT [<!ENTITY a \"b\">]><TEST_DOCUMENT>",
      "file:2:1: expected XML without a document type, found <!DOCTYPE."},

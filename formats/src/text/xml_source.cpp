@@ -41,7 +41,8 @@ void parse_xml(const SourceText& text, pugi::xml_document& document) {
       document.load_buffer(text.bytes.data(), text.bytes.size(), kParse, pugi::encoding_utf8);
   if (parsed) return;
   fail_at(text, static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(parsed.offset, 0, size)),
-          fmt::format("expected whole XML, found a fault or an early end: {}.", parsed.description()));
+          fmt::format("expected a complete XML file, found damage or an early end: {}. Copy the file again.",
+                      parsed.description()));
 }
 
 std::size_t offset_of(pugi::xml_node node) {

@@ -282,8 +282,9 @@ DriftSeries drift_by_two_arcs(const Session& session, const DriftOptions& option
     series.positions.push_back(position);
   }
   series.not_cancelled =
-      "Set-up errors cancel in the difference to the reference test; drift of the table and of the axes A and C, "
-      "and a ball moved between tests, do not.";
+      "Set-up errors cancel in the difference to the reference test. Drift of the table, drift of the axes A and C, "
+      "and "
+      "a ball moved between tests remain.";
   return series;
 }
 

@@ -303,11 +303,11 @@ FivePoint five_point(const Series& series, const FivePointOptions& options) {
         fmt::join(unknown, ", "), kRowsForScatter - 2));
   }
   if (!probe.resolution_um || !probe.linearity_percent) {
-    drift.remarks.push_back(fmt::format(
-        "Not in the uncertainty, because the file does not state it: the probes' {}{}{} under [five_probe].",
-        probe.resolution_um ? "" : "resolution (resolution_um)",
-        probe.resolution_um || probe.linearity_percent ? "" : " and ",
-        probe.linearity_percent ? "" : "linearity (linearity_percent)"));
+    drift.remarks.push_back(
+        fmt::format("The uncertainty does not include the probes' {}{}{}, which [five_probe] does not state.",
+                    probe.resolution_um ? "" : "resolution (resolution_um)",
+                    probe.resolution_um || probe.linearity_percent ? "" : " and ",
+                    probe.linearity_percent ? "" : "linearity (linearity_percent)"));
   }
   return found;
 }

@@ -216,11 +216,12 @@ const Misfit* worst_of(const Fit& fit, const std::vector<Misfit>& where) {
 
 std::string of_place(const Fit& fit, const std::vector<Misfit>& where) {
   const Misfit* worst = worst_of(fit, where);
-  if (worst == nullptr) return "The misfit is spread evenly over the data.";
-  return fmt::format("The model fails most {}: {:.0f} % of the misfit in {:.0f} % of the readings, bias {} um.",
-                     place_of(*worst), 100.0 * worst->share,
-                     100.0 * static_cast<double>(worst->n) / static_cast<double>(fit.residual_um.size()),
-                     with_sigma(worst->bias_um, worst->bias_sigma_um));
+  if (worst == nullptr) return "The error is spread evenly over the data.";
+  return fmt::format(
+      "The model fails most {}: {:.0f} % of the squared error in {:.0f} % of the readings, mean error {} um.",
+      place_of(*worst), 100.0 * worst->share,
+      100.0 * static_cast<double>(worst->n) / static_cast<double>(fit.residual_um.size()),
+      with_sigma(worst->bias_um, worst->bias_sigma_um));
 }
 
 std::string duration(double time_s) {
@@ -233,7 +234,7 @@ std::string of_rest(const Fit& fit, const Whiteness& whiteness) {
   constexpr std::size_t kFewestForWhiteness = 16;
   constexpr double kNotNoise = 0.01, kSlow = 0.1;  // of the variance
   const std::size_t n = fit.residual_um.size();
-  if (n < kFewestForWhiteness) return fmt::format("{} readings are too few to tell whether the residual is noise.", n);
+  if (n < kFewestForWhiteness) return fmt::format("{} readings are too few to tell whether the residual is random.", n);
   const std::string p = p_equals_text(whiteness.p);
   if (whiteness.p < kNotNoise) {
     const Noise noise = fit.noise.correlated_um > 0.0 ? fit.noise : noise_of(fit.time_s, fit.residual_um, fit.sigma_um);

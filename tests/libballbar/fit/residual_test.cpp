@@ -301,9 +301,9 @@ TEST(Sentences, of_a_model_that_fails) {
   EXPECT_EQ(found[0],
             "Remaining error 0.801 um RMS, 8.0 times the noise. The noise is 0.1 um (standstill from "
             "510 to 569 min).");
-  EXPECT_EQ(
-      found[1],
-      "The model fails most after a change of speed: 99 % of the misfit in 7 % of the readings, bias -3.00 ± 0.13 um.");
+  EXPECT_EQ(found[1],
+            "The model fails most after a change of speed: 99 % of the squared error in 7 % of the readings, mean "
+            "error -3.00 ± 0.13 um.");
   EXPECT_EQ(found[2].substr(0, 73), "The residual is not noise (p < 0.000001): something that changes slowly (");
 }
 
@@ -315,7 +315,7 @@ TEST(Sentences, of_a_model_that_is_adequate) {
       sentences(fit, where_it_fails(fit, series_with(400, {})), Whiteness{{}, 0.05, 0.42});
   EXPECT_EQ(found, (std::vector<std::string>{
                        "Remaining error 1 um RMS, no more than the noise. The noise is 0.98 um (3 pairs of repeats).",
-                       "The misfit is spread evenly over the data.", "The residual looks like noise (p = 0.42)."}));
+                       "The error is spread evenly over the data.", "The residual looks like noise (p = 0.42)."}));
 }
 
 TEST(Sentences, of_noise_with_a_memory_and_of_few_readings) {
@@ -325,8 +325,8 @@ TEST(Sentences, of_noise_with_a_memory_and_of_few_readings) {
   Fit few = fit_with({1.0, -1.0, 1.0, -1.0});
   const std::vector<std::string> found = sentences(few, {}, whiteness(few));
   EXPECT_EQ(found[0], "Remaining error 1 um RMS. The noise is not known.");
-  EXPECT_EQ(found[1], "The misfit is spread evenly over the data.");
-  EXPECT_EQ(found[2], "4 readings are too few to tell whether the residual is noise.");
+  EXPECT_EQ(found[1], "The error is spread evenly over the data.");
+  EXPECT_EQ(found[2], "4 readings are too few to tell whether the residual is random.");
 }
 
 // A group of the time, of a signal and at a value.
@@ -335,7 +335,7 @@ TEST(Sentences, name_the_place) {
   const auto second = [&](const std::string& what, const std::string& from, const std::string& to) {
     return sentences(fit, {Misfit{what, from, to, 2, 1.2, 0.31, 3.0, 0.75}}, {})[1];
   };
-  const std::string rest = ": 75 % of the misfit in 20 % of the readings, bias 1.2 ± 0.3 um.";
+  const std::string rest = ": 75 % of the squared error in 20 % of the readings, mean error 1.2 ± 0.3 um.";
   EXPECT_EQ(second("time", "0 min", "60 min"), "The model fails most from 0 to 60 min" + rest);
   EXPECT_EQ(second("T_air_degC", "20 degC", "22.5 degC"),
             "The model fails most where T_air_degC is from 20 to 22.5 degC" + rest);

@@ -15,6 +15,8 @@
 namespace ballbar {
 namespace {
 
+constexpr double kImitated = 3.0;  // of the remaining error: a larger effect hides behind the model, not in the noise
+
 const Candidate* candidate_of(const Diagnosis& d, const BoundEffect& bound) {
   const auto at =
       std::find_if(d.candidates.begin(), d.candidates.end(), [&](const Candidate& one) { return one.bound == bound; });
@@ -254,7 +256,8 @@ std::string sentence_of(const Diagnosis& d) {
   std::string text = fmt::format("Nothing further is missing from {} that these data could show ({}).", model_text(d),
                                  sure_text(d.p_nothing));
   if (d.hidden_um > 0.0 && d.hidden.effect != nullptr)
-    text += fmt::format(" Up to {} um of {} could still be hidden.", size_text(d.hidden_um), label_of(d.hidden));
+    text += fmt::format(" Up to {} um of {} could still be hidden{}.", size_text(d.hidden_um), label_of(d.hidden),
+                        d.hidden_um > kImitated * d.base.rmse_um ? ", because the model imitates it" : "");
   return text;
 }
 

@@ -33,7 +33,7 @@ extern const Effect kBarTemperature{
       "temperature of the bar",
       [](const Column& column) { return column.name.find("bar") != std::string::npos; },
       false,
-      "no column of the bar's temperature (its name holds \"bar\")"}},
+      "no column whose name contains \"bar\""}},
     {{"expansion_ppm_per_K",
       "ppm/K",
       ParameterKind::gain,
