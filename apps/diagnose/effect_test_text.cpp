@@ -148,7 +148,7 @@ std::string conclusion(const EffectTest& effect_test) {
         white.p < kNotNoise
             ? fmt::format(" The residual is not noise: another effect is missing, which {} may partly imitate.", these)
             : fmt::format(
-                  " The remaining error is larger than the noise: slow noise, or another effect that {} partly "
+                  " This is more than the noise: slow noise, or another effect that {} partly "
                   "imitates.",
                   these);
   }

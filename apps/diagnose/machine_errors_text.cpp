@@ -168,7 +168,7 @@ void print_group(const ErrorsReport& report, bool details) {
   }
   fmt::print("\n{}", wrapped(left_text(report)));
   if (!found.undetermined.empty()) {
-    fmt::print("{}", wrapped(fmt::format("These readings cannot separate {}.", fmt::join(found.undetermined, "; "))));
+    fmt::print("{}", wrapped(fmt::format("Not separable by these readings: {}.", fmt::join(found.undetermined, "; "))));
   }
   if (details) fmt::print("{}", prior_text(report));
 }

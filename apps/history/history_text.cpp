@@ -98,10 +98,15 @@ std::string machine_text(const TestFiles& files, const History& history, const M
     text += group_text(files, machine, group, all, left_out);
   }
   if (left_out > 0) text += more_text(left_out) + "\n\n";
-  text += geometry_text(files, geometry);
-  return text + wrapped(
-                    "± is one sigma of the fit; for a trend it includes the scatter of the tests. *: significant. ?: "
-                    "stored values have no sigma. Change: since the previous value, also in sigmas.");
+  text += geometry_text(files, geometry, all);
+  if (!all) {
+    while (text.ends_with("\n\n")) text.pop_back();
+    return text;
+  }
+  return text + (text.ends_with("\n\n") ? "" : "\n") +
+         wrapped(
+             "± is one sigma of the fit; for a trend it includes the scatter of the tests. *: significant. ?: "
+             "stored values have no sigma. Change: since the previous value, also in sigmas.");
 }
 
 // Names of some, then how many more.
@@ -161,7 +166,8 @@ std::vector<std::string> disagreement_texts(const MachineGeometry& geometry) {
   return texts;
 }
 
-std::vector<std::string> sentences_of(const MachineGeometry& geometry) {
+// all: what is usual as well.
+std::vector<std::string> sentences_of(const MachineGeometry& geometry, bool all) {
   std::vector<std::string> sentences;
   for (const PlaneSquareness& plane : geometry.squareness) {
     if (plane.p_value >= 0.01) continue;
@@ -169,12 +175,13 @@ std::vector<std::string> sentences_of(const MachineGeometry& geometry) {
                                     name_of(plane.plane), p_equals_text(plane.p_value)));
   }
   if (geometry.agreement.degrees > 0 && geometry.agreement.scatter_ppm == 0.0) {
+    if (!all) return sentences;
     sentences.push_back(
         fmt::format("The {} agree on the scales: {}.", who_text(geometry.agreement), chi2_text(geometry.agreement)));
   } else if (geometry.agreement.degrees > 0) {
     for (std::string& text : disagreement_texts(geometry)) sentences.push_back(std::move(text));
   }
-  if (!geometry.scales.empty()) {
+  if (all && !geometry.scales.empty()) {
     sentences.emplace_back(
         "Scales are relative to the bar as calibrated. An error of the bar shifts all scales alike.");
   }
@@ -231,7 +238,7 @@ std::string history_text(const TestFiles& files, const History& history, const M
   return text;
 }
 
-GeometryTexts geometry_texts(const TestFiles& files, const MachineGeometry& geometry) {
+GeometryTexts geometry_texts(const TestFiles& files, const MachineGeometry& geometry, bool all) {
   GeometryTexts texts;
   if (geometry.squareness.empty() && geometry.scales.empty()) return texts;
   texts.heading = fmt::format(
@@ -251,18 +258,18 @@ GeometryTexts geometry_texts(const TestFiles& files, const MachineGeometry& geom
     texts.rows.push_back(
         {fmt::format("scale {}", axis_name(scale.axis)), with_sigma(scale.value_ppm, scale.sigma_ppm, 1), planes});
   }
-  texts.sentences = sentences_of(geometry);
+  texts.sentences = sentences_of(geometry, all);
   return texts;
 }
 
-std::string geometry_text(const TestFiles& files, const MachineGeometry& geometry) {
-  const GeometryTexts texts = geometry_texts(files, geometry);
+std::string geometry_text(const TestFiles& files, const MachineGeometry& geometry, bool all) {
+  const GeometryTexts texts = geometry_texts(files, geometry, all);
   if (texts.rows.empty()) return "";
   Table table({"", "um/m", "from"});
   for (const std::vector<std::string>& row : texts.rows) table.add(row);
   std::string text = texts.heading + '\n' + table.text();
   for (const std::string& sentence : texts.sentences) text += wrapped(sentence);
-  return text + '\n';
+  return text;
 }
 
 }  // namespace ballbar

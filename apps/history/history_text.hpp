@@ -25,9 +25,9 @@ struct GeometryTexts {
   std::vector<std::string> sentences;          // whether the tests agree, and what scales are against
 };
 
-GeometryTexts geometry_texts(const TestFiles& files, const MachineGeometry& geometry);
+GeometryTexts geometry_texts(const TestFiles& files, const MachineGeometry& geometry, bool all = true);
 
 // Empty where no test tells them. Places of the geometry are those in files.tests.
-std::string geometry_text(const TestFiles& files, const MachineGeometry& geometry);
+std::string geometry_text(const TestFiles& files, const MachineGeometry& geometry, bool all);
 
 }  // namespace ballbar

@@ -9,7 +9,7 @@
     ```console numpy,pandas  passed over where Debian's python3 lacks one of these modules
     ```console SECTION       not run: its command and output stand in that section of the transcripts of tests/cli
 
-and every `ballbar ...` of a table below the line `<!-- each command is run -->` ends with status 0.
+and every `ballbar ...` of a table below the line `<!-- each command is run -->` ends with status 0 and prints one screen.
 
     python3 readme.py PROGRAM SOURCE_FOLDER SCRATCH [PAGE] [--update]
 
@@ -26,6 +26,8 @@ import sys
 sys.dont_write_bytecode = True  # beside the sources
 import same  # noqa: E402
 import transcript  # noqa: E402
+
+kScreenLines = 40  # that a command prints without --details, with its remarks on the standard error
 
 program, source, scratch = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 update = "--update" in sys.argv[4:]
@@ -143,6 +145,9 @@ for command in (one for language, _, lines in pieces if language is None for one
     if came.returncode:
         wrong += 1
         print(f"{page}: {command}: exit status {came.returncode}\n{came.stdout}")
+    elif came.stdout.count("\n") > kScreenLines:
+        wrong += 1
+        print(f"{page}: {command}: expected at most {kScreenLines} lines, found {came.stdout.count(chr(10))}")
 
 for language, name, block in pieces:
     if language != "console":

@@ -169,5 +169,5 @@ halcmd("unload", "inch")
 with os.fdopen(reading) as stderr:
     said = [line for line in stderr if "inch.json" in line]
 expect("lines about the state", len(said), 1)
-expect(f"what it says: {said}", "room to write" in "".join(said), True)
+expect(f"what it says: {said}", "space to write" in "".join(said), True)
 finish()

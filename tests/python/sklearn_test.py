@@ -28,7 +28,7 @@ def data():
 
 class Sklearn(unittest.TestCase):
     def test_checks(self):
-        """All pass but the two that a memory forbids, which scikit-learn skips as the estimator says why."""
+        """All pass but the two for which rows must not depend on each other; scikit-learn skips them with that reason."""
         skipped = []
         for estimator, check in check_estimator(EffectRegressor(["expansion(T0_degC)"]), generate_only=True):
             try:
@@ -38,7 +38,7 @@ class Sklearn(unittest.TestCase):
             except unittest.SkipTest as why:
                 skipped.append(str(why))
         self.assertEqual(len(skipped), 2, skipped)
-        self.assertTrue(all("with a memory" in why for why in skipped))
+        self.assertTrue(all("depends on the rows before it" in why for why in skipped))
 
     def test_is_the_fit(self):
         inputs, target = data()

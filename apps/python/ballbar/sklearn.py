@@ -22,7 +22,7 @@ class EffectRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
     """Effects of the catalogue as a regression, um.
 
     Rows are readings in the order of time. A DataFrame whose times go on after those of the training continues it; any
-    other X is a run of its own, in which effects with a memory begin anew. Split by stretches of time
+    other X is a run of its own, in which effects with a time constant start again. Split by stretches of time
     (``TimeSeriesSplit``) or by runs, not by shuffled rows.
 
     Parameters

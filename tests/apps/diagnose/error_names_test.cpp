@@ -16,7 +16,7 @@ TEST(ErrorNames, HaveTheAxesOfThePlane) {
 // Only words that are A or B, wherever they stand.
 TEST(ErrorNames, SummariesToo) {
   EXPECT_EQ(with_axes("Axis A shifts sideways, along B, when it reverses.", Plane::YZ),
-            "Axis Y moves sideways, along Z, when it reverses.");
+            "Axis Y shifts sideways, along Z, when it reverses.");
   EXPECT_EQ(with_axes("Play of axis A: a step where A reverses", Plane::ZX), "Play of axis Z: a step where Z reverses");
   EXPECT_EQ(with_axes("An axis is longer. Ball Bar", Plane::XY), "An axis is longer. Ball Bar");
 }

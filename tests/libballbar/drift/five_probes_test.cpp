@@ -219,24 +219,27 @@ TEST(five_point, only_x2) {
                  "x is not known 0 mm from plane 1: X1 is missing; it is known at plane 2, whose distance from plane 1 "
                  "is not stated.");
   remarks.emplace_back(
-      "Not in the uncertainty, because the file does not state it: the probes' resolution (resolution_um) and "
-      "linearity (linearity_percent) under [five_probe].");
+      "The uncertainty does not include the probes' resolution (resolution_um) and linearity (linearity_percent), "
+      "which "
+      "[five_probe] does not state.");
   EXPECT_EQ(found.drift.remarks, remarks);
 }
 
 TEST(five_point, what_the_file_does_not_state_is_said) {
   Series series = probes();
   series.five_probe->linearity_percent.reset();
-  EXPECT_EQ(five_point(series).drift.remarks,
-            (Texts{kFewRows,
-                   "Not in the uncertainty, because the file does not state it: the probes' linearity "
-                   "(linearity_percent) under [five_probe]."}));
+  EXPECT_EQ(
+      five_point(series).drift.remarks,
+      (Texts{kFewRows,
+             "The uncertainty does not include the probes' linearity (linearity_percent), which [five_probe] does "
+             "not state."}));
   series = probes();
   series.five_probe->resolution_um.reset();
-  EXPECT_EQ(five_point(series).drift.remarks,
-            (Texts{kFewRows,
-                   "Not in the uncertainty, because the file does not state it: the probes' resolution (resolution_um) "
-                   "under [five_probe]."}));
+  EXPECT_EQ(
+      five_point(series).drift.remarks,
+      (Texts{kFewRows,
+             "The uncertainty does not include the probes' resolution (resolution_um), which [five_probe] does not "
+             "state."}));
 }
 
 TEST(five_point, columns_of_other_names) {

@@ -81,7 +81,7 @@ export const program_de: readonly (readonly [string, string])[] = [
   ["The remaining error rises from {} to {} um.", "Der Restfehler steigt von {1} auf {2} µm."],
   ["The remaining error stays at {} um.", "Der Restfehler bleibt bei {1} µm."],
   ["One run cannot prove it as a cause.", "Ein einzelner Lauf kann ihn nicht als Ursache belegen."],
-  ["The remaining error is larger than the noise: slow noise, or another effect that {} partly imitates.", "Der verbleibende Fehler ist größer als das Rauschen: langsames Rauschen oder ein anderer Effekt, den {1} teilweise nachahmt."],
+  ["This is more than the noise: slow noise, or another effect that {} partly imitates.", "Der verbleibende Fehler ist größer als das Rauschen: langsames Rauschen oder ein anderer Effekt, den {1} teilweise nachahmt."],
   ["No known error has this form.", "Kein bekannter Fehler hat diese Form."],
   ["this effect", "dieser Effekt"],
   ["these effects", "diese Effekte"],

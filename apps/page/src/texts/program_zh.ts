@@ -81,7 +81,7 @@ export const program_zh: readonly (readonly [string, string])[] = [
   ["The remaining error rises from {} to {} um.", "剩余误差从 {1} 升至 {2} µm。"],
   ["The remaining error stays at {} um.", "剩余误差保持在 {1} µm。"],
   ["One run cannot prove it as a cause.", "单次运行不能证明它是原因。"],
-  ["The remaining error is larger than the noise: slow noise, or another effect that {} partly imitates.", "剩余误差大于噪声：噪声变化缓慢，或者缺少另一种效应，{1}部分替代了它。"],
+  ["This is more than the noise: slow noise, or another effect that {} partly imitates.", "剩余误差大于噪声：噪声变化缓慢，或者缺少另一种效应，{1}部分替代了它。"],
   ["No known error has this form.", "没有已知误差具有这种形状。"],
   ["this effect", "该效应"],
   ["these effects", "这些效应"],

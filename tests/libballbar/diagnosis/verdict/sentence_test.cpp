@@ -31,15 +31,16 @@ TEST(Sentence, of_an_effect_that_is_named) {
   Diagnosis found = with_verdict(Verdict::named);
   add(found, expansion("T1_degC"), 0.984, 3.21);
   found.named = {expansion("T1_degC")};
-  EXPECT_EQ(
-      sentence_of(found),
-      "Missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 3.2 um (98 % sure).");
+  EXPECT_EQ(sentence_of(found),
+            "Missing from the model of z_um: expansion(T1_degC), free thermal expansion with one temperature: 3.2 um "
+            "(98 % sure).");
   found.candidates[0].minor = true;
   found.where = "while warming";
-  EXPECT_EQ(sentence_of(found),
-            "Missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 3.2 um (98 % "
-            "sure, minor). "
-            "The model fails most while warming.");
+  EXPECT_EQ(
+      sentence_of(found),
+      "Missing from the model of z_um: expansion(T1_degC), free thermal expansion with one temperature: 3.2 um (98 % "
+      "sure, minor). "
+      "The model fails most while warming.");
 }
 
 TEST(Sentence, of_one_with_a_time) {
@@ -53,10 +54,11 @@ TEST(Sentence, of_one_with_a_time) {
   time.sigma = 20.0;
   found.candidates[0].parameters = {time};
   found.named = {lagged};
-  EXPECT_EQ(sentence_of(found),
-            "Missing from the model of z_um: lagged_expansion(T1_degC), a body that follows a temperature slowly: 12 "
-            "um (over 99 % "
-            "sure), time constant 4 min 25 s.");
+  EXPECT_EQ(
+      sentence_of(found),
+      "Missing from the model of z_um: lagged_expansion(T1_degC), a body that follows a temperature with a delay: 12 "
+      "um (over 99 % "
+      "sure), time constant 4 min 25 s.");
 }
 
 TEST(Sentence, of_one_that_is_certain_and_one_that_is_open) {
@@ -66,10 +68,11 @@ TEST(Sentence, of_one_that_is_certain_and_one_that_is_open) {
   add(found, expansion("T3_degC"), 0.38, 2.0);
   found.named = {expansion("T1_degC")};
   found.equivalent = {{expansion("T2_degC"), expansion("T3_degC")}};
-  EXPECT_EQ(sentence_of(found),
-            "Missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 12 um (99 % "
-            "sure). A further "
-            "effect is open: most likely expansion(T2_degC) (60 %), possibly expansion(T3_degC).");
+  EXPECT_EQ(
+      sentence_of(found),
+      "Missing from the model of z_um: expansion(T1_degC), free thermal expansion with one temperature: 12 um (99 % "
+      "sure). A further "
+      "effect is open: most likely expansion(T2_degC) (60 %), possibly expansion(T3_degC).");
 }
 
 // An effect is as large as what the whole set explains: another one cancels the rest of it.
@@ -102,9 +105,10 @@ TEST(Sentence, of_what_is_probable) {
   Diagnosis found = with_verdict(Verdict::probable);
   add(found, expansion("T1_degC"), 0.83, 3.0);
   found.probable = {expansion("T1_degC")};
-  EXPECT_EQ(sentence_of(found),
-            "Probably missing from the model of z_um: expansion(T1_degC), free expansion with one temperature: 3 um "
-            "(83 % sure).");
+  EXPECT_EQ(
+      sentence_of(found),
+      "Probably missing from the model of z_um: expansion(T1_degC), free thermal expansion with one temperature: 3 um "
+      "(83 % sure).");
 }
 
 TEST(Sentence, of_a_value_that_the_model_holds) {
@@ -179,10 +183,15 @@ TEST(Sentence, of_nothing) {
   found.p_nothing = 0.91;
   found.hidden = expansion("T1_degC");
   found.hidden_um = 0.534;
+  found.base.rmse_um = 0.4;
   EXPECT_EQ(
       sentence_of(found),
       "Nothing further is missing from the model of z_um that these data could show (91 % sure). Up to 0.53 um of "
       "expansion(T1_degC) could still be hidden.");
+  found.hidden_um = 4.8;  // more than the noise can hide
+  EXPECT_EQ(sentence_of(found),
+            "Nothing further is missing from the model of z_um that these data could show (91 % sure). Up to 4.8 um of "
+            "expansion(T1_degC) could still be hidden, because the model imitates it.");
   found.verdict = Verdict::untestable;
   EXPECT_EQ(sentence_of(found), "These data could not have shown a missing effect.");
 }
