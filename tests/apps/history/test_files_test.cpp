@@ -73,8 +73,7 @@ TEST(test_files, one_bad_file_is_skipped) {
   ASSERT_EQ(files.skipped.size(), 4u);
   const std::string name = folder.path().string();
   EXPECT_TRUE(files.skipped[0].sentence.starts_with(name + "/b.b5r:")) << files.skipped[0].sentence;
-  EXPECT_EQ(files.skipped[2].sentence,
-            name + "/d.b5r: expected a different test, found a copy of " + name + "/a.b5r.");
+  EXPECT_EQ(files.skipped[2].sentence, name + "/d.b5r: expected a different test, found a copy of " + name + "/a.b5r.");
   EXPECT_EQ(files.skipped[2].copy_of, name + "/a.b5r");
   EXPECT_FALSE(files.skipped[3].copy_of.has_value());
   EXPECT_TRUE(files.skipped[3].sentence.starts_with(name + "/e.csv: ")) << files.skipped[3].sentence;
