@@ -65,9 +65,15 @@ std::string head_text(const ErrorsReport& report) {
   return text;
 }
 
-// Of a row the value by the instrument's software; of an effect its share and rank there.
+bool has_stored(const ErrorsReport& report) {
+  return report.b5r &&
+         std::any_of(report.found.errors.begin(), report.found.errors.end(),
+                     [&](const MachineError& error) { return stored_value_of(report, error).has_value(); });
+}
+
+// The value by the instrument's software; of an effect its share and rank there. stored: with what the file stores.
 std::vector<std::string> instrument_cells(const ErrorsReport& report, const MachineError& error,
-                                          const RankedError* ranked) {
+                                          const RankedError* ranked, bool stored) {
   const bool is_ranked = ranked != nullptr && ranked->as_instrument;
   std::vector<std::string> cells{error.as_instrument ? plain(*error.as_instrument, error.unit == "ms" ? 2 : 1) : "-",
                                  ranked == nullptr ? ""
@@ -76,10 +82,10 @@ std::vector<std::string> instrument_cells(const ErrorsReport& report, const Mach
                                  ranked == nullptr ? ""
                                  : is_ranked       ? fmt::format("{}", ranked->as_instrument->rank)
                                                    : "-"};
-  if (!report.b5r) return cells;
-  const std::optional<double> stored = stored_value_of(report, error);
+  if (!stored) return cells;
+  const std::optional<double> value = stored_value_of(report, error);
   const std::optional<bool> same = same_as_stored(report, error);
-  cells.emplace_back(!stored ? "-" : same.value_or(false) ? "same" : fmt::format("{:g}", *stored));
+  cells.emplace_back(!value ? "-" : same.value_or(false) ? "same" : fmt::format("{:g}", *value));
   const std::optional<int> rank = ranked == nullptr ? std::nullopt : stored_rank_of(report, *ranked);
   const bool same_rank = rank && is_ranked && *rank == static_cast<int>(ranked->as_instrument->rank);
   cells.emplace_back(ranked == nullptr ? "" : same_rank ? "same" : rank ? fmt::format("{}", *rank) : "-");
@@ -89,7 +95,8 @@ std::vector<std::string> instrument_cells(const ErrorsReport& report, const Mach
 std::string table_text(const ErrorsReport& report, bool details) {
   std::vector<std::string> heading{"error", "value",      "unit",    "rank",           "gain um",
                                    "IC um", "instrument", "share %", "instrument rank"};
-  if (report.b5r) heading.insert(heading.end(), {"stored", "stored rank"});
+  const bool stored = has_stored(report);
+  if (stored) heading.insert(heading.end(), {"stored", "stored rank"});
   heading.emplace_back("confirmed");
   Table table(heading);
   std::size_t rows = 0;
@@ -107,7 +114,7 @@ std::string table_text(const ErrorsReport& report, bool details) {
              ? plain(ranked->gain_um, 1)
              : with_sigma(ranked->gain_um, ranked->gain_sigma_um, decimals_of_sigma(ranked->gain_sigma_um)));
     once(ranked == nullptr ? "" : plain(ranked->individual_circularity_um, 2));
-    const std::vector<std::string> instrument = instrument_cells(report, error, of_effect);
+    const std::vector<std::string> instrument = instrument_cells(report, error, of_effect, stored);
     row.insert(row.end(), instrument.begin(), instrument.end());
     once(ranked == nullptr || !ranked->significant || !ranked->predicts_other_run ? "-"
          : *ranked->predicts_other_run                                            ? "yes"
@@ -148,11 +155,12 @@ void print_group(const ErrorsReport& report, bool details) {
   fmt::print("\n{}", table_text(report, details));
   fmt::print(
       "{}",
-      wrapped(
+      wrapped(fmt::format(
           "Gain: reduction of the circularity by correcting this error alone; gains do not add up. Rank: by gain; "
           "-: not significant, none: no gain. IC: circularity of this error alone. ± is one sigma. Instrument: as the "
-          "instrument's software would report it; same: equal to the stored value. Confirmed: with the error found in "
-          "CCW, CW fits better, and vice versa."));
+          "instrument's software would report it. {}Confirmed: with the error found in CCW, CW fits better, and vice "
+          "versa.",
+          has_stored(report) ? "Stored: in the file; same: equal to the instrument's. " : "")));
   const std::vector<std::string> differences = difference_texts(report);
   for (std::size_t i = 0; i < differences.size() && (details || i < kDifferences); ++i) {
     fmt::print("{}", wrapped(differences[i]));

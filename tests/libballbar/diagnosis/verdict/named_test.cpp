@@ -42,7 +42,7 @@ TEST(Diagnosis, names_the_room_and_its_gain) {
   EXPECT_LT(found.p_nothing, 1e-6);
   ASSERT_FALSE(found.drivers.empty());
   EXPECT_EQ(found.drivers.front().column, "T_room_degC");
-  EXPECT_NE(found.sentence.find("Missing from the model of y_um: lagged_expansion(T_room_degC), "), std::string::npos);
+  EXPECT_NE(found.sentence.find("Missing from the model of z_um: lagged_expansion(T_room_degC), "), std::string::npos);
 }
 
 // The same column twice under two names: no data tell them apart.
@@ -58,7 +58,7 @@ TEST(Diagnosis, a_duplicate_is_never_named) {
   const std::vector<std::string> labels = made::labels_of(found.equivalent.front());
   EXPECT_NE(std::find(labels.begin(), labels.end(), "lagged_expansion(T_room_degC)"), labels.end());
   EXPECT_NE(std::find(labels.begin(), labels.end(), "lagged_expansion(T_twin_degC)"), labels.end());
-  EXPECT_NE(found.sentence.find("the data cannot tell which of "), std::string::npos) << found.sentence;
+  EXPECT_NE(found.sentence.find("The data do not tell which of "), std::string::npos) << found.sentence;
 }
 
 // A bearing that grows, or the difference between it and a room that stands still: the bearing drives it, and what it
@@ -77,7 +77,7 @@ TEST(Diagnosis, a_temperature_that_stands_still_may_be_half_of_a_difference) {
   ASSERT_EQ(found.equivalent.size(), 1U);
   const std::vector<std::string> labels = made::labels_of(found.equivalent.front());
   EXPECT_NE(std::find(labels.begin(), labels.end(), "gradient_bending(T_bearing_degC, T_room_degC)"), labels.end());
-  EXPECT_TRUE(found.sentence.starts_with("T_bearing_degC drives something that the model of ")) << found.sentence;
+  EXPECT_TRUE(found.sentence.starts_with("T_bearing_degC drives about ")) << found.sentence;
 }
 
 // A lag of no time and a play that never gives way are expansion too: it is the one with fewer shapes, and the only
@@ -218,7 +218,7 @@ TEST(Diagnosis, names_a_value_that_the_model_holds) {
   EXPECT_LT(own.interval.low, own.fitted);
   EXPECT_GT(own.interval.high, own.fitted);
   EXPECT_GE(own.p, kNamed);
-  EXPECT_TRUE(found.sentence.starts_with("The model of ")) << found.sentence;
+  EXPECT_TRUE(found.sentence.starts_with("In the model of ")) << found.sentence;
 }
 
 TEST(Diagnosis, a_value_that_the_model_holds_lowers_the_rmse) {
