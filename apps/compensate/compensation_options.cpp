@@ -97,11 +97,14 @@ void add_compensation_options(CLI::App& command, CompensationOptions& options) {
   add_limit(command, "--range-margin", limits.range_margin, "SHARE",
             "accepted excess over the trained range, as a share of it")
       ->check(number_within(0.0, kInfinite));
-  add_limit(command, "--spike-K", limits.spike_K, "K", "largest change of a temperature at once")
+  add_limit(command, "--spike-K", limits.spike_K, "K",
+            "largest change of a temperature between rows; --heating-K-per-s adds to it")
       ->check(number_above_0(true));
-  add_limit(command, "--heating-K-per-s", limits.heating_K_per_s, "K/S", "largest heating rate")
+  add_limit(command, "--heating-K-per-s", limits.heating_K_per_s, "K/S",
+            "further change of a temperature per second, up or down")
       ->check(number_within(0.0, kInfinite));
-  add_limit(command, "--stuck-s", limits.stuck_s, "S", "longest constant temperature; inf: no check")
+  add_limit(command, "--stuck-s", limits.stuck_s, "S",
+            "longest time that a temperature may stay constant; inf: no check")
       ->check(number_above_0(true));
   add_limit(command, "--gap-s", limits.gap_s, "S", "longest time between rows")->check(number_above_0(true));
 }

@@ -169,6 +169,24 @@ bool holds(const Model& model, const Term& term) {
   });
 }
 
+// Adds those of the terms that their test supports. Returns why there are none.
+std::string add_supported(const AddArguments& options, std::vector<Term> terms, RevisedModel& model) {
+  std::string why;
+  while (!terms.empty()) {
+    model.add(terms, options.replace);
+    const EffectTest& tried = model.bench().added();
+    if (tried.after.verdict != kNotSupported) return "";
+    if (why.empty()) why = conclusion(tried);
+    std::vector<Term> supported;
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      if (tried.added[k].doubts.empty()) supported.push_back(terms[k]);
+    }
+    model.take_back();
+    terms = std::move(supported);
+  }
+  return why;
+}
+
 // Effects that diagnose() names, until it names none that the model has not, or those that their test does not support.
 // Returns why it stopped.
 std::string add_named(const AddArguments& options, Additions& additions, Verdict& verdict) {
@@ -189,10 +207,7 @@ std::string add_named(const AddArguments& options, Additions& additions, Verdict
       terms.push_back(std::move(term));
     }
     if (terms.empty()) return "Stopped: the effect that is named is in the model already.";
-    additions.model.add(terms, options.replace);
-    if (const EffectTest& tried = additions.model.bench().added(); tried.after.verdict == kNotSupported) {
-      const std::string why = conclusion(tried);
-      additions.model.take_back();
+    if (const std::string why = add_supported(options, std::move(terms), additions.model); !why.empty()) {
       verdict = Verdict::unexplained;
       return fmt::format("Stopped, and not added. {}", why);
     }
@@ -213,7 +228,9 @@ std::vector<std::string> causes_of(const Additions& additions) {
   std::vector<std::string> causes;
   for (const EffectTest& tried : additions.effect_tests) {
     if (tried.after.verdict == kNotSupported) continue;
-    for (const Candidate& added : tried.added) causes.push_back(added.label);
+    for (const Candidate& added : tried.added) {
+      if (!added.bound.effect->time_only) causes.push_back(added.label);
+    }
   }
   return causes;
 }

@@ -137,19 +137,21 @@ std::string conclusion(const EffectTest& effect_test) {
   std::string text = fmt::format("{}. {}", first_words(effect_test, doubts.empty()), error_words(effect_test));
   if (!doubts.empty()) return fmt::format("{} Why not: {}.", text, fmt::join(doubts, "; "));
   const bool is_one = effect_test.added.size() == 1;
-  if (effect_test.after.verdict == "time only") {
+  const auto is_of_time = [](const Candidate& tried) { return tried.bound.effect->time_only; };
+  if (std::any_of(effect_test.added.begin(), effect_test.added.end(), is_of_time)) {
     text += fmt::format(" {} on time alone. One run cannot prove it as a cause.",
                         is_one ? effect_test.added.front().label + " depends" : "One of them depends");
   }
   const Whiteness white = whiteness(effect_test.fit_after);
-  if (!is_adequate(effect_test.fit_after, white)) {
+  const bool knows_noise = !effect_test.fit_after.floor.source.empty();
+  if (!is_adequate(effect_test.fit_after, white) && (knows_noise || white.p < kNotNoise)) {
     const std::string_view these = is_one ? "this effect" : "these effects";
     text +=
         white.p < kNotNoise
             ? fmt::format(" The residual is not noise: another effect is missing, which {} may partly imitate.", these)
             : fmt::format(
-                  " This is more than the noise: slow noise, or another effect that {} partly "
-                  "imitates.",
+                  " The residual is larger than the noise: slow noise, or another effect that {} "
+                  "partly imitates.",
                   these);
   }
   return text;

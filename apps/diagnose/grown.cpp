@@ -107,7 +107,7 @@ std::string conclusion(const GrownModel& grown, const std::vector<std::string>& 
     if (driver.p >= kKnownDriver) known_drivers.push_back(driver.column);
   }
   if (!causes.empty()) {
-    text += fmt::format("Proven causes in the model: {}. ", fmt::join(causes, ", "));
+    text += fmt::format("Named causes in the model: {}. ", fmt::join(causes, ", "));
   } else if (!known_drivers.empty()) {
     text += fmt::format("{} {} the drift in an unknown form, so no effect is proven as its cause. ",
                         fmt::join(known_drivers, " and "), known_drivers.size() == 1 ? "drives" : "drive");

@@ -158,8 +158,8 @@ void print_group(const ErrorsReport& report, bool details) {
       wrapped(fmt::format(
           "Gain: reduction of the circularity by correcting this error alone; gains do not add up. Rank: by gain; "
           "-: not significant, none: no gain. IC: circularity of this error alone. ± is one sigma. Instrument: as the "
-          "instrument's software would report it. {}Confirmed: with the error found in CCW, CW fits better, and vice "
-          "versa.",
+          "instrument's software would report it. {}Confirmed: found in one direction, the error lowers the "
+          "residual of the other.",
           has_stored(report) ? "Stored: in the file; same: equal to the instrument's. " : "")));
   const std::vector<std::string> differences = difference_texts(report);
   for (std::size_t i = 0; i < differences.size() && (details || i < kDifferences); ++i) {

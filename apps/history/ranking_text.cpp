@@ -69,7 +69,7 @@ std::string table_of(const History& history, std::size_t rows) {
   }
   if (needing == 0) return "";
   std::string text = '\n' + table.text(table_width());
-  if (needing > rows) text += fmt::format("... {} more rows; --details prints all\n", needing - rows);
+  if (needing > rows) text += more_text(needing - rows) + '\n';
   return text;
 }
 
@@ -133,7 +133,8 @@ std::string explanation(const MachineHistory& machine) {
     text += ' ' + machine.findings[i].remedy;
   }
   if (machine.findings.size() > 2)
-    text += fmt::format(" {} more findings: --json prints all.", machine.findings.size() - 2);
+    text += fmt::format(" {} more finding{}: --json prints all.", machine.findings.size() - 2,
+                        machine.findings.size() == 3 ? "" : "s");
   return text;
 }
 

@@ -142,7 +142,9 @@ std::string comparison_text(const TestComparison& comparison, bool all) {
                             : "no"});
   }
   text += table.text();
-  if (left_out > 0) text += fmt::format("... {} more rows, none significant; --details prints all\n", left_out);
+  if (left_out > 0)
+    text +=
+        fmt::format("... {} more row{}, none significant; --details prints all\n", left_out, left_out == 1 ? "" : "s");
   return text + '\n' +
          wrapped(fmt::format("± is one sigma of the fits. Significant: noise alone causes such a difference in at most "
                              "5 % of pairs of tests, corrected for {} quantities. A new set-up or a warmer machine "

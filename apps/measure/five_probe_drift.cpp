@@ -83,7 +83,7 @@ void print_text(const FiveProbeReport& report, const MeasuredDrift& drift, const
   if (steps.size() > 1) {
     Table table = step_table(drift, steps);
     if (!report.details) table.shorten(kStepsShown);
-    fmt::print("Drift at the end of each speed step (range within the step)\n{}", table.text());
+    fmt::print("Drift since the reference at the end of each speed step (range within the step)\n{}", table.text());
     fmt::print("\n");
   }
   std::vector<std::string> sigmas;

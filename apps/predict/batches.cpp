@@ -66,7 +66,7 @@ void tell_steps(const std::vector<Batch>& batches, const std::string& target, st
         "{}: {} steps by {:.1f} um at {:.0f} s{}, as if a probe had been touched. --without {} leaves it out.",
         batch.name, target, um, time_s, batch.steps.size() > 1 ? " and elsewhere" : "", batch.name));
   }
-  if (more > 0) remarks.push_back(fmt::format("{} more batches have such steps.", more));
+  if (more > 0) remarks.push_back(fmt::format("Such steps are in {} more batch{}.", more, more == 1 ? "" : "es"));
 }
 
 }  // namespace

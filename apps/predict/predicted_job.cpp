@@ -143,7 +143,8 @@ std::vector<std::string> temperature_warnings(const RegressionPrediction& predic
                     one.value, unit, one.rows, one.time_s, one.low, one.high));
   }
   if (outside.size() > kToldParts)
-    warnings.push_back(fmt::format("{} more columns leave their range.", outside.size() - kToldParts));
+    warnings.push_back(fmt::format("The range is left by {} more column{}.", outside.size() - kToldParts,
+                                   outside.size() == kToldParts + 1 ? "" : "s"));
   return warnings;
 }
 

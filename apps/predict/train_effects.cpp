@@ -42,7 +42,7 @@ std::string expectation(const EffectRegression& regression) {
   }
   const Forecasts& of = *regression.forecasts;
   const bool several = regression.runs > 1;
-  const std::string tested = several ? fmt::format("each of {} runs, left out in turn", of.count)
+  const std::string tested = several ? fmt::format("{} runs, each left out in turn", of.count)
                                      : fmt::format("forecasts from {} origins", of.count);
   const std::string unit = unit_text(regression);
   const std::string without =
@@ -66,10 +66,11 @@ std::string expectation(const EffectRegression& regression) {
 std::string memory_text(const EffectRegression& regression) {
   const std::string unit = unit_text(regression);
   return regression.length_s > 0.0
-             ? fmt::format("The noise of the model is {:.2f} {} (standard deviation) and changes slowly (about {}).",
-                           regression.sigma_um, unit, duration_text(regression.length_s))
-             : fmt::format("The noise of the model is {:.2f} {} (standard deviation), white.", regression.sigma_um,
-                           unit);
+             ? fmt::format(
+                   "The part that no column explains is {:.2f} {} (standard deviation) and changes slowly (about {}).",
+                   regression.sigma_um, unit, duration_text(regression.length_s))
+             : fmt::format("The part that no column explains is {:.2f} {} (standard deviation), white.",
+                           regression.sigma_um, unit);
 }
 
 // The share of the model's effects in the prediction.

@@ -101,7 +101,7 @@ std::string command_for(FileKind kind, const std::vector<std::string>& files) {
 
 void add_page_option(CLI::App& app) {
   const auto page = std::make_shared<std::string>();  // taken out of the words before they are read
-  app.add_option("--page", *page, "write the page of FILE... to FILE; default: page.html")
+  app.add_option("--page", *page, "write a page of the files, to FILE or page.html")
       ->type_name("[FILE]")
       ->expected(0, 1);
 }

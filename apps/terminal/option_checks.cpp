@@ -49,7 +49,8 @@ CLI::Validator number_within(double low, double high) {
 CLI::Validator whole_number_within(double low, double high) {
   return validator([low, high](const std::string& found) {
     double value = 0.0;
-    if (is_number(found, value) && value == std::floor(value) && value >= low && value <= high) return std::string();
+    const bool is_whole = !found.empty() && found.find_first_not_of("0123456789") == std::string::npos;
+    if (is_whole && is_number(found, value) && value >= low && value <= high) return std::string();
     return fmt::format("expected a whole number from {} to {}, found {}", low, high, in_quotes(found));
   });
 }

@@ -148,8 +148,8 @@ DriftSeries drift_by_circles(const Session& session, const DriftOptions& options
     throw Error(fmt::format("a drift needs at least two tests of the same plane, and there is one of {}", once));
   }
   series.not_cancelled =
-      "Set-up errors cancel in the difference to the reference test; drift of the table, thermal growth of the linear "
-      "axes' scales and of the bar (both stand in the radius change), and a ball moved between tests, do not.";
+      "Set-up errors cancel in the difference to the reference test. Drift of the table, thermal growth of the scales "
+      "and of the bar (both are part of the radius change), and a ball moved between tests remain.";
   if (differ) series.not_cancelled += " The planes have references of their own: " + references + ".";
   if (!once.empty()) series.not_cancelled += " One test alone, and so no drift: " + once + ".";
   return series;

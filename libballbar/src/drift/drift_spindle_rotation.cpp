@@ -81,8 +81,9 @@ DriftSeries drift_by_spindle_rotation(const Session& session, const DriftOptions
     series.positions.push_back(position);
   }
   series.not_cancelled =
-      "Constant set-up errors and the run-out of the spindle's ball cancel in the difference to the reference test; "
-      "the bar's own thermal growth stands in axial and in the radius change, and a ball moved between tests in all.";
+      "Constant set-up errors and the run-out of the spindle's ball cancel in the difference to the reference test. "
+      "Thermal growth of the bar remains in axial and in the radius change, a ball moved between tests in all "
+      "directions.";
   return series;
 }
 

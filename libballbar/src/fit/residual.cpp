@@ -179,7 +179,7 @@ std::string of_noise(const Fit& fit) {
   if (!(noise_um > 0.0) || fit.floor.source.empty()) return error + ". The noise is not known.";
   const std::string noise = fmt::format("The noise is {} um ({}).", digits(noise_um), fit.floor.source);
   const double ratio = fit.rmse_um / noise_um;
-  if (ratio < 1.05) return fmt::format("{}, no more than the noise. {}", error, noise);
+  if (ratio < 1.05) return fmt::format("{}, about the noise. {}", error, noise);
   const std::string times =
       ratio < 1e6 ? fmt::format("{:.{}f}", ratio, ratio < 2.0 ? 2 : 1) : fmt::format("{:.1e}", ratio);
   return fmt::format("{}, {} times the noise. {}", error, times, noise);
@@ -217,11 +217,10 @@ const Misfit* worst_of(const Fit& fit, const std::vector<Misfit>& where) {
 std::string of_place(const Fit& fit, const std::vector<Misfit>& where) {
   const Misfit* worst = worst_of(fit, where);
   if (worst == nullptr) return "The error is spread evenly over the data.";
-  return fmt::format(
-      "The model fails most {}: {:.0f} % of the squared error in {:.0f} % of the readings, mean error {} um.",
-      place_of(*worst), 100.0 * worst->share,
-      100.0 * static_cast<double>(worst->n) / static_cast<double>(fit.residual_um.size()),
-      with_sigma(worst->bias_um, worst->bias_sigma_um));
+  return fmt::format("The model fails most {}: {:.0f} % of the squared error in {:.0f} % of the readings, bias {} um.",
+                     place_of(*worst), 100.0 * worst->share,
+                     100.0 * static_cast<double>(worst->n) / static_cast<double>(fit.residual_um.size()),
+                     with_sigma(worst->bias_um, worst->bias_sigma_um));
 }
 
 std::string duration(double time_s) {

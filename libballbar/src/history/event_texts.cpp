@@ -106,8 +106,10 @@ EventTexts season_texts(const AllSeries& all, const Event& event) {
                         amount_text(one.size, one.sigma, series_of(all, one).unit));
   }
   if (event.calls.size() > named) text += fmt::format(" and {} more", event.calls.size() - named);
-  return {fmt::format("Follows the season, highest in {}: ±{}. This is neither wear nor a step.", kMonths[month], text),
-          "No repair is needed. Keep the hall's temperature steady, or compare with tests of the same month."};
+  return {
+      fmt::format("Follows the season, highest in {}, to either side of the mean: {}. This is neither wear nor a step.",
+                  kMonths[month], text),
+      "No repair is needed. Keep the hall's temperature steady, or compare with tests of the same month."};
 }
 
 }  // namespace

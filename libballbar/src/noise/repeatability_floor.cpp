@@ -124,7 +124,7 @@ std::optional<Floor> of_innovations(const Noise& noise, std::span<const double> 
   filter.for_each_gain(variances_of(noise), [&](const FilterGain& of, Eigen::Index rows) {
     variances += static_cast<double>(rows) / of.weight;
   });
-  return Floor{std::sqrt(variances / static_cast<double>(time_s.size())), "change from one reading to the next"};
+  return Floor{std::sqrt(variances / static_cast<double>(time_s.size())), "error of predicting the next reading"};
 }
 
 }  // namespace

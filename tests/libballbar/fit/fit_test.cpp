@@ -188,7 +188,7 @@ TEST(fit, robust_discounts_what_lies_apart) {
   EXPECT_EQ(found.discounted[1], 27U);
   EXPECT_NEAR(found.rmse_um, 0.1, 4.0 * 0.1 / std::sqrt(760.0)) << "of the 380 that are kept";
   EXPECT_NEAR(found.n_effective, 380.0, 1e-9);
-  EXPECT_EQ(found.floor.source, "change from one reading to the next");
+  EXPECT_EQ(found.floor.source, "error of predicting the next reading");
   EXPECT_NEAR(found.floor.rms_um, found.rmse_um, 0.002);
   EXPECT_TRUE(found.remarks.empty());
 }

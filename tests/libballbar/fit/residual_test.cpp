@@ -314,7 +314,7 @@ TEST(Sentences, of_a_model_that_is_adequate) {
   const std::vector<std::string> found =
       sentences(fit, where_it_fails(fit, series_with(400, {})), Whiteness{{}, 0.05, 0.42});
   EXPECT_EQ(found, (std::vector<std::string>{
-                       "Remaining error 1 um RMS, no more than the noise. The noise is 0.98 um (3 pairs of repeats).",
+                       "Remaining error 1 um RMS, about the noise. The noise is 0.98 um (3 pairs of repeats).",
                        "The error is spread evenly over the data.", "The residual looks like noise (p = 0.42)."}));
 }
 
@@ -335,7 +335,7 @@ TEST(Sentences, name_the_place) {
   const auto second = [&](const std::string& what, const std::string& from, const std::string& to) {
     return sentences(fit, {Misfit{what, from, to, 2, 1.2, 0.31, 3.0, 0.75}}, {})[1];
   };
-  const std::string rest = ": 75 % of the squared error in 20 % of the readings, mean error 1.2 ± 0.3 um.";
+  const std::string rest = ": 75 % of the squared error in 20 % of the readings, bias 1.2 ± 0.3 um.";
   EXPECT_EQ(second("time", "0 min", "60 min"), "The model fails most from 0 to 60 min" + rest);
   EXPECT_EQ(second("T_air_degC", "20 degC", "22.5 degC"),
             "The model fails most where T_air_degC is from 20 to 22.5 degC" + rest);

@@ -68,7 +68,7 @@ TEST(Floor, of_the_innovations) {
   const std::vector<double> target(2000, 0.0);
   const Noise noise{1.0, 1.0, 60.0 / std::log(2.0), 0.0};
   const Floor floor = floor_of(time_s, target, {}, {}, noise);
-  EXPECT_EQ(floor.source, "change from one reading to the next");
+  EXPECT_EQ(floor.source, "error of predicting the next reading");
   EXPECT_NEAR(floor.rms_um, std::sqrt(1.0 + std::sqrt(0.75)), 1e-3);
   EXPECT_EQ(floor_of(time_s, target, {}, std::vector<double>(2000, 3000.0), noise).source, floor.source);
 }
@@ -85,7 +85,7 @@ TEST(Floor, is_never_below_the_stated_sigma) {
   EXPECT_EQ(floor.source, "sigma of the circle fits");
   EXPECT_NEAR(floor.rms_um, std::sqrt(5.0), 1e-12);
   const Floor above = floor_of(time_s, target, sigma, {}, {2.0, 0.0, 0.0, 0.0});
-  EXPECT_EQ(above.source, "change from one reading to the next");
+  EXPECT_EQ(above.source, "error of predicting the next reading");
   EXPECT_NEAR(above.rms_um, 3.0, 1e-12);
 }
 

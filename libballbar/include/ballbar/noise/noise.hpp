@@ -54,7 +54,7 @@ double sigma_of_mean(const Noise& noise, std::span<const double> time_s, std::sp
 struct Floor {
   double rms_um = 0.0;
   std::string source;  // a phrase for the report: "3 pairs of repeats", "standstill from 120 to 150 min",
-                       // "change from one reading to the next", "sigma of the circle fits"; empty: not known
+                       // "error of predicting the next reading", "sigma of the circle fits"; empty: not known
 };
 
 // Estimates the noise level from the first available source:

@@ -18,7 +18,7 @@ extern const Effect kStep{
      .confused_with = {"linear_drift", "settling", "preload_loss", "centrifugal_shift"},
      .separated_by = "Repeat the run: a knock does not recur; a physical cause recurs at the same state.",
      .remedy = "Reseat the set-up and repeat; leave out the rows before or after; log events.",
-     .validity = "One jump; its time is known to one measured row at best.",
+     .validity = "One jump; its time is known to the interval between two measured rows at best.",
      .source = "Shift of the set-up; not from a paper."},
     {},
     {{"gain_um", "um", ParameterKind::gain, 0.0, -10000.0, 10000.0, {}, "height of the jump"},
