@@ -302,8 +302,8 @@ TEST(Sentences, of_a_model_that_fails) {
             "Remaining error 0.801 um RMS, 8.0 times the noise. The noise is 0.1 um (standstill from "
             "510 to 569 min).");
   EXPECT_EQ(found[1],
-            "The model fails most after a change of speed: 99 % of the squared error in 7 % of the readings, mean "
-            "error -3.00 ± 0.13 um.");
+            "The model fails most after a change of speed: 99 % of the squared error in 7 % of the readings, bias "
+            "-3.00 ± 0.13 um.");
   EXPECT_EQ(found[2].substr(0, 73), "The residual is not noise (p < 0.000001): something that changes slowly (");
 }
 
