@@ -3,7 +3,7 @@ export const program_de: readonly (readonly [string, string])[] = [
   ["Remaining error {} um RMS, {} times the noise.", "Restfehler {1} µm RMS, das {2}-Fache des Rauschens."],
   ["Remaining error {} um RMS.", "Restfehler {1} µm RMS."],
   ["The noise is {} um ({}).", "Das Rauschen beträgt {1} µm ({2})."],
-  ["error of predicting the next reading", "Innovationen des Residuums"],
+  ["error of predicting the next reading", "Fehler der Vorhersage des nächsten Werts"],
   ["sigma of the circle fits", "Sigma der Ausgleichskreise"],
   ["{} pairs of repeats", "{1} Paare von Wiederholungen"],
   ["standstill from {} to {}", "Stillstand von {1} bis {2}"],

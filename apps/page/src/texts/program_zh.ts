@@ -3,7 +3,7 @@ export const program_zh: readonly (readonly [string, string])[] = [
   ["Remaining error {} um RMS, {} times the noise.", "剩余误差 {1} µm（均方根），为噪声的 {2} 倍。"],
   ["Remaining error {} um RMS.", "剩余误差 {1} µm（均方根）。"],
   ["The noise is {} um ({}).", "噪声为 {1} µm（{2}）。"],
-  ["error of predicting the next reading", "残差的新息"],
+  ["error of predicting the next reading", "预测下一个读数的误差"],
   ["sigma of the circle fits", "圆拟合的标准差"],
   ["{} pairs of repeats", "{1} 对重复测量"],
   ["standstill from {} to {}", "{1} 至 {2} 的静止段"],
