@@ -31,7 +31,7 @@ head -n 6 /tmp/new | sed 's/^/    /'
 
 ballbar --version
 cp /tmp/ballbar/00.b5r /root/
-ballbar errors /root/00.b5r | grep -q 'takes the circularity from 5.6 to' || fail 'expected the circularity of the test'
+ballbar errors /root/00.b5r | grep -q 'lowers the circularity from 5.6' || fail 'expected the circularity of the test'
 ballbar report /root/00.b5r --out /root/page.html >/dev/null
 [ -s /root/page.html ] || fail 'expected a page'
 
