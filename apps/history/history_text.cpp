@@ -67,7 +67,7 @@ std::string group_text(const TestFiles& files, const MachineHistory& machine, st
   const std::vector<std::size_t>& places = machine.groups[group].tests;
   const auto stored = std::count_if(places.begin(), places.end(), [&](std::size_t i) { return files.tests[i].stored; });
   std::string text =
-      fmt::format("{}; {}, {}{}\n", group_text(machine.groups[group]), several(places.size(), "test"),
+      fmt::format("\n{}; {}, {}{}\n", group_text(machine.groups[group]), several(places.size(), "test"),
                   first_and_last(files.tests, places), stored == 0 ? "" : fmt::format(", {} of stored values", stored));
   const std::optional<MachineError>& out_of_square = files.tests[places.back()].squareness;
   const std::string squareness = out_of_square ? out_of_square->name : "";
@@ -81,7 +81,7 @@ std::string group_text(const TestFiles& files, const MachineHistory& machine, st
     }
   }
   if (!rows.empty()) text += table_of_rows(rows);
-  return text + '\n';
+  return text;
 }
 
 std::string machine_text(const TestFiles& files, const History& history, const MachineGeometry& geometry, bool all) {
@@ -92,18 +92,14 @@ std::string machine_text(const TestFiles& files, const History& history, const M
                                  several(places.size(), "test"), several(machine.groups.size(), "group"),
                                  first_and_last(files.tests, places));
   for (const std::string& line : machine_conclusion(history)) text += wrapped(line);
-  text += '\n';
   std::size_t left_out = 0;
   for (std::size_t group = 0; group < machine.groups.size(); ++group) {
     text += group_text(files, machine, group, all, left_out);
   }
-  if (left_out > 0) text += more_text(left_out) + "\n\n";
+  if (left_out > 0) text += '\n' + more_text(left_out) + '\n';
   text += geometry_text(files, geometry, all);
-  if (!all) {
-    while (text.ends_with("\n\n")) text.pop_back();
-    return text;
-  }
-  return text + (text.ends_with("\n\n") ? "" : "\n") +
+  if (!all) return text;
+  return text + '\n' +
          wrapped(
              "± is one sigma of the fit; for a trend it includes the scatter of the tests. *: significant. ?: "
              "stored values have no sigma. Change: since the previous value, also in sigmas.");
@@ -267,7 +263,7 @@ std::string geometry_text(const TestFiles& files, const MachineGeometry& geometr
   if (texts.rows.empty()) return "";
   Table table({"", "um/m", "from"});
   for (const std::vector<std::string>& row : texts.rows) table.add(row);
-  std::string text = texts.heading + '\n' + table.text();
+  std::string text = '\n' + texts.heading + '\n' + table.text();
   for (const std::string& sentence : texts.sentences) text += wrapped(sentence);
   return text;
 }
