@@ -2,18 +2,25 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "ballbar/numerics/parallel.hpp"
 
 namespace ballbar {
 namespace {
 
+constexpr double kNotNeeded = 0.5;         // P(none)
+constexpr std::size_t kMostSelected = 12;  // of a selection
+constexpr double kSelectionLengths_s[] = {0.0, 1800.0, 7200.0, 30'000.0}, kSelectionVariances[] = {1.0, 3.0, 10.0};
+
 // Whitened by one discrepancy.
 struct Whitened {
+  double length_s = 0.0;
   Eigen::MatrixXd fixed, columns;  // not freed of F
   Eigen::MatrixXd free_columns;
   Eigen::VectorXd target, free_target;
@@ -21,12 +28,14 @@ struct Whitened {
   Eigen::VectorXd towards_end;  // covariance of the discrepancy in the last row with all rows, whitened
 };
 
-Whitened whitened(const SelectionProblem& problem, double length_s) {
+// columns: those of the problem that move.
+Whitened whitened(const RidgeProblem& problem, const Eigen::MatrixXd& columns, double length_s) {
   const Eigen::LLT<Eigen::MatrixXd> root(discrepancy_of(problem.time_s, problem.run, length_s));
   Whitened of;
+  of.length_s = length_s;
   of.half_log_det = root.matrixLLT().diagonal().array().log().sum();
-  of.fixed = root.matrixL().solve(problem.fixed);
-  of.columns = root.matrixL().solve(problem.columns);
+  of.fixed = root.matrixL().solve(Eigen::MatrixXd::Ones(columns.rows(), 1));
+  of.columns = root.matrixL().solve(columns);
   of.target = root.matrixL().solve(problem.target_um);
   Eigen::VectorXd end(problem.target_um.size());
   for (Eigen::Index i = 0; i < end.size(); ++i) {
@@ -62,18 +71,61 @@ struct Scores {
   }
 };
 
-// A state as predictors join.
-class Carried {
+// 1 / (1 + mean exp), without overflow.
+double p_none(const Eigen::VectorXd& rises, std::size_t candidates) {
+  const double most = std::max(0.0, rises.maxCoeff());
+  const double sum = (rises.array() - most).exp().sum() / static_cast<double>(candidates);
+  return 1.0 / (1.0 + sum * std::exp(most));
+}
+
+// The predictors that have joined when no more is needed.
+class Selection {
  public:
-  Carried(const Whitened& of, double variance)
+  Selection(const Whitened& of, double variance)
       : of_(of),
         variance_(variance),
         columns_(of.free_columns, of.free_target),
         sum_(of.free_target.squaredNorm()),
-        degrees_(static_cast<double>(of.fixed.rows() - of.fixed.cols())) {}
+        degrees_(static_cast<double>(of.fixed.rows() - of.fixed.cols())) {
+    const double half_log_q = 0.5 * (of_.fixed.transpose() * of_.fixed).ldlt().vectorD().array().log().sum();
+    log_likelihood_ = -0.5 * degrees_ * std::log(sum_ / degrees_) - of_.half_log_det - half_log_q;
+    const auto p = static_cast<std::size_t>(of.columns.cols());
+    while (order_.size() < std::min(kMostSelected, p)) {
+      Eigen::VectorXd rises = columns_.rises(variance_, sum_, degrees_);
+      for (const Eigen::Index c : order_) rises[c] = -std::numeric_limits<double>::infinity();
+      if (p_none(rises, p - order_.size()) > kNotNeeded) return;
+      Eigen::Index best = 0;
+      log_likelihood_ += rises.maxCoeff(&best);
+      join(best);
+    }
+  }
 
-  Eigen::VectorXd rises() const { return columns_.rises(variance_, sum_, degrees_); }
+  const std::vector<Eigen::Index>& order() const { return order_; }
+  double length_s() const { return of_.length_s; }
+  double log_likelihood() const { return log_likelihood_; }
+  double sigma_um() const { return std::sqrt(sum_ / degrees_); }
 
+  // Of the constant, of those that have joined in their order, and what the discrepancy is in the last row.
+  Eigen::VectorXd gains_um() const {
+    const Eigen::MatrixXd all = together();
+    Eigen::VectorXd gains(all.cols() + 1);
+    gains.head(all.cols()) = normal(all).ldlt().solve(all.transpose() * of_.target);
+    gains[all.cols()] = of_.towards_end.dot(of_.target - all * gains.head(all.cols()));
+    return gains;
+  }
+
+  // Of these; the last one: its change with the gains, and what is not known of it.
+  Eigen::MatrixXd covariance_um2() const {
+    const Eigen::MatrixXd all = together();
+    const Eigen::Index p = all.cols();
+    Eigen::MatrixXd change = Eigen::MatrixXd::Identity(p + 1, p);
+    change.row(p) = -of_.towards_end.transpose() * all;
+    Eigen::MatrixXd covariance = change * normal(all).ldlt().solve(change.transpose());
+    covariance(p, p) += std::max(0.0, remembered(0.0, of_.length_s) - of_.towards_end.squaredNorm());
+    return covariance * (sum_ / degrees_);
+  }
+
+ private:
   void join(Eigen::Index c) {
     Eigen::VectorXd w = of_.free_columns.col(c);
     for (const auto& [other, factor] : joined_) w -= factor * other.dot(of_.free_columns.col(c)) * other;
@@ -82,192 +134,77 @@ class Carried {
     sum_ = std::max(sum_ - factor * q * q, std::numeric_limits<double>::min());
     columns_.update(along, factor, q);
     joined_.emplace_back(std::move(w), factor);
+    order_.push_back(c);
   }
 
-  // Gains of F and of these columns, not scaled back.
-  Eigen::VectorXd gains(const std::vector<Eigen::Index>& order) const {
-    const Eigen::MatrixXd all = together(order);
+  Eigen::MatrixXd together() const {
+    Eigen::MatrixXd all(of_.fixed.rows(), of_.fixed.cols() + static_cast<Eigen::Index>(order_.size()));
+    all.leftCols(of_.fixed.cols()) = of_.fixed;
+    for (std::size_t k = 0; k < order_.size(); ++k)
+      all.col(of_.fixed.cols() + static_cast<Eigen::Index>(k)) = of_.columns.col(order_[k]);
+    return all;
+  }
+
+  Eigen::MatrixXd normal(const Eigen::MatrixXd& all) const {
     Eigen::MatrixXd normal = all.transpose() * all;
     normal.diagonal().tail(all.cols() - of_.fixed.cols()).array() += 1.0 / variance_;
-    return normal.ldlt().solve(all.transpose() * of_.target);
-  }
-
-  double end_um(const std::vector<Eigen::Index>& order, const Eigen::VectorXd& gains) const {
-    return of_.towards_end.dot(of_.target - together(order) * gains);
-  }
-
-  // Of the gains, then of what the discrepancy is in the last row: its change with them, and what is not known of it.
-  Eigen::MatrixXd covariance_um2(const std::vector<Eigen::Index>& order, double remembered_share) const {
-    const Eigen::MatrixXd all = together(order);
-    const Eigen::Index p = all.cols();
-    Eigen::MatrixXd normal = all.transpose() * all;
-    normal.diagonal().tail(p - of_.fixed.cols()).array() += 1.0 / variance_;
-    Eigen::MatrixXd change = Eigen::MatrixXd::Identity(p + 1, p);
-    change.row(p) = -of_.towards_end.transpose() * all;
-    Eigen::MatrixXd covariance = change * normal.ldlt().solve(change.transpose());
-    covariance(p, p) += std::max(0.0, remembered_share - of_.towards_end.squaredNorm());
-    return covariance * (sum_ / degrees_);
-  }
-
-  double log_likelihood() const {
-    const double half_log_q = 0.5 * (of_.fixed.transpose() * of_.fixed).ldlt().vectorD().array().log().sum();
-    return -0.5 * degrees_ * std::log(sum_ / degrees_) - of_.half_log_det - half_log_q;
-  }
-
-  double sigma_um() const { return std::sqrt(sum_ / degrees_); }
-
- private:
-  Eigen::MatrixXd together(const std::vector<Eigen::Index>& order) const {
-    Eigen::MatrixXd all(of_.fixed.rows(), of_.fixed.cols() + static_cast<Eigen::Index>(order.size()));
-    all.leftCols(of_.fixed.cols()) = of_.fixed;
-    for (std::size_t k = 0; k < order.size(); ++k)
-      all.col(of_.fixed.cols() + static_cast<Eigen::Index>(k)) = of_.columns.col(order[k]);
-    return all;
+    return normal;
   }
 
   const Whitened& of_;
   double variance_;
   Scores columns_;
-  double sum_, degrees_;
+  double sum_, degrees_, log_likelihood_ = 0.0;
+  std::vector<Eigen::Index> order_;
   std::vector<std::pair<Eigen::VectorXd, double>> joined_;
 };
 
-// 1 / (1 + mean exp), without overflow.
-double p_none(const Eigen::VectorXd& rises, std::size_t candidates) {
-  const double most = std::max(0.0, rises.maxCoeff());
-  const double sum = (rises.array() - most).exp().sum() / static_cast<double>(candidates);
-  return 1.0 / (1.0 + sum * std::exp(most));
-}
-
-// One selection: gains of b and of its own predictors, and the discrepancy in the last row.
-struct Variant {
-  std::vector<std::size_t> columns;  // of the problem
-  SelectedFit fit;
-  double log_likelihood = 0.0, length_s = 0.0;
-};
-
 }  // namespace
-
-std::vector<RidgeSetting> selection_states(std::span<const double> lengths_s, std::span<const double> variances) {
-  std::vector<RidgeSetting> states;
-  for (const double length_s : lengths_s) {
-    for (const double variance : variances) states.push_back({0, variance, length_s});
-  }
-  return states;
-}
-
-PredictorSelection forward_selection(const SelectionProblem& problem, std::span<const RidgeSetting> states,
-                                     std::size_t most) {
-  std::vector<double> lengths_s;
-  for (const RidgeSetting& state : states) {
-    if (std::find(lengths_s.begin(), lengths_s.end(), state.length_s) == lengths_s.end())
-      lengths_s.push_back(state.length_s);
-  }
-  std::vector<Whitened> whitened_by(lengths_s.size());
-  in_parallel(lengths_s.size(), [&](std::size_t i) { whitened_by[i] = whitened(problem, lengths_s[i]); });
-  std::vector<Carried> carried;
-  carried.reserve(states.size());
-  for (const RidgeSetting& state : states) {
-    const auto at = std::find(lengths_s.begin(), lengths_s.end(), state.length_s) - lengths_s.begin();
-    carried.emplace_back(whitened_by[static_cast<std::size_t>(at)], state.variance);
-  }
-  const double share = 1.0 / static_cast<double>(states.size());
-  const Eigen::Index p = problem.columns.cols();
-  const auto mean_of = [&](auto rises) {
-    Eigen::VectorXd mean = Eigen::VectorXd::Zero(p);
-    for (const Carried& one : carried) mean += share * rises(one);
-    return mean;
-  };
-  PredictorSelection selection;
-  std::vector<Eigen::Index> order;
-  const auto fit = [&] {
-    SelectedFit result;
-    const Eigen::Index count = problem.fixed.cols() + static_cast<Eigen::Index>(order.size());
-    result.gains = Eigen::VectorXd::Zero(count);
-    for (const Carried& one : carried) {
-      const Eigen::VectorXd gains = one.gains(order);
-      result.gains += share * gains;
-      result.end_um += share * one.end_um(order, gains);
-      result.sigma_um += share * one.sigma_um();
-    }
-    result.covariance_um2 = carried.front().covariance_um2(order, remembered(0.0, states.front().length_s));
-    return result;
-  };
-  selection.log_likelihood = carried.front().log_likelihood();
-  selection.fits.push_back(fit());
-  while (order.size() < most && static_cast<Eigen::Index>(order.size()) < p) {
-    Eigen::VectorXd rises = mean_of([](const Carried& one) { return one.rises(); });
-    for (const Eigen::Index c : order) rises[c] = -std::numeric_limits<double>::infinity();
-    Selected next;
-    Eigen::Index best = 0;
-    next.log_bayes = rises.maxCoeff(&best);
-    next.column = static_cast<std::size_t>(best);
-    next.p_none = p_none(rises, static_cast<std::size_t>(p) - order.size());
-    for (Carried& one : carried) one.join(best);
-    order.push_back(best);
-    selection.joined.push_back(next);
-    selection.fits.push_back(fit());
-  }
-  return selection;
-}
 
 RidgeFit few_effects(const RidgeProblem& problem) {
   std::vector<std::size_t> moving;
   for (Eigen::Index k = 0; k < problem.sd.size(); ++k) {
     if (problem.sd[k] > 0.0) moving.push_back(static_cast<std::size_t>(k));
   }
-  SelectionProblem selected;
-  selected.fixed = Eigen::MatrixXd::Ones(problem.columns.rows(), 1);
-  selected.columns = problem.columns(Eigen::all, moving);
-  selected.target_um = problem.target_um;
-  selected.time_s = problem.time_s;
-  selected.run = problem.run;
-  selected.end_s = problem.end_s;
-  const std::vector<RidgeSetting> states =
-      selection_states(std::array{0.0, 1800.0, 7200.0, 30'000.0}, std::array{1.0, 3.0, 10.0});
-  std::vector<Variant> variants(states.size());
-  in_parallel(states.size(), [&](std::size_t s) {
-    const PredictorSelection selection = forward_selection(selected, {&states[s], 1}, kMostSelected);
-    Variant& of = variants[s];
-    of.length_s = states[s].length_s;
-    of.log_likelihood = selection.log_likelihood;
-    while (of.columns.size() < selection.joined.size() && selection.joined[of.columns.size()].p_none <= kNotNeeded) {
-      of.log_likelihood += selection.joined[of.columns.size()].log_bayes;
-      of.columns.push_back(moving[selection.joined[of.columns.size()].column]);
-    }
-    of.fit = selection.fits[of.columns.size()];
-  });
-  const Variant likeliest = *std::max_element(variants.begin(), variants.end(), [](const auto& a, const auto& b) {
-    return a.log_likelihood < b.log_likelihood;
-  });
+  const Eigen::MatrixXd columns = problem.columns(Eigen::all, moving);
+  std::vector<Whitened> whitened_by(std::size(kSelectionLengths_s));
+  in_parallel(whitened_by.size(),
+              [&](std::size_t i) { whitened_by[i] = whitened(problem, columns, kSelectionLengths_s[i]); });
+  constexpr std::size_t kVariances = std::size(kSelectionVariances);
+  std::vector<std::optional<Selection>> all(whitened_by.size() * kVariances);
+  in_parallel(all.size(),
+              [&](std::size_t i) { all[i].emplace(whitened_by[i / kVariances], kSelectionVariances[i % kVariances]); });
+  const Selection& likeliest = **std::max_element(
+      all.begin(), all.end(), [](const auto& a, const auto& b) { return a->log_likelihood() < b->log_likelihood(); });
   // What has no memory is no matter of those that have one, and the other way round.
-  const bool is_white = likeliest.length_s == 0.0;
-  std::erase_if(variants, [&](const Variant& of) { return (of.length_s == 0.0) != is_white; });
+  const bool is_white = likeliest.length_s() == 0.0;
+  std::vector<const Selection*> selections;
+  for (const std::optional<Selection>& one : all) {
+    if ((one->length_s() == 0.0) == is_white) selections.push_back(&*one);
+  }
   RidgeFit result;
-  for (const Variant& of : variants) {
-    for (const std::size_t column : of.columns) {
-      if (std::find(result.used.begin(), result.used.end(), column) == result.used.end()) result.used.push_back(column);
+  const auto place_of = [&](Eigen::Index column) {
+    return std::find(result.used.begin(), result.used.end(), moving[static_cast<std::size_t>(column)]);
+  };
+  for (const Selection* const one : selections) {
+    for (const Eigen::Index column : one->order()) {
+      if (place_of(column) == result.used.end()) result.used.push_back(moving[static_cast<std::size_t>(column)]);
     }
   }
   const auto m = static_cast<Eigen::Index>(result.used.size());
-  const double share = 1.0 / static_cast<double>(variants.size());
-  Eigen::MatrixXd gains = Eigen::MatrixXd::Zero(m + 2, static_cast<Eigen::Index>(variants.size()));
+  const double share = 1.0 / static_cast<double>(selections.size());
+  Eigen::MatrixXd gains = Eigen::MatrixXd::Zero(m + 2, static_cast<Eigen::Index>(selections.size()));
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(m + 2, m + 2);
-  for (std::size_t s = 0; s < variants.size(); ++s) {
-    const Variant& of = variants[s];
+  for (std::size_t s = 0; s < selections.size(); ++s) {
     std::vector<Eigen::Index> place{0};  // of b, its own predictors, the discrepancy
-    for (const std::size_t column : of.columns)
-      place.push_back(std::find(result.used.begin(), result.used.end(), column) - result.used.begin() + 1);
+    for (const Eigen::Index column : selections[s]->order())
+      place.push_back(place_of(column) - result.used.begin() + 1);
     place.push_back(m + 1);
-    for (std::size_t i = 0; i < place.size(); ++i) {
-      const auto at = static_cast<Eigen::Index>(i);
-      gains(place[i], static_cast<Eigen::Index>(s)) = i + 1 < place.size() ? of.fit.gains[at] : of.fit.end_um;
-      for (std::size_t j = 0; j < place.size(); ++j)
-        covariance(place[i], place[j]) += share * of.fit.covariance_um2(at, static_cast<Eigen::Index>(j));
-    }
+    gains.col(static_cast<Eigen::Index>(s))(place) = selections[s]->gains_um();
+    covariance(place, place) += share * selections[s]->covariance_um2();
   }
-  result.setting.length_s = likeliest.length_s;
-  result.sigma_um = likeliest.fit.sigma_um;
+  result.setting.length_s = likeliest.length_s();
+  result.sigma_um = likeliest.sigma_um();
   result.gains_um = gains.rowwise().mean();
   const Eigen::MatrixXd apart = gains.colwise() - result.gains_um;
   covariance += share * apart * apart.transpose();
