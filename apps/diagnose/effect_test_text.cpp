@@ -98,22 +98,19 @@ Table parameter_table(const EffectTest& effect_test) {
   return table;
 }
 
-// "expansion(T_room_degC): 14 um of z_um (98 % sure)": effect, size, how sure. An effect that another one partly
-// cancels is no larger than what was measured.
-std::string effect_words(const EffectTest& effect_test, const Candidate& tried, bool supported) {
-  const double odds = std::exp(-0.5 * tried.likelihood_ratio);  // against it: 1 / B
-  const bool has_odds = supported && !is_of_axes(effect_test) && std::isfinite(tried.likelihood_ratio);
+// "expansion(T_room_degC), 14 um of z_um". An effect that another one partly cancels is no larger than what was
+// measured.
+std::string effect_words(const EffectTest& effect_test, const Candidate& tried) {
   const double size_um = std::min(tried.amplitude_um, range_of(effect_test.fit_after.measured_um));
-  return fmt::format("{}{}{}", tried.label,
-                     size_um > 0.0 ? fmt::format(", {} um of {}", size_text(size_um), effect_test.after.target) : "",
-                     has_odds ? fmt::format(" ({})", sure_text(1.0 / (1.0 + odds))) : "");
+  if (!(size_um > 0.0)) return tried.label;
+  return fmt::format("{}, {} um of {}", tried.label, size_text(size_um), effect_test.after.target);
 }
 
-// "The data support expansion(T_room_degC), 14 um of z_um (98 % sure)"
+// "The data support expansion(T_room_degC), 14 um of z_um"
 std::string first_words(const EffectTest& effect_test, bool supported) {
   std::vector<std::string> texts;
   texts.reserve(effect_test.added.size());
-  for (const Candidate& tried : effect_test.added) texts.push_back(effect_words(effect_test, tried, supported));
+  for (const Candidate& tried : effect_test.added) texts.push_back(effect_words(effect_test, tried));
   const std::string_view all = supported || texts.size() == 1 ? "" : texts.size() == 2 ? "both " : "all of ";
   return fmt::format("The data {} {}{}", supported ? "support" : "do not support", all, fmt::join(texts, " and "));
 }

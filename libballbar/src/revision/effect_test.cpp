@@ -29,6 +29,11 @@ std::size_t free_parameters(const Term& term) {
       std::count_if(term.settings.begin(), term.settings.end(), [](const Setting& setting) { return !setting.held; }));
 }
 
+Model without(Model model, std::size_t term) {
+  model.terms.erase(model.terms.begin() + static_cast<std::ptrdiff_t>(term));
+  return model;
+}
+
 // What cannot be told from the model: it adds nothing of its own.
 Candidate untestable_candidate(const BoundEffect& bound) {
   Candidate one;
@@ -110,9 +115,7 @@ std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Se
     drop_test.label = label_of(term);
     drop_test.parameters = free_parameters(term);
     if (drop_test.parameters == 0 || term.effect->rules.is_base) continue;
-    Model rest = model;
-    rest.terms.erase(rest.terms.begin() + static_cast<std::ptrdiff_t>(t));
-    Inference found = inference_of(rest, data, target, it_alone, {term});
+    Inference found = inference_of(without(model, t), data, target, it_alone, {term});
     if (const EffectSet* set = set_of_all(found, bounds_of({term}))) {
       drop_test.likelihood_ratio = log_bayes_factor_of_member(found, *set, 0);
     }
@@ -135,7 +138,10 @@ EffectTest effect_test_of(Inference& found, FittedModel before, FittedModel afte
   const std::vector<Term> added(terms.end() - static_cast<std::ptrdiff_t>(count), terms.end());
   result.added = tested(found, added, result.parameters);
   std::vector<std::string> changes;
-  for (Candidate& one : result.added) {
+  for (std::size_t t = 0; t < result.added.size(); ++t) {
+    Candidate& one = result.added[t];
+    one.held_out_after_um = result.after.held_out_um;
+    one.held_out_before_um = held_out_um(without(result.model, terms.size() - count + t), data, target);
     one.rmse_after_um = result.fit_after.rmse_um;
     changes.push_back("+ " + one.label);
     if (std::isfinite(one.best_surrogate_fall) && !(result.after.best_surrogate_fall >= one.best_surrogate_fall))

@@ -65,9 +65,7 @@ LedgerRow row_of(const Fit& fit, const Model& model, const Series& data, std::si
                     [](const FittedParameter& parameter) { return parameter.state != ParameterState::held; }));
   row.rmse_um = fit.rmse_um;
   if (!fit.floor.source.empty() && fit.floor.rms_um > 0.0) row.times_floor = fit.rmse_um / fit.floor.rms_um;
-  ProblemOptions alone;
-  alone.search.catalogue.clear();
-  row.held_out_um = held_out_um(inference(model, data, target, alone));
+  row.held_out_um = held_out_um(model, data, target);
   return row;
 }
 

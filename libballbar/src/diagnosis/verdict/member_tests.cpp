@@ -155,12 +155,15 @@ Candidate with_tests(Candidate one, const Problem& problem, const Posterior& pos
   return one;
 }
 
-double held_out_um(const Inference& inference) {
-  if (inference.posterior.sets.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const Problem& problem = *inference.problem;
-  const auto none = std::find_if(inference.posterior.sets.begin(), inference.posterior.sets.end(),
+double held_out_um(const Model& model, const Series& data, std::size_t target) {
+  ProblemOptions alone;
+  alone.search.catalogue.clear();
+  const Inference found = inference(model, data, target, alone);
+  if (found.posterior.sets.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const Problem& problem = *found.problem;
+  const auto none = std::find_if(found.posterior.sets.begin(), found.posterior.sets.end(),
                                  [](const EffectSet& set) { return set.families.empty() && set.own == 0; });
-  const SetAt at = set_at(problem, inference.posterior, *none);
+  const SetAt at = set_at(problem, found.posterior, *none);
   const std::vector<std::size_t> fold = folds_of(problem.logged.series, problem.base.row);
   return left_out(at, at.white_line, at.line, fold, *std::max_element(fold.begin(), fold.end()) + 1).rmse_um;
 }

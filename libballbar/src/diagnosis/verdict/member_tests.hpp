@@ -20,8 +20,9 @@ Candidate with_tests(Candidate one, const Problem& problem, const Posterior& pos
                      const SetAt& at, std::size_t member, const std::vector<std::size_t>& fold, std::size_t surrogates,
                      std::uint64_t seed);
 
-// RMSE of the model alone in left-out cycles (recordings), each predicted from the others.
-double held_out_um(const Inference& inference);
+// RMSE of the model in left-out cycles (recordings), each predicted from the others; NaN: unknown. Throws Error as fit()
+// does.
+double held_out_um(const Model& model, const Series& data, std::size_t target);
 
 // Phrases of Candidate::doubts.
 std::vector<std::string> doubts_of(const Candidate& tested, const Effect& effect);
