@@ -54,7 +54,8 @@ std::vector<std::size_t> terms_added(const ModelOptions& options, const Model& m
   return added;
 }
 
-// Labels of effects of the model that a revision added although the data did not support it.
+// Labels of effects of the model that a revision added although the data did not support it, and that no later revision
+// found to be needed.
 std::vector<std::string> unsupported_of(const ModelOptions& options, const Model& model) {
   if (options.model.empty()) return {};
   const std::string& file = options.model.name();
@@ -62,17 +63,24 @@ std::vector<std::string> unsupported_of(const ModelOptions& options, const Model
   const std::vector<LedgerRow> rows = read_ledger(bytes, file, options.catalogue);
   if (std::none_of(rows.begin(), rows.end(), [](const LedgerRow& row) { return row.verdict == kNotSupported; }))
     return {};
-  std::set<std::string> after = labels_of(read_model(bytes, file, options.catalogue)), added;
+  std::set<std::string> after = labels_of(read_model(bytes, file, options.catalogue)), added, needed, not_needed;
   for (auto row = rows.rbegin(); row != rows.rend() && std::next(row) != rows.rend(); ++row) {
     bytes = without_last_revision(bytes, file, options.catalogue);
     std::set<std::string> before = labels_of(read_model(bytes, file, options.catalogue));
     if (row->verdict == kNotSupported)
       std::set_difference(after.begin(), after.end(), before.begin(), before.end(), std::inserter(added, added.end()));
     after = std::move(before);
+    // The last revision that tests an earlier effect decides.
+    for (const std::string& label : row->still_needed) {
+      if (!not_needed.contains(label)) needed.insert(label);
+    }
+    for (const std::string& label : row->no_longer_needed) {
+      if (!needed.contains(label)) not_needed.insert(label);
+    }
   }
   std::vector<std::string> held;
   for (const Term& term : model.terms) {
-    if (added.contains(label_of(term))) held.push_back(label_of(term));
+    if (added.contains(label_of(term)) && !needed.contains(label_of(term))) held.push_back(label_of(term));
   }
   return held;
 }

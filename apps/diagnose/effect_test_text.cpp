@@ -59,7 +59,8 @@ Table added_table(const EffectTest& effect_test) {
                    ? with_sigma(tried.amplitude_um, tried.amplitude_sigma_um, digits_of(tried.amplitude_um))
                    : fixed(tried.amplitude_um, digits_of(tried.amplitude_um)),
                fixed(tried.likelihood_ratio, 1), fixed(tried.threshold, 1),
-               effect_test.added.size() == 1 ? percent(fall) : "-", percent(tried.best_surrogate_fall)});
+               effect_test.added.size() == 1 ? percent(fall) : "-",
+               effect_test.beside.empty() ? percent(tried.best_surrogate_fall) : "-"});
   }
   return table;
 }
@@ -132,6 +133,10 @@ std::string conclusion(const EffectTest& effect_test) {
         fmt::format("{}{}", effect_test.added.size() == 1 ? "" : tried.label + ": ", fmt::join(tried.doubts, ", ")));
   }
   std::string text = fmt::format("{}. {}", first_words(effect_test, doubts.empty()), error_words(effect_test));
+  if (!effect_test.beside.empty()) {
+    text += fmt::format(" The test assumes that {} {} missing as well.", fmt::join(effect_test.beside, " and "),
+                        effect_test.beside.size() == 1 ? "is" : "are");
+  }
   if (!doubts.empty()) return fmt::format("{} Why not: {}.", text, fmt::join(doubts, "; "));
   const bool is_one = effect_test.added.size() == 1;
   const auto is_of_time = [](const Candidate& tried) { return tried.bound.effect->time_only; };

@@ -101,7 +101,9 @@ std::string conclusion(const GrownModel& grown, const std::vector<std::string>& 
       "The model with {} more effect{} predicts new rows with an RMSE of {:.2f} um, the model before with "
       "{:.2f} um. ",
       last.effects, last.effects == 1 ? "" : "s", last.forecast_um, first.forecast_um);
-  if (grown.train) text += fmt::format("`ballbar train`, with all effects, reaches {:.2f} um. ", grown.train->rmse_um);
+  if (grown.train)
+    text += fmt::format("`ballbar train`, with all effects and the slow drift that remains, reaches {:.2f} um. ",
+                        grown.train->rmse_um);
   std::vector<std::string> known_drivers;
   for (const Driver& driver : drivers) {
     if (driver.p >= kKnownDriver) known_drivers.push_back(driver.column);

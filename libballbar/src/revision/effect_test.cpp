@@ -50,29 +50,47 @@ void relabel(std::vector<FittedParameter>& parameters, const std::string& from, 
   }
 }
 
-// parameters: of the model with the terms.
-std::vector<Candidate> tested(Inference& found, const std::vector<Term>& terms,
-                              std::vector<FittedParameter>& parameters) {
+// The set with these families beside whose other members they are tested, as diagnose() tests them: the most probable
+// set if it has them all, else the most probable one that has.
+const EffectSet& set_with(const Posterior& posterior, const std::vector<std::size_t>& families) {
+  const auto has_them = [&](const EffectSet& set) {
+    return std::includes(set.families.begin(), set.families.end(), families.begin(), families.end());
+  };
+  const EffectSet& best = posterior.sets[posterior.best];
+  if (has_them(best)) return best;
+  return *std::find_if(posterior.sets.begin(), posterior.sets.end(),
+                       [&](const EffectSet& set) { return set.own == 0 && has_them(set); });
+}
+
+// Fills `added`, `parameters`, and the figures of `after` that the posterior has.
+void test_added(Inference& found, const std::vector<Term>& terms, EffectTest& result) {
   const std::vector<BoundEffect> bounds = bounds_of(terms);
-  const EffectSet* set = set_of_all(found, bounds);
-  std::vector<Candidate> result;
-  if (set == nullptr) {
-    for (const BoundEffect& bound : bounds) result.push_back(untestable_candidate(bound));
-    return result;
+  const EffectSet* alone = set_of_all(found, bounds);
+  if (alone == nullptr) {
+    for (const BoundEffect& bound : bounds) result.added.push_back(untestable_candidate(bound));
+    return;
   }
-  const FittedSet fitted = fitted_set(*found.problem, found.posterior, *set, true);
-  parameters = fitted.parameters;
-  const SetAt at = set_at(*found.problem, found.posterior, *set);
+  const EffectSet& set = set_with(found.posterior, alone->families);
+  std::vector<std::size_t> others;
+  std::set_difference(set.families.begin(), set.families.end(), alone->families.begin(), alone->families.end(),
+                      std::back_inserter(others));
+  for (const std::size_t family : others)
+    result.beside.push_back(label_of(found.problem->library.families[family].bound));
+  const double without = others.empty() ? 0.0 : log_bayes_factor(*found.problem, found.posterior, others);
+  result.after.likelihood_ratio =
+      std::max(0.0, log_bayes_factor(*found.problem, found.posterior, set.families) - without);
+  const FittedSet fitted = fitted_set(*found.problem, found.posterior, set, true);
+  if (others.empty()) result.parameters = fitted.parameters;
+  const SetAt at = set_at(*found.problem, found.posterior, set);
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    const std::size_t m = member_of(found, *set, bounds[t]);
-    Candidate one = tested_member(found, *set, fitted, at, m, kSurrogates, kSeed);
+    const std::size_t m = member_of(found, set, bounds[t]);
+    Candidate one = tested_member(found, set, fitted, at, m, kSurrogates, kSeed);
     one.label = label_of(terms[t]);
     relabel(one.parameters, one.parameters.front().effect, one.label);
-    relabel(parameters, label_of(fitted.model.terms[found.problem->model.terms.size() + m]), one.label);
+    relabel(result.parameters, label_of(fitted.model.terms[found.problem->model.terms.size() + m]), one.label);
     if (!(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.emplace(one.doubts.begin(), kLowLikelihoodRatio);
-    result.push_back(std::move(one));
+    result.added.push_back(std::move(one));
   }
-  return result;
 }
 
 std::string verdict_of(const std::vector<Candidate>& added) {
@@ -136,24 +154,14 @@ EffectTest effect_test_of(Inference& found, FittedModel before, FittedModel afte
   result.after = std::move(after.row);
   const std::vector<Term>& terms = result.model.terms;
   const std::vector<Term> added(terms.end() - static_cast<std::ptrdiff_t>(count), terms.end());
-  result.added = tested(found, added, result.parameters);
+  test_added(found, added, result);
   std::vector<std::string> changes;
-  for (std::size_t t = 0; t < result.added.size(); ++t) {
-    Candidate& one = result.added[t];
-    one.held_out_after_um = result.after.held_out_um;
-    one.held_out_before_um = held_out_um(without(result.model, terms.size() - count + t), data, target);
+  for (Candidate& one : result.added) {
     one.rmse_after_um = result.fit_after.rmse_um;
     changes.push_back("+ " + one.label);
-    if (std::isfinite(one.best_surrogate_fall) && !(result.after.best_surrogate_fall >= one.best_surrogate_fall))
+    if (result.beside.empty() && std::isfinite(one.best_surrogate_fall) &&
+        !(result.after.best_surrogate_fall >= one.best_surrogate_fall))
       result.after.best_surrogate_fall = one.best_surrogate_fall;
-  }
-  std::vector<std::size_t> families;
-  for (const BoundEffect& bound : bounds_of(added)) {
-    if (const auto family = family_of(*found.problem, bound)) families.push_back(*family);
-  }
-  std::sort(families.begin(), families.end());
-  if (!found.posterior.sets.empty()) {  // else nothing moves, or there are too few values
-    result.after.likelihood_ratio = std::max(0.0, log_bayes_factor(*found.problem, found.posterior, families));
   }
   result.after.threshold = kLeastLikelihoodRatio * static_cast<double>(count);
   result.after.change = fmt::format("{}", fmt::join(changes, ", "));

@@ -65,6 +65,8 @@ export const program_de: readonly (readonly [string, string])[] = [
   ["another run of the machine.", "ein weiterer Lauf der Maschine."],
   ["The data support {}.", "Die Daten stützen {1}."],
   ["The data do not support {}.", "Die Daten stützen {1} nicht."],
+  ["The test assumes that {} is missing as well.", "Die Prüfung nimmt an, dass auch {1} fehlt."],
+  ["The test assumes that {} are missing as well.", "Die Prüfung nimmt an, dass auch {1} fehlen."],
   ["Why not: {}, {}.", "Warum nicht: {1}; {2}."],
   ["Why not: {}.", "Warum nicht: {1}."],
   ["{}, {} um of {} ({})", "{1}, {2} µm von {3} ({4})"],

@@ -65,6 +65,8 @@ export const program_zh: readonly (readonly [string, string])[] = [
   ["another run of the machine.", "再运行一次机床。"],
   ["The data support {}.", "数据支持 {1}。"],
   ["The data do not support {}.", "数据不支持 {1}。"],
+  ["The test assumes that {} is missing as well.", "检验假定 {1} 也缺失。"],
+  ["The test assumes that {} are missing as well.", "检验假定 {1} 也缺失。"],
   ["Why not: {}, {}.", "原因：{1}；{2}。"],
   ["Why not: {}.", "原因：{1}。"],
   ["{}, {} um of {} ({})", "{1}，{3} 的 {2} µm（{4}）"],
