@@ -21,7 +21,7 @@ const gain_text = ({ part, recordings }: ErrorTest, effect: string): string => {
       ? t.errors_takes_nothing
       : t.errors_takes({ from: shown(part.circularity_um, 2), to: shown(without, 2) });
   const gain = significant === true ? takes : t.errors_not_significant;
-  return `${values.join(", ")}; ${gain}.`;
+  return t.errors_here_text({ values: values.join(", "), gain });
 };
 
 export const error_page = (test: ErrorTest, effect: string): Leaf | null => {

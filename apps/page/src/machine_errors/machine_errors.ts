@@ -31,6 +31,15 @@ export const verdict_of = ({ part, recordings }: ErrorTest): Sentence => {
   return t.errors_conclusion({ circularity, error, without: shown(most.first.circularity_without_um, 1) });
 };
 
+// What the errors leave, one added after the other; in English the program's own sentences.
+const residual_of = ({ part, recordings }: ErrorTest): Sentence => {
+  const steps = part.one_by_one ?? []; // a report of an older program has none
+  if (language === "en" || steps.length === 0) return english(part.left_text);
+  const added = steps.map(({ effect, rms_um }) => `+ ${error_name(effect, recordings[0]?.plane)} ${shown(rms_um, 2)}`);
+  const first = t.errors_one_by_one({ circle: shown(part.circle_rms_um, 2), added: added.join(", ") });
+  return english_after(first, part.left_text.slice(part.left_text.indexOf(". ") + 2));
+};
+
 // What is concluded from the only test stands at the head of the page.
 const notes_of = (test: ErrorTest, alone: boolean): Notes => {
   const { part, recordings } = test;
@@ -43,7 +52,7 @@ const notes_of = (test: ErrorTest, alone: boolean): Notes => {
     table: gains_table(test),
     sentences: [
       ...(alone || part.conclusion === "" ? [] : [verdict_of(test)]),
-      ...(part.left_text === "" ? [] : [english(part.left_text)]),
+      ...(part.left_text === "" ? [] : [residual_of(test)]),
       t.errors_explained,
     ],
     lists: [

@@ -181,6 +181,8 @@ export const de: Texts = {
   errors_predicts: "sagt anderen Lauf voraus",
   errors_g_without: "G ohne ihn µm",
   errors_not_significant: "nicht signifikant",
+  errors_one_by_one:
+    ({ circle, added }) => `Restfehler, ein Fehler nach dem anderen hinzugenommen: Kreis allein ${circle} µm RMS, ${added}.`,
   errors_table_title: "Fehler nach Gewinn",
   errors_set_up: "Aufbau und Maßstab, ohne Rang",
   errors_stated: "Angaben der Datei",
@@ -213,6 +215,7 @@ export const de: Texts = {
   errors_confused: "Verwechselbar mit",
   errors_told_apart: "Zu trennen durch",
   errors_remedy_name: "Abhilfe",
+  errors_here_text: ({ values, gain }) => `${values}; ${gain}.`,
   errors_takes: ({ from, to }) => `die Behebung senkt die Kreisformabweichung von ${from} auf ${to} µm`,
   errors_takes_nothing: "die Behebung allein senkt die Kreisformabweichung nicht",
   errors_summary_of: ({ test }) => `ISO 230-4, Ebene ${test}`,
@@ -398,8 +401,8 @@ export const de: Texts = {
   model_fit_bars: "Balken sind ein Sigma.",
   model_fit_floor: "Die gestrichelten Linien sind das Rauschen: etwa der Fehler, der mit einem vollkommenen Modell bliebe.",
   model_fit_regimes: "Die Schattierungen sind die Betriebszustände der Drehzahl.",
-  model_where_title: "Wo es versagt, das Schlimmste zuerst",
-  model_where_worst: ({ rows, all }) => `Wo es versagt: die ${rows} schlimmsten von ${all}`,
+  model_where_title: "Wo das Modell versagt, das Schlimmste zuerst",
+  model_where_worst: ({ rows, all }) => `Wo das Modell versagt: die ${rows} schlimmsten von ${all}`,
   model_by: "nach",
   model_where: "wo",
   model_rows: "Zeilen",
@@ -690,7 +693,8 @@ export const de: Texts = {
   change_turned: ({ name, from, to, unit }) => `${name} änderte sich von ${from} auf ${to} ${unit}`,
   change_joint: ", ",
   change_more: ({ n }) => `${n} weitere änderten sich`,
-  change_only: ({ changes }) => `${changes}. Sonst keine signifikante Änderung.`,
+  change_only: ({ changes }) => `${changes}.`,
+  change_no_other: "Sonst keine signifikante Änderung.",
   change_nothing: "Keine signifikante Änderung.",
   change_nothing_round: ({ before, after }) => `Keine signifikante Änderung: Kreisformabweichung vorher ${before} µm, nachher ${after} µm.`,
   change_unknown: "Gespeicherte Ergebnisse haben keine Unsicherheit; ob eine Änderung signifikant ist, ist nicht bekannt.",
@@ -716,7 +720,8 @@ export const de: Texts = {
   change_result: ({ plane, n }) => `${plane}: ${n === 0 ? "kein Fehler" : n === 1 ? "1 Fehler" : `${n} Fehler`} signifikant geändert`,
   change_picture_title: "Beide Prüfungen auf dem Kreis",
   change_picture_caption: "Jede Prüfung um ihren eigenen Ausgleichskreis, beide gleich vergrößert.",
-  change_picture_about: "Mittelpunkt und Radius jeder Prüfung sind abgezogen, sodass nicht stört, wo der Stab stand. Durchgezogen: gegen den Uhrzeigersinn; gestrichelt: im Uhrzeigersinn.",
+  change_picture_about:
+    "Mittelpunkt und Radius jeder Prüfung sind abgezogen, sodass die Lage des Stabs keine Rolle spielt. Durchgezogen: gegen den Uhrzeigersinn. Gestrichelt: im Uhrzeigersinn.",
   change_trace: ({ which, direction }) => `${which} ${direction}`.trim(),
   change_circularity_note: ({ before, after }) => `Kreisformabweichung\n${before} → ${after} µm`,
   change_sizes_title: "Fehler vorher und nachher",
@@ -743,7 +748,7 @@ export const de: Texts = {
   history_quantities: "Größen",
   history_caption: "Eine Größe über den Prüfungen, mit Trend und Toleranz; ± ein Sigma.",
   history_about:
-    "Balken sind eine Standardabweichung der Anpassung; die schattierte Breite ist eine des Trends, mit der Streuung der Prüfungen um ihn. Die Querlinie ist die Toleranz.",
+    "Balken: eine Standardabweichung der Anpassung. Schattiert: eine Standardabweichung des Trends, mit der Streuung der Prüfungen. Waagerechte Linie: die Toleranz.",
   history_geometry: "Rechtwinkligkeit und Maßstäbe",
   history_from: "aus",
   history_skipped: "Übersprungene Dateien",
@@ -780,14 +785,14 @@ export const de: Texts = {
   },
 
   // fleet
-  fleet_ranking: "Maschinen, die etwas brauchen",
+  fleet_ranking: "Maschinen, die Aufmerksamkeit brauchen",
   fleet_count: ({ n }) => `${n} ${n === 1 ? "Maschine" : "Maschinen"}`,
   fleet_kind: "Maschinen",
   fleet_step: "Sprung",
   fleet_curve: "gefunden",
   fleet_caption: "Eine Größe über den Prüfungen, mit der gefundenen Kurve, dem Tag eines Sprungs und der Toleranz.",
   fleet_about:
-    "Die Balken sind die Streuung von Prüfung zu Prüfung; die Kurve ist ein Niveau, ein Sprung, ein Trend oder ein Jahresgang, die schattierte Breite eine Standardabweichung ihres letzten Niveaus. Senkrechte Linien liegen zwischen den Prüfungen, zwischen denen sie springt.",
+    "Balken: Streuung von Prüfung zu Prüfung. Kurve: ein Niveau, ein Sprung, ein Trend oder ein Jahresgang. Schattiert: eine Standardabweichung ihres letzten Niveaus. Senkrechte Linie: zwischen den Prüfungen, zwischen denen die Kurve springt.",
   fleet_next: "Alles von einer Maschine ansehen",
   fleet_headings: {
     machine: "Maschine",
@@ -1045,7 +1050,8 @@ export const de: Texts = {
   live_drop_more: ".b5r, session.toml, .csv .txt .xlsx .json eines Loggers, Modell .toml, eine Berichtsseite .html",
   live_choose_files: "Dateien wählen",
   live_choose_folder: "Ordner wählen",
-  live_private: "Nichts verlässt diese Seite: sie hat kein Netz. Was Sie ablegen, behält dieser Browser, damit ein Neuladen nichts verliert, bis Sie es löschen.",
+  live_private:
+    "Nichts verlässt diese Seite: Sie hat kein Netz. Dieser Browser behält, was Sie ablegen, bis Sie es löschen, damit ein Neuladen nichts verliert.",
   live_samples: "Oder eines davon ausprobieren",
   live_tour: "Rundgang von einer Minute",
   live_continue_with: ({ files, ago }: { files: number; ago: string }) => `Weiter, wo Sie waren: ${files === 1 ? "1 Datei" : `${files} Dateien`}, ${ago}`,
@@ -1138,9 +1144,9 @@ export const de: Texts = {
   live_model: "Das Modell",
   live_explained: "Erklärt",
   live_what_moves: "Was bewegt es?",
-  live_what_moves_about: "Die Suche wägt jeden Effekt des Katalogs mit jedem aufgezeichneten Signal.",
+  live_what_moves_about: "Die Suche prüft jeden Effekt des Katalogs mit jedem aufgezeichneten Signal.",
   live_search: "Finden, was fehlt",
-  live_search_title: "Wägt alle Effekte des Katalogs mit allen Spalten",
+  live_search_title: "Prüft alle Effekte des Katalogs mit allen Spalten",
   live_undo: "Rückgängig",
   live_undo_title: "Das Modell vor der letzten Änderung (Strg+Z)",
   live_redo: "Wiederholen",
@@ -1169,7 +1175,7 @@ export const de: Texts = {
   live_across_title: "Interpoliert die Signale über Lücken dieser Länge. Was darin geschah, ist nicht bekannt.",
   live_keep: "Trotzdem behalten",
   live_keep_title: "Fügt es hinzu, obwohl die Daten es nicht stützen. Der Befund sagt es dann.",
-  live_unsupported: ({ effects }: { effects: string }) => `Das Modell enthält ${effects}, was die Daten nicht stützten: Ein Befund gilt nur, wenn es wirklich da ist.`,
+  live_unsupported: ({ effects }: { effects: string }) => `Das Modell enthält ${effects}, was die Daten nicht stützten. Ein Befund gilt nur, wenn es wirklich da ist.`,
   live_add_named: ({ effects }: { effects: string }) => `${effects} hinzufügen`,
   live_add_title: ({ effect }: { effect: string }) => `${effect} zum Modell hinzufügen`,
 
@@ -1194,7 +1200,7 @@ export const de: Texts = {
 
   // live: nothing lost
   live_too_much: "Dieser Schritt braucht mehr Speicher, als ein Tab des Browsers hat. Lassen Sie Spalten aus oder nehmen Sie weniger Zeilen.",
-  live_ask_unsaved: "Was Sie geändert haben, steht noch in keiner Datei, und Schließen löscht es.",
+  live_ask_unsaved: "Ihre Änderungen stehen noch in keiner Datei. Schließen löscht sie.",
   live_ask_save: "Seite mit den Dateien sichern, dann schließen",
   live_ask_delete: "Löschen",
   live_ask_stay: "Abbrechen",
@@ -1319,8 +1325,9 @@ export const de: Texts = {
   live_tour_step: ({ step, all }: { step: number; all: number }) => `Schritt ${step} von ${all}`,
   live_tour_look:
     "Eine Spindel, einen Tag lang gemessen. Punkte: gemessen. Linie: das Modell, in dem die Wärme des Motors die Spindel bewegt. Darunter: das Residuum, das Mehrfache des Rauschens.",
-  live_tour_search: "Das Programm wägt jeden Effekt seines Katalogs mit jedem Signal und sagt, was fehlt, wie groß es ist und wie sicher das ist.",
-  live_tour_add: "Der Raum bewegt die Spindel, sagt es. Ein Knopf fügt das dem Modell hinzu.",
+  live_tour_search:
+    "Das Programm prüft jeden Effekt seines Katalogs mit jedem Signal. Es sagt, was fehlt, wie groß es ist und wie sicher das ist.",
+  live_tour_add: "Das Ergebnis: Der Raum bewegt die Spindel. Ein Knopf fügt das dem Modell hinzu.",
   live_tour_fall: "Der Fehler fällt sofort auf ein Drittel. Die punktierte Linie ist das Residuum vorher.",
   live_tour_slide: "Jeder Parameter lässt sich von Hand bewegen. Der Strich ist das Optimum, das Band ein Sigma; abseits davon wächst der Fehler.",
   live_tour_save: "Alles lässt sich speichern: der Bericht als Seite, das Modell, jedes Bild, seine Zahlen. Legen Sie nun eine eigene Datei ab.",
