@@ -946,6 +946,7 @@ export const en = {
     global_scale: "global scale",
     radius_change: "radius change",
     centre: "centre",
+    offset_shift: "offset shift",
   },
   parameters: {
     gain: "gain",
