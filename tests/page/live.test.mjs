@@ -225,6 +225,7 @@ test("reload: continue where it was, with the model as it was; delete", async ()
   await page.reload();
   await page.waitForSelector("html[data-ready]", { state: "attached" });
   await page.getByRole("button", { name: "Delete", exact: true }).click();
+  await page.getByRole("button", { name: "Delete it", exact: true }).click(); // the added effect is in no file yet
   await state(page, ".live-told:not(:empty)");
   assert.match(await told(page), /Deleted/);
   await page.reload();
