@@ -148,7 +148,7 @@ test("a log that is clear: the dialogue stays shut until its button is pressed; 
 
 test("a log that cannot be read: why, without advice, and the focus in the field that mends it", async () => {
   const { page, box, wrong, close } = await with_log("dates.csv");
-  assert.match(await box.locator(".fault").innerText(), /^dates\.csv:2: expected a date that can be read in one way.*the month\?$/);
+  assert.match(await box.locator(".fault").innerText(), /^dates\.csv:2: expected an unambiguous date, found "03\/04\/2026 10:00"\. The third number is the year\.$/);
   await without_advice(page);
   assert.equal(await option_in_focus(page), "dates");
   await box.locator("select[data-option=dates]").selectOption("day-first");

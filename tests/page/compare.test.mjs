@@ -33,7 +33,7 @@ const kAfter = { seed: 302, started: "2025-03-03T15:00:00", backlash: "1.2" };
 
 const verdict = (page, pattern) =>
   page.waitForFunction(
-    (pattern) => new RegExp(pattern).test([...document.querySelectorAll(".verdict")].find((one) => one.offsetParent)?.textContent ?? ""),
+    (pattern) => new RegExp(pattern).test(([...document.querySelectorAll(".verdict")].find((one) => one.offsetParent)?.innerText ?? "").replace(/\s+/g, " ")),
     pattern,
     { timeout: kLong },
   );
@@ -125,7 +125,7 @@ test("stored results without readings: both values, and that what is clear is no
 test("a folder of a machine's tests is its history, from which a test is opened and compared", async () => {
   const { page, wrong, close } = await live();
   await page.setInputFiles("input[webkitdirectory]", of_run("machine-history"));
-  await verdict(page, "^Backlash of X \\+ 3\\.88 ± 0\\.17 µm, .* a year");
+  await verdict(page, "^Backlash of X \\+ 3\\.88 ± 0\\.17 µm, .* per year");
   assert.equal((await choices(page))["As"], "history");
   await page.evaluate(() => (document.querySelector("#tests > details").open = true));
   await page.getByRole("button", { name: "2026-01-19/XY.b5r" }).click();

@@ -101,7 +101,7 @@ test("an empty file is told, and the others are read", async () => {
   const { page, wrong, close } = await live();
   await drop(page, { "nothing.csv": "", "00.b5r": [...readFileSync(of_run("qc20-style-b5r", "00.b5r"))] });
   await page.waitForSelector('figure[data-picture="machine-errors"]', { timeout: kLong });
-  assert.match(await page.innerText(".live-files .faulty"), /nothing\.csv[^]*has nothing in it/);
+  assert.match(await page.innerText(".live-files .faulty"), /nothing\.csv[^]*The file is empty/);
   assert.deepEqual(wrong, []);
   await close();
 });

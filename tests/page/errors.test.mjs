@@ -114,7 +114,7 @@ test("the page of the error that is chosen stands beside the circle", async () =
       "Backlash of X",
       ["Here", "Cause", "Looks like", "Confused with", "Distinguished by", "Remedy"],
       [
-        "backlash of X +: 1.40 ± 0.13 µm, backlash of X −: -0.40 ± 0.13 µm; mending it takes the circularity from 4.62 to 3.21 µm.",
+        "backlash of X +: 1.40 ± 0.13 µm, backlash of X −: -0.40 ± 0.13 µm; correcting it lowers the circularity from 4.62 to 3.21 µm.",
         "Cause of backlash_a.", "Form of backlash_a.", "reversal spike of X, centre drift", "Test of backlash_a.", "Remedy of backlash_a.",
       ],
     ],

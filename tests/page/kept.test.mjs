@@ -59,6 +59,31 @@ test("after a reload, other files do not delete what was kept without a question
   await close();
 });
 
+test("after a reload, a change that is taken back leaves nothing to ask about; one that stays is asked about", async () => {
+  const { page, wrong, close } = await changed();
+  const again = async () => {
+    await page.reload();
+    await page.waitForSelector("html[data-ready]", { state: "attached" });
+    await page.getByRole("button", { name: /^Continue where you were/ }).click();
+    await page.waitForSelector(".live-fall .rmse:not(:empty)", { timeout: kLong });
+    await at_rest(page);
+  };
+  const question = page.locator("dialog.live-question");
+  await again();
+  await close_button(page).click();
+  await question.waitFor();
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  await page.waitForSelector('.live-loop:not([data-revisions="2"])', { timeout: kLong });
+  await at_rest(page);
+  await again();
+  await close_button(page).click();
+  await page.waitForSelector(".samples button:visible");
+  assert.equal(await question.count(), 0);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
 test("a saved model has every fitted value: opened, it is the same fit", async () => {
   const { page, wrong, close } = await changed();
   const [rmse, values] = [await page.textContent(".live-fall .rmse"), await parameters(page)];

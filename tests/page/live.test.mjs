@@ -225,6 +225,7 @@ test("reload: continue where it was, with the model as it was; delete", async ()
   await page.reload();
   await page.waitForSelector("html[data-ready]", { state: "attached" });
   await page.getByRole("button", { name: "Delete", exact: true }).click();
+  await page.getByRole("button", { name: "Delete it", exact: true }).click(); // the added effect is in no file yet
   await state(page, ".live-told:not(:empty)");
   assert.match(await told(page), /Deleted/);
   await page.reload();
@@ -376,7 +377,7 @@ test("a million rows", async () => {
   await page.locator("input[type=file]:not([webkitdirectory])").first().setInputFiles(path);
   await page.waitForSelector(".live-report main", { timeout: kLong });
   assert.match(await page.innerText(".verdict"), /by 6\.2 µm, from -3 to 3\.2/); // from the first of the rows to the last
-  await page.getByRole("button", { name: "Find what makes it drift" }).click();
+  await page.getByRole("button", { name: "Find the cause of the drift" }).click();
   await state(page, '.live-loop[data-search="running"]');
   await page.keyboard.press("Escape");
   await state(page, '.live-loop[data-search="stopped"]');

@@ -231,7 +231,7 @@ const driven = async (browser, { name, files, steps, hidden }) => {
   const judge = (state, refused) => {
     const kind = kind_of(state.said);
     const before = verdicts.at(-1);
-    const [rmse, floor] = [number_of(state.rmse), number_of(/(?:floor|Grund|boden)\D*([\d.,]+)/i.exec(state.beside)?.[1] ?? "")];
+    const [rmse, floor] = [number_of(state.rmse), number_of(/(?:noise|Rauschen|噪声)\D*([\d.,]+)/i.exec(state.beside)?.[1] ?? "")];
     const times_floor = rmse && floor && floor.value > 0 ? rmse.value / floor.value : null;
     if (refused && kind === "nothing" && before && before.kind !== "nothing") fail("refusal forgotten", `"${before.said}" then "${refused}" then "${state.said}"`);
     if (kind === "nothing" && times_floor > 2.5) fail("lacks nothing, far above the floor", `${times_floor.toFixed(1)} times: ${state.said}`);

@@ -327,7 +327,7 @@ test("ledger of a grown model: curves, table and CSV are those of `ledger --json
   assert.ok(!heading.includes("threshold"), "a column of nothing");
   assert.ok(column("verdict").some((verdict) => verdict === "driver known" || verdict === "empirical"));
   const said = await figure(one, "ledger-forecasts").textContent();
-  assert.ok(said.includes("A falling error is honest where forecasts fall too."), said);
+  assert.ok(said.includes("A lower error is real only if the forecasts improve too."), said);
   assert.deepEqual(of_grown, []);
   await close();
 });

@@ -1,25 +1,24 @@
-// The page's texts as they are in its code, and that code itself: { en, de, zh }, source.
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+// The page's texts as they are in its code, and that code itself: { en, de, zh, speak, english }, source.
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { pathToFileURL } from "node:url";
 import ts from "typescript";
 
 if (!process.env.BALLBAR_PAGE_SOURCE) throw new Error("expected BALLBAR_PAGE_SOURCE in the environment, as ctest sets it");
 export const source = join(process.env.BALLBAR_PAGE_SOURCE, "src");
 
-export const texts = async () => {
+export const texts = () => {
   const folder = mkdtempSync(join(tmpdir(), "ballbar-texts-"));
   try {
-    const all = {};
-    for (const language of ["en", "de", "zh"]) {
-      const text = readFileSync(join(source, "texts", `${language}.ts`), "utf8");
-      const file = join(folder, `${language}.mjs`);
-      const compilerOptions = { module: ts.ModuleKind.ES2022, target: ts.ScriptTarget.ES2022 };
-      writeFileSync(file, ts.transpileModule(text, { compilerOptions }).outputText);
-      all[language] = (await import(pathToFileURL(file).href))[language];
+    const compilerOptions = { module: ts.ModuleKind.CommonJS, target: ts.ScriptTarget.ES2022 };
+    for (const file of readdirSync(join(source, "texts"))) {
+      const text = readFileSync(join(source, "texts", file), "utf8");
+      writeFileSync(join(folder, file.replace(/ts$/, "js")), ts.transpileModule(text, { compilerOptions }).outputText);
     }
-    return all;
+    const of_file = createRequire(join(folder, "/"));
+    const { speak, english } = of_file("./texts.js");
+    return { en: of_file("./en.js").en, de: of_file("./de.js").de, zh: of_file("./zh.js").zh, speak, english };
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }

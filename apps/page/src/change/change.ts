@@ -31,16 +31,19 @@ const changed = (name: string, before: number, after: number, unit: string): str
 const circularity_of = ({ quantities }: ComparedTests): QuantityDifference | undefined =>
   quantities.find(({ name, before, after }) => name === "circularity" && before !== null && after !== null);
 
-const found_sentence = (pair: ComparedTests): string => {
+// What changed, and below it that nothing else did.
+const found_of = (pair: ComparedTests): { found: string; also?: string } => {
   const round = circularity_of(pair);
   const values = round ? { before: with_sigma(round.before, round.before_sigma, 1), after: with_sigma(round.after, round.after_sigma, 1) } : null;
-  if (pair.judged === 0) return values ? t.change_unknown_round({ before: shown(round?.before, 1), after: shown(round?.after, 1) }) : t.change_unknown;
+  if (pair.judged === 0) {
+    return { found: values ? t.change_unknown_round({ before: shown(round?.before, 1), after: shown(round?.after, 1) }) : t.change_unknown };
+  }
   const changes = pair.changes.map(({ name, before, after, unit }) => changed(quantity_name(name, pair.before.plane), before, after, unit));
   const said = changes.slice(0, kSaid);
   if (changes.length > kSaid) said.push(t.change_more({ n: changes.length - kSaid }));
   if (round?.clear) said.push(changed(quantity_name("circularity", pair.before.plane), round.before ?? 0, round.after ?? 0, round.unit));
-  if (said.length > 0) return t.change_only({ changes: said.join(t.change_joint) });
-  return values ? t.change_nothing_round(values) : t.change_nothing;
+  if (said.length > 0) return { found: t.change_only({ changes: said.join(t.change_joint) }), also: t.change_no_other };
+  return { found: values ? t.change_nothing_round(values) : t.change_nothing };
 };
 
 // What the tests were made with that is not the same.
@@ -60,10 +63,10 @@ const conditions: Readonly<Record<string, (before: TestHead, after: TestHead) =>
 const differing = ({ before, after, differs }: ComparedTests): string[] =>
   differs.flatMap((one) => conditions[one]?.(before, after) ?? []);
 
-const verdict_of = (pair: ComparedTests): string => {
-  const found = found_sentence(pair);
+const verdict_of = (pair: ComparedTests): Pick<Conclusion, "verdict" | "also"> => {
+  const { found, ...also } = found_of(pair);
   const differ = differing({ ...pair, differs: pair.differs.filter((one) => one !== "bar" && one !== "stored") });
-  return capital(differ.length === 0 ? found : t.change_though({ differ: differ.join(t.change_joint), found }));
+  return { verdict: capital(differ.length === 0 ? found : t.change_though({ differ: differ.join(t.change_joint), found })), ...also };
 };
 
 // The table: circularity, what differs clearly, what one of the tests shows; the rest below.
@@ -120,7 +123,7 @@ const notes_of = (pair: ComparedTests): Notes => {
 };
 
 const conclusion_of = (pair: ComparedTests): Conclusion => ({
-  verdict: verdict_of(pair),
+  ...verdict_of(pair),
   concluded: pair.conclusion,
   next: { label: t.change_next, text: t.change_next_text, command: command_of("errors", [pair.after.file, pair.after.second_file].filter((one) => one !== "")) },
 });

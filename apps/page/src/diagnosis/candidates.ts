@@ -126,7 +126,7 @@ const highlighted: Curve["series"] = (name, colour, points) =>
 
 // Faint below the curve of a set; where there is none, it is what is looked at.
 export const residual_curve = (residual_um: readonly Num[], below: boolean): Curve => ({
-  toggle: toggle("residual", t.diagnosis_measured_less_model, below ? (dark) => colours(dark).faint : 1, "line"),
+  toggle: toggle("residual", t.residual, below ? (dark) => colours(dark).faint : 1, "line"),
   values_um: residual_um,
   series: lined("solid", 1),
 });

@@ -159,6 +159,7 @@ export interface KeptState {
   log?: readonly string[]; // of a subject; a page before this had none
   targets?: readonly string[];
   unsaved?: boolean; // what is in no file that a person has
+  saved_model?: string; // text of the model as it came in, or was saved: what an undo may come back to
   compared?: readonly string[];
   history?: boolean;
   left_out?: readonly Stretch[];

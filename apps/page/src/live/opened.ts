@@ -124,7 +124,9 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     const { group, model, target, data, log, targets, compared, history, left_out } = subject;
     // Of one of several tests the group, from which it is chosen again.
     const words = group.kind === "recordings" && compared.length === 0 ? group.data : data;
-    store?.say({ when: Date.now(), title: group.title, data: words, model, target, log, targets, compared, history, left_out, unsaved }).catch(() => undefined);
+    const saved_model = models.get(model);
+    const state = { when: Date.now(), title: group.title, data: words, model, target, log, targets, compared, history, left_out, unsaved };
+    store?.say({ ...state, ...(saved_model === undefined ? {} : { saved_model }) }).catch(() => undefined);
   };
 
   const text_of = async (model: string): Promise<string> => new TextDecoder().decode(await engine.get(model).catch(() => new Uint8Array()));
@@ -370,7 +372,8 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       attempt(async () => {
         await intake.again(kept);
         unsaved = kept.state.unsaved ?? false;
-        const { data, model, target, title, log = [], targets = [], compared = [], history, left_out = [] } = kept.state;
+        const { data, model, target, title, log = [], targets = [], compared = [], history, left_out = [], saved_model } = kept.state;
+        if (saved_model !== undefined) models.set(model, saved_model);
         const found = groups_of(intake.held()).find(({ key }) => key === data.join("\n"));
         const look = compared.length > 0 ? { data, compared, history: false } : history === undefined ? {} : { history };
         await open(found ?? group_of(title, intake.held(), compared.length > 0 ? [...data, ...compared] : data), { model, target, log, targets, left_out, ...look });

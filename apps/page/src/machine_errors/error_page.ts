@@ -4,15 +4,9 @@ import { error_name, unit_shown } from "./error_names";
 import { capital } from "../drawing/text";
 import { decimals_for, shown, with_sigma } from "../drawing/theme";
 import type { Leaf } from "../picture";
-import { english, language, named, type Sentence, t } from "../texts/texts";
+import { english, t } from "../texts/texts";
 
-// Of "backlash_a" that of "backlash"; one that the language does not have stays as the program says it.
-export const remedy_text = (effect: string, remedy: string): Sentence => {
-  const what = effect.replace(/_[ab]$/, "");
-  return language !== "en" && Object.hasOwn(t.remedies, what) ? named(t.remedies, what) : english(remedy);
-};
-
-// "backlash of X: 3.88 ± 0.17 µm (+), 3.45 ± 0.13 µm (−); mending it takes the circularity from 6.7 to 4.8 µm."
+// "backlash of X: 3.88 ± 0.17 µm (+), 3.45 ± 0.13 µm (−); correcting it lowers the circularity from 6.7 to 4.8 µm."
 const gain_text = ({ part, recordings }: ErrorTest, effect: string): string => {
   const one = ranked_errors(part).find((ranked) => ranked.effect === effect);
   if (!one) return "";
@@ -21,12 +15,13 @@ const gain_text = ({ part, recordings }: ErrorTest, effect: string): string => {
     ({ name, value, sigma, unit }) =>
       `${one.rows.length > 1 ? `${error_name(name, plane)}: ` : ""}${with_sigma(value, sigma, Math.min(4, decimals_for(value, sigma)))} ${unit_shown(unit)}`,
   );
-  const { significant, circularity_without_um: without } = one.first;
-  const gain =
-    significant === true
-      ? t.errors_takes({ from: shown(part.circularity_um, 2), to: shown(without, 2) })
-      : t.errors_not_significant;
-  return `${values.join(", ")}; ${gain}.`;
+  const { significant, rank, circularity_without_um: without } = one.first;
+  const takes =
+    rank === null
+      ? t.errors_takes_nothing
+      : t.errors_takes({ from: shown(part.circularity_um, 2), to: shown(without, 2) });
+  const gain = significant === true ? takes : t.errors_not_significant;
+  return t.errors_here_text({ values: values.join(", "), gain });
 };
 
 export const error_page = (test: ErrorTest, effect: string): Leaf | null => {
@@ -40,7 +35,7 @@ export const error_page = (test: ErrorTest, effect: string): Leaf | null => {
     { name: t.errors_signature, text: english(page.signature) },
     { name: t.errors_confused, text: others },
     { name: t.errors_told_apart, text: english(page.separated_by) },
-    { name: t.errors_remedy_name, text: remedy_text(effect, page.remedy) },
+    { name: t.errors_remedy_name, text: english(page.remedy) },
   ];
   return {
     title: capital(error_name(effect, plane)),

@@ -1,7 +1,7 @@
 // The errors of the machine, found from one test: the circle and the ranked table beside it.
 import { error_tests, type ErrorTest, ranked_errors } from "./error_curves";
 import { error_name, unit_shown } from "./error_names";
-import { error_page, remedy_text } from "./error_page";
+import { error_page } from "./error_page";
 import { circle_table, errors_table, gains_table, stated_table } from "./error_tables";
 import { errors_picture, kErrors_picture, without_picture } from "./errors_pictures";
 import { headline, summary_table, worst_of } from "./summary";
@@ -14,8 +14,8 @@ import { english, english_after, language, type Sentence, t } from "../texts/tex
 
 const kRemedies = 3;
 
-const remedy_sentence = (error: string, effect: string, remedy: string): Sentence => {
-  const text = remedy_text(effect, remedy);
+const remedy_sentence = (error: string, remedy: string): Sentence => {
+  const text = english(remedy);
   return typeof text === "string" ? t.errors_remedy({ error, remedy: text }) : english_after(`${error}:`, text.english);
 };
 
@@ -24,13 +24,20 @@ export const verdict_of = ({ part, recordings }: ErrorTest): Sentence => {
   const circularity = shown(part.circularity_um, 1);
   if (part.conclusion === "") return t.errors_circularity_is({ value: shown(part.circularity_um, 2) });
   if (language === "en") return english(part.conclusion);
-  const first = ranked_errors(part).find((one) => one.first.rank !== null);
-  if (!first) return t.errors_conclusion_none({ circularity });
-  return t.errors_conclusion({
-    circularity,
-    error: error_name(first.effect, recordings[0]?.plane),
-    without: shown(first.first.circularity_without_um, 1),
-  });
+  const most = ranked_errors(part).find(({ first }) => first.rank !== null || first.significant === true);
+  if (!most) return t.errors_conclusion_none({ circularity });
+  const error = error_name(most.effect, recordings[0]?.plane);
+  if (most.first.rank === null) return t.errors_conclusion_no_gain({ circularity, error });
+  return t.errors_conclusion({ circularity, error, without: shown(most.first.circularity_without_um, 1) });
+};
+
+// What the errors leave, one added after the other; in English the program's own sentences.
+const residual_of = ({ part, recordings }: ErrorTest): Sentence => {
+  const steps = part.one_by_one ?? []; // a report of an older program has none
+  if (language === "en" || steps.length === 0) return english(part.left_text);
+  const added = steps.map(({ effect, rms_um }) => `+ ${error_name(effect, recordings[0]?.plane)} ${shown(rms_um, 2)}`);
+  const first = t.errors_one_by_one({ circle: shown(part.circle_rms_um, 2), added: added.join(", ") });
+  return english_after(first, part.left_text.slice(part.left_text.indexOf(". ") + 2));
 };
 
 // What is concluded from the only test stands at the head of the page.
@@ -40,12 +47,12 @@ const notes_of = (test: ErrorTest, alone: boolean): Notes => {
   const remedies = ranked_errors(part)
     .filter(({ first }) => first.rank !== null && first.remedy)
     .slice(0, kRemedies)
-    .map(({ effect, first }) => remedy_sentence(error_name(effect, plane), effect, first.remedy ?? ""));
+    .map(({ effect, first }) => remedy_sentence(error_name(effect, plane), first.remedy ?? ""));
   return {
     table: gains_table(test),
     sentences: [
       ...(alone || part.conclusion === "" ? [] : [verdict_of(test)]),
-      ...(part.left_text === "" ? [] : [english(part.left_text)]),
+      ...(part.left_text === "" ? [] : [residual_of(test)]),
       t.errors_explained,
     ],
     lists: [
@@ -81,7 +88,7 @@ const conclusion_of = (report: Report, tests: readonly ErrorTest[], test: ErrorT
     next: {
       label: t.errors_next,
       text: largest
-        ? remedy_sentence(capital(error_name(largest.effect, recordings[0]?.plane)), largest.effect, largest.first.remedy ?? "")
+        ? remedy_sentence(capital(error_name(largest.effect, recordings[0]?.plane)), largest.first.remedy ?? "")
         : "",
       command: command_of("errors", [...part.files.slice(0, 1), "again.b5r"], ["--show", "change"]),
     },

@@ -3,10 +3,10 @@
 import { element, select_of, text_in } from "../elements/elements";
 import type { Figure } from "../figure/figure";
 import { folded } from "./folded";
-import type { First, Next } from "../picture";
+import type { First, Next, Section } from "../picture";
 import type { Shared } from "./shared";
 import { clamped, first_sentence } from "../drawing/text";
-import { english, sentence_text, t } from "../texts/texts";
+import { english, language, type Sentence, sentence_text, t } from "../texts/texts";
 
 export interface Proved {
   first: First;
@@ -14,12 +14,25 @@ export interface Proved {
   proof: readonly HTMLElement[]; // the picture with what stands beside it
 }
 
+// What the program concludes, "y_um: Missing from the model of y_um: ...", in the page's language: as the section says it
+// that shows it, else as a sentence of the program.
+const said_of = (text: string, sections: readonly Section[]): Sentence => {
+  if (language === "en") return english(text);
+  for (const { first } of sections) {
+    const { verdict, concluded = "" } = first?.conclusion({}) ?? { verdict: "" };
+    if (concluded === "" || typeof verdict !== "string") continue;
+    if (text === concluded) return verdict;
+    if (text.endsWith(`: ${concluded}`)) return text.slice(0, -concluded.length) + verdict;
+  }
+  return english(text);
+};
+
 // The rest of what the program concludes; the verdict itself may be told with its target before it.
-const rest_of = (summary: readonly string[], concluded: string): HTMLElement[] => {
+const rest_of = (summary: readonly string[], concluded: string, sections: readonly Section[]): HTMLElement[] => {
   const rest = summary.filter((one) => one !== concluded && !one.endsWith(`: ${concluded}`));
   if (rest.length === 0) return [];
   const head = rest.length === 1 ? t.page_one_more : t.page_more({ n: rest.length });
-  return [folded("summary", [head], rest.map((text) => text_in("p", english(text))))];
+  return [folded("summary", [head], rest.map((text) => text_in("p", said_of(text, sections))))];
 };
 
 const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: HTMLElement; concluded: () => string } => {
@@ -54,12 +67,17 @@ const chooser = (all: readonly Proved[], panels: readonly HTMLElement[]): HTMLEl
   return [select_of(all[0]?.first.kind ?? "", labels, show).label];
 };
 
-export const first_screen = (proved: readonly Proved[], summary: readonly string[], shared: Shared): HTMLElement[] => {
+export const first_screen = (
+  proved: readonly Proved[],
+  summary: readonly string[],
+  sections: readonly Section[],
+  shared: Shared,
+): HTMLElement[] => {
   const [one] = proved;
   if (!one) {
     return summary.length === 0
       ? []
-      : [element("section", { class: "first", "aria-label": t.page_verdict }, ...summary.map((text) => text_in("p", english(text))))];
+      : [element("section", { class: "first", "aria-label": t.page_verdict }, ...summary.map((text) => text_in("p", said_of(text, sections))))];
   }
   const panels = proved.map((each) => panel_of(each, shared));
   panels.forEach((panel, k) => (panel.element.hidden = k > 0));
@@ -71,7 +89,7 @@ export const first_screen = (proved: readonly Proved[], summary: readonly string
       { class: wide ? "first wide" : "first", "aria-label": t.page_verdict },
       ...chooser(proved, elements),
       ...elements,
-      ...rest_of(summary, panels[0]?.concluded() ?? ""),
+      ...rest_of(summary, panels[0]?.concluded() ?? "", sections),
     ),
   ];
 };

@@ -13,7 +13,7 @@ interface Row {
 const escaped = (text: string): string => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
 
 // Within one sentence.
-const kAnything = "((?:(?![.!?]\\s+[\\p{Lu}\\d]).)+?)";
+const kAnything = "((?:(?![.!?]\\s).)+?)";
 
 const rows_of = (sentences: ProgramSentences): Row[] =>
   sentences.map(([written, said]) => ({ pattern: new RegExp(`^${escaped(written).replaceAll("\\{\\}", kAnything)}$`, "su"), said }));
@@ -47,12 +47,17 @@ const one_of = (text: string, words: Words): string | null => {
   return null;
 };
 
-// null: it has none in the language.
-export const program_sentence = (text: string, words: Words): string | null => {
-  const whole = one_of(text, words);
-  if (whole !== null || rows[words.language] === undefined) return whole;
-  const all = text.split(/(?<=[.!?])\s+(?=[\p{Lu}\d])/u);
-  if (all.length < 2) return null;
-  const said = all.map((one) => one_of(one, words));
-  return said.every((one) => one !== null) ? said.join(words.language === "zh" ? "" : " ") : null;
+// Sentences, of which a row may have several together; the most that one has come first.
+const all_of = (sentences: readonly string[], words: Words): string[] | null => {
+  if (sentences.length === 0) return [];
+  for (let n = sentences.length; n > 0; --n) {
+    const said = one_of(sentences.slice(0, n).join(" "), words);
+    const rest = said === null ? null : all_of(sentences.slice(n), words);
+    if (said !== null && rest !== null) return [said, ...rest];
+  }
+  return null;
 };
+
+// null: it has none in the language.
+export const program_sentence = (text: string, words: Words): string | null =>
+  all_of(text.split(/(?<=[.!?])\s+/), words)?.join(words.language === "zh" ? "" : " ") ?? null;
