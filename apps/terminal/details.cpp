@@ -14,25 +14,30 @@ void add_details(CLI::App& command, bool& details) {
 }
 
 std::string on_a_screen(const std::vector<ScreenPart>& parts, bool details) {
-  std::size_t lines = 2;  // of the last paragraph
+  std::string whole;
+  std::size_t lines = 2;  // with those of the last paragraph, which says what is left out
+  const auto append = [](std::string& text, const std::string& part) {
+    if (!part.empty()) text += (text.empty() ? "" : "\n") + part;
+  };
   for (const ScreenPart& part : parts) {
-    if (part.what.empty()) lines += lines_in(part.text) + 1;
+    append(whole, part.text);
+    if (part.what.empty() && !part.text.empty()) lines += lines_in(part.text) + 1;
   }
+  if (details || lines_in(whole) <= kScreenLines) return whole;
   std::string text;
   std::vector<std::string> left_out;
   for (const ScreenPart& part : parts) {
-    if (part.text.empty()) continue;
-    if (!part.what.empty() && !details) {
-      const std::size_t longer = lines + lines_in(part.text) + 1;
-      if (longer > kScreenLines) {
-        left_out.push_back(part.what);
-        continue;
-      }
+    const std::size_t longer = lines + lines_in(part.text) + 1;
+    if (part.text.empty() || part.what.empty()) {
+      append(text, part.text);
+    } else if (longer <= kScreenLines) {
+      append(text, part.text);
       lines = longer;
+    } else {
+      left_out.push_back(part.what);
     }
-    text += (text.empty() ? "" : "\n") + part.text;
   }
-  if (!left_out.empty()) text += "\n" + details_text(fmt::format("{}", fmt::join(left_out, ", ")));
+  if (!left_out.empty()) append(text, details_text(fmt::format("{}", fmt::join(left_out, ", "))));
   return text;
 }
 

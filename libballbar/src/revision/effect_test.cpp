@@ -11,9 +11,9 @@
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/error.hpp"
 #include "diagnosis/posterior/inference.hpp"
-#include "diagnosis/verdict/begun_terms.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/member_tests.hpp"
+#include "diagnosis/verdict/start_values.hpp"
 #include "fit/machine_error_fit.hpp"
 #include "model/bindings.hpp"
 #include "revision/effect_test_parts.hpp"
@@ -57,7 +57,7 @@ std::vector<Candidate> tested(Inference& found, const std::vector<Term>& terms,
   }
   const FittedSet fitted = fitted_set(*found.problem, found.posterior, *set, true);
   parameters = fitted.parameters;
-  const SetAt at = set_at(*found.problem, found.posterior, *set);
+  const SetRegression at = set_regression(*found.problem, found.posterior, *set);
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const std::size_t m = member_of(found, *set, bounds[t]);
     Candidate one = tested_member(found, *set, fitted, at, m, kSurrogates, kSeed);
