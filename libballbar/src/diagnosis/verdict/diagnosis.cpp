@@ -128,8 +128,8 @@ class Decision {
     const Fit& base = problem().base;
     const Eigen::VectorXd residual =
         Eigen::VectorXd::Map(base.residual_um.data(), static_cast<Eigen::Index>(base.residual_um.size()));
-    const SignatureProjection projection =
-        projected(problem().library, residual, model_columns(base), Whitening(noise, base.time_s, base.sigma_um));
+    const SignatureProjection projection = signature_projection(problem().library, residual, model_columns(base),
+                                                                Whitening(noise, base.time_s, base.sigma_um));
     find_what_could_hide(projection);
     return detectability_but(options_.search,
                              detectability_of(options_.search.catalogue, problem().library, projection, model_,
