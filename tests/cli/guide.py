@@ -28,7 +28,7 @@ def help_of(*words):
 
 
 def commands_in(text):
-    return re.findall(r"(?m)^  (\w+) {2,}\w", text)
+    return re.findall(r"(?m)^  ([a-z]+) {2,}\w", text)
 
 
 def options_in(text):
