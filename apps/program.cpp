@@ -123,7 +123,7 @@ void set_up(CLI::App& app) {
   ballbar::add_page_option(app);
   app.footer(
       "Without a command, ballbar FILE... runs errors on ballbar tests, drift on a session and diagnose on a "
-      "series.\nballbar help COMMAND lists the options of a command.");
+      "series.\nballbar help COMMAND lists the main options of a command, with --details all of them.");
   add_commands(app);
   ballbar::expect_values(app);
 }
@@ -163,7 +163,7 @@ void run_command(const std::vector<std::string>& words) {
   } catch (const CLI::Success&) {
     const CLI::App* command = &app;
     while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
-    print_help(help_of(*command));
+    print_help(help_of(*command, std::find(words.begin(), words.end(), "--details") != words.end()));
   } catch (const CLI::ParseError& error) {
     throw UsageError(usage_fault(app, error, words));
   }

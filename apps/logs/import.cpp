@@ -258,8 +258,6 @@ void add_import(CLI::App& app) {
       ->type_name("FILE");
   add_details(*command, options->details);
   command->add_flag("--json", options->json, "print the result as JSON");
-  for (CLI::Option* option : command->get_options([](const CLI::Option* one) { return one->get_group() == kLogGroup; }))
-    option->group("Reading a log (default: detected from the file)");
   command->add_option("--target", options->targets, "measured column; may be repeated")
       ->type_name("COLUMN")
       ->allow_extra_args(false);

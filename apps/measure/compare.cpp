@@ -90,10 +90,23 @@ std::string lag_text(const AxisComparison& axis) {
   return with_sigma(min_from_s(*axis.lag_s), min_from_s(*axis.lag_sigma_s), 2);
 }
 
+// Of the values of all axes, " um"; empty where the axes differ: each value then has its own.
+std::string common_unit(const Comparison& comparison) {
+  const std::string& unit = comparison.axes.front().unit;
+  const bool is_common = std::all_of(comparison.axes.begin(), comparison.axes.end(),
+                                     [&](const AxisComparison& axis) { return axis.unit == unit; });
+  return is_common && !unit.empty() ? " " + unit : "";
+}
+
+std::string with_unit(const std::string& value, const AxisComparison& axis, const std::string& common) {
+  return common.empty() && !axis.unit.empty() && value != kNone ? value + " " + axis.unit : value;
+}
+
 Table statistics(const Comparison& comparison, bool all) {
   std::vector<std::string> heading{""};
-  for (const AxisComparison& axis : comparison.axes) heading.push_back(fmt::format("{} {}", axis.name, axis.unit));
+  for (const AxisComparison& axis : comparison.axes) heading.push_back(axis.name);
   Table table(heading);
+  const std::string unit = common_unit(comparison);
   const auto row = [&](const std::string& name, auto&& text_of) {
     std::vector<std::string> cells{name};
     for (const AxisComparison& axis : comparison.axes) cells.push_back(text_of(axis));
@@ -112,13 +125,16 @@ Table statistics(const Comparison& comparison, bool all) {
     row("  explained by uncertainty %", [](A axis) { return fixed(axis.explained_share, 0, 100.0); });
     row("mean deviation, % of range", [](A axis) { return fixed(axis.range_deviation, 2, 100.0); });
   }
-  row("RMSE", [](A axis) { return fmt::format("{:.3f}", axis.rmse); });
-  row("largest deviation", [](A axis) { return fmt::format("{:.3f}", axis.largest); });
+  const auto length_row = [&](const std::string& name, auto&& value_of) {
+    row(name + unit, [&](A axis) { return with_unit(fixed(value_of(axis), 3), axis, unit); });
+  };
+  length_row("RMSE", [](A axis) { return axis.rmse; });
+  length_row("largest deviation", [](A axis) { return axis.largest; });
   row("  at min", [](A axis) { return fmt::format("{:g}", min_from_s(axis.largest_s)); });
-  row("bias", [](A axis) { return fmt::format("{:.3f}", axis.bias); });
+  length_row("bias", [](A axis) { return axis.bias; });
   if (all) {
-    row("95 % limits of agreement, low", [](A axis) { return fixed(axis.limit_low, 3); });
-    row("95 % limits of agreement, high", [](A axis) { return fixed(axis.limit_high, 3); });
+    length_row("95 % limits of agreement, low", [](A axis) { return axis.limit_low; });
+    length_row("95 % limits of agreement, high", [](A axis) { return axis.limit_high; });
   }
   row("correlation", [](A axis) { return fixed(axis.correlation, 4); });
   row("lag of best agreement min", lag_text);
@@ -128,9 +144,10 @@ Table statistics(const Comparison& comparison, bool all) {
 // One sigma of a difference by source: root mean square over the samples, and share of the variance. Empty where no
 // source is known.
 std::string budget_text(const Comparison& comparison) {
-  std::vector<std::string> heading{"sigma of the difference"}, sources;
+  const std::string unit = common_unit(comparison);
+  std::vector<std::string> heading{"sigma of the difference" + unit}, sources;
   for (const AxisComparison& axis : comparison.axes) {
-    heading.push_back(fmt::format("{} {}", axis.name, axis.unit));
+    heading.push_back(axis.name);
     for (const UncertaintyShare& share : axis.budget) {
       if (std::find(sources.begin(), sources.end(), share.source) == sources.end()) sources.push_back(share.source);
     }
@@ -143,7 +160,9 @@ std::string budget_text(const Comparison& comparison) {
       const auto share = std::find_if(axis.budget.begin(), axis.budget.end(),
                                       [&](const UncertaintyShare& s) { return s.source == source; });
       const bool known = share != axis.budget.end() && !std::isnan(share->sigma);
-      cells.push_back(known ? fmt::format("{:.3f} ({:.0f} %)", share->sigma, 100.0 * share->variance) : kNone);
+      cells.push_back(
+          known ? fmt::format("{} ({:.0f} %)", with_unit(fixed(share->sigma, 3), axis, unit), 100.0 * share->variance)
+                : kNone);
     }
     table.add(cells);
   }
@@ -155,23 +174,26 @@ std::string structure_text(const Comparison& comparison) {
   std::vector<std::string> heading{"B relative to A, fitted together"};
   bool any = false;
   for (const AxisComparison& axis : comparison.axes) {
-    heading.push_back(fmt::format("{} {}", axis.name, axis.unit));
+    heading.push_back(axis.name);
     any = any || axis.structure.has_value();
   }
   if (!any) return {};
   Table table(heading);
+  const std::string unit = common_unit(comparison);
   const auto row = [&](const std::string& name, DifferenceKind kind, double zero, double scale, int decimals) {
     std::vector<std::string> cells{name};
     for (const AxisComparison& axis : comparison.axes) {
       const auto part = axis.structure ? axis.structure->parts[static_cast<std::size_t>(kind)] : std::nullopt;
-      cells.push_back(part ? with_sigma(scale * (part->value - zero), scale * part->sigma, decimals) : kNone);
+      const bool is_length = kind == DifferenceKind::offset || kind == DifferenceKind::drift;
+      const std::string value = part ? with_sigma(scale * (part->value - zero), scale * part->sigma, decimals) : kNone;
+      cells.push_back(is_length ? with_unit(value, axis, unit) : value);
     }
     table.add(cells);
   };
   row("scale %", DifferenceKind::gain, 1.0, 100.0, 2);
   row("lag min", DifferenceKind::lag, 0.0, min_from_s(1.0), 2);
-  row("offset", DifferenceKind::offset, 0.0, 1.0, 3);
-  row("drift per h", DifferenceKind::drift, 0.0, 1.0, 3);
+  row("offset" + unit, DifferenceKind::offset, 0.0, 1.0, 3);
+  row(unit.empty() ? "drift per h" : "drift" + unit + "/h", DifferenceKind::drift, 0.0, 1.0, 3);
   return table.text();
 }
 

@@ -20,7 +20,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kShownBatches = 30;
+constexpr std::size_t kShownBatches = 16;
 
 // What a rule is called.
 std::string rule_text(const BatchChoice& choice, const BatchRanking& ranking, double fall) {
@@ -73,7 +73,7 @@ std::string conclusion(const BatchRanking& ranking, const BatchChoice& taken,
   return text + '.';
 }
 
-void print_choices(const BatchRanking& ranking, double fall, const std::optional<RandomChoices>& random) {
+std::string choices_text(const BatchRanking& ranking, double fall, const std::optional<RandomChoices>& random) {
   const std::optional<double>& all_um = ranking.choice(Take::all).predicted_rmse_um;
   std::vector<std::string> heading{"choice", "batches", "regression"};
   if (all_um) heading.insert(heading.end(), {"RMSE_p um", "less than all"});
@@ -98,16 +98,15 @@ void print_choices(const BatchRanking& ranking, double fall, const std::optional
     add("their best tenth", 0.1);
     add("their worst tenth", 0.9);
   }
-  fmt::print("\n{}", table.text(table_width()));
+  return table.text(table_width());
 }
 
-void print_ranking(const std::vector<RankedBatch>& ranked, bool every) {
+std::string ranking_text(const std::vector<RankedBatch>& ranked, bool details) {
   const bool measured = ranked.front().predicted_rmse_um.has_value();
   std::vector<std::string> heading{"batch", "rank", "room difference K", "dissimilarity", "weight", "RMSE_m um"};
   if (measured) heading.emplace_back("RMSE_p um");
   Table table(heading);
-  const std::size_t shown = every ? ranked.size() : std::min(ranked.size(), kShownBatches);
-  for (std::size_t i = 0; i < shown; ++i) {
+  for (std::size_t i = 0; i < ranked.size(); ++i) {
     const RankedBatch& one = ranked[i];
     std::vector<std::string> row{one.name,
                                  fmt::format("{}", i + 1),
@@ -118,10 +117,9 @@ void print_ranking(const std::vector<RankedBatch>& ranked, bool every) {
     if (measured) row.push_back(fixed(*one.predicted_rmse_um, 2));
     table.add(row);
   }
-  fmt::print("\n{}", table.text(table_width()));
-  if (shown < ranked.size()) fmt::print("{} more (--list-all)\n", ranked.size() - shown);
-  fmt::print("RMSE_m: residual of a regression on the batches up to this rank{}.\n",
-             measured ? "; RMSE_p: its error on the job" : "");
+  if (!details) table.shorten(kShownBatches);
+  return table.text(table_width()) + fmt::format("RMSE_m: residual of a regression on the batches up to this rank{}.\n",
+                                                 measured ? "; RMSE_p: its error on the job" : "");
 }
 
 // What is odd about the job: a sensor that does not go with the others, a room out of all batches' range.
@@ -192,13 +190,14 @@ void train_for_job(const TrainOptions& options) {
     print_json(json_of(
         TrainedForJob{opened.columns.target, job.start.room_first_degC, taken.take, ranking, random, opened.remarks}));
   } else {
-    fmt::print("{}: room {:.2f} degC at the start; {} batches of {}\n\n{}", options.job.name(),
-               job.start.room_first_degC, opened.batches.size(), options.title(),
-               wrapped(conclusion(ranking, taken, random)));
-    print_choices(ranking, options.fall, random);
-    print_ranking(ranking.ranked, options.every);
-    if (!opened.remarks.empty()) fmt::print("\n");
-    for (const std::string& remark : opened.remarks) fmt::print("{}", wrapped(remark));
+    const std::string heading = fmt::format("{}: room {:.2f} degC at the start; {} batches of {}\n", options.job.name(),
+                                            job.start.room_first_degC, opened.batches.size(), options.title());
+    fmt::print("{}", on_a_screen({{heading},
+                                  {wrapped(conclusion(ranking, taken, random))},
+                                  {choices_text(ranking, options.fall, random)},
+                                  {ranking_text(ranking.ranked, options.details)},
+                                  remarks_part(opened.remarks)},
+                                 options.details));
   }
   if (!options.out.empty()) wrote_line(options.out);
 }

@@ -18,6 +18,7 @@
 #include "predict/predict_result.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/details.hpp"
 #include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
@@ -37,6 +38,12 @@ Contender contender_of(const OpenedBatches& opened, const RegressionSettings& se
           opened.batches[errors.worst].name,
           rmse_um(all, regress(all, settings)),
           false};
+}
+
+ScreenPart remarks_part(const std::vector<std::string>& remarks) {
+  ScreenPart part{"", "the remarks on the data"};
+  for (const std::string& remark : remarks) part.text += wrapped(remark);
+  return part;
 }
 
 std::string contest_text(const std::vector<Contender>& contenders) {
@@ -124,20 +131,19 @@ void expect_rows(std::size_t rows, const RegressionSettings& settings) {
 void print_text(const TrainOptions& options, const OpenedBatches& opened, const std::vector<Contender>& contenders,
                 const TemperatureRegression& model) {
   const InputKind kind = model.columns.kind;
-  fmt::print("{}\n{} from {} temperatures ({}), {} batches, {} rows\n\n", options.title(), model.columns.target,
-             model.columns.sensors.size(),
-             kind == InputKind::temperature ? "values"
-             : kind == InputKind::rise      ? "rises since the start of each batch"
-                                            : "values, and rises since the start of each batch",
-             opened.batches.size(), rows_in(opened.batches));
-  fmt::print("{}", wrapped(fmt::format("The error on new batches is {:.2f} um RMSE with {}, {:.2f} um without a model. "
-                                       "95 % of the errors are within "
-                                       "±{:.2f} um, if they are normally distributed.",
-                                       model.held_out_rmse_um, label_of(model.settings),
-                                       rms_without_model_um(opened.batches), model.half_width_um)));
-  fmt::print("\n{}", contest_text(contenders));
-  if (!opened.remarks.empty()) fmt::print("\n");
-  for (const std::string& remark : opened.remarks) fmt::print("{}", wrapped(remark));
+  const std::string heading = fmt::format("{}\n{} from {} temperatures ({}), {} batches, {} rows\n", options.title(),
+                                          model.columns.target, model.columns.sensors.size(),
+                                          kind == InputKind::temperature ? "values"
+                                          : kind == InputKind::rise      ? "rises since the start of each batch"
+                                                                    : "values, and rises since the start of each batch",
+                                          opened.batches.size(), rows_in(opened.batches));
+  const std::string conclusion = wrapped(fmt::format(
+      "The error on new batches is {:.2f} um RMSE with {}, {:.2f} um without a model. "
+      "95 % of the errors are within "
+      "±{:.2f} um, if they are normally distributed.",
+      model.held_out_rmse_um, label_of(model.settings), rms_without_model_um(opened.batches), model.half_width_um));
+  fmt::print("{}", on_a_screen({{heading}, {conclusion}, {contest_text(contenders)}, remarks_part(opened.remarks)},
+                               options.details));
 }
 
 void train_temperatures(const TrainOptions& options) {
@@ -246,22 +252,27 @@ void add_batch_options(CLI::App& command, TrainOptions& options) {
 }
 
 void add_method_options(CLI::App& command, TrainOptions& options) {
+  constexpr const char* kGroup = "Regression on temperatures";
   add_choice(command, "--method", {"pcr", "ridge"}, "the best for batches left out",
              "principal components or ridge regression",
              [&](std::size_t at) { options.method = kRegressionMethods[at]; });
+  command.get_option("--method")->group(kGroup);
   command
       .add_option("--components", options.components,
                   "number of components of pcr; default: the best for batches left out")
       ->check(whole_number_within(1, 10000))
-      ->type_name("N");
+      ->type_name("N")
+      ->group(kGroup);
   command.add_option("--share", options.share, "pcr: share of the inputs that the components explain, such as 0.99")
       ->check(number_within(0.0, 1.0))
-      ->type_name("SHARE");
+      ->type_name("SHARE")
+      ->group(kGroup);
   command
       .add_option("--penalty", options.penalty_K2,
                   "penalty of ridge, K^2 per row; default: the best for batches left out")
       ->check(number_within(0.0, 1e9))
-      ->type_name("K2");
+      ->type_name("K2")
+      ->group(kGroup);
   command
       .add_option("--model", options.model,
                   "model of effects (.toml): compare it with the regression; with --effects add its effects")
@@ -304,7 +315,8 @@ std::vector<CLI::Option*> add_job_options(CLI::App& command, TrainOptions& optio
              "with --for: choice whose model is written and shown first",
              [&](std::size_t at) { options.take = static_cast<Take>(at); });
   added.push_back(command.get_option("--take"));
-  added.push_back(command.add_flag("--list-all", options.every, "with --for: list every batch"));
+  for (CLI::Option* option : added) option->group("With --for");
+  added.push_back(command.add_flag("--list-all", options.details)->group(""));  // the name of --details before
   return added;
 }
 
@@ -319,9 +331,10 @@ void add_train(CLI::App& app) {
   command->add_option("--out", options->out, "write the model to FILE (.json); optional with --for or --effects")
       ->type_name("FILE")
       ->check(name_that_ends_in({".json"}));
+  add_details(*command, options->details);
   command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(
-      "Example:\n"
+      "Examples:\n"
       "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --out model.json\n"
       "  ballbar train sample-runs/spindle-46h/measured.csv --effects --target ch1_um --out ch1.json\n"
       "  ballbar train sample-runs/spindle-46h/measured.csv --sensors 4 --target ch1_um\n"

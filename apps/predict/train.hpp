@@ -11,6 +11,7 @@
 #include "ballbar/predict/held_out.hpp"
 #include "ballbar/predict/sensor_choice.hpp"
 #include "ballbar/series/series.hpp"
+#include "terminal/details.hpp"
 
 namespace ballbar {
 
@@ -35,10 +36,9 @@ struct TrainOptions {
   double fall = ChoiceOptions{}.fall;
   RandomOptions random;
   Take take = Take::weights;
-  bool every = false;
 
   std::string out;  // .json; empty: no model is written
-  bool json = false;
+  bool details = false, json = false;
 
   [[nodiscard]] std::string title() const;  // of the data, for messages
   // A batch of the list, read as the options of logs say.
@@ -80,6 +80,9 @@ Contender contender_of(const OpenedBatches& opened, const RegressionSettings& se
 // The table, and what its columns are.
 std::string contest_text(const std::vector<Contender>& contenders);
 
+// One line or more each; empty where there are none.
+ScreenPart remarks_part(const std::vector<std::string>& remarks);
+
 // Prints what `train --effects` prints, and writes the model. Throws Error with the file that is at fault, as the next.
 void train_effects(const TrainOptions& options);
 
@@ -91,8 +94,8 @@ SensorChoice keep_chosen_sensors(std::vector<Series>& runs, const std::string& t
 void take_tests_of(const SensorChoice& choice, TrainedRegression& trained);
 
 // The conclusion, errors by number of sensors, and what each of the chosen ones is worth.
-std::string sensor_choice_text(const SensorChoice& choice, const std::string& target, const std::string& unit,
-                               bool predicted);
+std::vector<ScreenPart> sensor_choice_parts(const SensorChoice& choice, const std::string& target,
+                                            const std::string& unit, bool predicted, bool details);
 
 // Prints the batches by their likeness to the job and what each choice among them predicts; writes the model of the
 // choice that is taken.

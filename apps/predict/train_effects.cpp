@@ -294,27 +294,32 @@ void train_effects(const TrainOptions& options) {
     if (of.forecasts) result.forecasts = {*of.forecasts, is_predicted(of)};
     print_json(json_of(result));
   } else {
-    fmt::print("{}\n{} from {} columns by {}; {} rows{}\n\n", options.title(), target, of.model.trained.size(),
-               dictionary_text(of), of.rows, of.runs > 1 ? fmt::format(" of {} runs", of.runs) : "");
-    if (choice) fmt::print("{}\n", sensor_choice_text(*choice, target, unit_text(of), is_predicted(of)));
-    fmt::print("{}", wrapped(expectation(of)));
+    std::vector<ScreenPart> parts{
+        {fmt::format("{}\n{} from {} columns by {}; {} rows{}\n", options.title(), target, of.model.trained.size(),
+                     dictionary_text(of), of.rows, of.runs > 1 ? fmt::format(" of {} runs", of.runs) : "")}};
+    if (choice) {
+      const auto of_sensors = sensor_choice_parts(*choice, target, unit_text(of), is_predicted(of), options.details);
+      parts.insert(parts.end(), of_sensors.begin(), of_sensors.end());
+    }
+    std::string conclusion = wrapped(expectation(of));
     if (worst)
-      fmt::print("{}", wrapped(fmt::format("The worst run is {}: {:.2f} {} RMSE.", worst->run, worst->rmse_um,
-                                           unit_text(of))));
-    if (trained.start) fmt::print("{}", wrapped(start_text(*trained.start, options.start, unit_text(of))));
-    if (how.named) fmt::print("{}", wrapped(named_text(trained.named, options.model, unit_text(of))));
-    fmt::print("{}\n", wrapped(memory_text(of)));
+      conclusion +=
+          wrapped(fmt::format("The worst run is {}: {:.2f} {} RMSE.", worst->run, worst->rmse_um, unit_text(of)));
+    if (trained.start) conclusion += wrapped(start_text(*trained.start, options.start, unit_text(of)));
+    if (how.named) conclusion += wrapped(named_text(trained.named, options.model, unit_text(of)));
+    parts.push_back({conclusion + wrapped(memory_text(of))});
     if (opened && of.forecasts && !choice) {
       contenders.push_back(effects_contender(trained, *opened));
-      fmt::print("{}\n", contest_text(contenders));
+      parts.push_back({contest_text(contenders)});
     }
-    fmt::print(
-        "{}{}", driver_table(trained.drivers, unit_text(of)).text(table_width()),
-        wrapped(fmt::format("contribution: to the range of the prediction, {:.2f} {}; contributions add up to it. "
-                            "range in refits: of the contribution in {} refits, each without a part of the record.",
-                            trained.drivers.range_um, unit_text(of), trained.drivers.refits)));
-    if (!said.empty()) fmt::print("\n");
-    for (const std::string& remark : said) fmt::print("{}", wrapped(remark));
+    parts.push_back({driver_table(trained.drivers, unit_text(of)).text(table_width()) +
+                         wrapped(fmt::format(
+                             "contribution: to the range of the prediction, {:.2f} {}; contributions add up to it. "
+                             "range in refits: of the contribution in {} refits, each without a part of the record.",
+                             trained.drivers.range_um, unit_text(of), trained.drivers.refits)),
+                     "the contribution of each column"});
+    parts.push_back(remarks_part(said));
+    fmt::print("{}", on_a_screen(parts, options.details));
   }
   if (is_model) {
     if (!options.out.empty()) wrote_line(options.out);

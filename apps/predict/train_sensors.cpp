@@ -13,6 +13,8 @@
 namespace ballbar {
 namespace {
 
+constexpr std::size_t kShownSizes = 6;
+
 bool is_of(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -54,8 +56,8 @@ void take_tests_of(const SensorChoice& choice, TrainedRegression& trained) {
   }
 }
 
-std::string sensor_choice_text(const SensorChoice& choice, const std::string& target, const std::string& unit,
-                               bool predicted) {
+std::vector<ScreenPart> sensor_choice_parts(const SensorChoice& choice, const std::string& target,
+                                            const std::string& unit, bool predicted, bool details) {
   const SensorSet& taken = choice.sets.back();
   const std::size_t most = taken.sensors.size();
   std::vector<std::string> names;
@@ -76,6 +78,7 @@ std::string sensor_choice_text(const SensorChoice& choice, const std::string& ta
     text +=
         wrapped(fmt::format("Kept but not counted, because they are no temperatures: {}.", names_text(choice.kept)));
   }
+  std::vector<ScreenPart> parts{{text}};
   Table sizes({"sensors", "error " + unit, "RMSE " + unit, "gain " + unit, "set"});
   const auto add = [&](const std::string& name, const SensorSet& set, bool buys, const std::string& shown) {
     sizes.add({name, fixed(set.forecasts.error_um, 2), fixed(set.forecasts.rmse_um, 2),
@@ -86,25 +89,29 @@ std::string sensor_choice_text(const SensorChoice& choice, const std::string& ta
   }
   if (choice.rated > most) add(fmt::format("all {}", choice.rated), choice.all, true, "all");
   const bool ahead = choice.forecasts_ahead;
-  text += "\n" + sizes.left_aligned(table_width());
-  text += wrapped(fmt::format(
-      "error: mean absolute error in {}; the sensors are chosen again from {} alone. set: chosen from all rows. gain: "
-      "fall of the error from the line above, ± its standard error over the {}.",
-      ahead ? fmt::format("forecasts from {} origins", choice.folds)
-            : fmt::format("runs left out (each of {})", choice.folds),
-      ahead ? "the rows before each" : "the other runs", ahead ? "forecasts" : "runs"));
+  if (!details) sizes.shorten(kShownSizes);
+  parts.push_back(
+      {sizes.left_aligned(table_width()) +
+       wrapped(fmt::format("error: mean absolute error in {}; the sensors are chosen again from {} alone. set: chosen "
+                           "from all rows. gain: "
+                           "fall of the error from the line above, ± its standard error over the {}.",
+                           ahead ? fmt::format("forecasts from {} origins", choice.folds)
+                                 : fmt::format("runs left out (each of {})", choice.folds),
+                           ahead ? "the rows before each" : "the other runs", ahead ? "forecasts" : "runs"))});
   Table worth({"sensor", "chosen in", "loss without it " + unit, "substitutes"});
   for (const ChosenSensor& one : choice.chosen) {
     worth.add({one_line(one.sensor), fmt::format("{} of {}", one.folds, choice.folds),
                with_sigma(one.without_um, one.sigma_um, 2), one.needed ? names_text(one.substitutes) : "not needed"});
   }
-  text += "\n" + worth.left_aligned(table_width());
-  return text +
-         wrapped(fmt::format(
-             "chosen in: {} in which it is chosen too. loss without it: rise of the error of this set. "
-             "substitutes: with one of these the error is larger by at most 2 %, or by at most 10 % and its standard "
-             "error.",
-             ahead ? "forecasts" : "runs left out"));
+  parts.push_back(
+      {worth.left_aligned(table_width()) +
+           wrapped(fmt::format(
+               "chosen in: {} in which it is chosen too. loss without it: rise of the error of this set. "
+               "substitutes: with one of these the error is larger by at most 2 %, or by at most 10 % and its standard "
+               "error.",
+               ahead ? "forecasts" : "runs left out")),
+       "what each sensor is worth"});
+  return parts;
 }
 
 }  // namespace ballbar

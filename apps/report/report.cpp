@@ -211,6 +211,9 @@ void add_report(CLI::App& app) {
   command->add_flag("--open", options->open, "open the page in a browser");
   command->get_option("DATA")->required(false);
   command->add_flag("--tool", options->tool, "write the whole program as one HTML file, ballbar.html");
+  for (const char* name : {"--robust", "--white", "--set"}) command->get_option(name)->group("Fit of the model");
+  for (const char* name : {"--picture", "--choose", "--width", "--without-files"})
+    command->get_option(name)->group("Pictures and files");
   command->footer(
       "Examples:\n"
       "  ballbar report sample-runs/two-arcs-he2015 --model sample-runs/two-arcs-he2015/model.toml --out page.html\n"

@@ -14,13 +14,14 @@
 #include "ballbar/nearest_name.hpp"
 #include "shell/command_words.hpp"
 #include "shell/usage_fault.hpp"
-#include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {
+
+constexpr std::size_t kHelpWidth = 112;
 
 bool is_heading(const std::string& line) {
   return line.size() > 1 && line.front() >= 'A' && line.front() <= 'Z' && line.back() == ':';
@@ -36,6 +37,8 @@ const CLI::App& command_of(const CLI::App& app, const std::string& word) {
 // Which options exclude each other is said where they meet; in a list it hides what each is for.
 class HelpFormatter : public CLI::Formatter {
  public:
+  explicit HelpFormatter(bool details) : details_(details) { label("SUBCOMMAND", "COMMAND ..."); }
+
   std::string make_option_opts(const CLI::Option* option) const override {
     if (option->get_type_size() == 0) return "";
     std::string text = option->get_type_name().empty() ? "" : " " + option->get_type_name();
@@ -44,15 +47,49 @@ class HelpFormatter : public CLI::Formatter {
     return option->get_required() ? text + " REQUIRED" : text;
   }
 
-  // The options of logs are listed by `import`; the other commands name them.
-  std::string make_group(std::string group, bool is_positional,
-                         std::vector<const CLI::Option*> options) const override {
-    if (group != kLogGroup) return CLI::Formatter::make_group(std::move(group), is_positional, std::move(options));
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    return make_description(app) + make_usage(app, std::move(name)) + make_positionals(app) + options_text(*app) +
+           make_subcommands(app, mode) + '\n' + make_footer(app);
+  }
+
+  // No empty lines between the headings, which are many.
+  std::string make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const override {
+    std::string text = CLI::Formatter::make_subcommands(app, mode);
+    for (std::size_t at = 0; (at = text.find("\n\n", at)) != std::string::npos;) text.erase(at, 1);
+    return text;
+  }
+
+ private:
+  static constexpr const char* kMainGroup = "Options";  // of CLI11
+
+  std::string options_text(const CLI::App& app) const {
+    std::string listed, named;
+    for (const std::string& group : app.get_groups()) {
+      const auto options =
+          app.get_options([&](const CLI::Option* one) { return one->get_group() == group && one->nonpositional(); });
+      if (group.empty() || options.empty()) continue;
+      if (details_ || group == kMainGroup) {
+        listed += make_group(group, false, options);
+      } else {
+        named += names_text(group, options);
+      }
+    }
+    if (named.empty()) return listed;
+    return fmt::format("{}\nMore options, listed by {} --help --details:\n{}", listed, full_name(app), named);
+  }
+
+  static std::string names_text(const std::string& group, const std::vector<const CLI::Option*>& options) {
     std::vector<std::string> names;
     names.reserve(options.size());
     for (const CLI::Option* option : options) names.push_back(option->get_name());
-    return fmt::format("\n{}:\n{}", group, wrapped(fmt::format("{}", fmt::join(names, ", "))));
+    std::istringstream lines(wrapped(fmt::format("{}: {}", group, fmt::join(names, ", ")), kHelpWidth));
+    std::string text;
+    for (std::string line; std::getline(lines, line);)
+      text += fmt::format("{}{}\n", text.empty() ? "  " : "    ", line);
+    return text;
   }
+
+  bool details_;
 };
 
 using Completion = std::string (*)(const std::vector<CommandWords>& commands);
@@ -80,32 +117,28 @@ constexpr OldCommand kOldCommands[] = {
 
 struct HelpArguments {
   std::vector<std::string> words;
-  bool man = false;
+  bool details = false, man = false;
   Completion completion = nullptr;
 };
 
 }  // namespace
 
-std::string help_of(const CLI::App& app) {
-  return app.get_formatter()->make_help(&app, full_name(app), CLI::AppFormatMode::Normal);
+std::string help_of(const CLI::App& app, bool details) {
+  return HelpFormatter(details).make_help(&app, full_name(app), CLI::AppFormatMode::Normal);
 }
 
-void set_help(CLI::App& app) {
-  const auto formatter = std::make_shared<HelpFormatter>();
-  formatter->label("SUBCOMMAND", "COMMAND ...");
-  app.formatter(formatter);
-  app.set_help_flag("-h,--help", "print this help");
-}
+void set_help(CLI::App& app) { app.set_help_flag("-h,--help", "print this help"); }
 
 void add_help_command(CLI::App& app) {
   const auto asked = std::make_shared<HelpArguments>();
   CLI::App* command = app.add_subcommand("help", "Show the help of a command");
   CLI::Option* words = command->add_option("COMMAND", asked->words, "command, such as drift")->type_name("");
+  CLI::Option* details = command->add_flag("--details", asked->details, "list all options");
   CLI::Option* man = command->add_flag("--man", asked->man, "print the manual page for man(1)");
   add_choice(*command, "--completion", {"bash", "zsh", "fish"}, "", "print a completion script for the shell",
              [asked](std::size_t at) { asked->completion = kCompletions.at(at); });
-  man->excludes(words);
-  command->get_option("--completion")->excludes(words)->excludes(man);
+  man->excludes(words)->excludes(details);
+  command->get_option("--completion")->excludes(words)->excludes(details)->excludes(man);
   command->footer(
       "Examples:\n"
       "  ballbar help --man | man -l -\n"
@@ -121,7 +154,7 @@ void add_help_command(CLI::App& app) {
     } else {
       const CLI::App* of = &app;
       for (const std::string& word : asked->words) of = &command_of(*of, word);
-      print_help(help_of(*of));
+      print_help(help_of(*of, asked->details));
     }
   });
 }

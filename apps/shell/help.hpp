@@ -9,11 +9,12 @@ class App;
 
 namespace ballbar {
 
-// Words and layout of the help of all commands; before the commands are added, which take it over.
+// The words of --help of all commands; before the commands are added, which take it over.
 void set_help(CLI::App& app);
 
-// Of this very command, whichever the command line chose.
-std::string help_of(const CLI::App& app);
+// Of this very command, whichever the command line chose. Options that have a group of their own are only named without
+// `details`.
+std::string help_of(const CLI::App& app, bool details);
 
 void add_help_command(CLI::App& app);
 

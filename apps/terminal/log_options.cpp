@@ -21,6 +21,8 @@ namespace {
 
 using Recipe = std::shared_ptr<LogRecipes>;
 
+constexpr const char* kLogGroup = "Reading a log (default: detected)";
+
 // COLUMN=VALUE; the header of a column may itself hold a =.
 CLI::Validator pairs() {
   return {[](const std::string& text) {

@@ -11,9 +11,6 @@
 
 namespace ballbar {
 
-// The heading of the options; a help that has it only names them.
-inline constexpr const char* kLogGroup = "Options of logs, see ballbar import --help";
-
 // An option or a place for data. The command gets the options of a log once; all its data carry the recipes
 // that they make.
 CLI::Option* add_data(CLI::App& command, const std::string& name, Source& source, const std::string& help);

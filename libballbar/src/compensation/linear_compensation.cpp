@@ -192,13 +192,13 @@ LinearCompensation written(const LineData& all, const ChosenLine& chosen, double
   return line;
 }
 
-struct LeftOver {
+struct LineResiduals {
   std::vector<double> before_um, model_um, line_um;
   std::size_t beyond = 0;
 };
 
 // Of the values of one part, without those at zeros; appended.
-void append_left(LeftOver& left, const LineData& all, const LinearCompensation& line,
+void append_left(LineResiduals& left, const LineData& all, const LinearCompensation& line,
                  const std::vector<Eigen::Index>& sensors, std::size_t part) {
   std::vector<double> readings(sensors.size());
   const auto at = [&](std::size_t row) {
@@ -230,7 +230,7 @@ double largest(const std::vector<double>& values) {
   return most;
 }
 
-LineErrors errors_of(const LeftOver& left) {
+LineErrors errors_of(const LineResiduals& left) {
   constexpr ErrorSize kSize = ErrorSize::root_mean_square;
   return {reduction_of(left.before_um, left.model_um, kSize),
           reduction_of(left.before_um, left.line_um, kSize),
@@ -244,7 +244,7 @@ LineErrors errors_of(const LeftOver& left) {
 // Each run from the others, or each late fifth from the time before it.
 std::optional<LineErrors> left_out_errors(const LineData& all, const std::vector<Sums>& sums, std::size_t count,
                                           double range_margin, const Increment& increment) {
-  LeftOver left;
+  LineResiduals left;
   const bool by_run = all.runs > 1;
   for (std::size_t part = by_run ? 0 : kFirstTestedFifth; part < all.parts; ++part) {
     const auto uses = [&](std::size_t other) { return by_run ? other != part : other < part; };
@@ -315,7 +315,7 @@ Simplification simplified(const Model& model, const Series& data, std::span<cons
   result.runs = all.runs;
   const double left = total.c - chosen.slope_um_per_K.dot(total.b(chosen.sensors));
   result.from_model_um = std::sqrt(std::max(0.0, left) / static_cast<double>(all.row.size()));
-  LeftOver fitted;
+  LineResiduals fitted;
   for (std::size_t part = 0; part < all.parts; ++part) append_left(fitted, all, result.line, chosen.sensors, part);
   result.fitted = errors_of(fitted);
   result.left_out = left_out_errors(all, sums, count, range_margin, increment);

@@ -102,7 +102,7 @@ Eigen::VectorXd values_of(const std::vector<FittedParameter>& parameters) {
 Fit fit(const Model& stated, const Series& data, std::size_t target, const FitOptions& options) {
   expect_suits(stated, data);
   if (options.among_all_errors && is_of_machine_errors(stated, data)) {
-    return fit_of_machine_errors(stated, data, target, error_fitted(data, MachineErrorOptions{}));
+    return fit_of_machine_errors(stated, data, target, joint_error_fit(data, MachineErrorOptions{}));
   }
   Fit result;
   result.target = stated.targets.at(target);
@@ -140,7 +140,7 @@ Fit fit(const Model& stated, const Series& data, std::size_t target, const FitOp
     best.weighting = {Eigen::VectorXd::Ones(n), Whitening(result.noise, result.time_s, result.sigma_um)};
     best.minimum = best_of(problem, best.weighting, {best.minimum.parameters});
   } else if (with_noise) {
-    Whitened refitted = whitened(problem, result, best, options.robust);
+    WhitenedFit refitted = whitened(problem, result, best, options.robust);
     best = std::move(refitted.solved);
     result.noise = refitted.noise;
     misfit = refitted.misfit;

@@ -86,7 +86,7 @@ SolvedFit reweighted(const FitProblem& problem, const WeightingWithout& weightin
   return solved;
 }
 
-Whitened whitened(const FitProblem& problem, const Fit& data, const SolvedFit& least_squares, bool robust) {
+WhitenedFit whitened(const FitProblem& problem, const Fit& data, const SolvedFit& least_squares, bool robust) {
   const auto left_by = [&](const SolvedFit& solved) {
     return without(vector_of(residual_of(problem, solved)), solved.discounted);
   };
@@ -94,7 +94,7 @@ Whitened whitened(const FitProblem& problem, const Fit& data, const SolvedFit& l
     return noise_of(without(data.time_s, solved.discounted), left_by(solved), without(data.sigma_um, solved.discounted),
                     without(spent, solved.discounted));
   };
-  Whitened result{least_squares, {}, false};
+  WhitenedFit result{least_squares, {}, false};
   const int rounds = robust ? kRobustNoiseRounds : kNoiseRounds;
   for (int round = 0; round < rounds; ++round) {
     // In the last iteration corrected for the fitted parameters (REML).

@@ -35,7 +35,7 @@ using WeightingWithout = std::function<Weighting(const std::vector<std::size_t>&
 // in the next iteration, so that it does not affect the rows after it.
 SolvedFit reweighted(const FitProblem& problem, const WeightingWithout& weighting_without, SolvedFit solved);
 
-struct Whitened {
+struct WhitenedFit {
   SolvedFit solved;
   Noise noise;
   bool misfit = false;  // `solved` is then unchanged
@@ -43,7 +43,7 @@ struct Whitened {
 
 // Repeats the fit with the noise of its residual, for some iterations. Discounted rows do not count for the noise.
 // `data`: times and sigmas.
-Whitened whitened(const FitProblem& problem, const Fit& data, const SolvedFit& least_squares, bool robust);
+WhitenedFit whitened(const FitProblem& problem, const Fit& data, const SolvedFit& least_squares, bool robust);
 
 // White noise without the stated part.
 Noise white_noise(const std::vector<double>& left_um, const std::vector<double>& sigma_um, std::size_t free);

@@ -29,7 +29,7 @@ Eigen::Index offset_of(const Model& model, std::size_t term) {
 }
 
 // The value of a gain as a linear combination of the fit's gains; the mean for separate gains of recordings.
-Eigen::RowVectorXd sum_of(const ErrorFitted& errors, const Effect& effect, std::size_t gain) {
+Eigen::RowVectorXd sum_of(const JointErrorFit& errors, const Effect& effect, std::size_t gain) {
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(errors.gains.size());
   for (std::size_t k = 0; k < errors.columns.columns.size(); ++k) {
     const ErrorColumn& column = errors.columns.columns[k];
@@ -38,7 +38,7 @@ Eigen::RowVectorXd sum_of(const ErrorFitted& errors, const Effect& effect, std::
   return sum.sum() > 0.0 ? Eigen::RowVectorXd(sum / sum.sum()) : sum;
 }
 
-double shape_of(const ErrorFitted& errors, const Term& term, std::size_t parameter) {
+double shape_of(const JointErrorFit& errors, const Term& term, std::size_t parameter) {
   if (term.settings[parameter].held) return term.settings[parameter].start;
   for (const FittedEffect& effect : errors.effects) {
     if (effect.effect == term.effect.get() && effect.shape) return *effect.shape;
@@ -83,7 +83,7 @@ bool is_of_machine_errors(const Model& model, const Series& data) {
                      [](const Term& term) { return term.effect->rules.is_base || is_error(term); });
 }
 
-Fit fit_of_machine_errors(const Model& model, const Series& data, std::size_t target, const ErrorFitted& errors) {
+Fit fit_of_machine_errors(const Model& model, const Series& data, std::size_t target, const JointErrorFit& errors) {
   Fit result;
   result.target = model.targets.at(target);
   result.time_s = data.time_s;

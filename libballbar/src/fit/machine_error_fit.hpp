@@ -7,7 +7,7 @@
 
 namespace ballbar {
 
-// errors: error_fitted(data, {}). The circles are fitted with the errors of the model.
-Fit fit_of_machine_errors(const Model& model, const Series& data, std::size_t target, const ErrorFitted& errors);
+// errors: joint_error_fit(data, {}). The circles are fitted with the errors of the model.
+Fit fit_of_machine_errors(const Model& model, const Series& data, std::size_t target, const JointErrorFit& errors);
 
 }  // namespace ballbar

@@ -15,7 +15,7 @@ std::vector<Eigen::Index> used_parameters(const Fit& fit);
 Eigen::MatrixXd model_columns(const Fit& fit);
 
 // An orthonormal basis of the model's columns, and the residual orthogonal to it; whitened or not.
-struct Freed {
+struct ModelProjection {
   Eigen::MatrixXd basis;     // n by the rank of the model
   Eigen::VectorXd residual;  // n
 };

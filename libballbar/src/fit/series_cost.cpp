@@ -196,9 +196,9 @@ struct Search {
 };
 
 // Ends a search where an unknown meets a bound.
-class UntilBound : public ceres::IterationCallback {
+class StopAtBound : public ceres::IterationCallback {
  public:
-  UntilBound(const std::vector<double>& u, const std::vector<double>& lower, const std::vector<double>& upper)
+  StopAtBound(const std::vector<double>& u, const std::vector<double>& lower, const std::vector<double>& upper)
       : u_(u), lower_(lower), upper_(upper), before_(u) {}
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
@@ -235,7 +235,7 @@ Pass pass_of(const Search& search, const Eigen::VectorXd& start, const std::vect
     if (std::isfinite(lower[j])) problem.SetParameterLowerBound(u.data(), static_cast<int>(j), lower[j]);
     if (std::isfinite(upper[j])) problem.SetParameterUpperBound(u.data(), static_cast<int>(j), upper[j]);
   }
-  UntilBound until_bound(u, lower, upper);
+  StopAtBound until_bound(u, lower, upper);
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = most_iterations;

@@ -73,9 +73,9 @@ StepSearch step_search(const Eigen::VectorXd& scores, double degrees, const Fami
   return search;
 }
 
-class Judging {
+class SeriesJudge {
  public:
-  Judging(const QuantitySeries& series, const SeriesScatter& scatter, const FamilyScatter& family)
+  SeriesJudge(const QuantitySeries& series, const SeriesScatter& scatter, const FamilyScatter& family)
       : series_(series),
         degrees_(scatter.degrees),
         of_machines_(scatter.of_machines),
@@ -240,7 +240,7 @@ bool is_scale(std::string_view name) {
 
 SeriesJudgement judgement_of(const QuantitySeries& series, const SeriesScatter& scatter, const FamilyScatter& family) {
   if (series.value.size() < kTestsOfTrend || scatter.s <= 0.0) return {};
-  return Judging(series, scatter, family).judgement();
+  return SeriesJudge(series, scatter, family).judgement();
 }
 
 }  // namespace ballbar

@@ -14,7 +14,7 @@ namespace {
 constexpr double kStep_deg = 0.3;  // after a reversal: there the step of the play is not over
 
 // Fine rows of the curve of the effects that are fitted together, and of the circles (nullptr).
-Eigen::VectorXd curve_as_instrument(const ErrorFitted& fitted, const Effect* effect) {
+Eigen::VectorXd curve_as_instrument(const JointErrorFit& fitted, const Effect* effect) {
   Eigen::VectorXd curve = Eigen::VectorXd::Zero(fitted.columns.fine.rows());
   for (std::size_t k = 0; k < fitted.columns.columns.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
@@ -24,7 +24,7 @@ Eigen::VectorXd curve_as_instrument(const ErrorFitted& fitted, const Effect* eff
   return curve;
 }
 
-Eigen::VectorXd left_as_instrument(const ErrorFitted& fitted) {
+Eigen::VectorXd left_as_instrument(const JointErrorFit& fitted) {
   const std::vector<double>& deviation_um = find_column(fitted.rows.fine, "deviation_um")->values;
   Eigen::VectorXd left = Eigen::VectorXd::Map(deviation_um.data(), static_cast<Eigen::Index>(deviation_um.size())) -
                          curve_as_instrument(fitted, nullptr);
@@ -35,7 +35,7 @@ Eigen::VectorXd left_as_instrument(const ErrorFitted& fitted) {
 }
 
 // The largest within reach after the reversal at this angle, of one recording; NaN: it does not pass there.
-double spike_of(const ErrorFitted& fitted, const Eigen::VectorXd& left, double reversal_deg, std::size_t recording) {
+double spike_of(const JointErrorFit& fitted, const Eigen::VectorXd& left, double reversal_deg, std::size_t recording) {
   const std::vector<double>& angle_rad = find_column(fitted.rows.fine, trace_column("angle"))->values;
   const std::vector<double>& direction = find_column(fitted.rows.fine, trace_column("direction"))->values;
   double largest = kUnknown;
@@ -51,7 +51,7 @@ double spike_of(const ErrorFitted& fitted, const Eigen::VectorXd& left, double r
 
 }  // namespace
 
-void add_spikes_as_instrument(ErrorFitted& fitted, CyclicOfRuns of_runs) {
+void add_spikes_as_instrument(JointErrorFit& fitted, CyclicOfRuns of_runs) {
   const Eigen::VectorXd left = left_as_instrument(fitted);
   for (const FittedEffect& effect : fitted.effects) {
     if (effect.effect->rules.error_fit != ErrorFit::at_reversals) continue;
@@ -71,7 +71,7 @@ void add_spikes_as_instrument(ErrorFitted& fitted, CyclicOfRuns of_runs) {
   }
 }
 
-void add_ranks_as_instrument(const ErrorFitted& fitted, const std::vector<MachineError>& rows,
+void add_ranks_as_instrument(const JointErrorFit& fitted, const std::vector<MachineError>& rows,
                              std::vector<RankedError>& ranked) {
   std::vector<InstrumentRank*> places;
   double sum_um = 0.0;

@@ -15,13 +15,13 @@
 
 namespace ballbar {
 
-// Sets the gains of the spikes in ErrorFitted::as_instrument from the others: the larger one of all recordings, or
+// Sets the gains of the spikes in JointErrorFit::as_instrument from the others: the larger one of all recordings, or
 // their mean.
-void add_spikes_as_instrument(ErrorFitted& fitted, CyclicOfRuns of_runs);
+void add_spikes_as_instrument(JointErrorFit& fitted, CyclicOfRuns of_runs);
 
 // Sets circularities, shares and ranks, by falling circularity. The circularity of an error is the peak to peak value
 // of its curve over all recordings; for a spike or a cyclic error the largest amplitude.
-void add_ranks_as_instrument(const ErrorFitted& fitted, const std::vector<MachineError>& rows,
+void add_ranks_as_instrument(const JointErrorFit& fitted, const std::vector<MachineError>& rows,
                              std::vector<RankedError>& ranked);
 
 }  // namespace ballbar

@@ -8,7 +8,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kFromOwnReversal_deg[2] = {12.0, 63.0};  // where cyclic errors are read
-constexpr double kTold = 0.05;  // singular value, of curves that nothing else takes all are near 1
+constexpr double kDetermined = 0.05;  // singular value, of curves that nothing else takes all are near 1
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void with_first(CyclicPart& cyclic, const Block& first) {
   cyclic.shared = first.weighted.transpose() * cyclic.part.columns.values;
   CyclicInverse solved = cyclic_inverse(cyclic, first.inverse);
   cyclic.block.inverse = std::move(solved.inverse);
-  cyclic.untold = std::move(solved.untold);
+  cyclic.undetermined = std::move(solved.undetermined);
 }
 
 CyclicInverse cyclic_inverse(const CyclicPart& cyclic, const Eigen::MatrixXd& of_first) {
@@ -42,11 +42,12 @@ CyclicInverse cyclic_inverse(const CyclicPart& cyclic, const Eigen::MatrixXd& of
   const Eigen::JacobiSVD<Eigen::MatrixXd> solved(scale.asDiagonal() * equations * scale.asDiagonal(),
                                                  Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::VectorXd& values = solved.singularValues();
-  const Eigen::Index told = (values.array() >= kTold).count();
-  if (told == values.size()) return {equations.partialPivLu().inverse(), {}};
-  return {scale.asDiagonal() * solved.matrixV().leftCols(told) * values.head(told).cwiseInverse().asDiagonal() *
-              solved.matrixU().leftCols(told).transpose() * scale.asDiagonal(),
-          solved.matrixV().rightCols(values.size() - told)};
+  const Eigen::Index determined = (values.array() >= kDetermined).count();
+  if (determined == values.size()) return {equations.partialPivLu().inverse(), {}};
+  return {scale.asDiagonal() * solved.matrixV().leftCols(determined) *
+              values.head(determined).cwiseInverse().asDiagonal() * solved.matrixU().leftCols(determined).transpose() *
+              scale.asDiagonal(),
+          solved.matrixV().rightCols(values.size() - determined)};
 }
 
 CyclicPart cyclic_part(const std::vector<const Effect*>& effects, const ErrorRows& rows, const ErrorSetUp& set_up,

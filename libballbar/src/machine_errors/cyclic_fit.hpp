@@ -23,7 +23,7 @@ struct CyclicPart {
   Block block;                       // all of them at once, each read on its own rows: the inverse is not symmetric
   Eigen::MatrixXd own, of_together;  // the weighted columns' products with themselves and with the columns together
   Eigen::MatrixXd shared;            // products of the columns together, as the first fit weights them, with these
-  Eigen::MatrixXd untold;            // shares of the columns in combinations that are held at 0; one a column
+  Eigen::MatrixXd undetermined;      // shares of the columns in combinations that are held at 0; one a column
 };
 
 // left: of the data after the first fit, a block of columns `together`.
@@ -39,7 +39,7 @@ void with_first(CyclicPart& cyclic, const Block& first);
 // and the straightness nearly singular, whatever least squares of all rows would say. Such a combination is held at 0,
 // by a truncated singular value decomposition (P. C. Hansen, BIT 27 (1987)), of unit curves scaled to one size.
 struct CyclicInverse {
-  Eigen::MatrixXd inverse, untold;
+  Eigen::MatrixXd inverse, undetermined;
 };
 CyclicInverse cyclic_inverse(const CyclicPart& cyclic, const Eigen::MatrixXd& of_first);
 

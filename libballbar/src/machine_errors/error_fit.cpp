@@ -35,7 +35,7 @@ Eigen::VectorXd second_order(const Eigen::VectorXd& circle, const Eigen::MatrixX
 }
 
 // Takes it off the deviation, with the circle that fits it.
-void free_of_second_order(ErrorFitted& fitted, const ErrorColumns& circle, double length_mm, double height_mm) {
+void free_of_second_order(JointErrorFit& fitted, const ErrorColumns& circle, double length_mm, double height_mm) {
   const Eigen::VectorXd measured = fitted.rows.deviation_um;
   const Eigen::MatrixXd columns = circle.values.leftCols(3);
   const Eigen::MatrixXd weighted = fitted.rows.count.asDiagonal() * columns;
@@ -171,7 +171,7 @@ Indices columns_of(const FittedEffect& effect) {
 // All gains with their covariance: those together with the extra ones that are clear, then the spikes. `damping`: on an
 // arc, where curves are drawn with it, since two errors that the arc hardly tells apart would be large ones against
 // each other; and an error must show with it too.
-void fit_all(ErrorFitted& fitted, Stages& stages, const Eigen::VectorXd& far, const Eigen::MatrixXd* damping) {
+void fit_all(JointErrorFit& fitted, Stages& stages, const Eigen::VectorXd& far, const Eigen::MatrixXd* damping) {
   const ErrorRows& of = fitted.rows;
   const Eigen::Index p = stages.together.columns.size(), c = stages.cyclic.part.columns.size();
   const Eigen::Index e = stages.extra.columns.size();
@@ -236,7 +236,7 @@ double p_of(const Eigen::VectorXd& values, const Eigen::MatrixXd& covariance) {
   return std::min(1.0, std::min(together, alone));
 }
 
-Eigen::VectorXd ErrorFitted::fine_curve(const Effect* effect) const {
+Eigen::VectorXd JointErrorFit::fine_curve(const Effect* effect) const {
   Eigen::VectorXd curve = Eigen::VectorXd::Zero(columns.fine.rows());
   for (std::size_t k = 0; k < columns.columns.size(); ++k) {
     if (columns.columns[k].effect != effect) continue;
@@ -246,7 +246,7 @@ Eigen::VectorXd ErrorFitted::fine_curve(const Effect* effect) const {
   return curve;
 }
 
-Eigen::VectorXd ErrorFitted::residual() const {
+Eigen::VectorXd JointErrorFit::residual() const {
   Eigen::VectorXd left = rows.deviation_um;
   std::vector<bool> out(columns.columns.size(), false);
   for (const FittedEffect& effect : effects) {
@@ -259,12 +259,12 @@ Eigen::VectorXd ErrorFitted::residual() const {
   return left;
 }
 
-double ErrorFitted::rms_um(const Eigen::VectorXd& left) const {
+double JointErrorFit::rms_um(const Eigen::VectorXd& left) const {
   return std::sqrt(within_um2 + left.cwiseAbs2().dot(rows.count) / rows.count.sum());
 }
 
-ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, const ErrorSetUp& set_up) {
-  ErrorFitted fitted;
+JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options, const ErrorSetUp& set_up) {
+  JointErrorFit fitted;
   fitted.arc_rad = set_up.arc_rad;
   fitted.rows = std::move(rows);
   const ErrorRows& of = fitted.rows;
@@ -335,8 +335,9 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
   std::vector<ErrorColumn> names = stages.together.columns.columns;
   names.insert(names.end(), stages.extra.columns.columns.begin(), stages.extra.columns.columns.end());
   std::vector<std::string> phrases = undetermined(fitted.normal, names);
-  if (stages.cyclic.untold.cols() > 0) {
-    phrases.push_back(undetermined_names(stages.cyclic.untold.rowwise().norm(), stages.cyclic.part.columns.columns));
+  if (stages.cyclic.undetermined.cols() > 0) {
+    phrases.push_back(
+        undetermined_names(stages.cyclic.undetermined.rowwise().norm(), stages.cyclic.part.columns.columns));
   }
   fitted.undetermined.insert(fitted.undetermined.begin(), phrases.begin(), phrases.end());
   fitted.as_instrument = Eigen::VectorXd::Constant(fitted.gains.size(), kUnknown);

@@ -16,14 +16,14 @@ namespace ballbar {
 struct FittedEffect {
   const Effect* effect = nullptr;
   std::optional<double> shape;
-  std::vector<std::size_t> columns;  // indices into ErrorFitted::columns
+  std::vector<std::size_t> columns;  // indices into JointErrorFit::columns
   double searched = 1.0;             // number of independent shapes tried
   double looked_at = 1.0;            // number of errors of its kind: the four spikes, or all others
   bool in_the_fit = true;            // false: fitted separately, for inspection
   double p_damped = 0.0;             // p-value with the usual prior; 0: no prior
 };
 
-struct ErrorFitted {
+struct JointErrorFit {
   ErrorRows rows;  // deviation_um freed of what a centre adds in second order
   ErrorColumns columns;
   Eigen::VectorXd gains;          // one a column
@@ -64,10 +64,10 @@ struct ErrorSetUp {
   std::optional<double> pitch_a_mm, pitch_b_mm;
 };
 
-ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, const ErrorSetUp& set_up);
+JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options, const ErrorSetUp& set_up);
 
 // Of trace_of() recordings of one plane, one bar and linear axes.
-ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options);
+JointErrorFit joint_error_fit(const Series& trace, const MachineErrorOptions& options);
 
 // Arc that the longest recording of a trace covers.
 double longest_arc_rad(const Series& trace);

@@ -41,7 +41,7 @@ Extremes extremes_of(const std::vector<double>& freed, const ErrorRows& rows) {
 struct Blocks {
   std::vector<std::vector<Eigen::Index>> rows;
 
-  explicit Blocks(const ErrorFitted& fitted) {
+  explicit Blocks(const JointErrorFit& fitted) {
     const std::vector<double>& angle_rad = find_column(fitted.rows.fine, trace_column("angle"))->values;
     std::size_t recording = fitted.rows.recordings;
     double first_rad = 0.0;
@@ -71,7 +71,7 @@ struct Curves {
   Eigen::VectorXd significant;           // all of them together
 };
 
-Curves curves_of(const ErrorFitted& fitted, const std::vector<RankedError>& ranked) {
+Curves curves_of(const JointErrorFit& fitted, const std::vector<RankedError>& ranked) {
   Curves curves;
   curves.significant = Eigen::VectorXd::Zero(fitted.columns.fine.rows());
   for (const RankedError& one : ranked) {
@@ -81,7 +81,7 @@ Curves curves_of(const ErrorFitted& fitted, const std::vector<RankedError>& rank
   return curves;
 }
 
-void add_sigmas(std::vector<RankedError>& ranked, const ErrorFitted& fitted, const Extremes& extremes,
+void add_sigmas(std::vector<RankedError>& ranked, const JointErrorFit& fitted, const Extremes& extremes,
                 const Curves& curves) {
   // The readings in the middle of their row: what they scatter within it stays.
   const Eigen::VectorXd middle = 0.5 * (extremes.largest + extremes.smallest);
@@ -140,7 +140,7 @@ void rank(std::vector<RankedError>& ranked) {
 
 }  // namespace
 
-void add_gains(MachineErrors& found, const ErrorFitted& fitted, bool with_sigmas) {
+void add_gains(MachineErrors& found, const JointErrorFit& fitted, bool with_sigmas) {
   const Extremes extremes = extremes_of(fitted.freed_um, fitted.rows);
   const Curves curves = curves_of(fitted, found.ranked);
   found.circularity_um = extremes.largest.maxCoeff() - extremes.smallest.minCoeff();

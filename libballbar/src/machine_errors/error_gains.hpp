@@ -11,6 +11,6 @@ namespace ballbar {
 
 // Sets circularities, gains, ranks and order of the ranked errors in `found`. An error has a rank if it is significant
 // and its correction lowers the circularity by at least 0.05 um, half of the last printed digit.
-void add_gains(MachineErrors& found, const ErrorFitted& fitted, bool with_sigmas);
+void add_gains(MachineErrors& found, const JointErrorFit& fitted, bool with_sigmas);
 
 }  // namespace ballbar

@@ -85,7 +85,7 @@ RowMemory row_memory(const ErrorRows& rows, double memory_s) {
   return memory;
 }
 
-struct Restricted {
+struct RestrictedEstimate {
   double log_likelihood = 0.0;
   double variance = 0.0;  // s^2: of q^2 = 1
 };
@@ -132,11 +132,11 @@ LinearFilter filter_of(const ErrorRows& rows, double memory_s) {
 }
 
 // For q = 1.
-Restricted restricted(const RestrictedLikelihood& likelihood, const LinearFilter& filter, double memory_s, double white,
-                      Eigen::Index rows) {
+RestrictedEstimate restricted(const RestrictedLikelihood& likelihood, const LinearFilter& filter, double memory_s,
+                              double white, Eigen::Index rows) {
   const LinearFilter::Sums sums = likelihood.sums(filter, {white * white, 1.0, memory_s});
   const auto freedom = static_cast<double>(std::max<Eigen::Index>(rows - likelihood.columns(), 1));
-  Restricted result;
+  RestrictedEstimate result;
   result.variance = std::max(sums.squares / freedom, kLeast_um * kLeast_um);
   result.log_likelihood = -0.5 * (freedom * std::log(result.variance) + sums.log_variances);
   return result;
@@ -146,7 +146,7 @@ Restricted restricted(const RestrictedLikelihood& likelihood, const LinearFilter
 // logarithms of the likelihood. `known`: of kUsualWhite, for one memory.
 std::vector<WeightedNoise> likely_noises(const ErrorRows& rows, const RestrictedLikelihood& likelihood,
                                          const std::vector<double>& memories_s, double known_memory_s,
-                                         const Restricted& known) {
+                                         const RestrictedEstimate& known) {
   constexpr std::size_t kWhites = kWhiteOfCorrelated.size();
   std::vector<std::optional<LinearFilter>> filters(memories_s.size());
   std::vector<bool> looked_at(filters.size() * kWhites, false);
@@ -163,7 +163,7 @@ std::vector<WeightedNoise> likely_noises(const ErrorRows& rows, const Restricted
     looked_at[memory * kWhites + white] = true;
     const bool is_known = white == kUsualWhite && memories_s[memory] == known_memory_s;
     if (!is_known && !filters[memory]) filters[memory] = filter_of(rows, memories_s[memory]);
-    const Restricted found =
+    const RestrictedEstimate found =
         is_known ? known
                  : restricted(likelihood, *filters[memory], memories_s[memory], kWhiteOfCorrelated[white], rows.size());
     const double correlated_um = std::sqrt(found.variance);
@@ -243,9 +243,9 @@ std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::Matri
                                         starts);
   const std::array<double, kMemories> memories = memories_s(rows);
   std::size_t best = 0;
-  Restricted likeliest{-std::numeric_limits<double>::infinity()};
+  RestrictedEstimate likeliest{-std::numeric_limits<double>::infinity()};
   for (std::size_t k = 0; k < memories.size(); ++k) {
-    const Restricted one =
+    const RestrictedEstimate one =
         restricted(likelihood, filter_of(rows, memories[k]), memories[k], kWhiteOfCorrelated[kUsualWhite], rows.size());
     if (one.log_likelihood > likeliest.log_likelihood) likeliest = one, best = k;
   }

@@ -46,7 +46,7 @@ struct Amplitude {
 };
 
 // The same of the instrument's gains; nothing where it has none.
-std::optional<double> amplitude_as_instrument(const ErrorFitted& fitted, const std::vector<std::size_t>& columns,
+std::optional<double> amplitude_as_instrument(const JointErrorFit& fitted, const std::vector<std::size_t>& columns,
                                               CyclicOfRuns of_runs) {
   std::map<std::size_t, double> squares;
   for (const std::size_t k : columns) {
@@ -62,7 +62,7 @@ std::optional<double> amplitude_as_instrument(const ErrorFitted& fitted, const s
   return of_runs == CyclicOfRuns::mean ? sum / static_cast<double>(squares.size()) : largest;
 }
 
-Amplitude amplitude_of(const ErrorFitted& fitted, const std::vector<std::size_t>& columns, CyclicOfRuns of_runs,
+Amplitude amplitude_of(const JointErrorFit& fitted, const std::vector<std::size_t>& columns, CyclicOfRuns of_runs,
                        double searched) {
   // Each recording's, or that of all.
   std::map<std::size_t, std::vector<Eigen::Index>> pairs;
@@ -92,7 +92,7 @@ Amplitude amplitude_of(const ErrorFitted& fitted, const std::vector<std::size_t>
 }
 
 // Gains of the effect that all recordings share: means over those that have their own.
-Eigen::MatrixXd shared_gains(const ErrorFitted& fitted, const FittedEffect& effect) {
+Eigen::MatrixXd shared_gains(const JointErrorFit& fitted, const FittedEffect& effect) {
   std::map<std::size_t, std::vector<std::size_t>> by_gain;
   for (const std::size_t k : effect.columns) by_gain[fitted.columns.columns[k].gain].push_back(k);
   Eigen::MatrixXd means = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(by_gain.size()), fitted.gains.size());
@@ -107,7 +107,7 @@ Eigen::MatrixXd shared_gains(const ErrorFitted& fitted, const FittedEffect& effe
 }
 
 // What some effects add to the rows as fitted; 0 of one that is not in the fit.
-Eigen::VectorXd fitted_curve(const ErrorFitted& fitted, const std::set<const Effect*>& effects) {
+Eigen::VectorXd fitted_curve(const JointErrorFit& fitted, const std::set<const Effect*>& effects) {
   Eigen::VectorXd curve = Eigen::VectorXd::Zero(fitted.rows.size());
   for (const FittedEffect& effect : fitted.effects) {
     if (!effect.in_the_fit || !effects.contains(effect.effect)) continue;
@@ -124,7 +124,7 @@ struct OwnColumns {
   Eigen::MatrixXd columns;
   Eigen::VectorXd fitted;
 };
-OwnColumns own_columns(const ErrorFitted& fitted, const std::set<const Effect*>& effects) {
+OwnColumns own_columns(const JointErrorFit& fitted, const std::set<const Effect*>& effects) {
   const Eigen::Index n = fitted.rows.size();
   std::map<std::pair<const Effect*, std::size_t>, Eigen::VectorXd> by_gain;
   OwnColumns own{{}, fitted_curve(fitted, effects)};
@@ -173,7 +173,7 @@ double squares_left(const OwnColumns& own, const Eigen::VectorXd& data, const Di
 }
 
 // Its gains from the rows of one direction alone, all else as fitted: do they lower what is left in the other?
-std::optional<bool> predicts_other(const ErrorFitted& fitted, const FittedEffect& effect,
+std::optional<bool> predicts_other(const JointErrorFit& fitted, const FittedEffect& effect,
                                    const Eigen::VectorXd& residual, const Directions& directions) {
   if (!directions.both()) return std::nullopt;
   const OwnColumns own = own_columns(fitted, {effect.effect});
@@ -184,7 +184,7 @@ std::optional<bool> predicts_other(const ErrorFitted& fitted, const FittedEffect
 
 }  // namespace
 
-ErrorTable error_table(const ErrorFitted& fitted, CyclicOfRuns cyclic_of_runs) {
+ErrorTable error_table(const JointErrorFit& fitted, CyclicOfRuns cyclic_of_runs) {
   const std::vector<RowColumns> rows = rows_of(fitted.columns);
   ErrorTable table;
   table.rows.reserve(rows.size());
@@ -221,7 +221,7 @@ ErrorTable error_table(const ErrorFitted& fitted, CyclicOfRuns cyclic_of_runs) {
   return table;
 }
 
-std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTable& table) {
+std::vector<RankedError> ranked_errors(const JointErrorFit& fitted, const ErrorTable& table) {
   const Eigen::VectorXd residual = fitted.residual();
   const Directions directions = directions_of(fitted.rows);
   std::vector<RankedError> ranked;
@@ -259,7 +259,7 @@ std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTab
   return ranked;
 }
 
-double held_out_rms_um(const ErrorFitted& fitted, const std::set<const Effect*>& effects) {
+double held_out_rms_um(const JointErrorFit& fitted, const std::set<const Effect*>& effects) {
   const Directions directions = directions_of(fitted.rows);
   if (!directions.both()) return kUnknown;
   std::set<const Effect*> all;
@@ -270,7 +270,7 @@ double held_out_rms_um(const ErrorFitted& fitted, const std::set<const Effect*>&
   return std::sqrt(fitted.within_um2 + squares / fitted.rows.count.sum());
 }
 
-double rms_with_um(const ErrorFitted& fitted, const std::set<const Effect*>& effects) {
+double rms_with_um(const JointErrorFit& fitted, const std::set<const Effect*>& effects) {
   Eigen::VectorXd left = fitted.rows.deviation_um - fitted_curve(fitted, effects);
   Eigen::Index circles = 0;
   while (circles < fitted.columns.size() &&

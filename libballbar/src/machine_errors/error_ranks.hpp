@@ -17,16 +17,16 @@ struct ErrorTable {
 
 // One row per gain; sine and cosine, possibly of each recording, give one amplitude. The sigma of an amplitude is
 // widened if its 95 % interval reaches 0, because an amplitude is never negative, and not 0 in pure noise.
-ErrorTable error_table(const ErrorFitted& fitted, CyclicOfRuns cyclic_of_runs);
+ErrorTable error_table(const JointErrorFit& fitted, CyclicOfRuns cyclic_of_runs);
 
 // Sorted by falling IC, without ranks, which error_gains.hpp sets.
-std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTable& table);
+std::vector<RankedError> ranked_errors(const JointErrorFit& fitted, const ErrorTable& table);
 
 // RMS of the rows of each direction with the errors of these effects from the readings of the other direction (all else
 // as fitted), both ways; NaN for one direction.
-double held_out_rms_um(const ErrorFitted& fitted, const std::set<const Effect*>& effects);
+double held_out_rms_um(const JointErrorFit& fitted, const std::set<const Effect*>& effects);
 
 // RMS of the residual of the circles and the errors of these effects, fitted again.
-double rms_with_um(const ErrorFitted& fitted, const std::set<const Effect*>& effects);
+double rms_with_um(const JointErrorFit& fitted, const std::set<const Effect*>& effects);
 
 }  // namespace ballbar

@@ -44,7 +44,7 @@ ErrorSetUp set_up_of(const Series& trace) {
 }
 
 // Deviation of the readings freed of the fitted centre.
-std::vector<double> freed_of_centre(const ErrorFitted& fitted, const Series& trace) {
+std::vector<double> freed_of_centre(const JointErrorFit& fitted, const Series& trace) {
   // Centre of all, and what each recording has beside it; the radius stays, and how CCW and CW differ.
   const std::vector<double>& recording = values_of(trace, "recording");
   const std::vector<double>& angle_rad = values_of(trace, "angle");
@@ -68,7 +68,7 @@ std::vector<double> freed_of_centre(const ErrorFitted& fitted, const Series& tra
 }
 
 // What the fit leaves of readings beyond what it leaves of their rows.
-double within_rows_um2(const ErrorFitted& fitted) {
+double within_rows_um2(const JointErrorFit& fitted) {
   Eigen::VectorXd rest = Eigen::VectorXd::Zero(fitted.columns.fine.rows());
   std::vector<bool> out(fitted.columns.columns.size(), false);
   for (const FittedEffect& effect : fitted.effects) {
@@ -106,7 +106,7 @@ double longest_arc_rad(const Series& trace) {
   return longest;
 }
 
-ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options) {
+JointErrorFit joint_error_fit(const Series& trace, const MachineErrorOptions& options) {
   const ErrorSetUp set_up = set_up_of(trace);
   if (set_up.arc_rad < kShortestArc_rad) {
     throw Error(fmt::format(
@@ -125,7 +125,7 @@ ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options
     }
   }
   const ErrorRows rows = error_rows(lacks ? stated_feed : trace);
-  ErrorFitted fitted = error_fitted(rows, options, set_up);
+  JointErrorFit fitted = joint_error_fit(rows, options, set_up);
   fitted.freed_um = freed_of_centre(fitted, trace);
   fitted.within_um2 = within_rows_um2(fitted);
   return fitted;

@@ -46,7 +46,7 @@ void expect_one_plane(std::span<const Recording> recordings) {
   }
 }
 
-std::vector<AddedError> one_by_one(const ErrorFitted& fitted, const std::vector<RankedError>& ranked) {
+std::vector<AddedError> one_by_one(const JointErrorFit& fitted, const std::vector<RankedError>& ranked) {
   std::vector<const Effect*> open;
   for (const RankedError& one : ranked) {
     if (one.significant) open.push_back(one.effect);
@@ -77,7 +77,7 @@ MachineErrors machine_errors(std::span<const Recording> recordings, const Machin
 }
 
 MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOptions& options) {
-  const ErrorFitted fitted = error_fitted(trace, options);
+  const JointErrorFit fitted = joint_error_fit(trace, options);
   MachineErrors found;
   const ErrorTable table = error_table(fitted, options.cyclic_of_runs);
   found.errors = table.rows;

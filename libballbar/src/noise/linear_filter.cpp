@@ -15,12 +15,12 @@ constexpr double kForgotten = 1e-30;    // share of the first state that counts 
 constexpr double kSettled = 1e-12;      // of the noise's variance: a change of P that counts no more
 
 // s after the rows so far, their decay not yet in it, and sum of v_i^2.
-struct Filtered {
+struct FilterState {
   double state = 0.0, squares = 0.0;
 };
 
 // v = r - a s,  s after = (1 - gain) a s + gain r: s depends on the one before by one product and one sum.
-Filtered filtered(const FilterGain& of, const double* r, Eigen::Index rows, Filtered from) {
+FilterState filtered(const FilterGain& of, const double* r, Eigen::Index rows, FilterState from) {
   const double keeps = (1.0 - of.gain) * of.decay;
   for (Eigen::Index i = 0; i < rows; ++i) {
     const double innovation = r[i] - of.decay * from.state;
@@ -32,7 +32,7 @@ Filtered filtered(const FilterGain& of, const double* r, Eigen::Index rows, Filt
 
 // Each row waits for the one before it; equal parts of the rows, side by side, do not. All begin with s = 0, and
 // what their first state s adds is known: v_i less a c^i s, c = (1 - gain) a.
-Filtered filtered_in_parts(const FilterGain& of, const double* r, Eigen::Index rows, Filtered from) {
+FilterState filtered_in_parts(const FilterGain& of, const double* r, Eigen::Index rows, FilterState from) {
   using Lanes = Eigen::Array<double, kLanes, 1>;
   const Eigen::Index part = rows / kLanes;
   const double keeps = (1.0 - of.gain) * of.decay;
@@ -173,7 +173,7 @@ LinearFilter::Sums LinearFilter::sums(const Covariance& noise, std::span<const d
   const double* r = residual_um.data();
   double squares = 0.0, state = 0.0;
   const double log_variances = for_each_gain(noise, [&](const FilterGain& of, Eigen::Index rows) {
-    const Filtered now =
+    const FilterState now =
         rows < kLongRun ? filtered(of, r, rows, {state, 0.0}) : filtered_in_parts(of, r, rows, {state, 0.0});
     state = now.state;
     squares += now.squares * of.weight;

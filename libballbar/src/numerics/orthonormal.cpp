@@ -11,12 +11,12 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   return Eigen::MatrixXd(qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank()));
 }
 
-Eigen::VectorXd freed(Eigen::VectorXd column, const Eigen::MatrixXd& basis) {
+Eigen::VectorXd orthogonal_part(Eigen::VectorXd column, const Eigen::MatrixXd& basis) {
   column -= basis * (basis.transpose() * column);
   return column;
 }
 
-Eigen::MatrixXd freed(Eigen::MatrixXd columns, const Eigen::MatrixXd& basis) {
+Eigen::MatrixXd orthogonal_part(Eigen::MatrixXd columns, const Eigen::MatrixXd& basis) {
   const Eigen::MatrixXd made = basis.transpose() * columns;
   columns -= basis * made;
   return columns;

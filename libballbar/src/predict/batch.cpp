@@ -28,7 +28,7 @@ constexpr double kLeastStep_um = 1.0;
 constexpr double kUsualSteps = 3.0;  // between two rows
 constexpr double kLargest = 1e6;     // degC or um: beyond it no machine is
 constexpr double kLargeStep = 0.3;   // of the batch's range
-constexpr std::size_t kStepsTold = 5;
+constexpr std::size_t kStepsListed = 5;
 constexpr double kLastBits = 1e-12;
 
 bool says_room(const std::string& name) {
@@ -96,11 +96,11 @@ Eigen::VectorXd robust_residual(const Eigen::MatrixXd& a, const Eigen::VectorXd&
 }
 
 // Mean of each sensor in each batch (rows) beyond what the batch and its heat suggest.
-struct Unlike {
+struct SensorOffsets {
   Eigen::MatrixXd off_K;
   Eigen::VectorXd heat_K;  // of each batch: how far its sensors are apart
 };
-Unlike unlike_the_others(const Eigen::MatrixXd& means_degC) {
+SensorOffsets sensor_offsets(const Eigen::MatrixXd& means_degC) {
   Eigen::MatrixXd offset(means_degC.rows(), means_degC.cols());
   Eigen::MatrixXd a = Eigen::MatrixXd::Ones(means_degC.rows(), 2);  // and the heat
   for (Eigen::Index k = 0; k < means_degC.rows(); ++k) {
@@ -124,7 +124,7 @@ std::vector<TargetStep> steps_of(const Series& series, const std::vector<double>
       std::max({kFarStep * kSigmaOfDeviation * median(size), kLargeStep * (*high - *low), kLeastStep_um});
   const double longest_s = kUsualSteps * median_step_s(series.time_s);
   std::vector<TargetStep> steps;
-  for (std::size_t i = 0; i < change.size() && steps.size() < kStepsTold; ++i) {
+  for (std::size_t i = 0; i < change.size() && steps.size() < kStepsListed; ++i) {
     if (size[i] > least && series.time_s[i + 1] - series.time_s[i] <= longest_s) {
       steps.push_back({series.time_s[i + 1], change[i]});
     }
@@ -306,7 +306,7 @@ std::vector<BrokenSensor> broken_sensors(std::span<const Batch> batches, const B
   std::vector<BrokenSensor> broken;
   // The worst alone: it moves what the others are compared with.
   while (batches.size() >= kFewestBatches && sensors.size() >= kFewestSensors) {
-    const auto [off, heat] = unlike_the_others(means);
+    const auto [off, heat] = sensor_offsets(means);
     const Eigen::VectorXd away = off.reshaped().cwiseAbs();
     const double far_K =
         std::max(kLeastOffset_K, kFarOffset * kSigmaOfDeviation * median<double>({away.begin(), away.end()}));

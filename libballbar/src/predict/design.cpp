@@ -108,9 +108,9 @@ bool may_predict(const Effect& effect) {
   return effect.level == Level::series && (effect.rules.predictor || (!effect.inputs.empty() && gains == 1));
 }
 
-class Collected {
+class PredictorIndex {
  public:
-  explicit Collected(Predictors& into) : into_(into) {}
+  explicit PredictorIndex(Predictors& into) : into_(into) {}
 
   std::size_t index_of(const std::shared_ptr<const Effect>& effect, const std::vector<std::string>& columns,
                        const std::vector<double>& parameters) {
@@ -168,7 +168,7 @@ Predictors predictors_of(std::span<const Series> runs, const std::string& target
   model.not_inputs = unusable(runs);
   Predictors predictors;
   predictors.left_out = model.not_inputs;
-  Collected collected(predictors);
+  PredictorIndex collected(predictors);
   const Catalogue effects = predictor_effects(catalogue);
   for (const std::shared_ptr<const Effect>& effect : effects) {
     if (!effect->rules.predictor) continue;

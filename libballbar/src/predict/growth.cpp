@@ -70,7 +70,7 @@ struct Projection {
   std::vector<Eigen::VectorXd> gains;
 };
 
-Projection projected(const Eigen::VectorXd& of, const Eigen::MatrixXd& base, const Eigen::MatrixXd& effects) {
+Projection projection_of(const Eigen::VectorXd& of, const Eigen::MatrixXd& base, const Eigen::MatrixXd& effects) {
   const Eigen::Index b = base.cols(), p = effects.cols();
   Eigen::MatrixXd columns(base.rows(), b + p);
   columns << base, effects;
@@ -105,7 +105,7 @@ Projection projected(const Eigen::VectorXd& of, const Eigen::MatrixXd& base, con
 }
 
 // The regression on all effects and what it is projected to, from the first rows of the design.
-struct Grown {
+struct ProjectedRegression {
   std::vector<std::size_t> used;  // predictors of the design
   Eigen::VectorXd sd;             // of these
   Projection projection;
@@ -114,8 +114,9 @@ struct Grown {
 };
 
 // held: the base model as fitted to the rows `from`; named_variance: of its terms in that regression.
-Grown grown_from(const Model& base, const Model& held, const Series& data, const Design& of_all,
-                 const std::vector<std::size_t>& from, double named_variance, const std::vector<std::size_t>& asked) {
+ProjectedRegression projected_regression(const Model& base, const Model& held, const Series& data, const Design& of_all,
+                                         const std::vector<std::size_t>& from, double named_variance,
+                                         const std::vector<std::size_t>& asked) {
   const bool is_named = named_variance > 0.0;
   const Design anew = is_named ? with_named(of_all, held, {&data, 1}) : Design{};
   const Design& design = is_named ? anew : of_all;
@@ -132,12 +133,13 @@ Grown grown_from(const Model& base, const Model& held, const Series& data, const
   const Eigen::VectorXd regression_um = (effects * all.gains_um.segment(1, m)).array() + all.gains_um[0];
   // What is written is not centred, which a constant that is held does not take up.
   if (base.constant_um) effects.rowwise() += problem.mean(all.used).cwiseQuotient(problem.sd(all.used)).transpose();
-  Grown grown;
+  ProjectedRegression grown;
   grown.used = all.used;
   grown.used.resize(grown.used.size() - named_in(problem, all));  // they stand in the base
   effects.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(grown.used.size()));
   grown.sd = problem.sd(grown.used);
-  grown.projection = projected((regression_um - columns.held_um).head(n), columns.free.topRows(n), effects.topRows(n));
+  grown.projection =
+      projection_of((regression_um - columns.held_um).head(n), columns.free.topRows(n), effects.topRows(n));
   grown.target_um = design.target_um(asked);
   const auto ahead = static_cast<Eigen::Index>(asked.size());
   grown.regression_um = regression_um.tail(ahead);
@@ -182,7 +184,7 @@ struct ForecastSums {
     for (std::vector<double>* const one : {&square, &absolute, &apart}) one->resize(kSizes[std::size(kSizes) - 1] + 1);
   }
 
-  void add(const Grown& grown) {
+  void add(const ProjectedRegression& grown) {
     rows += static_cast<double>(grown.target_um.size());
     of_regression += (grown.target_um - grown.regression_um).squaredNorm();
     log_rms.emplace_back(static_cast<Eigen::Index>(square.size()));
@@ -271,17 +273,17 @@ Growth growth(const Model& base, const Series& data, std::size_t target,
     say(fmt::format("growing a model for forecast {} of {}", i + 1, folds.size()));
     const Model held = held_at_fit(design.row[folds[i].rows.front()]);
     for (std::size_t u = 0; u < variances.size(); ++u) {
-      tried_sums[u].add(
-          grown_from(base, held, data, design, folds[i].from, variances[u], thinned(folds[i].rows, kRidgeRows)));
+      tried_sums[u].add(projected_regression(base, held, data, design, folds[i].from, variances[u],
+                                             thinned(folds[i].rows, kRidgeRows)));
     }
   }
   const auto best = std::min_element(tried_sums.begin(), tried_sums.end(),
                                      [](const auto& a, const auto& b) { return a.of_regression < b.of_regression; });
   const ForecastSums& sums = *best;
   say("growing the model");
-  const Grown whole =
-      grown_from(base, held_at_fit(data.time_s.size()), data, design, rows,
-                 variances[static_cast<std::size_t>(best - tried_sums.begin())], thinned(rows, kRidgeRows));
+  const ProjectedRegression whole =
+      projected_regression(base, held_at_fit(data.time_s.size()), data, design, rows,
+                           variances[static_cast<std::size_t>(best - tried_sums.begin())], thinned(rows, kRidgeRows));
   const std::size_t tried = whole.projection.order.size();
   Growth result;
   result.origins = folds.size();

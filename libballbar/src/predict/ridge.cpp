@@ -175,7 +175,7 @@ RidgeSetting chosen_setting(const RidgeProblem& problem) {
 namespace {
 
 RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, double start_scale) {
-  struct Tried {
+  struct RatedSetting {
     RidgeSetting setting;
     double score = -std::numeric_limits<double>::infinity();
   };
@@ -185,7 +185,7 @@ RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, do
   const std::vector<unsigned> dictionaries = dictionaries_of(problem);
   // Machines that are alike need next to no spread.
   const int least = problem.start.size() > 0 ? kLeastSpread : kLeastVariance;
-  std::vector<Tried> tried(dictionaries.size() * std::size(kLengths_s));
+  std::vector<RatedSetting> tried(dictionaries.size() * std::size(kLengths_s));
   in_parallel(tried.size(), [&](std::size_t i) {
     const unsigned kinds = dictionaries[i / std::size(kLengths_s)];
     const std::size_t length = i % std::size(kLengths_s);
@@ -219,7 +219,8 @@ RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, do
     }
     tried[i] = {{kinds, std::pow(10.0, 0.5 * best), kLengths_s[length], named_variance, start_scale}, score(best)};
   });
-  return std::max_element(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) { return a.score < b.score; })
+  return std::max_element(tried.begin(), tried.end(),
+                          [](const RatedSetting& a, const RatedSetting& b) { return a.score < b.score; })
       ->setting;
 }
 

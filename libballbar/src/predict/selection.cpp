@@ -19,7 +19,7 @@ constexpr std::size_t kMostSelected = 12;  // of a selection
 constexpr double kSelectionLengths_s[] = {0.0, 1800.0, 7200.0, 30'000.0}, kSelectionVariances[] = {1.0, 3.0, 10.0};
 
 // Whitened by one discrepancy.
-struct Whitened {
+struct WhitenedColumns {
   double length_s = 0.0;
   Eigen::MatrixXd fixed, columns;  // not freed of F
   Eigen::MatrixXd free_columns;
@@ -29,9 +29,9 @@ struct Whitened {
 };
 
 // columns: those of the problem that move.
-Whitened whitened(const RidgeProblem& problem, const Eigen::MatrixXd& columns, double length_s) {
+WhitenedColumns whitened(const RidgeProblem& problem, const Eigen::MatrixXd& columns, double length_s) {
   const Eigen::LLT<Eigen::MatrixXd> root(discrepancy_of(problem.time_s, problem.run, length_s));
-  Whitened of;
+  WhitenedColumns of;
   of.length_s = length_s;
   of.half_log_det = root.matrixLLT().diagonal().array().log().sum();
   of.fixed = root.matrixL().solve(Eigen::MatrixXd::Ones(columns.rows(), 1));
@@ -81,7 +81,7 @@ double p_none(const Eigen::VectorXd& rises, std::size_t candidates) {
 // The predictors that have joined when no more is needed.
 class Selection {
  public:
-  Selection(const Whitened& of, double variance)
+  Selection(const WhitenedColumns& of, double variance)
       : of_(of),
         variance_(variance),
         columns_(of.free_columns, of.free_target),
@@ -151,7 +151,7 @@ class Selection {
     return normal;
   }
 
-  const Whitened& of_;
+  const WhitenedColumns& of_;
   double variance_;
   Scores columns_;
   double sum_, degrees_, log_likelihood_ = 0.0;
@@ -167,7 +167,7 @@ RidgeFit few_effects(const RidgeProblem& problem) {
     if (problem.sd[k] > 0.0) moving.push_back(static_cast<std::size_t>(k));
   }
   const Eigen::MatrixXd columns = problem.columns(Eigen::all, moving);
-  std::vector<Whitened> whitened_by(std::size(kSelectionLengths_s));
+  std::vector<WhitenedColumns> whitened_by(std::size(kSelectionLengths_s));
   in_parallel(whitened_by.size(),
               [&](std::size_t i) { whitened_by[i] = whitened(problem, columns, kSelectionLengths_s[i]); });
   constexpr std::size_t kVariances = std::size(kSelectionVariances);

@@ -72,15 +72,15 @@ void expect_two(std::size_t batches) {
 }
 
 // Row by row: T2 and Q.
-struct Apart {
+struct RangeStatistics {
   Eigen::MatrixXd scores;    // n by p
   Eigen::MatrixXd residual;  // n by m
   Eigen::VectorXd T2, Q_K2;  // n
 };
 
-Apart apart(const TrainedRange& range, const Eigen::MatrixXd& inputs) {
+RangeStatistics range_statistics(const TrainedRange& range, const Eigen::MatrixXd& inputs) {
   const Eigen::MatrixXd centred = inputs.rowwise() - range.mean_degC.transpose();
-  Apart result;
+  RangeStatistics result;
   result.scores = centred * range.loadings;
   result.residual = centred - result.scores * range.loadings.transpose();
   const Eigen::VectorXd inverse = range.variance_K2.unaryExpr([](double d) { return d > 0.0 ? 1.0 / d : 0.0; });
@@ -193,7 +193,7 @@ TrainedRange range_of(const Moments& moments) {
 
 TrainedRange widened(const TrainedRange& range, const Eigen::MatrixXd& inputs) {
   TrainedRange wider = range;
-  const Apart rows = apart(range, inputs);
+  const RangeStatistics rows = range_statistics(range, inputs);
   wider.score_low_K = range.score_low_K.cwiseMin(rows.scores.colwise().minCoeff().transpose());
   wider.score_high_K = range.score_high_K.cwiseMax(rows.scores.colwise().maxCoeff().transpose());
   wider.low_degC = range.low_degC.cwiseMin(inputs.colwise().minCoeff().transpose());
@@ -261,7 +261,7 @@ double ordinary_Q_K2(const TrainedRange& range) {
 
 // Sensors whose reading, replaced by what the others suggest, makes the row ordinary: the fall of Q is
 // e_j' C_jj^-1 e_j with C = I - L L', e = C x (reconstruction-based contribution, Alcala and Qin 2009).
-std::vector<std::string> broken_of(const TemperatureRegression& model, const Apart& rows) {
+std::vector<std::string> broken_of(const TemperatureRegression& model, const RangeStatistics& rows) {
   const auto sensors = static_cast<Eigen::Index>(model.columns.sensors.size());
   const Eigen::Index m = model.range.mean_degC.size();
   const Eigen::MatrixXd c = Eigen::MatrixXd::Identity(m, m) - model.range.loadings * model.range.loadings.transpose();
@@ -303,7 +303,7 @@ double effective_batches(std::span<const double> weights) {
 
 RegressionPrediction predict(const TemperatureRegression& model, const Series& series) {
   const Eigen::MatrixXd inputs = inputs_of(series, model.columns);
-  const Apart rows = apart(model.range, inputs);
+  const RangeStatistics rows = range_statistics(model.range, inputs);
   const Eigen::VectorXd um = (inputs * model.regression.slope_um_per_K).array() + model.regression.intercept_um;
   std::vector<double> weights;
   weights.reserve(model.batches.size());

@@ -11,9 +11,9 @@
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/error.hpp"
 #include "diagnosis/posterior/inference.hpp"
-#include "diagnosis/verdict/begun_terms.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/member_tests.hpp"
+#include "diagnosis/verdict/start_values.hpp"
 #include "fit/machine_error_fit.hpp"
 #include "model/bindings.hpp"
 #include "revision/effect_test_parts.hpp"
@@ -81,7 +81,7 @@ void test_added(Inference& found, const std::vector<Term>& terms, EffectTest& re
       std::max(0.0, log_bayes_factor(*found.problem, found.posterior, set.families) - without);
   const FittedSet fitted = fitted_set(*found.problem, found.posterior, set, true);
   if (others.empty()) result.parameters = fitted.parameters;
-  const SetAt at = set_at(*found.problem, found.posterior, set);
+  const SetRegression at = set_regression(*found.problem, found.posterior, set);
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const std::size_t m = member_of(found, set, bounds[t]);
     Candidate one = tested_member(found, set, fitted, at, m, kSurrogates, kSeed);

@@ -17,12 +17,12 @@ constexpr double kDropTestOfErrors = 0.001;  // p of chi^2, the same of errors o
 constexpr const char* kNotClear = "it is not significant beside the other errors of the axes";
 
 struct Errors {
-  ErrorFitted fitted;
+  JointErrorFit fitted;
   std::vector<RankedError> ranked;
 };
 
 Errors errors_of(const Series& data) {
-  Errors errors{error_fitted(data, MachineErrorOptions{}), {}};
+  Errors errors{joint_error_fit(data, MachineErrorOptions{}), {}};
   errors.ranked = ranked_errors(errors.fitted, error_table(errors.fitted, CyclicOfRuns::larger));
   return errors;
 }

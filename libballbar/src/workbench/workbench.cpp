@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "ballbar/model/measured_input.hpp"
-#include "diagnosis/verdict/begun_terms.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
+#include "diagnosis/verdict/start_values.hpp"
 #include "revision/effect_test_parts.hpp"
 
 namespace ballbar {
@@ -43,7 +43,7 @@ ResidualReport residual_report_of(const Model& model, const Series& data, std::s
 
 // A model with additional effects, their shapes at start values. The fit is not stored: it is large and quick to
 // repeat.
-struct Tried {
+struct TrialModel {
   std::vector<Term> terms;  // as they were given
   Model model;
   double rmse_um = 0.0;
@@ -52,7 +52,7 @@ struct Tried {
 // A model with its results.
 struct Workbench::Step {
   Model model;
-  std::vector<Tried> tried;           // additional effects that were tried
+  std::vector<TrialModel> tried;      // additional effects that were tried
   std::vector<Term> added;            // to the previous step, as given
   std::optional<Inference> of_added;  // of the previous step with these terms; nullopt: its own
   std::optional<Fit> fit;             // as the tests of effects have it
@@ -63,8 +63,9 @@ struct Workbench::Step {
   std::optional<std::optional<Predictability>> predictability;
   std::optional<EffectTest> test;  // of the added terms
 
-  const Tried* find_tried(const std::vector<Term>& terms) const {
-    const auto known = std::find_if(tried.begin(), tried.end(), [&](const Tried& one) { return one.terms == terms; });
+  const TrialModel* find_tried(const std::vector<Term>& terms) const {
+    const auto known =
+        std::find_if(tried.begin(), tried.end(), [&](const TrialModel& one) { return one.terms == terms; });
     return known == tried.end() ? nullptr : &*known;
   }
 };
@@ -133,7 +134,7 @@ const std::optional<Predictability>& Workbench::predictability() {
 std::unique_ptr<Workbench::Step> Workbench::step_with(const std::vector<Term>& terms) {
   auto next = std::make_unique<Step>();
   next->added = terms;
-  if (const Tried* known = now().find_tried(terms)) {
+  if (const TrialModel* known = now().find_tried(terms)) {
     next->model = known->model;
     return next;
   }
@@ -149,7 +150,7 @@ std::unique_ptr<Workbench::Step> Workbench::step_with(const std::vector<Term>& t
 }
 
 double Workbench::rmse_um_with(const std::vector<Term>& terms) {
-  if (const Tried* known = now().find_tried(terms)) return known->rmse_um;
+  if (const TrialModel* known = now().find_tried(terms)) return known->rmse_um;
   const std::unique_ptr<Step> step = step_with(terms);
   const double rmse_um = fit(step->model, *data_, 0, {.among_all_errors = true}).rmse_um;
   if (!step->of_added) now().tried.push_back({terms, std::move(step->model), rmse_um});

@@ -12,15 +12,15 @@ TEST(Orthonormal, has_as_many_columns_as_the_rank) {
   const Eigen::MatrixXd basis = orthonormal(columns);
   ASSERT_EQ(basis.cols(), 2);
   EXPECT_NEAR((basis.transpose() * basis - Eigen::MatrixXd::Identity(2, 2)).norm(), 0.0, 1e-15);
-  EXPECT_NEAR(freed(columns, basis).norm(), 0.0, 1e-14);
+  EXPECT_NEAR(orthogonal_part(columns, basis).norm(), 0.0, 1e-14);
 }
 
 TEST(Orthonormal, of_no_columns_has_none) { EXPECT_EQ(orthonormal(Eigen::MatrixXd(3, 0)).cols(), 0); }
 
 // (1, 2, 3) less its mean 2.
-TEST(Freed, of_a_constant) {
+TEST(OrthogonalPart, of_a_constant) {
   const Eigen::MatrixXd basis = orthonormal(Eigen::MatrixXd::Ones(3, 1));
-  const Eigen::VectorXd left = freed(Eigen::VectorXd(Eigen::Vector3d(1, 2, 3)), basis);
+  const Eigen::VectorXd left = orthogonal_part(Eigen::VectorXd(Eigen::Vector3d(1, 2, 3)), basis);
   EXPECT_NEAR((left - Eigen::Vector3d(-1, 0, 1)).norm(), 0.0, 1e-15);
 }
 

@@ -70,7 +70,7 @@ TEST(ThermalNetwork, HeatIsThatOfTheEndOfTheStep) {
     return (1000.0 * (-T.array() / 10.0).exp()).matrix();
   };
   const ImplicitStep forever(one_body(), kForever_s, falling, degC({10.0}));
-  const Stepped steady = forever.next(degC({10.0}), degC({0.0}), falling);
+  const StepResult steady = forever.next(degC({10.0}), degC({0.0}), falling);
   EXPECT_NEAR(falling(steady.temperature_degC)[0], 10.0 * steady.temperature_degC[0], 1e-6);
   EXPECT_NEAR(steady.heat_W[0], 10.0 * steady.temperature_degC[0], 1e-9);
 }
@@ -81,7 +81,7 @@ TEST(ThermalNetwork, StepConservesEnergy) {
   const Heat heat = [](const Eigen::VectorXd& T) { return degC({50.0 - T[0], 0.0}); };
   const Eigen::VectorXd start = degC({20.0, 35.0});
   for (const double step_s : {1.0, 600.0}) {
-    const Stepped end = ImplicitStep(two, step_s, heat, start).next(start, degC({18.0}), heat);
+    const StepResult end = ImplicitStep(two, step_s, heat, start).next(start, degC({18.0}), heat);
     const double stored_J = two.capacity_J_per_K.dot(end.temperature_degC - start);
     const double given_J = given_W(two, end.temperature_degC, degC({18.0}))[0] * step_s;
     EXPECT_NEAR(stored_J, end.heat_W.sum() * step_s - given_J, 1e-8) << step_s;

@@ -10,8 +10,8 @@
 namespace ballbar {
 namespace {
 
-using blind::Drawn;
-using blind::Hidden;
+using blind::DrawnSet;
+using blind::HiddenEffect;
 using blind::Random;
 using blind::Scatter;
 using blind::Source;
@@ -87,11 +87,11 @@ double cosine(const std::vector<double>& a, const std::vector<double>& b) {
 
 // Takes hidden signals as `next` offers them, each scaled to a d, until there are enough; false where there never are.
 template <class Next>
-bool hide(Drawn& drawn, std::size_t count, const Fit& base, const Noise& noise, Random& random, Next next) {
+bool hide(DrawnSet& drawn, std::size_t count, const Fit& base, const Noise& noise, Random& random, Next next) {
   BlindSet& set = drawn.set;
   std::vector<std::vector<double>> taken;
   for (int tries = 0; set.hidden_um.size() < count && tries < kMostTries; ++tries) {
-    std::optional<Hidden> hidden = next();
+    std::optional<HiddenEffect> hidden = next();
     if (!hidden) continue;
     Survival survival = survival_of(hidden->signal_um, base, noise);
     if (!(survival.share > kLeastShare) || !std::isfinite(survival.d)) continue;
@@ -116,7 +116,7 @@ bool hide(Drawn& drawn, std::size_t count, const Fit& base, const Noise& noise, 
 // Two sensors that log the same; a load in proportion to the only speed; a difference to a constant room.
 enum class Twins { sensors, load, room };
 
-std::optional<Hidden> twin_effect(Twins twins, const Catalogue& catalogue, const Series& logged, Random& random) {
+std::optional<HiddenEffect> twin_effect(Twins twins, const Catalogue& catalogue, const Series& logged, Random& random) {
   const auto of = [&](std::string_view effect, std::vector<std::string> columns) {
     return bound_of(term_of(effect, std::move(columns), Level::series, catalogue));
   };
@@ -132,11 +132,11 @@ std::optional<Hidden> twin_effect(Twins twins, const Catalogue& catalogue, const
   }
   Injection injection = blind::drawn_injection(bound, logged, random);
   if (twins != Twins::room) {
-    return Hidden{label_of(bound), bound, {}, signal_of(injection, logged), blind::again(injection, logged)};
+    return HiddenEffect{label_of(bound), bound, {}, signal_of(injection, logged), blind::again(injection, logged)};
   }
   // The room does not move: the same as the other temperature alone.
   const BoundEffect alone = of("lagged_expansion", {"T_front_degC"});
-  return Hidden{
+  return HiddenEffect{
       label_of(bound), bound, {}, signal_of({alone, injection.parameters}, logged), blind::again(injection, logged)};
 }
 
@@ -148,13 +148,13 @@ blind::Adds again(Model model, std::vector<FittedParameter> parameters) {
   };
 }
 
-std::vector<double> sum_of_others(const Series& causes, std::string_view target, const Hidden& cause) {
+std::vector<double> sum_of_others(const Series& causes, std::string_view target, const HiddenEffect& cause) {
   std::vector<double> sum = find_column(causes, target)->values;
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] -= cause.signal_um[i];
   return sum;
 }
 
-bool fill(Drawn& drawn, BlindKind kind, const Catalogue& catalogue, Random& random) {
+bool fill(DrawnSet& drawn, BlindKind kind, const Catalogue& catalogue, Random& random) {
   BlindSet& set = drawn.set;
   set.answer.kind = kind;
   const std::string target = blind::chance(random, 0.5) ? "y_um" : "z_um";
@@ -173,11 +173,11 @@ bool fill(Drawn& drawn, BlindKind kind, const Catalogue& catalogue, Random& rand
   if (kind == BlindKind::spindle) {
     set.model.targets = {target};
     set.model.terms = {friction_heat(catalogue)};
-    for (const Hidden& cause : blind::drawn_causes(catalogue, workshop, target, random)) {
+    for (const HiddenEffect& cause : blind::drawn_causes(catalogue, workshop, target, random)) {
       const Fit base = base_fit(set.model, set.data, sum_of_others(workshop.causes, target, cause));
       set.clean_um = base.predicted_um;
       bool offered = false;
-      const auto next = [&]() -> std::optional<Hidden> {
+      const auto next = [&]() -> std::optional<HiddenEffect> {
         if (offered) return std::nullopt;
         offered = true;
         return cause;
@@ -200,7 +200,7 @@ bool fill(Drawn& drawn, BlindKind kind, const Catalogue& catalogue, Random& rand
     set.clean_um = clean_of(set.model, set.data, drawn.sources, random);
     const Fit base = base_fit(set.model, set.data, set.clean_um);
     const std::size_t count = kind == BlindKind::nothing ? 0 : kind == BlindKind::two ? 2 : 1;
-    const auto next = [&]() -> std::optional<Hidden> {
+    const auto next = [&]() -> std::optional<HiddenEffect> {
       if (kind == BlindKind::outside) return blind::drawn_outsider(workshop.sensors, random);
       if (kind == BlindKind::inseparable) return twin_effect(twins, catalogue, set.data, random);
       return blind::drawn_effect(catalogue, set.model, set.data, random);
@@ -246,11 +246,11 @@ BlindSet blind_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogu
   return blind::drawn_set(kind, seed, catalogue).set;
 }
 
-blind::Drawn blind::drawn_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogue) {
+blind::DrawnSet blind::drawn_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogue) {
   // A draw in which nothing can be hidden (all at rest, say) is drawn again.
   for (std::uint64_t attempt = 0;; ++attempt) {
     Random random = simulation::stream_of(seed, simulation::Stream::blind_set, attempt);
-    Drawn drawn;
+    DrawnSet drawn;
     if (fill(drawn, kind, catalogue, random)) return drawn;
   }
 }

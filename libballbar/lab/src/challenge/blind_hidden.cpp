@@ -15,12 +15,13 @@ const std::vector<double>& values_of(const Series& series, std::string_view colu
 }
 
 // A machine that nobody logs, and how slowly what it heats follows.
-struct Unlogged {
+struct UnloggedMachine {
   double follows_s = 0.0, stays_s = 0.0;
 };
 
 // A drive of 0 and 1 at times of its own, seen through that body.
-std::vector<double> unlogged_machine(const Unlogged& machine, const std::vector<double>& time_s, Random& random) {
+std::vector<double> unlogged_machine(const UnloggedMachine& machine, const std::vector<double>& time_s,
+                                     Random& random) {
   std::vector<double> signal;
   double on = 0.0, state = 0.0, last_s = time_s.front();
   double next_s = time_s.front() + machine.stays_s * between(random, 0.3, 1.7);
@@ -163,8 +164,8 @@ Adds again(Injection injection, const Series& logged) {
   };
 }
 
-std::optional<Hidden> drawn_effect(const Catalogue& catalogue, const Model& model, const Series& logged,
-                                   Random& random) {
+std::optional<HiddenEffect> drawn_effect(const Catalogue& catalogue, const Model& model, const Series& logged,
+                                         Random& random) {
   std::vector<const Effect*> hidden;
   for (const auto& effect : catalogue) {
     if (effect->level == Level::series && effect->rules.is_common) hidden.push_back(effect.get());
@@ -181,13 +182,13 @@ std::optional<Hidden> drawn_effect(const Catalogue& catalogue, const Model& mode
     return std::nullopt;  // a threshold of a signal that never rises
   }
   std::vector<double> signal = signal_of(injection, logged);
-  return Hidden{label_of(bound), bound, {}, std::move(signal), again(injection, logged)};
+  return HiddenEffect{label_of(bound), bound, {}, std::move(signal), again(injection, logged)};
 }
 
-Hidden drawn_outsider(const Series& sensors, Random& random) {
+HiddenEffect drawn_outsider(const Series& sensors, Random& random) {
   const auto hidden = [&](std::string what, auto signal_on) {
     const Adds again = [signal_on](const Workshop& run, Random& other) { return signal_on(run.sensors, other); };
-    return Hidden{std::move(what), std::nullopt, {}, signal_on(sensors, random), again};
+    return HiddenEffect{std::move(what), std::nullopt, {}, signal_on(sensors, random), again};
   };
   switch (index_below(random, 4)) {
     case 0:
@@ -214,11 +215,11 @@ Hidden drawn_outsider(const Series& sensors, Random& random) {
                 [at_rpm](const Series& run, Random&) { return resonance(run, at_rpm); });
 }
 
-std::vector<Hidden> drawn_causes(const Catalogue& catalogue, const Workshop& workshop, std::string_view target,
-                                 Random& random) {
+std::vector<HiddenEffect> drawn_causes(const Catalogue& catalogue, const Workshop& workshop, std::string_view target,
+                                       Random& random) {
   std::vector<SpindlePart> parts = parts_of(target);
   for (std::size_t i = parts.size(); i > 1; --i) std::swap(parts[i - 1], parts[index_below(random, i)]);
-  std::vector<Hidden> causes;
+  std::vector<HiddenEffect> causes;
   causes.reserve(parts.size());
   for (const SpindlePart& part : parts) {
     const std::string_view name = part.column.substr(0, part.column.size() - 3);  // without its unit

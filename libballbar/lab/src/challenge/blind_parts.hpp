@@ -96,7 +96,7 @@ using Adds = std::function<std::vector<double>(const Workshop& run, Random& rand
 // An effect that is drawn on `logged`, in another run: places of a temperature stay where they were.
 Adds again(Injection injection, const Series& logged);
 
-struct Hidden {
+struct HiddenEffect {
   std::string what;
   std::optional<BoundEffect> bound;     // of the catalogue
   std::vector<BoundEffect> match = {};  // spindle
@@ -105,29 +105,29 @@ struct Hidden {
 };
 
 // An effect of the catalogue that the logged columns drive and the model lacks; nothing where the draw does not suit.
-std::optional<Hidden> drawn_effect(const Catalogue& catalogue, const Model& model, const Series& logged,
-                                   Random& random);
+std::optional<HiddenEffect> drawn_effect(const Catalogue& catalogue, const Model& model, const Series& logged,
+                                         Random& random);
 
 // Beyond the catalogue. Evaluated on the true sensors.
-Hidden drawn_outsider(const Series& sensors, Random& random);
+HiddenEffect drawn_outsider(const Series& sensors, Random& random);
 
 // Causes of the spindle that may be hidden in that target, in drawn order.
-std::vector<Hidden> drawn_causes(const Catalogue& catalogue, const Workshop& workshop, std::string_view target,
-                                 Random& random);
+std::vector<HiddenEffect> drawn_causes(const Catalogue& catalogue, const Workshop& workshop, std::string_view target,
+                                       Random& random);
 
 // A set and all that it was drawn from.
 struct Source {
   Adds adds;
   double scale = 1.0;
 };
-struct Drawn {
+struct DrawnSet {
   BlindSet set;
   Workshop workshop;
   Scatter scatter;
   std::vector<Source> sources;
   bool head_twice = false;  // two columns of one sensor
 };
-Drawn drawn_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogue);
+DrawnSet drawn_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogue);
 
 // Logs the head twice.
 void log_twice(Series& logged, const Series& sensors);

@@ -44,7 +44,7 @@ double to_and_fro(const std::vector<double>& time_s, const std::vector<double>& 
 
 Series next_run(BlindKind kind, std::uint64_t seed, const Schedule& schedule, std::uint64_t number,
                 const Catalogue& catalogue) {
-  const blind::Drawn first = blind::drawn_set(kind, seed, catalogue);
+  const blind::DrawnSet first = blind::drawn_set(kind, seed, catalogue);
   blind::Random random = simulation::stream_of(seed, simulation::Stream::blind_run, number);
   const double offset_um = blind::between(random, -blind::kLargestOffset_um, blind::kLargestOffset_um);
   blind::AnotherRun another = blind::workshop_under(schedule, first.workshop, random);

@@ -121,7 +121,7 @@ class Machine {
       if (chilled) heat_W[cells_.tank()] -= spindle_.chiller_W;
       return heat_W;
     };
-    const thermal::Stepped stepped = implicit_->next(temperature_degC_, surroundings_degC, heat);
+    const thermal::StepResult stepped = implicit_->next(temperature_degC_, surroundings_degC, heat);
     temperature_degC_ = stepped.temperature_degC;
     expect_finite();
     stale_ = stepped.repetitions > kManyRepetitions;

@@ -43,13 +43,13 @@ ImplicitStep::ImplicitStep(const Network& network, double step_s, const Heat& he
       factored_(matrix_of(network, stored_W_per_K_ + slope_W_per_K_)) {}
 
 // (C/dt + G + s) T' = C/dt T + G_b T_b + q(T'') + s T'', T'' the T' of the last repetition
-Stepped ImplicitStep::next(const Eigen::VectorXd& temperature_degC, const Eigen::VectorXd& surroundings_degC,
-                           const Heat& heat) const {
+StepResult ImplicitStep::next(const Eigen::VectorXd& temperature_degC, const Eigen::VectorXd& surroundings_degC,
+                              const Heat& heat) const {
   Eigen::VectorXd given = stored_W_per_K_.cwiseProduct(temperature_degC);
   for (const auto& [node, surroundings, conductance] : outlets_) {
     given[node] += conductance * surroundings_degC[surroundings];
   }
-  Stepped stepped;
+  StepResult stepped;
   stepped.temperature_degC = temperature_degC;
   for (double change_K = 1.0; change_K > kSmall_K && stepped.repetitions < kMostRepetitions; ++stepped.repetitions) {
     const Eigen::VectorXd before = stepped.temperature_degC;

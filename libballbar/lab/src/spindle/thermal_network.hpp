@@ -35,7 +35,7 @@ struct Network {
 // n watts of n temperatures: q_i depends on T_i alone and does not rise with it.
 using Heat = std::function<Eigen::VectorXd(const Eigen::VectorXd& temperature_degC)>;
 
-struct Stepped {
+struct StepResult {
   Eigen::VectorXd temperature_degC;
   Eigen::VectorXd heat_W;  // as the balance of the step used it
   int repetitions = 0;
@@ -48,8 +48,8 @@ class ImplicitStep {
   ImplicitStep(const Network& network, double step_s, const Heat& heat, const Eigen::VectorXd& temperature_degC);
 
   // surroundings_degC: at the end of the step.
-  Stepped next(const Eigen::VectorXd& temperature_degC, const Eigen::VectorXd& surroundings_degC,
-               const Heat& heat) const;
+  StepResult next(const Eigen::VectorXd& temperature_degC, const Eigen::VectorXd& surroundings_degC,
+                  const Heat& heat) const;
 
  private:
   Eigen::VectorXd stored_W_per_K_;  // C / dt

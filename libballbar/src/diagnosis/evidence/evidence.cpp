@@ -29,14 +29,14 @@ double log_sum(std::span<const double> logarithms) {
   return most + std::log(sum);
 }
 
-double Solved::log_likelihood(double square_left) const {
+double LinearSolution::log_likelihood(double square_left) const {
   const double least = 1e-12 * square + 1e-300;
   return -0.5 * (degrees + known.readings) * std::log(std::max(square_left, least) + known.readings * known.variance);
 }
 
-Solved solved(const Gram& gram, const Line& line, const KnownScatter& known) {
+LinearSolution linear_solution(const Gram& gram, const Line& line, const KnownScatter& known) {
   const auto p = static_cast<Eigen::Index>(line.columns.size());
-  Solved result;
+  LinearSolution result;
   result.known = known;
   const double n_free = static_cast<double>(std::count(line.is_free.begin(), line.is_free.end(), char{1}));
   const Eigen::MatrixXd xx = gram.pool(line.columns, line.columns);
@@ -72,6 +72,6 @@ Solved solved(const Gram& gram, const Line& line, const KnownScatter& known) {
   return result;
 }
 
-double log_evidence(const Solved& base) { return base.constant + base.log_likelihood(base.square); }
+double log_evidence(const LinearSolution& base) { return base.constant + base.log_likelihood(base.square); }
 
 }  // namespace ballbar

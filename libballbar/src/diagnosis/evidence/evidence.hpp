@@ -40,7 +40,7 @@ struct KnownScatter {
   double readings = 0.0, variance = 0.0;
 };
 
-struct Solved {
+struct LinearSolution {
   double constant = 0.0;  // part of ln p without the scatter
   double degrees = 0.0;   // nu
   double square = 0.0;    // S
@@ -50,8 +50,8 @@ struct Solved {
 
   double log_likelihood(double square_left) const;
 };
-Solved solved(const Gram& gram, const Line& line, const KnownScatter& known);
+LinearSolution linear_solution(const Gram& gram, const Line& line, const KnownScatter& known);
 
-double log_evidence(const Solved& solved);
+double log_evidence(const LinearSolution& solved);
 
 }  // namespace ballbar

@@ -73,7 +73,7 @@ Survival survival_of(std::span<const double> signal_um, const Fit& fit, const No
   Eigen::VectorXd white(static_cast<Eigen::Index>(fit.row.size()));
   for (std::size_t i = 0; i < fit.row.size(); ++i) white[static_cast<Eigen::Index>(i)] = signal_um[fit.row[i]];
   whitening.apply(white.data(), 1, white.data(), 1);
-  const Eigen::VectorXd left = freed(white, basis);
+  const Eigen::VectorXd left = orthogonal_part(white, basis);
   const double whole = white.squaredNorm();
   return {{left.begin(), left.end()}, left.norm(), whole > 0.0 ? left.squaredNorm() / whole : 0.0};
 }

@@ -254,7 +254,7 @@ double distance(const Eigen::MatrixXd& factor, Eigen::Index signal, const std::v
   basis = orthonormal(basis);
   const Eigen::VectorXd a = factor.col(signal);
   // Twice, for accuracy.
-  return freed(freed(a, basis), basis).norm();
+  return orthogonal_part(orthogonal_part(a, basis), basis).norm();
 }
 
 }  // namespace ballbar

@@ -151,10 +151,10 @@ void add_inseparable_by_model(const SimulatedTests& design, const Diagnosis& now
   }
   for (std::size_t a = 0; a < curves.size(); ++a) {
     std::vector<BoundEffect> group{curves[a].effect};
-    const Eigen::VectorXd own = freed(curves[a].um, curves[a].basis);
+    const Eigen::VectorXd own = orthogonal_part(curves[a].um, curves[a].basis);
     for (std::size_t b = 0; b < curves.size(); ++b) {
       if (a == b) continue;
-      const Eigen::VectorXd other = freed(curves[b].um, curves[a].basis);
+      const Eigen::VectorXd other = orthogonal_part(curves[b].um, curves[a].basis);
       const double both = own.norm() * other.norm();
       if (both > 0.0 && std::abs(own.dot(other)) > kTheSame * both) group.push_back(curves[b].effect);
     }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "diagnosis/posterior/set_at.hpp"
+#include "diagnosis/posterior/set_regression.hpp"
 #include "model/model_rows.hpp"
 #include "numerics/random_streams.hpp"
 
@@ -77,7 +77,7 @@ const Truths::Fitted& Truths::fitted(std::size_t set) const {
   Fitted result;
   result.set = fitted_set(*inference_.problem, posterior, one, false);
   result.noise = result.slow = posterior.points[one.point].covariance;
-  result.variance = set_at(*inference_.problem, posterior, one).variance;
+  result.variance = set_regression(*inference_.problem, posterior, one).variance;
   for (const Point& point : posterior.points) {
     if (!(result.slow.slow > 0.0) && point.covariance.slow > 0.0) result.slow = point.covariance;
   }
@@ -86,11 +86,11 @@ const Truths::Fitted& Truths::fitted(std::size_t set) const {
 
 std::vector<Truth> Truths::drawn(std::size_t count, std::mt19937_64& random) const {
   const Posterior& posterior = inference_.posterior;
-  struct Weighted {
+  struct WeightedTruth {
     Truth truth;
     double weight;
   };
-  std::vector<Weighted> all;
+  std::vector<WeightedTruth> all;
   double sum = 0.0;
   for (std::size_t s = 0; s < posterior.sets.size(); ++s) {
     const EffectSet& set = posterior.sets[s];

@@ -28,13 +28,13 @@ constexpr double kLeastRival = 1e-3;       // P of one
 constexpr std::size_t kMostRounds = 3;     // of such replacements
 
 // ln of the evidence ratio of one shape against none, and the posterior of its gains given that shape.
-struct OfShape {
+struct ShapeEvidence {
   double log_ratio = kLogZero;
   double along = 0.0, square = 0.0;  // mean of r' b and of |X b|^2
 };
 
 // ln of the weights of the gains of a column.
-struct OfGains {
+struct GainWeights {
   double z2 = 0.0, most = kLogZero;
   std::array<double, kGainSizes.size()> weight;
 };
@@ -53,8 +53,8 @@ const std::array<GainSize, kGainSizes.size()> kGains = [] {
 }();
 
 // r' x with a column over the root of the scatter's variance, and |x|^2.
-OfGains gains_of_column(double r, double left) {
-  OfGains result;
+GainWeights gains_of_column(double r, double left) {
+  GainWeights result;
   result.z2 = r * r / left;
   for (std::size_t k = 0; k < kGains.size(); ++k) {
     result.weight[k] = 0.5 * result.z2 * kGains[k].shrink - kGains[k].half_log_width;
@@ -63,8 +63,8 @@ OfGains gains_of_column(double r, double left) {
   return result;
 }
 
-OfShape of_column(const OfGains& gains) {
-  OfShape result;
+ShapeEvidence of_column(const GainWeights& gains) {
+  ShapeEvidence result;
   double sum = 0.0, along = 0.0, square = 0.0;
   for (std::size_t k = 0; k < kGains.size(); ++k) {
     if (gains.weight[k] < gains.most - kNothingToDouble) continue;
@@ -79,12 +79,12 @@ OfShape of_column(const OfGains& gains) {
   return result;
 }
 
-struct OfBlock {
-  OfShape of_shape;
+struct BlockEvidence {
+  ShapeEvidence of_shape;
   Eigen::VectorXd mean;  // coefficients
 };
 
-OfBlock of_block(const BlockProduct& block, const Eigen::VectorXd& r, double variance) {
+BlockEvidence of_block(const BlockProduct& block, const Eigen::VectorXd& r, double variance) {
   const double sigma = std::sqrt(variance);
   const auto w = static_cast<double>(block.values.size());
   const Eigen::VectorXd turned = block.vectors.transpose() * (r.cwiseQuotient(block.length) / sigma);
@@ -107,7 +107,7 @@ OfBlock of_block(const BlockProduct& block, const Eigen::VectorXd& r, double var
     square += p * (block.values.array() * ((shrink * turned.array()).square() + shrink)).sum();
   }
   mean /= sum;
-  OfBlock result;
+  BlockEvidence result;
   result.of_shape.log_ratio = most + std::log(sum / static_cast<double>(kGainSizes.size()));
   result.of_shape.along = (mean * turned.array()).sum();
   result.of_shape.square = square / sum;
@@ -116,14 +116,14 @@ OfBlock of_block(const BlockProduct& block, const Eigen::VectorXd& r, double var
 }
 
 // Some identities: their shapes, and the columns of these.
-struct Chosen {
+struct IdentitySubset {
   std::vector<char> identity;
   std::vector<std::size_t> shapes;
   std::vector<ColumnSpan> columns;
 };
 
-Chosen chosen(const Identities& identities, const auto& is_chosen) {
-  Chosen result;
+IdentitySubset chosen(const Identities& identities, const auto& is_chosen) {
+  IdentitySubset result;
   const Eigen::Index c = identities.columns.cols();
   for (std::size_t i = 0; i < identities.log_prior.size(); ++i) {
     result.identity.push_back(is_chosen(i) ? 1 : 0);
@@ -145,18 +145,18 @@ Chosen chosen(const Identities& identities, const auto& is_chosen) {
 }
 
 // Fits one single effect to r = X' (residual of the others).
-SingleEffect fitted_to(ColumnsAt& at, const Identities& identities, const Chosen& among, const SinglePrior& prior,
-                       const Eigen::VectorXd& r, double variance) {
-  struct Weighed {
+SingleEffect fitted_to(ColumnsAt& at, const Identities& identities, const IdentitySubset& among,
+                       const SinglePrior& prior, const Eigen::VectorXd& r, double variance) {
+  struct WeightedShape {
     std::size_t shape = 0;
-    OfGains gains;          // of a column
+    GainWeights gains;      // of a column
     std::size_t block = 0;  // else its place
     double log_prior = kLogZero, log_weight = kLogZero;
-    OfShape of;
+    ShapeEvidence of;
   };
-  std::vector<Weighed> all;
+  std::vector<WeightedShape> all;
   all.reserve(among.shapes.size());
-  std::vector<OfBlock> of_blocks;
+  std::vector<BlockEvidence> of_blocks;
   const double over_sigma = 1.0 / std::sqrt(variance);
   // ln of the sum of the weights of the gains is between that of the heaviest over their number and itself.
   static const double log_gains = std::log(static_cast<double>(kGains.size()));
@@ -166,7 +166,7 @@ SingleEffect fitted_to(ColumnsAt& at, const Identities& identities, const Chosen
     const Shape& shape = identities.shapes[s];
     const double log_prior = prior.log_identity[shape.identity] + shape.log_prior;
     if (log_prior == kLogZero) continue;
-    Weighed one{s, {}, 0, log_prior, kLogZero, {}};
+    WeightedShape one{s, {}, 0, log_prior, kLogZero, {}};
     if (shape.width > 1) {
       if (!(at.left.segment(shape.first, shape.width).maxCoeff() > 0.0)) continue;
       one.block = of_blocks.size();
@@ -187,7 +187,7 @@ SingleEffect fitted_to(ColumnsAt& at, const Identities& identities, const Chosen
     all.push_back(one);
   }
   double most = prior.log_none;
-  for (Weighed& one : all) {
+  for (WeightedShape& one : all) {
     const Shape& shape = identities.shapes[one.shape];
     if (shape.width == 1) {
       const double at_most = one.log_prior + one.gains.most;
@@ -207,14 +207,14 @@ SingleEffect fitted_to(ColumnsAt& at, const Identities& identities, const Chosen
     return result;
   }
   double any = 0.0;
-  for (const Weighed& one : all) {
+  for (const WeightedShape& one : all) {
     if (one.log_weight > most - kNothingToDouble) any += std::exp(one.log_weight - most);
   }
   const double none = prior.log_none == kLogZero ? 0.0 : std::exp(prior.log_none - most), total = any + none;
   // If none of them is near, all together are negligible against none.
   result.log_weight = std::log(any) - std::log(none);
   double expected = 0.0;
-  for (const Weighed& one : all) {
+  for (const WeightedShape& one : all) {
     if (one.log_weight == kLogZero) continue;
     const Shape& shape = identities.shapes[one.shape];
     std::size_t& likeliest = result.likeliest[shape.identity];
@@ -278,7 +278,7 @@ const SinglePrior& prior_of(const AscentOptions& options, std::size_t l) {
   return options.priors[std::min(l, options.priors.size() - 1)];
 }
 
-void fit_again(ColumnsAt& at, const Identities& identities, const Chosen& among, const SinglePrior& prior,
+void fit_again(ColumnsAt& at, const Identities& identities, const IdentitySubset& among, const SinglePrior& prior,
                Ascent& ascent, std::size_t l) {
   Eigen::VectorXd r = at.along;
   if (ascent.effects.size() > 1) r -= at.products(sum_of(ascent.effects, at, l), among.columns);
@@ -298,14 +298,14 @@ void settle(ColumnsAt& at, Ascent& ascent, double variance) {
   for (SingleEffect& one : ascent.effects) one.curve = at.curve_of(one.mean);
 }
 
-void sweep(ColumnsAt& at, const Identities& identities, const Chosen& among, const AscentOptions& options,
+void sweep(ColumnsAt& at, const Identities& identities, const IdentitySubset& among, const AscentOptions& options,
            Ascent& ascent) {
   for (std::size_t l = 0; l < ascent.effects.size(); ++l)
     fit_again(at, identities, among, prior_of(options, l), ascent, l);
 }
 
 // Identities that no prior of a single effect forbids.
-Chosen all_of(const Identities& identities, const AscentOptions& options) {
+IdentitySubset all_of(const Identities& identities, const AscentOptions& options) {
   return chosen(identities, [&](std::size_t i) {
     return std::any_of(options.priors.begin(), options.priors.end(),
                        [&](const SinglePrior& one) { return one.log_identity[i] > kLogZero; });
@@ -313,8 +313,8 @@ Chosen all_of(const Identities& identities, const AscentOptions& options) {
 }
 
 // The likely identities of each single effect.
-std::vector<Chosen> likely_of(const Identities& identities, const Ascent& ascent) {
-  std::vector<Chosen> likely;
+std::vector<IdentitySubset> likely_of(const Identities& identities, const Ascent& ascent) {
+  std::vector<IdentitySubset> likely;
   for (const SingleEffect& one : ascent.effects)
     likely.push_back(chosen(identities, [&](std::size_t i) { return one.p[i] > kLeftOut; }));
   return likely;
@@ -322,11 +322,11 @@ std::vector<Chosen> likely_of(const Identities& identities, const Ascent& ascent
 
 // Sweeps until the bound rises no more, the scatter with it: the first one over all identities, the others over those
 // that are likely after it, which are returned. What is known of the line is about nearly the same scatter.
-std::vector<Chosen> converge(ColumnsAt& at, const Identities& identities, const Chosen& all,
-                             const AscentOptions& options, Ascent& ascent) {
+std::vector<IdentitySubset> converge(ColumnsAt& at, const Identities& identities, const IdentitySubset& all,
+                                     const AscentOptions& options, Ascent& ascent) {
   const KnownScatter& known = options.known;
   double last = kLogZero;
-  std::vector<Chosen> likely;
+  std::vector<IdentitySubset> likely;
   for (int n = 0; n < kMostSweeps; ++n) {
     if (n == 0) {
       sweep(at, identities, all, options, ascent);
@@ -356,7 +356,7 @@ void add_empty(const ColumnsAt& at, Ascent& ascent) {
 }
 
 // P of what was left out of a single effect, of the one where it is largest.
-double largest_beside(const std::vector<Chosen>& likely, const Ascent& ascent) {
+double largest_beside(const std::vector<IdentitySubset>& likely, const Ascent& ascent) {
   double largest = 0.0;
   for (std::size_t l = 0; l < likely.size(); ++l) {
     const SingleEffect& one = ascent.effects[l];
@@ -381,9 +381,9 @@ Ascent ascended(ColumnsAt& at, const Identities& identities, const AscentOptions
   }
   settle(at, ascent, std::max(ascent.variance, options.least_variance));
   while (ascent.effects.size() < options.least) add_empty(at, ascent);
-  const Chosen all = all_of(identities, options);
+  const IdentitySubset all = all_of(identities, options);
   for (int look = 0; look < kMostChecks; ++look) {
-    std::vector<Chosen> likely = converge(at, identities, all, options, ascent);
+    std::vector<IdentitySubset> likely = converge(at, identities, all, options, ascent);
     while (ascent.effects.size() < options.largest) {
       if (ascent.effects.size() > options.least && ascent.effects.back().p_any() < 0.5) break;
       add_empty(at, ascent);
@@ -413,7 +413,7 @@ Ascent ascended_with(ColumnsAt& at, const Identities& identities, const AscentOp
   alone.log_none = kLogZero;
   const auto is_it = [&](std::size_t i) { return i == identity; };
   fit_again(at, identities, chosen(identities, is_it), alone, start, l);
-  const Chosen all = all_of(identities, options);
+  const IdentitySubset all = all_of(identities, options);
   for (std::size_t j = 0; j < start.effects.size(); ++j) {
     if (j != l) fit_again(at, identities, all, prior_of(options, j), start, j);
   }

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ballbar/diagnosis/thresholds.hpp"
-#include "diagnosis/evidence/refined.hpp"
+#include "diagnosis/evidence/gauss_newton_fit.hpp"
 
 namespace ballbar {
 namespace {
@@ -104,7 +104,7 @@ ConditionalFit conditional_fit(const Problem& problem, const Variant& variant,
     const Variant with = with_signatures(
         problem, {variant.own, {}, {}, pool_of(columns, variant.times), line_of(columns, times, 0)}, signatures);
     const Gram gram = gram_of(point.filter, with.pool);
-    const Solved solution = solved(gram, with.line, problem.known);
+    const LinearSolution solution = linear_solution(gram, with.line, problem.known);
     conditional.coefficients = solution.coefficients.tail(solution.coefficients.size() - columns.values.cols() - times);
     double largest = 0.0;
     for (std::size_t k = 0; k < columns.columns.size(); ++k) {
@@ -127,8 +127,8 @@ ConditionalFit conditional_fit(const Problem& problem, const Variant& variant,
 ConditionalFit sharpened(Problem& problem, const Variant& variant, ConditionalFit conditional, const Point& point) {
   const auto [model, start] = with_effects(problem, conditional);
   const BaseModel with(model, problem.logged, problem.y, problem.base.row);
-  const Refined best =
-      refined(with, start, free_of(problem, variant.own), variant.times, point.filter, problem.known, {kStepsOfSet});
+  const GaussNewtonFit best = gauss_newton_fit(with, start, free_of(problem, variant.own), variant.times, point.filter,
+                                               problem.known, {kStepsOfSet});
   return taken_over(problem, std::move(conditional), best.parameters);
 }
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "diagnosis/posterior/identities.hpp"
-#include "diagnosis/posterior/set_at.hpp"
+#include "diagnosis/posterior/set_regression.hpp"
 #include "diagnosis/posterior/shock.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "fit/model_columns.hpp"
@@ -27,7 +27,7 @@ constexpr std::size_t kValuesForAnEffect = 4;  // rows beyond the model's
 constexpr double kStill_um = 1e-9;             // rms of constant readings
 
 // Whether rows at the ends of jumps show what a clock that is late would.
-bool has_late_clock(const Problem& problem, const Posterior& posterior, const SetAt& at) {
+bool has_late_clock(const Problem& problem, const Posterior& posterior, const SetRegression& at) {
   const Fit& base = problem.base;
   std::map<std::size_t, Eigen::Index> place;
   for (std::size_t i = 0; i < base.row.size(); ++i) place[base.row[i]] = static_cast<Eigen::Index>(i);
@@ -47,8 +47,8 @@ bool has_late_clock(const Problem& problem, const Posterior& posterior, const Se
   if (column == 0) return false;
   const Whitening& filter = posterior.points[posterior.sets[posterior.best].point].filter;
   const Eigen::MatrixXd basis = orthonormal(at.white_columns());
-  const Eigen::VectorXd r = freed(at.white_y, basis);
-  const Eigen::MatrixXd left = freed(at.white(filter, pulses.leftCols(column)), basis);
+  const Eigen::VectorXd r = orthogonal_part(at.white_y, basis);
+  const Eigen::MatrixXd left = orthogonal_part(at.white(filter, pulses.leftCols(column)), basis);
   for (Eigen::Index k = 0; k < column; ++k) {
     const double square = left.col(k).squaredNorm();
     if (square > 1e-9 && std::pow(left.col(k).dot(r), 2) / square / at.variance > kLateClock) return true;
@@ -57,19 +57,19 @@ bool has_late_clock(const Problem& problem, const Posterior& posterior, const Se
 }
 
 // What a set without these members leaves, white, in units of the scatter.
-Eigen::VectorXd left_by(const SetAt& at, const std::vector<std::size_t>& without) {
+Eigen::VectorXd left_by(const SetRegression& at, const std::vector<std::size_t>& without) {
   Eigen::MatrixXd all = at.white_line;
   for (std::size_t m = 0; m < at.first.size(); ++m) {
     if (std::find(without.begin(), without.end(), m) != without.end()) continue;
     all.conservativeResize(Eigen::NoChange, all.cols() + at.width[m]);
     all.rightCols(at.width[m]) = at.white_members.middleCols(at.first[m], at.width[m]);
   }
-  return freed(at.white_y, orthonormal(all)).head(at.y.size()) / std::sqrt(at.variance);
+  return orthogonal_part(at.white_y, orthonormal(all)).head(at.y.size()) / std::sqrt(at.variance);
 }
 
 // Readings far from the others count less, as in Student's t with four degrees of freedom. A jump that may be one large
 // change of the noise is such a reading. False: there are none.
-bool weigh_down_outliers(Problem& problem, const Posterior& posterior, const EffectSet& set, const SetAt& at) {
+bool weigh_down_outliers(Problem& problem, const Posterior& posterior, const EffectSet& set, const SetRegression& at) {
   if (!has_heavy_tails(left_by(at, {}))) return false;
   std::vector<std::size_t> shocks;
   for (std::size_t m = 0; m < set.families.size(); ++m) {
@@ -139,7 +139,7 @@ Inference inference(const Model& model, const Series& data, std::size_t target, 
   }
   Problem& problem = *result.problem;
   const EffectSet& best = result.posterior.sets[result.posterior.best];
-  const SetAt at = set_at(problem, result.posterior, best);
+  const SetRegression at = set_regression(problem, result.posterior, best);
   const bool late = model.level == Level::series && has_late_clock(problem, result.posterior, at);
   if (late) free_rows_at_jumps(problem, true);
   const bool outliers = weigh_down_outliers(problem, result.posterior, best, at);

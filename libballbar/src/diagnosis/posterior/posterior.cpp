@@ -26,7 +26,7 @@ constexpr double kBetterOptimum = 0.05;     // ln
 constexpr double kAlone = 0.9;              // P of an identity in its single effect; excluding it gives another mode
 
 // ln of the total weight of the first few.
-double log_weight_of(const std::vector<Found>& found, std::size_t count) {
+double log_weight_of(const std::vector<WeightedAscent>& found, std::size_t count) {
   std::vector<double> weights;
   for (std::size_t g = 0; g < std::min(count, found.size()); ++g) weights.push_back(found[g].log_weight);
   return log_sum(weights);
@@ -52,11 +52,11 @@ void align(const std::vector<SingleEffect>& to, std::size_t identities, std::vec
 
 class Average {
  public:
-  Average(Problem& problem, std::size_t largest, Searched searched)
+  Average(Problem& problem, std::size_t largest, SearchResult searched)
       : problem_(problem), largest_(largest), searched_(std::move(searched)) {}
 
   Posterior run(const std::vector<Covariance>& grid, bool is_given) {
-    std::vector<Found> found;
+    std::vector<WeightedAscent> found;
     for (int round = 0; round < kRounds; ++round) {
       const std::vector<std::size_t> start = likeliest_set(searched_.best.ascent);
       found = ascended_everywhere(grid, is_given);
@@ -72,14 +72,14 @@ class Average {
  private:
   const Identities& identities() const { return searched_.identities; }
 
-  Found found_at(const Covariance& covariance, double background) const {
-    Found found{point_at(problem_, covariance), background, {}, kLogZero, {}};
+  WeightedAscent found_at(const Covariance& covariance, double background) const {
+    WeightedAscent found{point_at(problem_, covariance), background, {}, kLogZero, {}};
     found.ascent.effects = searched_.best.ascent.effects;
     return found;
   }
 
-  std::vector<Found> found_at_all(const std::vector<Covariance>& covariances) const {
-    std::vector<Found> found;
+  std::vector<WeightedAscent> found_at_all(const std::vector<Covariance>& covariances) const {
+    std::vector<WeightedAscent> found;
     found.reserve(covariances.size());
     for (const Covariance& one : covariances) found.push_back(found_at(one, 0.0));
     return found;
@@ -96,7 +96,7 @@ class Average {
     return restricted(identities(), likely);
   }
 
-  void ascend_at(Found& one, const Identities& few) const {
+  void ascend_at(WeightedAscent& one, const Identities& few) const {
     ColumnsAt at(problem_, few, searched_.variant, one.point, background_of(problem_, one.background));
     const AscentOptions options = ascent_options(problem_, few, largest_);
     one.ascent = ascended(at, few, options, one.ascent);
@@ -107,9 +107,9 @@ class Average {
     one.shares = at.background_shares(line);
   }
 
-  void scan(std::vector<Found>& found, std::size_t first, const Identities& few) const {
+  void scan(std::vector<WeightedAscent>& found, std::size_t first, const Identities& few) const {
     in_parallel(found.size() - first, [&](std::size_t g) {
-      Found trial = found[first + g];
+      WeightedAscent trial = found[first + g];
       trial.ascent = {};
       ascend_at(trial, few);
       found[first + g].log_weight = trial.log_weight;
@@ -118,28 +118,28 @@ class Average {
 
   // With few identities at all covariances, and between those about the likeliest; with all of them at those that are
   // likely.
-  void ascend(std::vector<Found>& found, bool between) {
+  void ascend(std::vector<WeightedAscent>& found, bool between) {
     if (found.empty()) return;
     const Identities few = likely_identities();
     scan(found, 0, few);
-    sort_found(found);
+    sort_by_weight(found);
     if (between) {
       const std::size_t first = found.size();
       for (const Covariance& one : noises_about(found.front().point.covariance, problem_.time_s))
         found.push_back(found_at(one, 0.0));
       scan(found, first, few);
-      sort_found(found);
+      sort_by_weight(found);
     }
     const double likely = found.front().log_weight - kFarFromOthers;
-    std::erase_if(found, [&](const Found& one) { return one.log_weight < likely; });
+    std::erase_if(found, [&](const WeightedAscent& one) { return one.log_weight < likely; });
     in_parallel(found.size(), [&](std::size_t g) { ascend_at(found[g], identities()); });
-    sort_found(found);
+    sort_by_weight(found);
     if (found.front().log_weight > searched_.best.log_weight) searched_.best = found.front();
   }
 
   // From the best sum so far.
-  std::vector<Found> ascended_everywhere(const std::vector<Covariance>& grid, bool is_given) {
-    std::vector<Found> found = found_at_all(grid);
+  std::vector<WeightedAscent> ascended_everywhere(const std::vector<Covariance>& grid, bool is_given) {
+    std::vector<WeightedAscent> found = found_at_all(grid);
     ascend(found, !is_given);
     if (!is_given && problem_.model.level == Level::series) add_more(found, grid);
     return found;
@@ -150,7 +150,7 @@ class Average {
     double log_represented = 0.0;  // ln of what these few stand for, over what they weigh themselves
   };
 
-  static Noises likeliest_noises(const std::vector<Found>& sorted) {
+  static Noises likeliest_noises(const std::vector<WeightedAscent>& sorted) {
     Noises result;
     for (std::size_t g = 0; g < std::min(kNoisesWithMore, sorted.size()); ++g)
       result.likeliest.push_back(sorted[g].point.covariance);
@@ -158,10 +158,10 @@ class Average {
     return result;
   }
 
-  std::vector<Found> scanned(const std::vector<Covariance>& covariances, const Identities& few) const {
-    std::vector<Found> found = found_at_all(covariances);
+  std::vector<WeightedAscent> scanned(const std::vector<Covariance>& covariances, const Identities& few) const {
+    std::vector<WeightedAscent> found = found_at_all(covariances);
     scan(found, 0, few);
-    sort_found(found);
+    sort_by_weight(found);
     return found;
   }
 
@@ -169,7 +169,7 @@ class Average {
   // with the most likely discrepancy of the most likely noise.
   Noises noises_with_discrepancy(const std::vector<Covariance>& grid, const Covariance& alone) const {
     const Identities few = likely_identities();
-    const std::vector<Found> first = scanned(with_discrepancy(alone, problem_.time_s), few);
+    const std::vector<WeightedAscent> first = scanned(with_discrepancy(alone, problem_.time_s), few);
     if (first.empty()) return {};
     std::vector<Covariance> with_slow;
     for (const Covariance& noise : grid) {
@@ -177,27 +177,27 @@ class Average {
         if (one.slow_time_s == first.front().point.covariance.slow_time_s) with_slow.push_back(one);
       }
     }
-    std::vector<Found> noises;  // of each what its discrepancies weigh together
-    for (Found& one : scanned(with_slow, few)) {
+    std::vector<WeightedAscent> noises;  // of each what its discrepancies weigh together
+    for (WeightedAscent& one : scanned(with_slow, few)) {
       Covariance& noise = one.point.covariance;
       noise.slow = noise.slow_time_s = 0.0;
       noise.log_prior = grid.front().log_prior;
       const auto known = std::find_if(noises.begin(), noises.end(),
-                                      [&](const Found& other) { return other.point.covariance == noise; });
+                                      [&](const WeightedAscent& other) { return other.point.covariance == noise; });
       if (known == noises.end()) {
         noises.push_back(std::move(one));
       } else {
         known->log_weight = log_sum(std::vector{known->log_weight, one.log_weight});
       }
     }
-    sort_found(noises);
+    sort_by_weight(noises);
     return likeliest_noises(noises);
   }
 
   // The likeliest noises with a discrepancy, and with a background.
-  void add_more(std::vector<Found>& found, const std::vector<Covariance>& grid) {
+  void add_more(std::vector<WeightedAscent>& found, const std::vector<Covariance>& grid) {
     const bool has_inputs = problem_.library.families.size() > problem_.effects;
-    std::vector<Found> more;
+    std::vector<WeightedAscent> more;
     const Noises alone = likeliest_noises(found);
     const Noises with_slow = noises_with_discrepancy(grid, alone.likeliest.front());
     for (const Covariance& noise : with_slow.likeliest) {
@@ -217,39 +217,39 @@ class Average {
       }
     }
     const double rest = std::log((1.0 - kPriorOfDiscrepancy) * (has_inputs ? 1.0 - kPriorOfBackground : 1.0));
-    for (Found& one : found) {
+    for (WeightedAscent& one : found) {
       one.point.covariance.log_prior += rest;
       one.log_weight += rest;
     }
     ascend(more, false);
     std::move(more.begin(), more.end(), std::back_inserter(found));
-    sort_found(found);
+    sort_by_weight(found);
   }
 
   // A better optimum at the likeliest covariance is one everywhere.
-  void take_better_optimum(std::vector<Found>& found) {
+  void take_better_optimum(std::vector<WeightedAscent>& found) {
     const ColumnsAt at(problem_, identities(), searched_.variant, found.front().point,
                        background_of(problem_, found.front().background));
     const Ascent best =
         rearranged(at, identities(), ascent_options(problem_, identities(), largest_), found.front().ascent);
     if (!(best.bound > found.front().ascent.bound + kBetterOptimum)) return;
     const double far = found.front().log_weight - 2.0 * kFarFromBest;
-    std::erase_if(found, [&](const Found& one) { return one.log_weight < far; });
-    for (Found& one : found) one.ascent.effects = best.effects;
+    std::erase_if(found, [&](const WeightedAscent& one) { return one.log_weight < far; });
+    for (WeightedAscent& one : found) one.ascent.effects = best.effects;
     ascend(found, false);
   }
 
-  static void leave_out_far(std::vector<Found>& found) {
+  static void leave_out_far(std::vector<WeightedAscent>& found) {
     const double far = found.front().log_weight - kFarFromBest;
-    std::erase_if(found, [&](const Found& one) { return one.log_weight < far; });
+    std::erase_if(found, [&](const WeightedAscent& one) { return one.log_weight < far; });
   }
 
   // Coordinate ascent finds one mode. Other modes have weight too: an identity that is certain in this mode may be
   // absent in another one.
-  void add_modes(std::vector<Found>& found) {
+  void add_modes(std::vector<WeightedAscent>& found) {
     const double near = found.front().log_weight - kNearBest;
     const auto count = static_cast<std::size_t>(
-        std::count_if(found.begin(), found.end(), [&](const Found& one) { return one.log_weight >= near; }));
+        std::count_if(found.begin(), found.end(), [&](const WeightedAscent& one) { return one.log_weight >= near; }));
     const double represented = log_weight_of(found, found.size()) - log_weight_of(found, count);
     const std::vector<SingleEffect> best = found.front().ascent.effects;
     for (const Mode& mode : searched_.modes) {
@@ -258,27 +258,27 @@ class Average {
       const std::size_t first = found.size();
       for (std::size_t g = 0; g < count; ++g) found.push_back(found[g]);
       in_parallel(count, [&](std::size_t g) {
-        Found& one = found[first + g];
+        WeightedAscent& one = found[first + g];
         ColumnsAt at(problem_, identities(), searched_.variant, one.point, background_of(problem_, one.background));
         one.ascent =
             ascended_from(at, identities(), ascent_options(problem_, identities(), largest_, mode.without), mode.set);
         one.log_weight = one.ascent.bound + one.point.covariance.log_prior + represented;
       });
     }
-    sort_found(found);
+    sort_by_weight(found);
     leave_out_far(found);
   }
 
-  Posterior averaged(std::vector<Found> found) {
+  Posterior averaged(std::vector<WeightedAscent> found) {
     Posterior result;
     std::vector<double>& weight = result.weight;
-    for (const Found& one : found) weight.push_back(std::exp(one.log_weight - found.front().log_weight));
+    for (const WeightedAscent& one : found) weight.push_back(std::exp(one.log_weight - found.front().log_weight));
     const double total = std::accumulate(weight.begin(), weight.end(), 0.0);
     for (double& one : weight) one /= total;
     const std::size_t count = identities().log_prior.size();
     for (std::size_t g = 1; g < found.size(); ++g) align(found.front().ascent.effects, count, found[g].ascent.effects);
     std::size_t effects = 0;
-    for (const Found& one : found) effects = std::max(effects, one.ascent.effects.size());
+    for (const WeightedAscent& one : found) effects = std::max(effects, one.ascent.effects.size());
     result.effects.assign(effects, {std::vector<double>(count, 0.0)});
     std::vector<double> p(count, 0.0);
     result.nothing = result.none = result.discrepancy = 0.0;
@@ -306,14 +306,14 @@ class Average {
     result.own.assign(p.begin() + families, p.end());
     result.variants.push_back(std::move(searched_.variant));
     const Ascent likeliest = std::move(found.front().ascent);
-    for (Found& one : found) result.points.push_back(std::move(one.point));
+    for (WeightedAscent& one : found) result.points.push_back(std::move(one.point));
     add_sets(problem_, identities(), likeliest, result);
     return result;
   }
 
   Problem& problem_;
   std::size_t largest_;
-  Searched searched_;
+  SearchResult searched_;
 };
 
 }  // namespace
@@ -326,7 +326,7 @@ Posterior posterior_of(Problem& problem, std::size_t largest,
                        const std::function<void(const std::vector<double>&)>& so_far) {
   const bool is_given = !problem.covariances.empty();
   const std::vector<Covariance> grid = is_given ? problem.covariances : noise_grid(problem.time_s);
-  Searched best = searched(problem, largest, grid);
+  SearchResult best = search_result(problem, largest, grid);
   Posterior result = Average(problem, largest, std::move(best)).run(grid, is_given);
   if (so_far) so_far(result.family);
   return result;

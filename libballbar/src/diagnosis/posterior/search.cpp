@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ballbar/numerics/parallel.hpp"
-#include "diagnosis/evidence/refined.hpp"
+#include "diagnosis/evidence/gauss_newton_fit.hpp"
 #include "diagnosis/posterior/conditional_fit.hpp"
 #include "diagnosis/posterior/sets.hpp"
 
@@ -27,7 +27,7 @@ class Search {
  public:
   Search(Problem& problem, std::size_t largest) : problem_(problem), largest_(largest) {}
 
-  Searched run(const std::vector<Covariance>& grid) {
+  SearchResult run(const std::vector<Covariance>& grid) {
     start(grid);
     std::vector<Mode> modes;
     for (int round = 0; round < kRelinearised; ++round) {
@@ -44,13 +44,13 @@ class Search {
   // The likeliest covariances where a little of every input in every form stands for all effects.
   std::vector<Covariance> likeliest_of(const std::vector<Covariance>& grid, const Variant& variant) const {
     const Identities none = restricted(identities_of(problem_, variant), {});
-    std::vector<Found> found(grid.size());
+    std::vector<WeightedAscent> found(grid.size());
     in_parallel(found.size(), [&](std::size_t g) {
       found[g].point = point_at(problem_, grid[g]);
       ColumnsAt at(problem_, none, variant, found[g].point, background_of(problem_, kOfBackground));
       found[g].log_weight = ascended(at, none, ascent_options(problem_, none, 0)).bound + grid[g].log_prior;
     });
-    sort_found(found);
+    sort_by_weight(found);
     std::vector<Covariance> likeliest;
     for (std::size_t g = 0; g < std::min(kPilots, found.size()); ++g) likeliest.push_back(found[g].point.covariance);
     return likeliest;
@@ -62,8 +62,8 @@ class Search {
     std::vector<Variant> starts{variant_at(problem_, 0, fit)};
     pilots_ = likeliest_of(grid, starts.front());
     const auto add = [&](const Point& point, std::vector<double> from, int rounds) {
-      const Refined there = refined(*problem_.base_model, std::move(from), {}, starts.front().times, point.filter,
-                                    problem_.known, {rounds});
+      const GaussNewtonFit there = gauss_newton_fit(*problem_.base_model, std::move(from), {}, starts.front().times,
+                                                    point.filter, problem_.known, {rounds});
       if (std::all_of(starts.begin(), starts.end(), [&](const Variant& other) {
             return is_elsewhere(problem_, other, there.parameters, kOtherStart);
           }))
@@ -79,7 +79,7 @@ class Search {
     for (OwnParameter& own : problem_.own) starts.push_back(variant_with_own(own, fit, starts.front().times));
     for (Variant& variant : starts) {
       Identities identities = identities_of(problem_, variant);
-      Found found = best_at_pilots(variant, identities, {});
+      WeightedAscent found = best_at_pilots(variant, identities, {});
       if (variant_ && !(found.log_weight > best_.log_weight + kBetter)) continue;
       take(std::move(variant), std::move(identities), std::move(found));
     }
@@ -87,8 +87,9 @@ class Search {
 
   // The model where a held value is another one, which is remembered; of the line it is held.
   Variant variant_with_own(OwnParameter& own, std::vector<double> from, const Eigen::MatrixXd& times) const {
-    const Refined refined_there = refined(*problem_.base_model, std::move(from), {own.parameter}, times,
-                                          point_at(problem_, pilots_.front()).filter, problem_.known, {});
+    const GaussNewtonFit refined_there =
+        gauss_newton_fit(*problem_.base_model, std::move(from), {own.parameter}, times,
+                         point_at(problem_, pilots_.front()).filter, problem_.known, {});
     std::vector<double> parameters = refined_there.parameters;
     own.fitted.push_back(parameters[own.parameter]);
     return variant_at(problem_, 0, held_again(own, std::move(parameters), times));
@@ -99,21 +100,21 @@ class Search {
   std::vector<double> held_again(const OwnParameter& own, std::vector<double> parameters,
                                  const Eigen::MatrixXd& times) const {
     parameters[own.parameter] = own.held;
-    return refined(*problem_.base_model, std::move(parameters), {}, times, point_at(problem_, pilots_.front()).filter,
-                   problem_.known, {0})
+    return gauss_newton_fit(*problem_.base_model, std::move(parameters), {}, times,
+                            point_at(problem_, pilots_.front()).filter, problem_.known, {0})
         .parameters;
   }
 
-  void take(Variant variant, Identities identities, Found found) {
+  void take(Variant variant, Identities identities, WeightedAscent found) {
     variant_ = std::move(variant);
     identities_ = std::move(identities);
     best_ = std::move(found);
   }
 
   // At the likelier pilot; the ascent begins with a set, with nothing where there is none.
-  Found best_at_pilots(const Variant& variant, const Identities& identities,
-                       const std::vector<std::size_t>& set) const {
-    std::vector<Found> found(pilots_.size());
+  WeightedAscent best_at_pilots(const Variant& variant, const Identities& identities,
+                                const std::vector<std::size_t>& set) const {
+    std::vector<WeightedAscent> found(pilots_.size());
     in_parallel(pilots_.size(), [&](std::size_t g) {
       found[g].point = point_at(problem_, pilots_[g]);
       ColumnsAt at(problem_, identities, variant, found[g].point, {});
@@ -122,7 +123,7 @@ class Search {
                                     : ascended_from(at, identities, options, set);
       found[g].log_weight = found[g].ascent.bound + pilots_[g].log_prior;
     });
-    sort_found(found);
+    sort_by_weight(found);
     return std::move(found.front());
   }
 
@@ -236,7 +237,7 @@ class Search {
     open_ = std::move(open);
     Variant variant = variant_at(problem_, 0, open_.parameters, input_times_of(problem_, open_));
     Identities identities = identities_of(problem_, variant);
-    Found found = best_at_pilots(variant, identities, set);
+    WeightedAscent found = best_at_pilots(variant, identities, set);
     take(std::move(variant), std::move(identities), std::move(found));
   }
 
@@ -294,13 +295,13 @@ class Search {
   std::vector<Covariance> pilots_;
   std::optional<Variant> variant_;
   Identities identities_;
-  Found best_;
+  WeightedAscent best_;
   ConditionalFit open_;  // whose input times are open
 };
 
 }  // namespace
 
-Searched searched(Problem& problem, std::size_t largest, const std::vector<Covariance>& grid) {
+SearchResult search_result(Problem& problem, std::size_t largest, const std::vector<Covariance>& grid) {
   return Search(problem, largest).run(grid);
 }
 

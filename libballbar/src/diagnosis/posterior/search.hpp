@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "diagnosis/posterior/found.hpp"
+#include "diagnosis/posterior/weighted_ascent.hpp"
 
 namespace ballbar {
 
@@ -16,15 +16,15 @@ struct Mode {
   std::vector<std::size_t> set;  // the most likely identity of each of its single effects
 };
 
-struct Searched {
+struct SearchResult {
   Variant variant;
   Identities identities;
-  Found best;
+  WeightedAscent best;
   std::vector<Mode> modes;  // other modes that are nearly as likely
 };
 
 // largest: largest number of single effects; grid: covariances of noise. Shapes of likely effects between the points of
 // the grid are added to the library.
-Searched searched(Problem& problem, std::size_t largest, const std::vector<Covariance>& grid);
+SearchResult search_result(Problem& problem, std::size_t largest, const std::vector<Covariance>& grid);
 
 }  // namespace ballbar

@@ -24,7 +24,7 @@ struct Choice {
   double p = 0.0;
 };
 
-struct Drawn {
+struct IdentityChoice {
   double p = 1.0;
   std::vector<std::size_t> identities;  // of each single effect
 };
@@ -48,11 +48,11 @@ std::vector<std::vector<Choice>> choices_of(const Posterior& posterior, std::siz
 }
 
 // All sufficiently probable combinations of choices.
-std::vector<Drawn> drawn(const std::vector<std::vector<Choice>>& choices) {
-  std::vector<Drawn> all{{}};
+std::vector<IdentityChoice> drawn(const std::vector<std::vector<Choice>>& choices) {
+  std::vector<IdentityChoice> all{{}};
   for (const std::vector<Choice>& of_one : choices) {
-    std::vector<Drawn> next;
-    for (const Drawn& before : all) {
+    std::vector<IdentityChoice> next;
+    for (const IdentityChoice& before : all) {
       for (const Choice& choice : of_one) {
         if (before.p * choice.p < kLeastOfSet) break;
         next.push_back(before);
@@ -60,7 +60,8 @@ std::vector<Drawn> drawn(const std::vector<std::vector<Choice>>& choices) {
         next.back().identities.push_back(choice.identity);
       }
     }
-    std::stable_sort(next.begin(), next.end(), [](const Drawn& a, const Drawn& b) { return a.p > b.p; });
+    std::stable_sort(next.begin(), next.end(),
+                     [](const IdentityChoice& a, const IdentityChoice& b) { return a.p > b.p; });
     if (next.size() > kMostSets) next.resize(kMostSets);
     all = std::move(next);
   }
@@ -79,15 +80,16 @@ std::size_t variant_of_own(const Problem& problem, Posterior& posterior, std::si
 }
 
 // Exactly these effects with the model, at every covariance.
-struct Given {
+struct GivenEffects {
   std::vector<Covariance> covariances;
   std::vector<Ascent> ascents;
   std::vector<double> log_weight;
   Identities identities;
 };
 
-Given given_of(const Problem& problem, const Posterior& posterior, const std::vector<std::size_t>& families) {
-  Given result;
+GivenEffects given_effects(const Problem& problem, const Posterior& posterior,
+                           const std::vector<std::size_t>& families) {
+  GivenEffects result;
   const Variant& variant = posterior.variants.front();
   result.identities = restricted(identities_of(problem, variant), families);
   result.covariances = problem.covariances;
@@ -143,7 +145,7 @@ void add_sets(Problem& problem, const Identities& identities, const Ascent& like
   std::map<std::pair<std::vector<std::size_t>, std::size_t>, std::size_t> place;
   const double log_slow = std::log(std::max(1e-12, posterior.discrepancy));
   // The best set first: the most likely identity of each single effect that is more likely present than absent.
-  std::vector<Drawn> all{{}};
+  std::vector<IdentityChoice> all{{}};
   all.front().identities.reserve(posterior.effects.size());
   for (const SinglePosterior& one : posterior.effects) {
     std::size_t identity = kNoSignature;
@@ -157,7 +159,7 @@ void add_sets(Problem& problem, const Identities& identities, const Ascent& like
     all.front().p *= is_there ? p : 1.0 - one.p_any();
   }
   all.push_back({posterior.none, std::vector<std::size_t>(posterior.effects.size(), kNoSignature)});
-  for (Drawn& one : drawn(choices_of(posterior, problem.effects, families))) all.push_back(std::move(one));
+  for (IdentityChoice& one : drawn(choices_of(posterior, problem.effects, families))) all.push_back(std::move(one));
   for (std::size_t d = 0; d < all.size(); ++d) {
     EffectSet set;
     std::vector<std::array<std::size_t, 3>> members;  // family, signature, single effect
@@ -214,7 +216,7 @@ std::size_t set_of(Problem& problem, Posterior& posterior, std::vector<std::size
   for (std::size_t s = 0; s < posterior.sets.size(); ++s) {
     if (posterior.sets[s].own == 0 && posterior.sets[s].families == families) return s;
   }
-  const Given given = given_of(problem, posterior, families);
+  const GivenEffects given = given_effects(problem, posterior, families);
   const auto g = static_cast<std::size_t>(std::max_element(given.log_weight.begin(), given.log_weight.end()) -
                                           given.log_weight.begin());
   EffectSet set;
@@ -248,7 +250,7 @@ double log_bayes_factor(const Problem& problem, const Posterior& posterior, cons
   const auto log_evidence = [&](std::vector<std::size_t> of) {
     std::sort(of.begin(), of.end());
     const auto [known, is_new] = posterior.log_evidence.try_emplace(of, 0.0);
-    if (is_new) known->second = log_sum(given_of(problem, posterior, of).log_weight);
+    if (is_new) known->second = log_sum(given_effects(problem, posterior, of).log_weight);
     return known->second;
   };
   return 2.0 * (log_evidence(families) - log_evidence({}));

@@ -25,7 +25,7 @@ std::optional<double> onset_s(const Problem& problem, std::size_t signature) {
 
 }  // namespace
 
-bool may_be_shock(const Problem& problem, const Posterior& posterior, const EffectSet& set, const SetAt& at,
+bool may_be_shock(const Problem& problem, const Posterior& posterior, const EffectSet& set, const SetRegression& at,
                   std::size_t member) {
   const std::optional<double> onset = onset_s(problem, set.signatures[member]);
   const Point& point = posterior.points[set.point];
@@ -43,16 +43,16 @@ bool may_be_shock(const Problem& problem, const Posterior& posterior, const Effe
     }
   }
   const Eigen::MatrixXd basis = orthonormal(at.white_columns_but(member));
-  const Eigen::VectorXd left = freed(at.white_y, basis);
+  const Eigen::VectorXd left = orthogonal_part(at.white_y, basis);
   const auto fall = [&](const Eigen::VectorXd& white) {
     const double square = white.squaredNorm();
     return square > 0.0 ? std::pow(white.dot(left), 2) / square / at.variance : 0.0;
   };
   double most = 0.0;
-  const Eigen::MatrixXd white = freed(at.white(point.filter, dying), basis);
+  const Eigen::MatrixXd white = orthogonal_part(at.white(point.filter, dying), basis);
   for (Eigen::Index k = 0; k < white.cols(); ++k) most = std::max(most, fall(white.col(k)));
   const Eigen::VectorXd jump = at.white_members.col(at.first[member]);
-  return fall(freed(jump, basis)) < most + kStays;
+  return fall(orthogonal_part(jump, basis)) < most + kStays;
 }
 
 }  // namespace ballbar

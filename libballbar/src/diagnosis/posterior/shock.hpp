@@ -4,13 +4,13 @@
 
 #include <cstddef>
 
-#include "diagnosis/posterior/set_at.hpp"
+#include "diagnosis/posterior/set_regression.hpp"
 
 namespace ballbar {
 
 // Whether a member of a set has an onset and depends on time alone, and a change of the noise there explains the data
 // nearly as well: chi^2 differs by less than 4.4 (nine to one).
-bool may_be_shock(const Problem& problem, const Posterior& posterior, const EffectSet& set, const SetAt& at,
+bool may_be_shock(const Problem& problem, const Posterior& posterior, const EffectSet& set, const SetRegression& at,
                   std::size_t member);
 
 }  // namespace ballbar

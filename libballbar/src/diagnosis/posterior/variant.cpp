@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "diagnosis/evidence/refined.hpp"
+#include "diagnosis/evidence/gauss_newton_fit.hpp"
 
 namespace ballbar {
 

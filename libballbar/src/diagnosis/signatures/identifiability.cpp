@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t kComparedShapes = 12;  // of one family, compared with those of the others
 constexpr double kInseparable = 0.95;        // coherence of two inseparable effects
 
-auto block(const Projected& projection, const Signature& signature) {
+auto block(const SignatureProjection& projection, const Signature& signature) {
   return projection.columns.middleCols(signature.first, signature.width);
 }
 
@@ -45,7 +45,8 @@ std::vector<std::size_t> some_shapes(const Family& family) {
 }
 
 // The lower median, over the shapes of `a`, of the largest coherence with a shape of `b`.
-double imitated(const SignatureLibrary& library, const Projected& projection, const Family& a, const Family& b) {
+double imitated(const SignatureLibrary& library, const SignatureProjection& projection, const Family& a,
+                const Family& b) {
   std::vector<double> largest;
   const std::vector<std::size_t> others = some_shapes(b);
   for (const std::size_t mine : some_shapes(a)) {
@@ -64,7 +65,7 @@ double imitated(const SignatureLibrary& library, const Projected& projection, co
 }
 
 // Range of the effect with d = 1, for the most detectable shape.
-double um_for_unit_d(const SignatureLibrary& library, const Projected& projection, const Family& family) {
+double um_for_unit_d(const SignatureLibrary& library, const SignatureProjection& projection, const Family& family) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = family.first; i < family.first + family.count; ++i) {
     least = std::min(least, detectable_um(library, projection, i, 1.0));
@@ -119,8 +120,9 @@ void say_unusable(Detectability& detectable, const Model& model, const Series& d
 }  // namespace
 
 std::vector<Detectability> detectability_of(const Catalogue& catalogue, const SignatureLibrary& library,
-                                            const Projected& projection, const Model& model, const Series& data,
-                                            std::optional<Motion> motion, std::span<const double> time_s) {
+                                            const SignatureProjection& projection, const Model& model,
+                                            const Series& data, std::optional<Motion> motion,
+                                            std::span<const double> time_s) {
   const double rate_Hz = highest_Hz(time_s);
   std::vector<Detectability> detectability;
   std::vector<const Family*> best;
@@ -198,8 +200,8 @@ Preflight preflight(const Model& model, const Series& data, std::size_t target, 
   const SignatureLibrary library = signature_library_of(catalogue, model, rows, fitted, options);
   const Eigen::VectorXd residual =
       Eigen::VectorXd::Map(fitted.residual_um.data(), static_cast<Eigen::Index>(fitted.residual_um.size()));
-  const Projected projection =
-      projected(library, residual, model_columns(fitted), Whitening(fitted.noise, fitted.time_s, fitted.sigma_um));
+  const SignatureProjection projection = signature_projection(library, residual, model_columns(fitted),
+                                                              Whitening(fitted.noise, fitted.time_s, fitted.sigma_um));
   result.detectability = detectability_of(catalogue, library, projection, model, rows, motion, fitted.time_s);
   return result;
 }

@@ -128,7 +128,7 @@ std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRow
 namespace {
 
 // An effect on columns, with the columns of each of its shapes.
-struct Shaped {
+struct EffectShapes {
   Family family;
   BoundInputs bound;
   std::vector<std::vector<double>> points;
@@ -148,13 +148,13 @@ std::vector<std::vector<double>> as_held(std::vector<std::vector<double>> points
   return points;
 }
 
-std::vector<Shaped> shaped_of(const Catalogue& catalogue, const Model& model, const Series& data,
-                              const SignatureOptions& options) {
-  std::vector<Shaped> result;
+std::vector<EffectShapes> effect_shapes_of(const Catalogue& catalogue, const Model& model, const Series& data,
+                                           const SignatureOptions& options) {
+  std::vector<EffectShapes> result;
   for (const Term& term : options.terms) {
     BoundInputs bound = inputs_of(*term.effect, term.columns, data);
     if (!bound.usable && !bound.is_half) continue;
-    Shaped one{{{term.effect.get(), term.columns}, 0, 0}, std::move(bound), {}, {}};
+    EffectShapes one{{{term.effect.get(), term.columns}, 0, 0}, std::move(bound), {}, {}};
     one.points = as_held(shapes_of(*term.effect, one.bound.rows, options), term);
     one.gains.resize(one.points.size());
     result.push_back(std::move(one));
@@ -174,7 +174,7 @@ std::vector<Shaped> shaped_of(const Catalogue& catalogue, const Model& model, co
       if (is_given(*effect, names)) continue;
       BoundInputs bound = inputs_of(*effect, names, data);
       if (!bound.usable && !bound.is_half) continue;
-      Shaped one{{{effect.get(), std::move(names)}, 0, 0}, std::move(bound), {}, {}};
+      EffectShapes one{{{effect.get(), std::move(names)}, 0, 0}, std::move(bound), {}, {}};
       one.points = shapes_of(*effect, one.bound.rows, options);
       one.gains.resize(one.points.size());
       result.push_back(std::move(one));
@@ -183,9 +183,9 @@ std::vector<Shaped> shaped_of(const Catalogue& catalogue, const Model& model, co
   return result;
 }
 
-void evaluate(std::vector<Shaped>& all, const std::vector<std::size_t>& rows) {
-  std::vector<std::pair<Shaped*, std::size_t>> parts;
-  for (Shaped& one : all) {
+void evaluate(std::vector<EffectShapes>& all, const std::vector<std::size_t>& rows) {
+  std::vector<std::pair<EffectShapes*, std::size_t>> parts;
+  for (EffectShapes& one : all) {
     for (std::size_t i = 0; i < one.points.size(); ++i) parts.emplace_back(&one, i);
   }
   in_parallel(parts.size(), [&](std::size_t k) {
@@ -203,11 +203,11 @@ void evaluate(std::vector<Shaped>& all, const std::vector<std::size_t>& rows) {
 SignatureLibrary signature_library_of(const Catalogue& catalogue, const Model& model, const Series& data,
                                       const Fit& fit, SignatureOptions options) {
   options.highest_Hz = highest_Hz(fit.time_s);
-  std::vector<Shaped> all = shaped_of(catalogue, model, data, options);
+  std::vector<EffectShapes> all = effect_shapes_of(catalogue, model, data, options);
   evaluate(all, fit.row);
   SignatureLibrary library;
   std::vector<Eigen::VectorXd> columns;
-  for (Shaped& one : all) {
+  for (EffectShapes& one : all) {
     one.family.first = library.signatures.size();
     for (std::size_t i = 0; i < one.points.size(); ++i) {
       std::vector<Eigen::VectorXd>& gains = one.gains[i];
@@ -225,12 +225,12 @@ SignatureLibrary signature_library_of(const Catalogue& catalogue, const Model& m
   return library;
 }
 
-Projected projected(const SignatureLibrary& library, const Eigen::VectorXd& residual_um, const Eigen::MatrixXd& basis,
-                    const Whitening& whitening) {
+SignatureProjection signature_projection(const SignatureLibrary& library, const Eigen::VectorXd& residual_um,
+                                         const Eigen::MatrixXd& basis, const Whitening& whitening) {
   constexpr std::size_t kTogether = 64;  // signatures
-  Projected result;
+  SignatureProjection result;
   result.model = orthonormal(whitened(whitening, basis));
-  result.residual = freed(Eigen::VectorXd(whitened(whitening, residual_um)), result.model);
+  result.residual = orthogonal_part(Eigen::VectorXd(whitened(whitening, residual_um)), result.model);
   result.columns.resize(library.columns.rows(), library.columns.cols());
   const std::size_t count = library.signatures.size();
   result.share.resize(count);
@@ -240,7 +240,7 @@ Projected projected(const SignatureLibrary& library, const Eigen::VectorXd& resi
     const Signature &front = library.signatures[begin], &back = library.signatures[end - 1];
     const Eigen::Index first = front.first, width = back.first + back.width - first;
     const Eigen::MatrixXd all = whitened(whitening, library.columns.middleCols(first, width));
-    result.columns.middleCols(first, width) = freed(all, result.model);
+    result.columns.middleCols(first, width) = orthogonal_part(all, result.model);
     for (std::size_t k = begin; k < end; ++k) {
       const Signature& signature = library.signatures[k];
       const Eigen::MatrixXd own = all.middleCols(signature.first - first, signature.width);
@@ -257,7 +257,8 @@ Projected projected(const SignatureLibrary& library, const Eigen::VectorXd& resi
   return result;
 }
 
-double detectable_um(const SignatureLibrary& library, const Projected& projected, std::size_t signature, double d) {
+double detectable_um(const SignatureLibrary& library, const SignatureProjection& projected, std::size_t signature,
+                     double d) {
   if (projected.share[signature] < kAbsorbed) return std::numeric_limits<double>::infinity();
   return d * library.signatures[signature].range_um / projected.norm[signature];
 }

@@ -75,7 +75,7 @@ BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& name
 std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows,
                                            const SignatureOptions& options);
 
-struct Projected {
+struct SignatureProjection {
   Eigen::VectorXd residual;   // r, n
   Eigen::MatrixXd columns;    // U, as SignatureLibrary::columns; 0 where nothing survives
   std::vector<double> share;  // per signature: |P W g|^2 / |W g|^2 of its weakest direction
@@ -84,16 +84,18 @@ struct Projected {
 };
 
 // basis: the columns of the model, n by p, unweighted.
-Projected projected(const SignatureLibrary& library, const Eigen::VectorXd& residual_um, const Eigen::MatrixXd& basis,
-                    const Whitening& whitening);
+SignatureProjection signature_projection(const SignatureLibrary& library, const Eigen::VectorXd& residual_um,
+                                         const Eigen::MatrixXd& basis, const Whitening& whitening);
 
 // The range in um of one signature with this d; infinite if the model absorbs it.
-double detectable_um(const SignatureLibrary& library, const Projected& projected, std::size_t signature, double d);
+double detectable_um(const SignatureLibrary& library, const SignatureProjection& projected, std::size_t signature,
+                     double d);
 
 // One per effect of the catalogue at the level of the model, without the base effect, in the order of the catalogue.
 // time_s: of the fitted rows.
 std::vector<Detectability> detectability_of(const Catalogue& catalogue, const SignatureLibrary& library,
-                                            const Projected& projection, const Model& model, const Series& data,
-                                            std::optional<Motion> motion, std::span<const double> time_s);
+                                            const SignatureProjection& projection, const Model& model,
+                                            const Series& data, std::optional<Motion> motion,
+                                            std::span<const double> time_s);
 
 }  // namespace ballbar

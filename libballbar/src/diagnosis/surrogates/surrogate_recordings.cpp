@@ -192,7 +192,7 @@ class Surrogates {
   std::vector<std::vector<std::vector<Spectrum>>> spectra_;  // of each point, sweep, gain
 };
 
-struct OneSurrogate {
+struct SurrogateFit {
   double gain = 0.0, fall = 0.0;  // of chi^2, of the square
   bool is_itself = false;
 };
@@ -210,19 +210,20 @@ std::optional<BestSurrogate> best_recording_surrogate(const SurrogateSource& tra
   group(sweeps, traced.added_um);
   const BoundInputs inputs = inputs_of(*traced.bound.effect, traced.bound.columns, data);
   const Surrogates surrogates(std::move(sweeps), traced, inputs.rows, rows);
-  const Freed &white = background.white, &plain = background.plain;
+  const ModelProjection &white = background.white, &plain = background.plain;
   const Eigen::MatrixXd added = background.whiten(traced.added_um);
-  const Eigen::VectorXd own = orthonormal_of(freed(added, white.basis), added.colwise().squaredNorm());
+  const Eigen::VectorXd own = orthonormal_of(orthogonal_part(added, white.basis), added.colwise().squaredNorm());
   std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 4);
   std::vector<std::vector<std::vector<double>>> phases;
   for (std::size_t number = 0; number < count; ++number) phases.push_back(surrogates.phases(random));
-  std::vector<OneSurrogate> found(count);
+  std::vector<SurrogateFit> found(count);
   in_parallel(count, [&](std::size_t number) {
     const Eigen::MatrixXd surrogate = surrogates.at(phases[number]), filtered = background.whiten(surrogate);
     const Eigen::RowVectorXd square = filtered.colwise().squaredNorm(),
                              plain_square = surrogate.colwise().squaredNorm();
-    const Eigen::MatrixXd left = freed(filtered, white.basis), plain_left = freed(surrogate, plain.basis);
-    OneSurrogate& one = found[number];
+    const Eigen::MatrixXd left = orthogonal_part(filtered, white.basis),
+                          plain_left = orthogonal_part(surrogate, plain.basis);
+    SurrogateFit& one = found[number];
     for (Eigen::Index first = 0; first < surrogate.cols(); first += surrogates.width()) {
       const Eigen::MatrixXd u =
           orthonormal_of(left.middleCols(first, surrogates.width()), square.segment(first, surrogates.width()));
@@ -239,7 +240,7 @@ std::optional<BestSurrogate> best_recording_surrogate(const SurrogateSource& tra
   BestSurrogate best;
   double most = 0.0;
   std::size_t copies = 0;
-  for (const OneSurrogate& one : found) {
+  for (const SurrogateFit& one : found) {
     best.gain = std::max(best.gain, one.gain);
     most = std::max(most, one.fall);
     copies += one.is_itself ? 1 : 0;

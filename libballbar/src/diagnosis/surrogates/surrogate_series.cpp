@@ -64,8 +64,8 @@ class Places {
 };
 
 // Largest fall of the square of what the model leaves by one of the columns.
-double largest_fall(const Freed& model, Eigen::MatrixXd columns) {
-  columns = freed(std::move(columns), model.basis);
+double largest_fall(const ModelProjection& model, Eigen::MatrixXd columns) {
+  columns = orthogonal_part(std::move(columns), model.basis);
   const Eigen::VectorXd along = columns.transpose() * model.residual;
   double most = 0.0;
   for (Eigen::Index k = 0; k < columns.cols(); ++k) {
@@ -100,7 +100,7 @@ BestSurrogate best_surrogate(const SurrogateSource& effect, const Series& data, 
   constexpr std::size_t kTogether = 8;
   const std::vector<double> time_s = on_clock(unrolled(data.time_s), background.row);
   const std::vector<Spectrum> spectra = spectra_of(effect, data, time_s);
-  const Freed &white = background.white, &plain = background.plain;
+  const ModelProjection &white = background.white, &plain = background.plain;
   const Places places(time_s);
   std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 3);
   std::vector<std::vector<double>> phases;

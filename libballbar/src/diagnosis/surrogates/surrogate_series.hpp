@@ -28,7 +28,7 @@ struct BestSurrogate {
 struct Background {
   std::vector<std::size_t> row;                                        // n, of the data
   std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)> whiten = {};  // n by k
-  Freed white, plain;                                                  // existing columns and their residual
+  ModelProjection white, plain;                                        // existing columns and their residual
 };
 
 BestSurrogate best_surrogate(const SurrogateSource& effect, const Series& data, const Background& background,

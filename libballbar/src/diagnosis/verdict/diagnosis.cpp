@@ -12,17 +12,17 @@
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/numerics/range.hpp"
 #include "diagnosis/posterior/inference.hpp"
-#include "diagnosis/posterior/set_at.hpp"
+#include "diagnosis/posterior/set_regression.hpp"
 #include "diagnosis/posterior/shock.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/thresholds.hpp"
-#include "diagnosis/verdict/begun_terms.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"
 #include "diagnosis/verdict/gains_by_run.hpp"
 #include "diagnosis/verdict/member_tests.hpp"
 #include "diagnosis/verdict/probabilities.hpp"
 #include "diagnosis/verdict/sentence.hpp"
+#include "diagnosis/verdict/start_values.hpp"
 #include "fit/model_columns.hpp"
 #include "noise/whitening.hpp"
 
@@ -105,7 +105,7 @@ class Decision {
   }
 
   // The least detectable effect among those that blind challenges hide, each at its middle shape.
-  void find_what_could_hide(const Projected& projection) {
+  void find_what_could_hide(const SignatureProjection& projection) {
     result_.hidden_um = 0.0;
     for (std::size_t f = 0; f < problem().effects; ++f) {
       const Effect& effect = *family(f).bound.effect;
@@ -128,8 +128,8 @@ class Decision {
     const Fit& base = problem().base;
     const Eigen::VectorXd residual =
         Eigen::VectorXd::Map(base.residual_um.data(), static_cast<Eigen::Index>(base.residual_um.size()));
-    const Projected projection =
-        projected(problem().library, residual, model_columns(base), Whitening(noise, base.time_s, base.sigma_um));
+    const SignatureProjection projection = signature_projection(problem().library, residual, model_columns(base),
+                                                                Whitening(noise, base.time_s, base.sigma_um));
     find_what_could_hide(projection);
     return detectability_but(options_.search,
                              detectability_of(options_.search.catalogue, problem().library, projection, model_,
@@ -147,7 +147,7 @@ class Decision {
     std::stable_sort(result_.effects.begin(), result_.effects.end(),
                      [](const EffectProbability& a, const EffectProbability& b) { return a.p > b.p; });
     best_ = &posterior().sets[posterior().best];
-    at_ = set_at(problem(), posterior(), *best_);
+    at_ = set_regression(problem(), posterior(), *best_);
     result_.gains_by_run = gains_by_run(problem(), posterior(), *best_, at_);
     const Covariance& covariance = posterior().points[best_->point].covariance;
     result_.noise = noise_of(covariance, at_.variance);
@@ -348,7 +348,7 @@ class Decision {
   const DiagnosisOptions& options_;
   double measured_um_ = 0.0;  // largest less smallest reading
   const EffectSet* best_ = nullptr;
-  SetAt at_;
+  SetRegression at_;
   Diagnosis result_;
 };
 

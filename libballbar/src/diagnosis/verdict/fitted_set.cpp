@@ -10,7 +10,7 @@
 #include <string>
 
 #include "ballbar/numerics/range.hpp"
-#include "diagnosis/evidence/refined.hpp"
+#include "diagnosis/evidence/gauss_newton_fit.hpp"
 #include "model/model_rows.hpp"
 
 namespace ballbar {
@@ -60,7 +60,7 @@ void begin_beside(Term& term, std::span<const Term> others, std::span<const doub
 }
 
 // An end of the 95 % interval: where the profile likelihood has fallen by kFall. towards: a first guess.
-double profile_end(const BaseModel& model, const Refined& best, std::size_t parameter, double towards,
+double profile_end(const BaseModel& model, const GaussNewtonFit& best, std::size_t parameter, double towards,
                    const Eigen::MatrixXd& times, const Whitening& filter, const KnownScatter& known, double degrees) {
   const double value = best.parameters[parameter];
   const Setting& setting = model.setting(parameter);
@@ -75,7 +75,7 @@ double profile_end(const BaseModel& model, const Refined& best, std::size_t para
   std::vector<double> start = best.parameters;
   for (int tries = 0; tries < kMostTries; ++tries) {
     start[parameter] = at(factor);
-    const Refined now = refined(model, start, {}, times, filter, known, {4}, parameter);
+    const GaussNewtonFit now = gauss_newton_fit(model, start, {}, times, filter, known, {4}, parameter);
     const double fall =
         0.5 * (degrees + known.readings) *
         std::log((now.square + known.readings * known.variance) / (best.square + known.readings * known.variance));
@@ -107,12 +107,12 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     for (const Setting& setting : result.model.terms[t].settings) start.push_back(setting.start);
   }
   const BaseModel model(result.model, problem.logged, problem.y, problem.base.row);
-  const Refined best = refined(model, start, {}, variant.times, filter, problem.known, kToTheEnd);
+  const GaussNewtonFit best = gauss_newton_fit(model, start, {}, variant.times, filter, problem.known, kToTheEnd);
 
   const BaseColumns columns = model.at(best.parameters);
   const Gram gram = gram_of(filter, pool_of(columns, variant.times));
   const Line line = line_of(columns, variant.times.cols(), 0);
-  const Solved solution = solved(gram, line, problem.known);
+  const LinearSolution solution = linear_solution(gram, line, problem.known);
   Eigen::MatrixXd a = gram.pool(line.columns, line.columns);
   for (Eigen::Index k = 0; k < a.rows(); ++k) {
     if (!line.is_free[static_cast<std::size_t>(k)]) a(k, k) += solution.variance;

@@ -22,7 +22,7 @@ struct GainColumn {
 };
 
 std::vector<GainColumn> gain_columns(const Problem& problem, const Posterior& posterior, const EffectSet& set,
-                                     const SetAt& at) {
+                                     const SetRegression& at) {
   std::vector<GainColumn> gains;
   const Variant& variant = posterior.variants[set.variant];
   const BaseColumns base = problem.base_model->at(variant.parameters, free_of(problem, variant.own));
@@ -70,19 +70,19 @@ Eigen::MatrixXd columns_by_run(const Eigen::MatrixXd& all, const std::vector<Eig
 
 // The set at its most likely parameters with separate gains in each run, and the scatter of that fit. With a common
 // gain the differences would count as noise.
-SetAt set_with_gains_by_run(const Problem& problem, const Posterior& posterior, EffectSet set,
-                            const std::vector<Eigen::Index>& gains, const std::vector<RowRange>& runs) {
-  SetAt best;
+SetRegression set_with_gains_by_run(const Problem& problem, const Posterior& posterior, EffectSet set,
+                                    const std::vector<Eigen::Index>& gains, const std::vector<RowRange>& runs) {
+  SetRegression best;
   double most = kLogZero;
   set.point = 0;
   for (const Covariance& covariance : noise_grid(problem.time_s)) {
     Posterior there;
     there.points = {point_at(problem, covariance)};
     there.variants = posterior.variants;
-    SetAt at = set_at(problem, there, set);
+    SetRegression at = set_regression(problem, there, set);
     const Eigen::MatrixXd x = columns_by_run(at.white_columns(), gains, runs);
     const double degrees = std::max(1.0, static_cast<double>(at.white_y.size() - x.cols()));
-    const double variance = std::max(1e-300, freed(at.white_y, orthonormal(x)).squaredNorm() / degrees);
+    const double variance = std::max(1e-300, orthogonal_part(at.white_y, orthonormal(x)).squaredNorm() / degrees);
     const double log_p = -0.5 * there.points.front().filter.log_determinant() - 0.5 * degrees * std::log(variance);
     if (!(log_p > most)) continue;
     most = log_p;
@@ -95,7 +95,7 @@ SetAt set_with_gains_by_run(const Problem& problem, const Posterior& posterior, 
 }  // namespace
 
 std::vector<GainByRun> gains_by_run(const Problem& problem, const Posterior& posterior, const EffectSet& set,
-                                    const SetAt& found_at) {
+                                    const SetRegression& found_at) {
   std::vector<GainByRun> differ;
   const std::vector<RowRange> runs = runs_of(problem.time_s);
   if (problem.model.level != Level::series || runs.size() < 2) return differ;
@@ -104,13 +104,13 @@ std::vector<GainByRun> gains_by_run(const Problem& problem, const Posterior& pos
   std::vector<Eigen::Index> columns;
   columns.reserve(gains.size());
   for (const GainColumn& gain : gains) columns.push_back(gain.column);
-  const SetAt at = set_with_gains_by_run(problem, posterior, set, columns, runs);
+  const SetRegression at = set_with_gains_by_run(problem, posterior, set, columns, runs);
   const Eigen::MatrixXd all = at.white_columns();
   const auto count = static_cast<Eigen::Index>(runs.size());
   for (const GainColumn& gain : gains) {
     const Eigen::MatrixXd x = columns_by_run(all, {gain.column}, runs);
-    const double together = freed(at.white_y, orthonormal(all)).squaredNorm();
-    const double each = freed(at.white_y, orthonormal(x)).squaredNorm();
+    const double together = orthogonal_part(at.white_y, orthonormal(all)).squaredNorm();
+    const double each = orthogonal_part(at.white_y, orthonormal(x)).squaredNorm();
     const double p = chi2_upper_tail((together - each) / at.variance, runs.size() - 1);
     if (!(p < kSameGain / static_cast<double>(gains.size()))) continue;
     const Eigen::VectorXd scale = x.colwise().norm().cwiseMax(1e-300).cwiseInverse();

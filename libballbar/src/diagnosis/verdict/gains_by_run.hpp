@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "diagnosis/posterior/set_at.hpp"
+#include "diagnosis/posterior/set_regression.hpp"
 
 namespace ballbar {
 
 // The gains of the model and of the set that differ between runs: chi^2 of separate gains against a common one, with p
 // below kSameGain over the number of gains. Empty for one run.
 std::vector<GainByRun> gains_by_run(const Problem& problem, const Posterior& posterior, const EffectSet& set,
-                                    const SetAt& at);
+                                    const SetRegression& at);
 
 }  // namespace ballbar

@@ -23,7 +23,7 @@ constexpr double kHeldOutEvidence = 3.0;  // gain in ln likelihood of left-out c
 constexpr double kLeftOutRidge = 1e-4;  // prior precision of a white column of length 1
 constexpr double kOwnDirection = 1e-3;  // pivot of a gain of one cycle, of the largest, that is one
 
-double p_same_gain(const SetAt& at, const Eigen::MatrixXd& others, const Eigen::MatrixXd& own,
+double p_same_gain(const SetRegression& at, const Eigen::MatrixXd& others, const Eigen::MatrixXd& own,
                    const std::vector<std::size_t>& fold, std::size_t folds) {
   Eigen::MatrixXd by_fold = Eigen::MatrixXd::Zero(own.rows(), own.cols() * static_cast<Eigen::Index>(folds));
   for (std::size_t i = 0; i < fold.size(); ++i) {
@@ -33,8 +33,8 @@ double p_same_gain(const SetAt& at, const Eigen::MatrixXd& others, const Eigen::
   Eigen::MatrixXd together(own.rows(), others.cols() + own.cols());
   together << others, own;
   const Eigen::MatrixXd basis = orthonormal(together);
-  const Eigen::VectorXd r = freed(at.white_y, basis);
-  const Eigen::MatrixXd left = freed(by_fold, basis);
+  const Eigen::VectorXd r = orthogonal_part(at.white_y, basis);
+  const Eigen::MatrixXd left = orthogonal_part(by_fold, basis);
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(left);
   qr.setThreshold(kOwnDirection);
   const Eigen::Index degrees = qr.rank();
@@ -45,13 +45,13 @@ double p_same_gain(const SetAt& at, const Eigen::MatrixXd& others, const Eigen::
 }
 
 // The readings of each fold, predicted from all others: ln of their likelihood, and the residual in um.
-struct LeftOut {
+struct LeftOutFit {
   std::vector<double> log_likelihood;  // of each fold
   double rmse_um = 0.0;
 };
 
-LeftOut left_out(const SetAt& at, const Eigen::MatrixXd& white, const Eigen::MatrixXd& plain,
-                 const std::vector<std::size_t>& fold, std::size_t folds) {
+LeftOutFit left_out(const SetRegression& at, const Eigen::MatrixXd& white, const Eigen::MatrixXd& plain,
+                    const std::vector<std::size_t>& fold, std::size_t folds) {
   const Eigen::Index k = white.cols();
   const Eigen::VectorXd scale = white.colwise().norm().cwiseMax(1e-300).cwiseInverse();
   const Eigen::MatrixXd x = white * scale.asDiagonal();
@@ -67,7 +67,7 @@ LeftOut left_out(const SetAt& at, const Eigen::MatrixXd& white, const Eigen::Mat
     return -0.5 * (square - b.dot(solution)) / at.variance - lower.diagonal().array().max(1e-300).log().sum();
   };
   const double all = evidence(gram, xy, yy, nullptr);
-  LeftOut result;
+  LeftOutFit result;
   result.log_likelihood.resize(folds);
   for (std::size_t out = 0; out < folds; ++out) {
     std::vector<Eigen::Index> rows;
@@ -88,7 +88,8 @@ LeftOut left_out(const SetAt& at, const Eigen::MatrixXd& white, const Eigen::Mat
 }
 
 std::optional<BestSurrogate> surrogate_of(const Problem& problem, const Posterior& posterior, const EffectSet& set,
-                                          const SetAt& at, std::size_t member, std::size_t count, std::uint64_t seed) {
+                                          const SetRegression& at, std::size_t member, std::size_t count,
+                                          std::uint64_t seed) {
   const Signature& signature = problem.library.signatures[set.signatures[member]];
   const Family& family = problem.library.families[signature.family];
   if (family.bound.effect->time_only || family.bound.effect->inputs.empty() || count == 0) return std::nullopt;
@@ -97,9 +98,9 @@ std::optional<BestSurrogate> surrogate_of(const Problem& problem, const Posterio
   background.row = problem.base.row;
   background.whiten = [&](const Eigen::MatrixXd& columns) { return at.white(filter, columns); };
   background.white.basis = orthonormal(at.white_columns_but(member));
-  background.white.residual = freed(at.white_y, background.white.basis);
+  background.white.residual = orthogonal_part(at.white_y, background.white.basis);
   background.plain.basis = orthonormal(at.columns_but(member));
-  background.plain.residual = freed(at.y, background.plain.basis);
+  background.plain.residual = orthogonal_part(at.y, background.plain.basis);
   SurrogateSource source{family.bound, {signature.point}, {}};
   std::optional<BestSurrogate> best;
   if (family.bound.effect->level == Level::series) {
@@ -123,8 +124,8 @@ const Effect& effect_of_member(const Problem& problem, const EffectSet& set, std
 }  // namespace
 
 Candidate with_tests(Candidate one, const Problem& problem, const Posterior& posterior, const EffectSet& set,
-                     const SetAt& at, std::size_t member, const std::vector<std::size_t>& fold, std::size_t surrogates,
-                     std::uint64_t seed) {
+                     const SetRegression& at, std::size_t member, const std::vector<std::size_t>& fold,
+                     std::size_t surrogates, std::uint64_t seed) {
   const std::size_t folds = *std::max_element(fold.begin(), fold.end()) + 1;
   const Eigen::MatrixXd others = at.white_columns_but(member), plain_others = at.columns_but(member);
   const Eigen::MatrixXd own = at.white_members.middleCols(at.first[member], at.width[member]);
@@ -132,8 +133,8 @@ Candidate with_tests(Candidate one, const Problem& problem, const Posterior& pos
   with << others, own;
   plain_with << plain_others, at.members.middleCols(at.first[member], at.width[member]);
   one.p_same_gain = p_same_gain(at, others, own, fold, folds);
-  const LeftOut before = left_out(at, others, plain_others, fold, folds);
-  const LeftOut after = left_out(at, with, plain_with, fold, folds);
+  const LeftOutFit before = left_out(at, others, plain_others, fold, folds);
+  const LeftOutFit after = left_out(at, with, plain_with, fold, folds);
   one.held_out_before_um = before.rmse_um;
   one.held_out_after_um = after.rmse_um;
   double best = 0.0;
@@ -145,7 +146,8 @@ Candidate with_tests(Candidate one, const Problem& problem, const Posterior& pos
   }
   one.held_out_evidence -= best;
   const Eigen::MatrixXd basis = orthonormal(others), whole = orthonormal(with);
-  one.gain = (freed(at.white_y, basis).squaredNorm() - freed(at.white_y, whole).squaredNorm()) / at.variance;
+  one.gain = (orthogonal_part(at.white_y, basis).squaredNorm() - orthogonal_part(at.white_y, whole).squaredNorm()) /
+             at.variance;
   if (const auto surrogate = surrogate_of(problem, posterior, set, at, member, surrogates, seed)) {
     one.best_surrogate_gain = surrogate->gain;
     one.best_surrogate_fall = surrogate->fall;
@@ -163,7 +165,7 @@ double held_out_um(const Model& model, const Series& data, std::size_t target) {
   const Problem& problem = *found.problem;
   const auto none = std::find_if(found.posterior.sets.begin(), found.posterior.sets.end(),
                                  [](const EffectSet& set) { return set.families.empty() && set.own == 0; });
-  const SetAt at = set_at(problem, found.posterior, *none);
+  const SetRegression at = set_regression(problem, found.posterior, *none);
   const std::vector<std::size_t> fold = folds_of(problem.logged.series, problem.base.row);
   return left_out(at, at.white_line, at.line, fold, *std::max_element(fold.begin(), fold.end()) + 1).rmse_um;
 }
@@ -216,8 +218,8 @@ Candidate described_member(const Inference& inference, const EffectSet& set, con
   return one;
 }
 
-Candidate tested_member(const Inference& inference, const EffectSet& set, const FittedSet& fitted, const SetAt& at,
-                        std::size_t member, std::size_t surrogates, std::uint64_t seed) {
+Candidate tested_member(const Inference& inference, const EffectSet& set, const FittedSet& fitted,
+                        const SetRegression& at, std::size_t member, std::size_t surrogates, std::uint64_t seed) {
   const Problem& problem = *inference.problem;
   Candidate one = described_member(inference, set, fitted, member);
   const Signature& signature = problem.library.signatures[set.signatures[member]];

@@ -9,7 +9,7 @@
 
 #include "ballbar/diagnosis/verdict/candidate.hpp"
 #include "diagnosis/posterior/inference.hpp"
-#include "diagnosis/posterior/set_at.hpp"
+#include "diagnosis/posterior/set_regression.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"
 
 namespace ballbar {
@@ -17,8 +17,8 @@ namespace ballbar {
 // The candidate with its tests: gains by cycle, left-out cycles, fall of chi^2, surrogates. fold: the fold of each of
 // the n rows. seed, surrogates: seed and number of surrogates.
 Candidate with_tests(Candidate one, const Problem& problem, const Posterior& posterior, const EffectSet& set,
-                     const SetAt& at, std::size_t member, const std::vector<std::size_t>& fold, std::size_t surrogates,
-                     std::uint64_t seed);
+                     const SetRegression& at, std::size_t member, const std::vector<std::size_t>& fold,
+                     std::size_t surrogates, std::uint64_t seed);
 
 // RMSE of the model in left-out cycles (recordings), each predicted from the others; NaN: unknown. Throws Error as fit()
 // does.
@@ -33,8 +33,8 @@ Candidate described_member(const Inference& inference, const EffectSet& set, con
                            std::size_t member);
 
 // The same with its tests. surrogates: their number; 0: none.
-Candidate tested_member(const Inference& inference, const EffectSet& set, const FittedSet& fitted, const SetAt& at,
-                        std::size_t member, std::size_t surrogates, std::uint64_t seed);
+Candidate tested_member(const Inference& inference, const EffectSet& set, const FittedSet& fitted,
+                        const SetRegression& at, std::size_t member, std::size_t surrogates, std::uint64_t seed);
 
 // 2 ln of the Bayes factor of the set against the set without this member.
 double log_bayes_factor_of_member(const Inference& inference, const EffectSet& set, std::size_t member);

@@ -45,7 +45,7 @@ Covariance with_slow() { return {0.5, 0.5, 40.0, 3.0, 500.0, 0.0}; }
 
 struct Weighing {
   Gram gram;
-  Solved solution;
+  LinearSolution solution;
   double log_p() const { return log_evidence(solution); }
 };
 
@@ -62,7 +62,7 @@ Weighing weighing(const Made& made, const Covariance& covariance, bool with_know
   }
   const Whitening filter(covariance, made.time_s);
   Gram gram = gram_of(filter, pool);
-  Solved solution = solved(gram, line, known);
+  LinearSolution solution = linear_solution(gram, line, known);
   return {std::move(gram), std::move(solution)};
 }
 
@@ -117,7 +117,7 @@ TEST(Evidence, three_readings_by_hand) {
   RowMajorMatrix pool(3, 2);
   pool << 0, 1, 0, 1, 3, 1;
   const Whitening filter(Covariance{}, std::vector<double>{0.0, 1.0, 2.0});
-  const Solved found = solved(gram_of(filter, pool), {0, {1}, {1}}, {});
+  const LinearSolution found = linear_solution(gram_of(filter, pool), {0, {1}, {1}}, {});
   EXPECT_NEAR(found.square, 6.0, 1e-8);
   EXPECT_NEAR(found.degrees, 2.0, 0.0);
   EXPECT_NEAR(found.variance, 3.0, 1e-8);

@@ -35,7 +35,7 @@ Tried tried(double scale, std::uint64_t seed) {
   std::iota(background.row.begin(), background.row.end(), std::size_t{0});
   background.whiten = [](const Eigen::MatrixXd& columns) { return columns; };
   const Eigen::MatrixXd basis = orthonormal(Eigen::MatrixXd::Ones(200, 1));
-  background.white = background.plain = {basis, freed(residual_um, basis)};
+  background.white = background.plain = {basis, orthogonal_part(residual_um, basis)};
   const SurrogateSource source{{find_effect("expansion", Level::series), {"T_room_degC"}}, {{0.0}}, {}};
   return {best_surrogate(source, data, background, 200, 1), std::pow(residual_um.dot(added), 2)};
 }

@@ -20,7 +20,7 @@ struct Eight {
   Problem problem;
   Posterior posterior;
   EffectSet set;
-  SetAt at;
+  SetRegression at;
   std::vector<std::size_t> fold{0, 0, 0, 0, 1, 1, 1, 1};
 
   Eight(double a, double b) {

@@ -1,4 +1,4 @@
-#include "diagnosis/posterior/found.hpp"
+#include "diagnosis/posterior/weighted_ascent.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,9 @@ constexpr double kSameBound = 0.01;  // ln: two ascents that differ by less are 
 
 }  // namespace
 
-void sort_found(std::vector<Found>& found) {
+void sort_by_weight(std::vector<WeightedAscent>& found) {
   std::stable_sort(found.begin(), found.end(),
-                   [](const Found& a, const Found& b) { return a.log_weight > b.log_weight; });
+                   [](const WeightedAscent& a, const WeightedAscent& b) { return a.log_weight > b.log_weight; });
 }
 
 AscentOptions ascent_options(const Problem& problem, const Identities& identities, std::size_t largest,

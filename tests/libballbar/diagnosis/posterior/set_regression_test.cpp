@@ -1,5 +1,5 @@
 // A set as columns where it is most likely; inputs of any form.
-#include "diagnosis/posterior/set_at.hpp"
+#include "diagnosis/posterior/set_regression.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,13 +26,13 @@ const Inference& warm_room() {
 }
 
 // The scatter and what is left, by the whole matrix: known columns as a part of it, with the scatter that is found.
-TEST(SetAt, is_the_set_by_the_whole_matrix) {
+TEST(SetRegression, is_the_set_by_the_whole_matrix) {
   const Inference& found = warm_room();
   const Problem& problem = *found.problem;
   ASSERT_GE(found.posterior.sets.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
     const EffectSet& set = found.posterior.sets[k];
-    const SetAt at = set_at(problem, found.posterior, set);
+    const SetRegression at = set_regression(problem, found.posterior, set);
     const Covariance& covariance = found.posterior.points[set.point].covariance;
     const Line& line = found.posterior.variants[set.variant].line;
     std::vector<Eigen::Index> flat, known;
@@ -60,10 +60,10 @@ TEST(SetAt, is_the_set_by_the_whole_matrix) {
   }
 }
 
-TEST(SetAt, whitens_other_columns_as_its_own) {
+TEST(SetRegression, whitens_other_columns_as_its_own) {
   const Inference& found = warm_room();
   const EffectSet& set = found.posterior.sets.front();
-  const SetAt at = set_at(*found.problem, found.posterior, set);
+  const SetRegression at = set_regression(*found.problem, found.posterior, set);
   const Eigen::MatrixXd white = at.white(found.posterior.points[set.point].filter, at.members);
   EXPECT_LT((white - at.white_members).cwiseAbs().maxCoeff(), 1e-12 * white.cwiseAbs().maxCoeff());
 }

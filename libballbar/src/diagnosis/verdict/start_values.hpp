@@ -20,7 +20,7 @@ std::size_t member_of(const Inference& found, const EffectSet& set, const BoundE
 
 // The terms with their shapes at the most likely joint values, except stated starts. The identities of `found` must
 // include these terms.
-std::vector<Term> begun(Inference& found, std::vector<Term> terms);
+std::vector<Term> with_start_values(Inference& found, std::vector<Term> terms);
 
 // The model with these terms at their start values.
 Model model_with(Inference& found, Model model, std::vector<Term> terms);

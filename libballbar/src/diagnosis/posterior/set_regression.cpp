@@ -1,4 +1,4 @@
-#include "diagnosis/posterior/set_at.hpp"
+#include "diagnosis/posterior/set_regression.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -20,26 +20,26 @@ Eigen::MatrixXd without(const Eigen::MatrixXd& columns, Eigen::Index first, Eige
 
 }  // namespace
 
-Eigen::MatrixXd SetAt::white(const Whitening& filter, const Eigen::MatrixXd& columns) const {
+Eigen::MatrixXd SetRegression::white(const Whitening& filter, const Eigen::MatrixXd& columns) const {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(white_y.size(), columns.cols());
   result.topRows(columns.rows()) = whitened(filter, columns);
   return result;
 }
 
-Eigen::MatrixXd SetAt::white_columns() const { return side_by_side(white_line, white_members); }
+Eigen::MatrixXd SetRegression::white_columns() const { return side_by_side(white_line, white_members); }
 
-Eigen::MatrixXd SetAt::white_columns_but(std::size_t member) const {
+Eigen::MatrixXd SetRegression::white_columns_but(std::size_t member) const {
   return side_by_side(white_line, without(white_members, first[member], width[member]));
 }
 
-Eigen::MatrixXd SetAt::columns_but(std::size_t member) const {
+Eigen::MatrixXd SetRegression::columns_but(std::size_t member) const {
   return side_by_side(line, without(members, first[member], width[member]));
 }
 
-SetAt set_at(const Problem& problem, const Posterior& posterior, const EffectSet& set) {
+SetRegression set_regression(const Problem& problem, const Posterior& posterior, const EffectSet& set) {
   const Point& point = posterior.points[set.point];
   const Variant& variant = posterior.variants[set.variant];
-  SetAt result;
+  SetRegression result;
   result.y = variant.pool.col(variant.line.y);
   result.line = variant.pool(Eigen::all, variant.line.columns);
   const Eigen::Index n = result.y.size();

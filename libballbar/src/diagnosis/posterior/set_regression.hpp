@@ -11,7 +11,7 @@
 namespace ballbar {
 
 // White columns have additional rows, one for each column with the prior N(0, 1).
-struct SetAt {
+struct SetRegression {
   Eigen::VectorXd y;                       // n
   Eigen::MatrixXd line;                    // n by p
   Eigen::MatrixXd members;                 // n by all gains of the set
@@ -27,6 +27,6 @@ struct SetAt {
   Eigen::MatrixXd columns_but(std::size_t member) const;        // likewise, not whitened
 };
 
-SetAt set_at(const Problem& problem, const Posterior& posterior, const EffectSet& set);
+SetRegression set_regression(const Problem& problem, const Posterior& posterior, const EffectSet& set);
 
 }  // namespace ballbar

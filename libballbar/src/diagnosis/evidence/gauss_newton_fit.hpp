@@ -11,7 +11,7 @@
 
 namespace ballbar {
 
-struct Refined {
+struct GaussNewtonFit {
   std::vector<double> parameters;
   double log_evidence = 0.0;  // of the model linearised about them
   double variance = 0.0;      // of the scatter, in units of C
@@ -27,9 +27,9 @@ inline constexpr Steps kToTheEnd{60, 1e-9};  // accuracy of printed numbers
 
 // Gauss-Newton, with shapes within their bounds. times: columns of Kind::time. free: held shapes to set free; fixed: as
 // in BaseModel::at().
-Refined refined(const BaseModel& base, std::vector<double> parameters, const std::vector<std::size_t>& free,
-                const Eigen::MatrixXd& times, const Whitening& filter, const KnownScatter& known, Steps steps,
-                std::size_t fixed = 0);
+GaussNewtonFit gauss_newton_fit(const BaseModel& base, std::vector<double> parameters,
+                                const std::vector<std::size_t>& free, const Eigen::MatrixXd& times,
+                                const Whitening& filter, const KnownScatter& known, Steps steps, std::size_t fixed = 0);
 
 // The linear model of these columns in a pool with the order y, the columns (from `first` on), times.
 Line line_of(const BaseColumns& columns, Eigen::Index times, Eigen::Index first);

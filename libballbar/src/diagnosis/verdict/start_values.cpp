@@ -1,4 +1,4 @@
-#include "diagnosis/verdict/begun_terms.hpp"
+#include "diagnosis/verdict/start_values.hpp"
 
 #include <iterator>
 #include <optional>
@@ -45,7 +45,7 @@ std::size_t member_of(const Inference& found, const EffectSet& set, const BoundE
   return m;
 }
 
-std::vector<Term> begun(Inference& found, std::vector<Term> terms) {
+std::vector<Term> with_start_values(Inference& found, std::vector<Term> terms) {
   const std::vector<BoundEffect> bounds = bounds_of(terms);
   const EffectSet* set = set_of_all(found, bounds);
   if (set == nullptr) return terms;
@@ -58,7 +58,7 @@ std::vector<Term> begun(Inference& found, std::vector<Term> terms) {
 }
 
 Model model_with(Inference& found, Model model, std::vector<Term> terms) {
-  terms = begun(found, std::move(terms));
+  terms = with_start_values(found, std::move(terms));
   std::move(terms.begin(), terms.end(), std::back_inserter(model.terms));
   return model;
 }

@@ -1,4 +1,4 @@
-#include "diagnosis/evidence/refined.hpp"
+#include "diagnosis/evidence/gauss_newton_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ constexpr double kLongestStep = 0.7;  // reaches
 
 struct At {
   BaseColumns columns;
-  Solved solution;
+  LinearSolution solution;
   double log_evidence = -std::numeric_limits<double>::infinity();
 };
 
@@ -21,7 +21,7 @@ At at(const BaseModel& base, const std::vector<double>& parameters, const std::v
   At result;
   result.columns = base.at(parameters, free, fixed);
   const Gram gram = gram_of(filter, pool_of(result.columns, times));
-  result.solution = solved(gram, line_of(result.columns, times.cols(), 0), known);
+  result.solution = linear_solution(gram, line_of(result.columns, times.cols(), 0), known);
   result.log_evidence = log_evidence(result.solution);
   return result;
 }
@@ -70,9 +70,9 @@ RowMajorMatrix pool_of(const BaseColumns& columns, const Eigen::MatrixXd& times)
   return pool;
 }
 
-Refined refined(const BaseModel& base, std::vector<double> parameters, const std::vector<std::size_t>& free,
-                const Eigen::MatrixXd& times, const Whitening& filter, const KnownScatter& known, Steps steps,
-                std::size_t fixed) {
+GaussNewtonFit gauss_newton_fit(const BaseModel& base, std::vector<double> parameters,
+                                const std::vector<std::size_t>& free, const Eigen::MatrixXd& times,
+                                const Whitening& filter, const KnownScatter& known, Steps steps, std::size_t fixed) {
   At now = at(base, parameters, free, times, filter, known, fixed);
   for (int round = 0; round < steps.most; ++round) {
     double share = 1.0;

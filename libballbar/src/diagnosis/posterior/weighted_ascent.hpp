@@ -10,7 +10,7 @@
 
 namespace ballbar {
 
-struct Found {
+struct WeightedAscent {
   Point point;
   double background = 0.0;  // d of the background
   Ascent ascent;
@@ -19,7 +19,7 @@ struct Found {
 };
 
 // Sorted, the most likely first.
-void sort_found(std::vector<Found>& found);
+void sort_by_weight(std::vector<WeightedAscent>& found);
 
 // largest: largest number of single effects. without: an identity to exclude, or kNoSignature.
 AscentOptions ascent_options(const Problem& problem, const Identities& identities, std::size_t largest,
