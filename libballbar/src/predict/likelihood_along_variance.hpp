@@ -5,7 +5,7 @@
 //   |K| = |N| |I + v T|,   a' K^-1 b = Z_a'Z_b - v c_a' (I + v T)^-1 c_b,   c = V' F' Z'Z_a
 //
 // and another v takes as many steps as there are predictors, not a factorisation of K. The named terms are removed from
-// Z'Z first, likewise. Accurate to 1e-9 of ln L.
+// Z'Z first, likewise. Accurate to 1e-8 of ln L.
 #pragma once
 
 #include <Eigen/Core>
