@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "ballbar/numerics/parallel.hpp"
+#include "predict/likelihood_along_variance.hpp"
 
 namespace ballbar {
 namespace {
@@ -179,25 +181,46 @@ RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, do
     RidgeSetting setting;
     double score = -std::numeric_limits<double>::infinity();
   };
-  std::vector<Eigen::MatrixXd> discrepancies;
-  for (const double length_s : kLengths_s)
-    discrepancies.push_back(discrepancy_of(problem.time_s, problem.run, length_s));
   const std::vector<unsigned> dictionaries = dictionaries_of(problem);
+  constexpr std::size_t kLengths = std::size(kLengths_s);
   // Machines that are alike need next to no spread.
   const int least = problem.start.size() > 0 ? kLeastSpread : kLeastVariance;
-  std::vector<RatedSetting> tried(dictionaries.size() * std::size(kLengths_s));
-  in_parallel(tried.size(), [&](std::size_t i) {
-    const unsigned kinds = dictionaries[i / std::size(kLengths_s)];
-    const std::size_t length = i % std::size(kLengths_s);
-    const Eigen::MatrixXd kernel = kernel_of(problem, {.kinds = kinds, .start_scale = 0.0});
-    Eigen::MatrixXd rest = discrepancies[length];
+  const bool by_runs = runs_in(problem) >= kFewestRunsToLeaveOut;
+  // K is factorised for each v where that needs more than the likelihood, or there are few rows for the predictors.
+  const bool is_reduced = !by_runs && problem.start.size() == 0 && 2 * problem.columns.cols() <= problem.columns.rows();
+  std::vector<Eigen::MatrixXd> rests(is_reduced ? 0 : kLengths);
+  std::vector<WhiteProducts> products(is_reduced ? kLengths : 0);
+  std::vector<PriorRoot> roots(is_reduced ? dictionaries.size() : 0);
+  in_parallel(kLengths, [&](std::size_t length) {
+    if (is_reduced) {
+      products[length] = white_products(problem, kLengths_s[length], named_variance);
+      return;
+    }
+    Eigen::MatrixXd& rest = rests[length];
+    rest = discrepancy_of(problem.time_s, problem.run, kLengths_s[length]);
     if (!problem.named.empty()) rest += named_variance * problem.named_kernel;
     if (problem.start.size() > 0) rest += start_scale * problem.start_kernel;
+  });
+  in_parallel(roots.size(),
+              [&](std::size_t d) { roots[d] = prior_root(prior_of(problem, {.kinds = dictionaries[d]})); });
+  std::vector<RatedSetting> tried(dictionaries.size() * kLengths);
+  in_parallel(tried.size(), [&](std::size_t i) {
+    const unsigned kinds = dictionaries[i / kLengths];
+    const std::size_t length = i % kLengths;
+    Eigen::MatrixXd kernel;
+    std::optional<LikelihoodAlongVariance> reduced;
+    if (is_reduced) {
+      reduced.emplace(products[length], roots[i / kLengths]);
+    } else {
+      kernel = kernel_of(problem, {.kinds = kinds, .start_scale = 0.0});
+    }
     std::map<int, double> known;
     const auto score = [&](int k) {
       const auto [place, is_new] = known.try_emplace(k, 0.0);
       if (is_new) {
-        place->second = score_of(problem, solved(problem, std::pow(10.0, 0.5 * k) * kernel + rest));
+        const double variance = std::pow(10.0, 0.5 * k);
+        place->second =
+            reduced ? reduced->at(variance) : score_of(problem, solved(problem, variance * kernel + rests[length]));
       }
       return place->second;
     };
@@ -213,7 +236,7 @@ RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, do
       return best;
     };
     int best = uphill_from(0);
-    if (runs_in(problem) >= kFewestRunsToLeaveOut) {
+    if (by_runs) {
       const int other = uphill_from(6);
       if (score(other) > score(best)) best = other;
     }

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include "made_runs.hpp"
+#include "predict/likelihood_along_variance.hpp"
 
 namespace ballbar {
 namespace {
@@ -140,9 +141,38 @@ TEST(ridge, the_likelihood_is_that_of_contrasts) {
   }
 }
 
-// The setting chosen of one run is the likeliest of those it may have.
-TEST(ridge, no_neighbour_of_the_chosen_setting_is_likelier) {
-  const RidgeProblem problem = problem_of(design(1, 60));
+// One reduction gives ln L at any v, within and between runs, with a named predictor too, as the factorised K does.
+TEST(ridge, the_likelihood_along_the_variance_is_that_of_each_covariance) {
+  for (const std::size_t runs : {std::size_t{1}, std::size_t{3}}) {
+    RidgeProblem problem = problem_of(design(runs, 40));
+    for (const double named_variance : {0.0, kFreeNamed}) {
+      if (named_variance > 0.0) {  // the last predictor, of temperatures: in none of the dictionary below
+        problem.named = {static_cast<std::size_t>(problem.columns.cols()) - 1};
+        const Eigen::VectorXd named = problem.columns.rightCols(1);
+        problem.named_kernel = named * named.transpose();
+      }
+      for (const RidgeSetting& setting : kSettings) {
+        if (named_variance > 0.0 && setting.kinds != kSources) continue;
+        Eigen::MatrixXd prior = Eigen::MatrixXd::Zero(problem.columns.cols(), problem.columns.cols());
+        for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
+          if ((setting.kinds >> kind & 1U) != 0) prior += problem.prior[kind];
+        }
+        const LikelihoodAlongVariance along(white_products(problem, setting.length_s, named_variance),
+                                            prior_root(prior));
+        for (const double variance : {0.01, 1.0, 1e5}) {
+          const RidgeSetting one{setting.kinds, variance, setting.length_s, named_variance};
+          const double expected = ridge_fit(problem, one).log_likelihood;
+          EXPECT_NEAR(along.at(variance), expected, 1e-8 * std::abs(expected));
+        }
+      }
+    }
+  }
+}
+
+// The setting chosen of one run is the likeliest of those it may have: where K is factorised, and where it is reduced.
+void expect_likeliest(std::size_t rows, bool is_reduced) {
+  const RidgeProblem problem = problem_of(design(1, rows));
+  ASSERT_EQ(2 * problem.columns.cols() <= problem.columns.rows(), is_reduced);
   const RidgeSetting chosen = chosen_setting(problem);
   const double likeliest = ridge_fit(problem, chosen).log_likelihood;
   for (const double length_s : {0.0, 1800.0, 7200.0, 30'000.0}) {
@@ -156,6 +186,11 @@ TEST(ridge, no_neighbour_of_the_chosen_setting_is_likelier) {
       }
     }
   }
+}
+
+TEST(ridge, no_neighbour_of_the_chosen_setting_is_likelier) {
+  expect_likeliest(60, false);
+  expect_likeliest(400, true);
 }
 
 // The run's rows predicted from all others: b and y by the blocks of K, with the scales of all rows.

@@ -28,11 +28,11 @@ struct Candidate {
   // `threshold` on the evidence is sufficient by itself.
   double likelihood_ratio = 0.0;
   double threshold = kLeastLikelihoodRatio;
-  std::vector<FittedParameter> parameters;                   // of this effect
-  std::vector<Interval> intervals;                           // of each parameter
-  double amplitude_um = 0.0;                                 // range (max - min) of its contribution
-  double amplitude_sigma_um = kUnknown;                      // infinite: not determined
-  double rmse_after_um = kUnknown;                           // of the model with this effect alone added
+  std::vector<FittedParameter> parameters;  // of this effect
+  std::vector<Interval> intervals;          // of each parameter
+  double amplitude_um = 0.0;                // range (max - min) of its contribution
+  double amplitude_sigma_um = kUnknown;     // infinite: not determined
+  double rmse_after_um = kUnknown;          // of the model with this effect alone added
   // RMSE in cycles left out of the fit, of the model with the other members of the set and with this one as well; of a
   // series as LedgerRow::held_out_um.
   double held_out_before_um = 0.0, held_out_after_um = 0.0;
