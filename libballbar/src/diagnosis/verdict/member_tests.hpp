@@ -20,8 +20,8 @@ Candidate with_tests(Candidate one, const Problem& problem, const Posterior& pos
                      const SetRegression& at, std::size_t member, const std::vector<std::size_t>& fold,
                      std::size_t surrogates, std::uint64_t seed);
 
-// RMSE of the model in left-out cycles (recordings), each predicted from the others; NaN: unknown. Throws Error as fit()
-// does.
+// RMSE of the model in left-out cycles (recordings), each predicted from the others; NaN: unknown. Throws Error as
+// fit() does.
 double held_out_um(const Model& model, const Series& data, std::size_t target);
 
 // Phrases of Candidate::doubts.
