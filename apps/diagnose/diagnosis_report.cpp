@@ -13,6 +13,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/revision/replacement.hpp"
 #include "diagnose/diagnosis_result.hpp"
+#include "diagnose/effect_test_text.hpp"
 #include "diagnose/follow_results.hpp"
 #include "diagnose/next_command.hpp"
 #include "terminal/progress.hpp"
@@ -150,7 +151,7 @@ std::string unsupported_text(const DiagnosisReport& report) {
   return fmt::format(
       "The model contains {}, which the data did not support when it was added. The verdict is valid only if it is "
       "real.",
-      fmt::join(report.unsupported, " and "));
+      enumeration(report.unsupported));
 }
 
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {

@@ -113,7 +113,7 @@ std::string first_words(const EffectTest& effect_test, bool supported) {
   texts.reserve(effect_test.added.size());
   for (const Candidate& tried : effect_test.added) texts.push_back(effect_words(effect_test, tried));
   const std::string_view all = supported || texts.size() == 1 ? "" : texts.size() == 2 ? "both " : "all of ";
-  return fmt::format("The data {} {}{}", supported ? "support" : "do not support", all, fmt::join(texts, " and "));
+  return fmt::format("The data {} {}{}", supported ? "support" : "do not support", all, enumeration(texts));
 }
 
 std::string error_words(const EffectTest& effect_test) {
@@ -125,6 +125,12 @@ std::string error_words(const EffectTest& effect_test) {
 
 }  // namespace
 
+std::string enumeration(const std::vector<std::string>& names) {
+  if (names.empty()) return "";
+  const auto last = names.end() - 1;
+  return fmt::format("{}{}{}", fmt::join(names.begin(), last, ", "), names.size() > 1 ? " and " : "", *last);
+}
+
 std::string conclusion(const EffectTest& effect_test) {
   std::vector<std::string> doubts;
   for (const Candidate& tried : effect_test.added) {
@@ -134,7 +140,7 @@ std::string conclusion(const EffectTest& effect_test) {
   }
   std::string text = fmt::format("{}. {}", first_words(effect_test, doubts.empty()), error_words(effect_test));
   if (!effect_test.beside.empty()) {
-    text += fmt::format(" The test assumes that {} {} missing as well.", fmt::join(effect_test.beside, " and "),
+    text += fmt::format(" The test assumes that {} {} missing as well.", enumeration(effect_test.beside),
                         effect_test.beside.size() == 1 ? "is" : "are");
   }
   if (!doubts.empty()) return fmt::format("{} Why not: {}.", text, fmt::join(doubts, "; "));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ballbar/revision/effect_test.hpp"
 
@@ -9,6 +10,9 @@ namespace ballbar {
 
 // "The data support X.", or the reasons against it.
 std::string conclusion(const EffectTest& effect_test);
+
+// "A", "A and B", "A, B and C".
+std::string enumeration(const std::vector<std::string>& names);
 
 // Error before and after, added effects with 2 ln B and surrogates. details: earlier effects tested anew, all
 // parameters, and what the figures mean.

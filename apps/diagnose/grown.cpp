@@ -9,6 +9,7 @@
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/predict/predictability.hpp"
+#include "diagnose/effect_test_text.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -112,7 +113,7 @@ std::string conclusion(const GrownModel& grown, const std::vector<std::string>& 
     text += fmt::format("Named causes in the model: {}. ", fmt::join(causes, ", "));
   } else if (!known_drivers.empty()) {
     text += fmt::format("{} {} the drift in an unknown form, so no effect is proven as its cause. ",
-                        fmt::join(known_drivers, " and "), known_drivers.size() == 1 ? "drives" : "drive");
+                        enumeration(known_drivers), known_drivers.size() == 1 ? "drives" : "drive");
   } else {
     text += "None of them is a proven cause: they predict, they do not explain. ";
   }

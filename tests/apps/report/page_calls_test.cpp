@@ -137,6 +137,21 @@ TEST(PageCalls, what_the_data_do_not_support_is_kept_only_if_asked) {
   EXPECT_FALSE(kept["supported"].get<bool>());
   const Json found = calls.answer(desk.call("search"));
   EXPECT_EQ(found["diagnose"]["targets"][0]["unsupported"], Json({"linear_drift"}));
+  // Until a later revision finds that it is needed.
+  calls.answer(desk.call("add", {{"effects", {"expansion(T_room_degC)"}}}));
+  calls.answer(desk.call("revise", {{"model", desk.model}}));
+  const auto unsupported = [&] {
+    return PageCalls().answer(desk.call("search"))["diagnose"]["targets"][0]["unsupported"];
+  };
+  EXPECT_EQ(unsupported(), Json({"linear_drift"}));
+  std::string file = read_bytes(desk.model, 1U << 20);
+  const std::string from = "no_longer_needed = [\"linear_drift\"]";
+  ASSERT_NE(file.rfind(from), std::string::npos) << file;
+  const std::size_t still = file.rfind("still_needed = [");
+  file.insert(still + std::string("still_needed = [").size(), "\"linear_drift\", ");
+  file.replace(file.rfind(from), from.size(), "no_longer_needed = []");
+  write_bytes(desk.model, file);
+  EXPECT_TRUE(unsupported().empty());
 }
 
 TEST(PageCalls, values_are_held_and_the_model_stays) {

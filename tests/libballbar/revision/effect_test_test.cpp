@@ -153,6 +153,28 @@ TEST(EffectTest, of_what_is_not) {
   EXPECT_EQ(found.after.still_needed, std::vector<std::string>{"expansion(T_room_degC)"});
 }
 
+// Beside a jump of 8 um that is not in the model either, 1 um with the room is noise. The diagnosis names both, and
+// each of them is supported when it is added first.
+TEST(EffectTest, tested_beside_what_is_missing_as_well) {
+  Series data = warm_up();
+  for (std::size_t i = 0; i < data.time_s.size(); ++i) {
+    double& z_um = data.columns[3].values[i];
+    z_um += (i < 170 ? 0.0 : 8.0) - 3.5 * data.columns[1].values[i];
+  }
+  const Term room = term_of("expansion", {"T_room_degC"}), step = term_of("step", {});
+  const EffectTest of_room = effect_test(constant(), {room}, data);
+  EXPECT_EQ(of_room.beside, std::vector<std::string>{"step"});
+  EXPECT_EQ(of_room.after.verdict, "supported");
+  EXPECT_NEAR(of_room.added[0].amplitude_um, 1.0, 0.1);
+  EXPECT_FALSE(std::isfinite(of_room.after.best_surrogate_fall));
+  const EffectTest of_step = effect_test(constant(), {step}, data);
+  EXPECT_EQ(of_step.beside, std::vector<std::string>{"expansion(T_room_degC)"});
+  EXPECT_NEAR(of_step.added[0].amplitude_um, 8.0, 0.2);
+  const EffectTest both = effect_test(constant(), {room, step}, data);
+  EXPECT_TRUE(both.beside.empty());
+  EXPECT_NEAR(both.added[0].likelihood_ratio, of_room.added[0].likelihood_ratio, 1e-6);
+}
+
 TEST(EffectTest, pruned_of_what_is_not_needed) {
   Model model = constant();
   model.terms.push_back(term_of("linear_drift", {}));
