@@ -99,6 +99,12 @@ void expect_file_suits(const AddArguments& options, const ModelData& data, const
   if (!file.targets.empty()) with_source(options.effect.model.model.name(), [&] { expect_suits(file, *data.series); });
 }
 
+std::string labels_of_added(const EffectTest& tried) {
+  std::vector<std::string> names;
+  for (const Candidate& one : tried.added) names.push_back(one.label);
+  return enumeration(names);
+}
+
 std::string either_text(const std::vector<std::vector<BoundEffect>>& groups) {
   std::vector<std::string> texts;
   texts.reserve(groups.size());
@@ -188,8 +194,9 @@ std::string add_supported(const AddArguments& options, std::vector<Term> terms, 
 }
 
 // Effects that diagnose() names, until it names none that the model has not, or those that their test does not support.
-// Returns why it stopped.
-std::string add_named(const AddArguments& options, Additions& additions, Verdict& verdict) {
+// Returns why it stopped. texts: of the model's file before each revision.
+std::string add_named(const AddArguments& options, Additions& additions, std::vector<std::string>& texts,
+                      Verdict& verdict) {
   while (true) {
     show_progress(fmt::format("searching, {} revisions so far", additions.effect_tests.size()));
     const Diagnosis diagnosis =
@@ -211,10 +218,25 @@ std::string add_named(const AddArguments& options, Additions& additions, Verdict
       verdict = Verdict::unexplained;
       return fmt::format("Stopped, and not added. {}", why);
     }
+    texts.push_back(additions.model.text());
     additions.effect_tests.push_back(additions.model.revise({.prune = options.prune, .named = true}));
     if (additions.effect_tests.size() < kMostAdditions) continue;
     return fmt::format("Stopped after {} revisions: a larger model would fit these data only.", kMostAdditions);
   }
+}
+
+// Takes back the last revisions whose test assumed further effects that were not added after them. Returns why.
+std::string take_back_assumed(Additions& additions, std::vector<std::string> texts) {
+  std::string why;
+  while (!additions.effect_tests.empty() && !additions.effect_tests.back().beside.empty()) {
+    const EffectTest& last = additions.effect_tests.back();
+    why = fmt::format("Not added: {}, whose test assumes that {} {} missing as well.", labels_of_added(last),
+                      enumeration(last.beside), last.beside.size() == 1 ? "is" : "are");
+    additions.model.go_back_to(texts.back());
+    texts.pop_back();
+    additions.effect_tests.pop_back();
+  }
+  return why;
 }
 
 void add_grown(const AddArguments& options, const ModelData& data, Additions& additions) {
@@ -328,7 +350,12 @@ void run(AddArguments options) {
       stopped = add_errors(options, data, additions);
       verdict = Verdict::nothing;
     } else {
-      stopped = add_named(options, additions, verdict);
+      std::vector<std::string> texts;
+      stopped = add_named(options, additions, texts, verdict);
+      if (const std::string why = take_back_assumed(additions, std::move(texts)); !why.empty()) {
+        stopped += (stopped.empty() ? "" : " ") + why;
+        verdict = Verdict::unexplained;
+      }
       const bool is_one_run = data.series->runs.size() < 2;
       if (!options.named_only && data.level == Level::series && is_left(verdict)) {
         if (is_one_run) add_grown(options, data, additions);

@@ -73,7 +73,7 @@ std::vector<std::string> unsupported_of(const ModelOptions& options, const Model
     after = std::move(before);
     // The last revision that tests an earlier effect decides.
     for (const std::string& label : row->still_needed) {
-      if (!not_needed.contains(label)) needed.insert(label);
+      if (!not_needed.contains(label) && !added.contains(label)) needed.insert(label);
     }
     for (const std::string& label : row->no_longer_needed) {
       if (!needed.contains(label)) not_needed.insert(label);
@@ -148,10 +148,10 @@ std::string predicted_text(const DiagnosisReport& report) {
 
 std::string unsupported_text(const DiagnosisReport& report) {
   if (report.unsupported.empty()) return "";
+  const bool is_one = report.unsupported.size() == 1;
   return fmt::format(
-      "The model contains {}, which the data did not support when it was added. The verdict is valid only if it is "
-      "real.",
-      enumeration(report.unsupported));
+      "The model contains {}, which the data did not support when {} added. The verdict is valid only if {} real.",
+      enumeration(report.unsupported), is_one ? "it was" : "they were", is_one ? "it is" : "they are");
 }
 
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {

@@ -59,8 +59,7 @@ Table added_table(const EffectTest& effect_test) {
                    ? with_sigma(tried.amplitude_um, tried.amplitude_sigma_um, digits_of(tried.amplitude_um))
                    : fixed(tried.amplitude_um, digits_of(tried.amplitude_um)),
                fixed(tried.likelihood_ratio, 1), fixed(tried.threshold, 1),
-               effect_test.added.size() == 1 ? percent(fall) : "-",
-               effect_test.beside.empty() ? percent(tried.best_surrogate_fall) : "-"});
+               effect_test.added.size() == 1 ? percent(fall) : "-", percent(tried.best_surrogate_fall)});
   }
   return table;
 }
@@ -140,8 +139,8 @@ std::string conclusion(const EffectTest& effect_test) {
   }
   std::string text = fmt::format("{}. {}", first_words(effect_test, doubts.empty()), error_words(effect_test));
   if (!effect_test.beside.empty()) {
-    text += fmt::format(" The test assumes that {} {} missing as well.", enumeration(effect_test.beside),
-                        effect_test.beside.size() == 1 ? "is" : "are");
+    text += fmt::format(" The test and the amplitude assume that {} {} missing as well.",
+                        enumeration(effect_test.beside), effect_test.beside.size() == 1 ? "is" : "are");
   }
   if (!doubts.empty()) return fmt::format("{} Why not: {}.", text, fmt::join(doubts, "; "));
   const bool is_one = effect_test.added.size() == 1;

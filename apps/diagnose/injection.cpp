@@ -132,7 +132,7 @@ Injected tested(const InjectionOptions& options, const ModelOptions& of, const M
   DiagnosisOptions how;
   how.search.motion = data.motion;
   how.search.seed = options.seed;
-  how.fit_candidates = false;
+  how.fit_candidates = how.leave_out = false;
   show_progress_of(1);
   result.without = diagnose(model, series, 0, how);
   show_progress_of(2);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -50,16 +51,17 @@ void relabel(std::vector<FittedParameter>& parameters, const std::string& from, 
   }
 }
 
-// The set with these families beside whose other members they are tested, as diagnose() tests them: the most probable
-// set if it has them all, else the most probable one that has.
-const EffectSet& set_with(const Posterior& posterior, const std::vector<std::size_t>& families) {
+// The set beside whose other members the effects of `alone` are tested, as diagnose() tests them: the most probable set
+// if it has them all, else the most probable one that has. `alone` if the search found none.
+const EffectSet& set_with(const Posterior& posterior, const EffectSet& alone) {
   const auto has_them = [&](const EffectSet& set) {
-    return std::includes(set.families.begin(), set.families.end(), families.begin(), families.end());
+    return set.own == 0 && set.log_weight > kLogZero &&
+           std::includes(set.families.begin(), set.families.end(), alone.families.begin(), alone.families.end());
   };
   const EffectSet& best = posterior.sets[posterior.best];
   if (has_them(best)) return best;
-  return *std::find_if(posterior.sets.begin(), posterior.sets.end(),
-                       [&](const EffectSet& set) { return set.own == 0 && has_them(set); });
+  const auto listed = std::find_if(posterior.sets.begin(), posterior.sets.end(), has_them);
+  return listed == posterior.sets.end() ? alone : *listed;
 }
 
 // Fills `added`, `parameters`, and the figures of `after` that the posterior has.
@@ -70,21 +72,21 @@ void test_added(Inference& found, const std::vector<Term>& terms, EffectTest& re
     for (const BoundEffect& bound : bounds) result.added.push_back(untestable_candidate(bound));
     return;
   }
-  const EffectSet& set = set_with(found.posterior, alone->families);
+  const EffectSet& set = set_with(found.posterior, *alone);
   std::vector<std::size_t> others;
   std::set_difference(set.families.begin(), set.families.end(), alone->families.begin(), alone->families.end(),
                       std::back_inserter(others));
   for (const std::size_t family : others)
     result.beside.push_back(label_of(found.problem->library.families[family].bound));
-  const double without = others.empty() ? 0.0 : log_bayes_factor(*found.problem, found.posterior, others);
-  result.after.likelihood_ratio =
-      std::max(0.0, log_bayes_factor(*found.problem, found.posterior, set.families) - without);
+  result.after.likelihood_ratio = std::max(0.0, log_bayes_factor_beside(found, set, others));
   const FittedSet fitted = fitted_set(*found.problem, found.posterior, set, true);
   if (others.empty()) result.parameters = fitted.parameters;
+  // A surrogate lowers the RMSE of the model with the other effects, which is not the one reported.
+  const std::size_t surrogates = others.empty() || result.model.level == Level::recording ? kSurrogates : 0;
   const SetRegression at = set_regression(*found.problem, found.posterior, set);
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const std::size_t m = member_of(found, set, bounds[t]);
-    Candidate one = tested_member(found, set, fitted, at, m, kSurrogates, kSeed);
+    Candidate one = tested_member(found, set, fitted, at, m, surrogates, kSeed);
     one.label = label_of(terms[t]);
     relabel(one.parameters, one.parameters.front().effect, one.label);
     relabel(result.parameters, label_of(fitted.model.terms[found.problem->model.terms.size() + m]), one.label);
@@ -159,8 +161,7 @@ EffectTest effect_test_of(Inference& found, FittedModel before, FittedModel afte
   for (Candidate& one : result.added) {
     one.rmse_after_um = result.fit_after.rmse_um;
     changes.push_back("+ " + one.label);
-    if (result.beside.empty() && std::isfinite(one.best_surrogate_fall) &&
-        !(result.after.best_surrogate_fall >= one.best_surrogate_fall))
+    if (std::isfinite(one.best_surrogate_fall) && !(result.after.best_surrogate_fall >= one.best_surrogate_fall))
       result.after.best_surrogate_fall = one.best_surrogate_fall;
   }
   result.after.threshold = kLeastLikelihoodRatio * static_cast<double>(count);

@@ -29,7 +29,7 @@ std::vector<Replacement> replacements(const Model& model, std::span<const std::s
     rest.terms.erase(rest.terms.begin() + static_cast<std::ptrdiff_t>(t));
     DiagnosisOptions how = options;
     how.surrogates = 0;
-    how.fit_candidates = false;
+    how.fit_candidates = how.leave_out = false;
     Replacement one{t, label_of(term), 0.0, diagnose(rest, data, target, how)};
     for (const EffectProbability& effect : one.without.effects) {
       if (is_same(term, effect.bound)) one.p = effect.p;

@@ -124,7 +124,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     const { group, model, target, data, log, targets, compared, history, left_out } = subject;
     // Of one of several tests the group, from which it is chosen again.
     const words = group.kind === "recordings" && compared.length === 0 ? group.data : data;
-    const saved_model = models.get(model);
+    const saved_model = model === "" ? undefined : (models.get(model) ?? ""); // made here: nothing is saved
     const state = { when: Date.now(), title: group.title, data: words, model, target, log, targets, compared, history, left_out, unsaved };
     store?.say({ ...state, ...(saved_model === undefined ? {} : { saved_model }) }).catch(() => undefined);
   };
@@ -399,8 +399,11 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     saved() {
       unsaved = false;
       const model = subject?.model ?? "";
-      if (model !== "") void text_of(model).then((text) => models.set(model, text));
-      keep_state();
+      if (model === "") return keep_state();
+      void text_of(model).then((text) => {
+        models.set(model, text);
+        keep_state();
+      });
     },
   };
 };

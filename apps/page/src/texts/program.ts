@@ -29,8 +29,30 @@ export interface Words {
   numbers(text: string): string; // with the sign of the language
 }
 
-// What stands in a place of a sentence: a phrase, an effect, several of either, a number.
+// "A, B and C" of effects, of which brackets may hold several columns; of sizes "A, 5 um of z and B, 3 um of z".
+const kBetween = /(?:, | and )(?![^()]*\))/;
+const kBetweenSizes = /(?<= um of \S+) and /;
+const kAll = /^(?:both|all of) /;
+const kName = /^[A-Za-z_][\w.]*( ?\(.*\))?$/s; // of an effect or a column
+
+const list_of = (text: string): string[] => {
+  const all = text.replace(kAll, "");
+  const sizes = all.split(kBetweenSizes);
+  if (sizes.length > 1) return sizes;
+  const parts = all.split(kBetween);
+  return parts.every((part) => kName.test(part)) ? parts : [all];
+};
+
+const listed: Readonly<Record<string, readonly [string, string]>> = { de: [", ", " und "], zh: ["、", "和"] };
+
+// What stands in a place of a sentence: several of what follows, a phrase, an effect, a number.
 const part_of = (text: string, words: Words): string => {
+  const parts = list_of(text);
+  if (parts.length > 1) {
+    const [between, last] = listed[words.language] ?? [", ", " and "];
+    const said = parts.map((part) => part_of(part, words));
+    return said.slice(0, -1).join(between) + last + (said.at(-1) ?? "");
+  }
   const phrase = one_of(text, words);
   if (phrase !== null) return phrase;
   const [, name = "", columns = ""] = kLabel.exec(text) ?? [];
@@ -47,10 +69,12 @@ const one_of = (text: string, words: Words): string | null => {
   return null;
 };
 
+const kMostSentences = 4; // of one row
+
 // Sentences, of which a row may have several together; the most that one has come first.
 const all_of = (sentences: readonly string[], words: Words): string[] | null => {
   if (sentences.length === 0) return [];
-  for (let n = sentences.length; n > 0; --n) {
+  for (let n = Math.min(sentences.length, kMostSentences); n > 0; --n) {
     const said = one_of(sentences.slice(0, n).join(" "), words);
     const rest = said === null ? null : all_of(sentences.slice(n), words);
     if (said !== null && rest !== null) return [said, ...rest];

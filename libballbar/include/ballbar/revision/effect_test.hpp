@@ -7,10 +7,10 @@
 // An added effect is supported if 2 ln B is at least 10, its gain is equal in all cycles (p >= 0.01), and it does not
 // depend on time alone. The test assumes that the other effects of the most probable set of diagnose() with these
 // effects are missing as well, so that both report the same figures; a large missing effect would otherwise hide a
-// small one. This is valid for an effect chosen before looking at these data. Use diagnose() to search the data for an
-// effect. The shapes of the added effects start at their most likely values, so that a fit of the model equals the
-// reported fit. For long series all figures but those of the ledger rows use every second, third ... value, as in
-// diagnose().
+// small one. Earlier effects are tested without this assumption. This is valid for an effect chosen before looking at
+// these data. Use diagnose() to search the data for an effect. The shapes of the added effects start at their most
+// likely values, so that a fit of the model equals the reported fit. For long series all figures but those of the
+// ledger rows use every second, third ... value, as in diagnose().
 //
 // Errors of linear axes on recordings are tested together with all other errors of the axes: chi^2 replaces 2 ln B, and
 // an error is needed if its p-value is below 0.001 (machine_errors.hpp).

@@ -174,7 +174,7 @@ DiagnosisOptions SimulatedTests::simulated_options() const {
   how.search.progress = {};
   how.surrogates = kSurrogatesSimulated;
   how.most_rows = kRowsSimulated;
-  how.fit_candidates = false;
+  how.fit_candidates = how.leave_out = false;
   return how;
 }
 

@@ -256,7 +256,7 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
   DiagnosisOptions how;
   how.search = options.search;
   how.search.progress = {};
-  how.fit_candidates = false;
+  how.fit_candidates = how.leave_out = false;
   const Diagnosis now = diagnose(with_run_terms(without_run_terms(model), distinct.data), distinct.data, target, how);
   design.know(now.named);
   plan.inseparable = inseparable_effects(now, distinct);

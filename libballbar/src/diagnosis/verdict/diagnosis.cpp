@@ -200,7 +200,7 @@ class Decision {
         one.doubts.emplace_back("another effect of the set nearly cancels it");
       result_.candidates.push_back(std::move(one));
     }
-    if (model_.level == Level::series) leave_cycles_out(fitted.model);
+    if (options_.leave_out && model_.level == Level::series) leave_cycles_out(fitted.model);
   }
 
   // As `add` and the ledger of the model leave them out: the model with the set, and without one member of it.

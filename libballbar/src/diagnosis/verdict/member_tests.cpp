@@ -187,9 +187,13 @@ std::vector<std::string> doubts_of(const Candidate& tested, const Effect& effect
 }
 
 double log_bayes_factor_of_member(const Inference& inference, const EffectSet& set, std::size_t member) {
-  const Problem& problem = *inference.problem;
   std::vector<std::size_t> rest = set.families;
-  std::erase(rest, family_of_member(problem, set, member));
+  std::erase(rest, family_of_member(*inference.problem, set, member));
+  return log_bayes_factor_beside(inference, set, rest);
+}
+
+double log_bayes_factor_beside(const Inference& inference, const EffectSet& set, const std::vector<std::size_t>& rest) {
+  const Problem& problem = *inference.problem;
   const double with = log_bayes_factor(problem, inference.posterior, set.families);
   const double without = rest.empty() ? 0.0 : log_bayes_factor(problem, inference.posterior, rest);
   return std::isfinite(without) ? with - without : with;

@@ -39,4 +39,7 @@ Candidate tested_member(const Inference& inference, const EffectSet& set, const 
 // 2 ln of the Bayes factor of the set against the set without this member.
 double log_bayes_factor_of_member(const Inference& inference, const EffectSet& set, std::size_t member);
 
+// The same against the set with the families `rest` of it alone.
+double log_bayes_factor_beside(const Inference& inference, const EffectSet& set, const std::vector<std::size_t>& rest);
+
 }  // namespace ballbar

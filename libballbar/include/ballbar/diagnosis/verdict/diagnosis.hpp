@@ -112,6 +112,7 @@ struct DiagnosisOptions {
   std::size_t surrogates = kSurrogates;
   std::size_t most_rows = 1000;  // largest number of target values used
   bool fit_candidates = true;    // compute Candidate::rmse_after_um
+  bool leave_out = true;         // compute Candidate::held_out_before_um and _after_um as the ledger of a model does
   std::string where = {};        // worst_place(), for the sentence
 };
 
