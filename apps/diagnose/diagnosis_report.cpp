@@ -111,7 +111,8 @@ Term as_diagnosed(const BoundEffect& bound, const Diagnosis& found) {
   if (candidate == found.candidates.end()) return term;
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
     if (!term.settings[k].held && bound.effect->parameters[k].shape_of != ShapeOf::onset) continue;
-    term.settings[k].start = candidate->parameters[k].value;
+    term.settings[k].start =
+        std::stod(fmt::format("{:.8g}", candidate->parameters[k].value));  // as next_command() has it
     term.settings[k].stated = true;
   }
   return term;
