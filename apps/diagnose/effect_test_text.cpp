@@ -151,7 +151,8 @@ std::string conclusion(const EffectTest& effect_test) {
   }
   const Whiteness white = whiteness(effect_test.fit_after);
   const bool knows_noise = !effect_test.fit_after.floor.source.empty();
-  if (!is_adequate(effect_test.fit_after, white) && (knows_noise || white.p < kNotNoise)) {
+  if (effect_test.beside.empty() && !is_adequate(effect_test.fit_after, white) &&
+      (knows_noise || white.p < kNotNoise)) {
     const std::string_view these = is_one ? "this effect" : "these effects";
     text +=
         white.p < kNotNoise
