@@ -5,18 +5,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/fit/fit.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/machine_errors/machine_errors.hpp"
-#include "ballbar/number_text.hpp"
 #include "commands.hpp"
+#include "diagnose/automatic_addition.hpp"
 #include "diagnose/diagnosis_report.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/grown.hpp"
@@ -34,8 +31,6 @@
 namespace ballbar::commands {
 namespace {
 
-constexpr std::size_t kMostAdditions = 6;
-
 struct AddArguments {
   EffectOptions effect;
   std::string out;
@@ -45,14 +40,6 @@ struct AddArguments {
   bool dry_run = false;
   bool details = false;
   std::vector<std::string> replace;  // labels of effects of the model, taken out first
-};
-
-// What was added so far; the model's file is written once, at the end.
-struct Additions {
-  RevisedModel model;
-  std::vector<EffectTest> effect_tests;
-  std::vector<Driver> drivers;      // that the last diagnosis knows
-  std::optional<GrownModel> grown;  // after them
 };
 
 // The model's file is then that which is written.
@@ -97,153 +84,6 @@ void expect_file_suits(const AddArguments& options, const ModelData& data, const
     return find_column(*data.series, target) == nullptr || std::find(also.begin(), also.end(), target) != also.end();
   });
   if (!file.targets.empty()) with_source(options.effect.model.model.name(), [&] { expect_suits(file, *data.series); });
-}
-
-std::string labels_of_added(const EffectTest& tried) {
-  std::vector<std::string> names;
-  for (const Candidate& one : tried.added) names.push_back(one.label);
-  return enumeration(names);
-}
-
-std::string either_text(const std::vector<std::vector<BoundEffect>>& groups) {
-  std::vector<std::string> texts;
-  texts.reserve(groups.size());
-  for (const std::vector<BoundEffect>& group : groups) {
-    texts.push_back(labels(group, " or "));
-  }
-  return fmt::format("{}", fmt::join(texts, "; "));
-}
-
-// Why the search goes no further.
-std::string stop_text(const AddArguments& options, const Diagnosis& diagnosis) {
-  const std::string why = diagnosis.reasons.empty() ? "" : fmt::format(" {}", fmt::join(diagnosis.reasons, " "));
-  const std::string hint = next_hint(written_to(options), diagnosis);
-  switch (diagnosis.verdict) {
-    case Verdict::nothing:
-      return diagnosis.hidden_um > 0.0
-                 ? fmt::format("Stopped: no further effect is found. Up to {} um of {} could still be hidden.{}",
-                               size_text(diagnosis.hidden_um), label_of(diagnosis.hidden), why)
-                 : fmt::format("Stopped: no further effect is found.{}", why);
-    case Verdict::named:
-    case Verdict::probable:
-      return fmt::format("Stopped. {}{}{}{}", diagnosis.sentence, hint.empty() ? "" : " ", hint, why);
-    case Verdict::driver:
-      return fmt::format("Stopped. {}{}", diagnosis.sentence, why);
-    case Verdict::equivalent:
-      return fmt::format("Stopped: an effect is missing, but the data do not tell which: {}.{}",
-                         either_text(diagnosis.equivalent), why);
-    case Verdict::unexplained:
-      return fmt::format("Stopped: something is missing that no known effect explains.{}", why);
-    default:
-      return fmt::format("Stopped: these data cannot test any further effect.{}", why);
-  }
-}
-
-// The errors of the axes that are significant, each a revision, first the one that leaves least. Returns why it
-// stopped.
-std::string add_errors(const AddArguments& options, const ModelData& data, Additions& additions) {
-  const MachineErrors found =
-      with_source(options.effect.model.data.front().name(), [&] { return machine_errors_of_trace(*data.series); });
-  for (const AddedError& one : found.one_by_one) {
-    const std::vector<Term>& terms = additions.model.model().terms;
-    const bool has =
-        std::any_of(terms.begin(), terms.end(), [&](const Term& term) { return term.effect.get() == one.effect; });
-    if (has) continue;
-    add_terms(options, {term_of(one.effect->name, {}, Level::recording)}, additions);
-    additions.effect_tests.back().after.verdict = name_of(Verdict::named);
-  }
-  const double left_um = found.residual_rms_um;
-  return found.left ? fmt::format(
-                          "Stopped: no other error of the axes is significant. A wave of {} per turn remains that no "
-                          "known effect explains.",
-                          found.left->harmonic)
-                    : fmt::format(
-                          "Stopped: no other error of the axes is significant. With all errors, {:.2f} um RMS "
-                          "remains.",
-                          left_um);
-}
-
-// The same effect on the same columns; a step or a jump at the same time.
-bool holds(const Model& model, const Term& term) {
-  return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& one) {
-    if (one.effect->name != term.effect->name || one.columns != term.columns) return false;
-    for (std::size_t k = 0; k < one.settings.size(); ++k) {
-      const bool is_onset = one.effect->parameters[k].shape_of == ShapeOf::onset;
-      if (is_onset && one.settings[k].start != term.settings[k].start) return false;
-    }
-    return true;
-  });
-}
-
-// Adds those of the terms that their test supports. Returns why there are none.
-std::string add_supported(const AddArguments& options, std::vector<Term> terms, RevisedModel& model) {
-  std::string why;
-  while (!terms.empty()) {
-    model.add(terms, options.replace);
-    const EffectTest& tried = model.bench().added();
-    if (tried.after.verdict != kNotSupported) return "";
-    if (why.empty()) why = conclusion(tried);
-    std::vector<Term> supported;
-    for (std::size_t k = 0; k < terms.size(); ++k) {
-      if (tried.added[k].doubts.empty()) supported.push_back(terms[k]);
-    }
-    model.take_back();
-    terms = std::move(supported);
-  }
-  return why;
-}
-
-// Effects that diagnose() names, until it names none that the model has not, or those that their test does not support.
-// Returns why it stopped. texts: of the model's file before each revision.
-std::string add_named(const AddArguments& options, Additions& additions, std::vector<std::string>& texts,
-                      Verdict& verdict) {
-  while (true) {
-    show_progress(fmt::format("searching, {} revisions so far", additions.effect_tests.size()));
-    const Diagnosis diagnosis =
-        with_source(options.effect.model.data.front().name(), [&] { return additions.model.bench().diagnosis(); });
-    verdict = diagnosis.verdict;
-    additions.drivers = diagnosis.drivers;
-    if (diagnosis.named.empty()) return stop_text(options, diagnosis);
-    // A second cycle beside one that is there would begin where that one does.
-    Model with = additions.model.model();
-    std::vector<Term> terms;
-    for (const BoundEffect& bound : diagnosis.named) {
-      Term term = as_diagnosed(bound, diagnosis);
-      if (holds(with, term)) continue;
-      with.terms.push_back(term);
-      terms.push_back(std::move(term));
-    }
-    if (terms.empty()) return "Stopped: the effect that is named is in the model already.";
-    if (const std::string why = add_supported(options, std::move(terms), additions.model); !why.empty()) {
-      verdict = Verdict::unexplained;
-      return fmt::format("Stopped, and not added. {}", why);
-    }
-    texts.push_back(additions.model.text());
-    additions.effect_tests.push_back(additions.model.revise({.prune = options.prune, .named = true}));
-    if (additions.effect_tests.size() < kMostAdditions) continue;
-    return fmt::format("Stopped after {} revisions: a larger model would fit these data only.", kMostAdditions);
-  }
-}
-
-// Takes back the last revisions whose test assumed further effects that were not added after them. Returns why.
-std::string take_back_assumed(Additions& additions, std::vector<std::string> texts) {
-  std::string why;
-  while (!additions.effect_tests.empty() && !additions.effect_tests.back().beside.empty()) {
-    const EffectTest& last = additions.effect_tests.back();
-    why = fmt::format("Not added: {}, whose test assumes that {} {} missing as well.", labels_of_added(last),
-                      enumeration(last.beside), last.beside.size() == 1 ? "is" : "are");
-    additions.model.go_back_to(texts.back());
-    texts.pop_back();
-    additions.effect_tests.pop_back();
-  }
-  return why;
-}
-
-void add_grown(const AddArguments& options, const ModelData& data, Additions& additions) {
-  const ProgressLine progress;
-  additions.grown = grown_model(additions.model.text(), options.effect.model.model.name(), additions.model.model(),
-                                data, names_of(options.effect.model.data), additions.drivers);
-  additions.model.set_text(additions.grown->bytes);
 }
 
 std::vector<std::string> causes_of(const Additions& additions) {
@@ -346,23 +186,8 @@ void run(AddArguments options) {
   std::string stopped;
   Verdict verdict = Verdict::named;
   if (options.automatic) {
-    if (is_of_machine_errors(additions.model.model(), *data.series)) {
-      stopped = add_errors(options, data, additions);
-      verdict = Verdict::nothing;
-    } else {
-      std::vector<std::string> texts;
-      stopped = add_named(options, additions, texts, verdict);
-      if (const std::string why = take_back_assumed(additions, std::move(texts)); !why.empty()) {
-        stopped += (stopped.empty() ? "" : " ") + why;
-        verdict = Verdict::unexplained;
-      }
-      const bool is_one_run = data.series->runs.size() < 2;
-      if (!options.named_only && data.level == Level::series && is_left(verdict)) {
-        if (is_one_run) add_grown(options, data, additions);
-        if (!is_one_run)
-          stderr_line("data of several runs: only named effects are added; `ballbar train` takes several runs");
-      }
-    }
+    stopped =
+        add_automatically({how, written_to(options), options.prune, options.named_only}, data, additions, verdict);
   } else {
     show_progress("fitting with and without what is added");
     add_terms(options, terms_of(options.effect.effects, additions.model.model(), data), additions);
