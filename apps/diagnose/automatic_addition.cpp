@@ -99,7 +99,7 @@ bool holds(const Model& model, const Term& term) {
 }
 
 // Adds those of the terms that their test supports. Returns why there are none.
-std::string add_supported(const AutomaticAddition& how, std::vector<Term> terms, RevisedModel& model) {
+std::string add_supported(std::vector<Term> terms, RevisedModel& model) {
   std::string why;
   while (!terms.empty()) {
     model.add(terms);
@@ -137,7 +137,7 @@ std::string add_named(const AutomaticAddition& how, Additions& additions, std::v
       terms.push_back(std::move(term));
     }
     if (terms.empty()) return "Stopped: the effect that is named is in the model already.";
-    if (const std::string why = add_supported(how, std::move(terms), additions.model); !why.empty()) {
+    if (const std::string why = add_supported(std::move(terms), additions.model); !why.empty()) {
       verdict = Verdict::unexplained;
       return fmt::format("Stopped, and not added. {}", why);
     }
