@@ -65,11 +65,13 @@ const EffectSet& set_with(const Posterior& posterior, const EffectSet& alone) {
 }
 
 // Fills `added`, `parameters`, and the figures of `after` that the posterior has.
-void test_added(Inference& found, const std::vector<Term>& terms, EffectTest& result) {
+void test_added(Inference& found, const std::vector<Term>& terms, const Series& data, std::size_t target,
+                EffectTest& result) {
   const std::vector<BoundEffect> bounds = bounds_of(terms);
   const EffectSet* alone = set_of_all(found, bounds);
   if (alone == nullptr) {
     for (const BoundEffect& bound : bounds) result.added.push_back(untestable_candidate(bound));
+    if (!found.posterior.sets.empty()) result.after.likelihood_ratio = 0.0;  // else the readings are still, or too few
     return;
   }
   const EffectSet& set = set_with(found.posterior, *alone);
@@ -84,15 +86,18 @@ void test_added(Inference& found, const std::vector<Term>& terms, EffectTest& re
   // A surrogate lowers the RMSE of the model with the other effects, which is not the one reported.
   const std::size_t surrogates = others.empty() || result.model.level == Level::recording ? kSurrogates : 0;
   const SetRegression at = set_regression(*found.problem, found.posterior, set);
+  std::vector<std::size_t> places;  // in the fitted model
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const std::size_t m = member_of(found, set, bounds[t]);
+    places.push_back(found.problem->model.terms.size() + m);
     Candidate one = tested_member(found, set, fitted, at, m, surrogates, kSeed);
     one.label = label_of(terms[t]);
     relabel(one.parameters, one.parameters.front().effect, one.label);
-    relabel(result.parameters, label_of(fitted.model.terms[found.problem->model.terms.size() + m]), one.label);
+    relabel(result.parameters, label_of(fitted.model.terms[places.back()]), one.label);
     if (!(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.emplace(one.doubts.begin(), kLowLikelihoodRatio);
     result.added.push_back(std::move(one));
   }
+  if (result.model.level == Level::series) leave_cycles_out(fitted.model, places, data, target, result.added);
 }
 
 std::string verdict_of(const std::vector<Candidate>& added) {
@@ -156,7 +161,7 @@ EffectTest effect_test_of(Inference& found, FittedModel before, FittedModel afte
   result.after = std::move(after.row);
   const std::vector<Term>& terms = result.model.terms;
   const std::vector<Term> added(terms.end() - static_cast<std::ptrdiff_t>(count), terms.end());
-  test_added(found, added, result);
+  test_added(found, added, data, target, result);
   std::vector<std::string> changes;
   for (Candidate& one : result.added) {
     one.rmse_after_um = result.fit_after.rmse_um;

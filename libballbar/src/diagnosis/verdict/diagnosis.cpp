@@ -200,19 +200,11 @@ class Decision {
         one.doubts.emplace_back("another effect of the set nearly cancels it");
       result_.candidates.push_back(std::move(one));
     }
-    if (options_.leave_out && model_.level == Level::series) leave_cycles_out(fitted.model);
-  }
-
-  // As `add` and the ledger of the model leave them out: the model with the set, and without one member of it.
-  void leave_cycles_out(const Model& with) {
+    if (!options_.leave_out || model_.level != Level::series) return;
     tell("leaving cycles out");
-    const double after_um = held_out_um(with, data_, target_);
-    for (std::size_t m = 0; m < result_.candidates.size(); ++m) {
-      Model without = with;
-      without.terms.erase(without.terms.begin() + static_cast<std::ptrdiff_t>(model_.terms.size() + m));
-      result_.candidates[m].held_out_before_um = held_out_um(without, data_, target_);
-      result_.candidates[m].held_out_after_um = after_um;
-    }
+    std::vector<std::size_t> terms(result_.candidates.size());
+    std::iota(terms.begin(), terms.end(), model_.terms.size());
+    leave_cycles_out(fitted.model, terms, data_, target_, result_.candidates);
   }
 
   // Whether a single effect is more likely an input in any form than an effect of the catalogue.

@@ -170,6 +170,17 @@ double held_out_um(const Model& model, const Series& data, std::size_t target) {
   return left_out(at, at.white_line, at.line, fold, *std::max_element(fold.begin(), fold.end()) + 1).rmse_um;
 }
 
+void leave_cycles_out(const Model& model, const std::vector<std::size_t>& terms, const Series& data, std::size_t target,
+                      std::vector<Candidate>& candidates) {
+  const double after_um = held_out_um(model, data, target);
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    Model without = model;
+    without.terms.erase(without.terms.begin() + static_cast<std::ptrdiff_t>(terms[k]));
+    candidates[k].held_out_before_um = held_out_um(without, data, target);
+    candidates[k].held_out_after_um = after_um;
+  }
+}
+
 std::vector<std::string> doubts_of(const Candidate& tested, const Effect& effect) {
   const bool of_recordings = effect.level == Level::recording;
   if (effect.time_only && !effect.rules.may_repeat && !of_recordings)

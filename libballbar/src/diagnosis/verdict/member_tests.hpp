@@ -24,6 +24,11 @@ Candidate with_tests(Candidate one, const Problem& problem, const Posterior& pos
 // fit() does.
 double held_out_um(const Model& model, const Series& data, std::size_t target);
 
+// Sets held_out_before_um and held_out_after_um of candidates that are these terms of the model, as the ledger has
+// them.
+void leave_cycles_out(const Model& model, const std::vector<std::size_t>& terms, const Series& data, std::size_t target,
+                      std::vector<Candidate>& candidates);
+
 // Phrases of Candidate::doubts.
 std::vector<std::string> doubts_of(const Candidate& tested, const Effect& effect);
 

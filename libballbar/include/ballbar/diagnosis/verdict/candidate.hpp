@@ -33,8 +33,8 @@ struct Candidate {
   double amplitude_um = 0.0;                // range (max - min) of its contribution
   double amplitude_sigma_um = kUnknown;     // infinite: not determined
   double rmse_after_um = kUnknown;          // of the model with this effect alone added
-  // RMSE in cycles left out of the fit, of the model with the other members of the set and with this one as well; in a
-  // Diagnosis of a series as LedgerRow::held_out_um.
+  // RMSE in cycles left out of the fit, of the model with the other members of the set and with this one as well; of a
+  // series as LedgerRow::held_out_um.
   double held_out_before_um = 0.0, held_out_after_um = 0.0;
   double held_out_evidence = kUnknown;    // gain in ln likelihood of the left-out cycles, without the best cycle
   double p_same_gain = 1.0;               // p-value of equal gains in all cycles
