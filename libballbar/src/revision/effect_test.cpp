@@ -30,11 +30,6 @@ std::size_t free_parameters(const Term& term) {
       std::count_if(term.settings.begin(), term.settings.end(), [](const Setting& setting) { return !setting.held; }));
 }
 
-Model without(Model model, std::size_t term) {
-  model.terms.erase(model.terms.begin() + static_cast<std::ptrdiff_t>(term));
-  return model;
-}
-
 // What cannot be told from the model: it adds nothing of its own.
 Candidate untestable_candidate(const BoundEffect& bound) {
   Candidate one;
@@ -140,7 +135,7 @@ std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Se
     drop_test.label = label_of(term);
     drop_test.parameters = free_parameters(term);
     if (drop_test.parameters == 0 || term.effect->rules.is_base) continue;
-    Inference found = inference_of(without(model, t), data, target, it_alone, {term});
+    Inference found = inference_of(model_without(model, t), data, target, it_alone, {term});
     if (const EffectSet* set = set_of_all(found, bounds_of({term}))) {
       drop_test.likelihood_ratio = log_bayes_factor_of_member(found, *set, 0);
     }

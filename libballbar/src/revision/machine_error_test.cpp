@@ -6,6 +6,7 @@
 #include <set>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "diagnosis/verdict/start_values.hpp"
 #include "fit/machine_error_fit.hpp"
 #include "machine_errors/error_ranks.hpp"
 #include "revision/effect_test_parts.hpp"
@@ -117,9 +118,7 @@ EffectTest machine_error_test(const Model& model, const std::vector<Term>& added
   result.after.threshold = 0.0;
   std::vector<std::string> changes;
   for (std::size_t t = model.terms.size(); t < result.model.terms.size(); ++t) {
-    Model without = result.model;
-    without.terms.erase(without.terms.begin() + static_cast<std::ptrdiff_t>(t));
-    const double held_out_um = held_out_rms_um(errors.fitted, effects_of(without));
+    const double held_out_um = held_out_rms_um(errors.fitted, effects_of(model_without(result.model, t)));
     result.added.push_back(
         candidate_of_error(result.model, t, result.fit_after, errors, held_out_um, result.after.held_out_um));
     changes.push_back("+ " + result.added.back().label);

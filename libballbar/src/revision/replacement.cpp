@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "diagnosis/verdict/start_values.hpp"
+
 namespace ballbar {
 namespace {
 
@@ -25,12 +27,10 @@ std::vector<Replacement> replacements(const Model& model, std::span<const std::s
   for (const std::size_t t : terms) {
     const Term& term = model.terms[t];
     if (!is_asked(term)) continue;
-    Model rest = model;
-    rest.terms.erase(rest.terms.begin() + static_cast<std::ptrdiff_t>(t));
     DiagnosisOptions how = options;
     how.surrogates = 0;
     how.fit_candidates = how.leave_out = false;
-    Replacement one{t, label_of(term), 0.0, diagnose(rest, data, target, how)};
+    Replacement one{t, label_of(term), 0.0, diagnose(model_without(model, t), data, target, how)};
     for (const EffectProbability& effect : one.without.effects) {
       if (is_same(term, effect.bound)) one.p = effect.p;
     }

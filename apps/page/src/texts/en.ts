@@ -1196,7 +1196,7 @@ export const en = {
   // live: next test
   live_next_test: "The next test",
   live_next_test_about:
-    "Which run of the machine would decide what is open. The runs are simulated on all that these data leave possible.",
+    "Which run of the machine would answer the open question. Each run is simulated for every explanation that the data allow.",
   live_takes: ({ duration }: { duration: string }) => `It takes about ${duration}.`,
   live_takes_long: "It takes some minutes.",
   live_longest: "At most",

@@ -11,6 +11,7 @@
 #include "diagnosis/surrogates/surrogate_recordings.hpp"
 #include "diagnosis/surrogates/surrogate_series.hpp"
 #include "diagnosis/thresholds.hpp"
+#include "diagnosis/verdict/start_values.hpp"
 #include "numerics/orthonormal.hpp"
 #include "numerics/tails.hpp"
 #include "series/folds.hpp"
@@ -174,9 +175,7 @@ void leave_cycles_out(const Model& model, const std::vector<std::size_t>& terms,
                       std::vector<Candidate>& candidates) {
   const double after_um = held_out_um(model, data, target);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    Model without = model;
-    without.terms.erase(without.terms.begin() + static_cast<std::ptrdiff_t>(terms[k]));
-    candidates[k].held_out_before_um = held_out_um(without, data, target);
+    candidates[k].held_out_before_um = held_out_um(model_without(model, terms[k]), data, target);
     candidates[k].held_out_after_um = after_um;
   }
 }

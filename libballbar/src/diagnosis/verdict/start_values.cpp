@@ -57,6 +57,11 @@ std::vector<Term> with_start_values(Inference& found, std::vector<Term> terms) {
   return terms;
 }
 
+Model model_without(Model model, std::size_t term) {
+  model.terms.erase(model.terms.begin() + static_cast<std::ptrdiff_t>(term));
+  return model;
+}
+
 Model model_with(Inference& found, Model model, std::vector<Term> terms) {
   terms = with_start_values(found, std::move(terms));
   std::move(terms.begin(), terms.end(), std::back_inserter(model.terms));

@@ -25,4 +25,6 @@ std::vector<Term> with_start_values(Inference& found, std::vector<Term> terms);
 // The model with these terms at their start values.
 Model model_with(Inference& found, Model model, std::vector<Term> terms);
 
+Model model_without(Model model, std::size_t term);
+
 }  // namespace ballbar
