@@ -105,7 +105,7 @@ void ColumnsAt::solve_line() {
   a.diagonal().array() += kJitter;
   factor_.compute(a);
   between_ = scale_.asDiagonal() * pool_(fixed_, open_);
-  factor_.matrixL().solveInPlace(between_);
+  if (!open_.empty()) factor_.matrixL().solveInPlace(between_);  // Eigen offsets the null pointer of an empty matrix
   Eigen::MatrixXd b = pool_(open_, open_);
   b.diagonal() *= 1.0 + kJitter;
   b -= between_.transpose() * between_;
