@@ -115,7 +115,7 @@ std::string posterior_text(const Diagnosis& found) {
   }
   if (!drivers.empty()) texts.push_back(fmt::format("a column drives the missing part: {}", fmt::join(drivers, ", ")));
   for (const OwnValue& own : found.own) {
-    texts.push_back(fmt::format("the {} of {} is not {:.4g} but {:.3g} ({:.3g} to {:.3g}): {:.2f}", own.parameter,
+    texts.push_back(fmt::format("the {} of {} is not {:.4g} but {:.4g} ({:.4g} to {:.4g}): {:.2f}", own.parameter,
                                 own.effect, own.held, own.fitted, own.interval.low, own.interval.high, own.p));
   }
   texts.push_back(fmt::format("nothing is missing: {:.2f}", found.p_nothing));

@@ -142,6 +142,8 @@ std::string conclusion(const EffectTest& effect_test) {
     text += fmt::format(" The test and the amplitude assume that {} {} missing as well.",
                         enumeration(effect_test.beside), effect_test.beside.size() == 1 ? "is" : "are");
   }
+  if (!effect_test.freed.empty())
+    text += fmt::format(" The test and the amplitude assume another {} than the model holds.", effect_test.freed);
   if (!doubts.empty()) return fmt::format("{} Why not: {}.", text, fmt::join(doubts, "; "));
   const bool is_one = effect_test.added.size() == 1;
   const auto is_of_time = [](const Candidate& tried) { return tried.bound.effect->time_only; };
@@ -151,7 +153,7 @@ std::string conclusion(const EffectTest& effect_test) {
   }
   const Whiteness white = whiteness(effect_test.fit_after);
   const bool knows_noise = !effect_test.fit_after.floor.source.empty();
-  if (effect_test.beside.empty() && !is_adequate(effect_test.fit_after, white) &&
+  if (effect_test.beside.empty() && effect_test.freed.empty() && !is_adequate(effect_test.fit_after, white) &&
       (knows_noise || white.p < kNotNoise)) {
     const std::string_view these = is_one ? "this effect" : "these effects";
     text +=

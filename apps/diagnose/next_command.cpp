@@ -149,7 +149,7 @@ std::string next_hint(const ModelOptions& options, const Diagnosis& found) {
   std::string text;
   for (const OwnValue& own : found.own) {
     if (!is_own_named(own, found)) continue;
-    text += fmt::format("{}In {}, free the {} of {}: {} = {{ start = {:.3g} }}.", text.empty() ? "" : " ",
+    text += fmt::format("{}In {}, free the {} of {}: {} = {{ start = {:.4g} }}.", text.empty() ? "" : " ",
                         options.model.name(), own.parameter, own.effect, own.parameter, own.fitted);
   }
   return text;

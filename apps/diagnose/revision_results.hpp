@@ -127,6 +127,7 @@ struct ResultType<EffectTest> {
       std::tuple{Field{"verdict", [](Test of) { return of.after.verdict; }, "supported, time only, not supported"},
                  Field{"effects", &added_effects, "that were added"},
                  Field{"beside", &EffectTest::beside, "other effects that the test assumes to be missing"},
+                 Field{"freed", &EffectTest::freed, "parameter that the model holds and the test frees; empty: none"},
                  Field{"earlier", &EffectTest::earlier, "effects of the model, tested anew"},
                  Field{"sentence", [](Test of) { return conclusion(of); }, "what it says in plain words"}});
 };

@@ -7,8 +7,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <iterator>
-#include <limits>
 #include <memory>
 #include <set>
 #include <system_error>
@@ -19,6 +17,8 @@
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
 #include "logs/log_clock.hpp"
+#include "logs/log_columns.hpp"
+#include "logs/log_join.hpp"
 #include "logs/log_plan.hpp"
 #include "logs/log_roles.hpp"
 #include "logs/log_shape.hpp"
@@ -26,154 +26,16 @@
 #include "logs/log_table.hpp"
 #include "logs/log_temperatures.hpp"
 #include "logs/log_units.hpp"
+#include "logs/missing_values.hpp"
 #include "text/head.hpp"
 #include "text/readers.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kFreezing_K = 273.15;
 constexpr std::size_t kListedLines = 10;  // of those that are skipped
 constexpr std::size_t kProbesAtMost = 3;  // that no name tells
 constexpr double kBetweenBursts = 5.0;    // times the middle step of time
-constexpr double kNoReading = 9e36;       // 9.9E37 and 1E38 stand for overload
-
-// Numbers that loggers write where there is no value; only where they stand far outside all others.
-constexpr double kSentinels[] = {-999.0,  -9999.0, -99999.0, -999.9,   -999.99, -9999.9, -99.9,
-                                 -99.99,  -273.15, 999.9,    9999.0,   9999.9,  99999.0, 32767.0,
-                                 65535.0, 3276.7,  6553.5,   -32768.0, -1e6,    1e6,     -3276.8};
-
-// Takes out what stands for no value; returns what it was and how often.
-std::string take_sentinels(std::vector<double>& values) {
-  std::string found;
-  const auto take_out = [&](auto is_none) {
-    std::size_t count = 0;
-    double example = 0.0;
-    for (double& value : values) {
-      if (!is_none(value)) continue;
-      example = value;
-      value = kGap;
-      ++count;
-    }
-    if (count > 0) found += fmt::format("{}{} times {:g}", found.empty() ? "" : ", ", count, example);
-  };
-  for (int side = 0; side < 4; ++side) {
-    const Extremes all = extremes_of(values);
-    if (std::abs(all.least) >= kNoReading || std::abs(all.most) >= kNoReading) {
-      take_out([](double v) { return std::abs(v) >= kNoReading; });
-      continue;
-    }
-    const auto is_known = [](double v) {
-      return std::find(std::begin(kSentinels), std::end(kSentinels), v) != std::end(kSentinels);
-    };
-    const bool low = is_known(all.least), high = is_known(all.most);
-    if (!low && !high) break;
-    bool any = false;
-    for (const double one : {low ? all.least : kGap, high ? all.most : kGap}) {
-      if (std::isnan(one)) continue;
-      const Extremes rest = extremes_of(values, one);
-      const double far = 3.0 * (rest.most - rest.least) + 50.0;
-      if (!(one < rest.least - far || one > rest.most + far)) continue;
-      take_out([&](double v) { return v == one; });
-      any = true;
-    }
-    if (!any) break;
-  }
-  return found;
-}
-
-// A name that can be typed: letters, digits and _; then the unit.
-std::string column_name(std::string_view name, std::string_view unit, std::set<std::string>& taken) {
-  std::string stem;
-  for (const char c : name) {
-    const bool kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c & 0x80) != 0;
-    if (kept)
-      stem += c;
-    else if (!stem.empty() && stem.back() != '_')
-      stem += '_';
-  }
-  for (const std::string_view sign : {"°", "º", "\u00A0", "（", "）", "Â"}) {
-    for (std::size_t at = stem.find(sign); at != std::string::npos; at = stem.find(sign)) stem.erase(at, sign.size());
-  }
-  while (stem.ends_with('_')) stem.pop_back();
-  if (stem.empty()) stem = "column";
-  return free_name(unit.empty() ? stem : fmt::format("{}_{}", stem, unit), taken);
-}
-
-// `headers`: of all columns, as written and without the unit.
-using Headers = std::vector<std::pair<std::string, std::string>>;
-
-void expect_recipe_columns(const Headers& headers, const std::string& name, std::size_t line, const LogRecipe& recipe) {
-  if (recipe.may_lack_columns) return;
-  for (const ColumnRecipe& one : recipe.columns) {
-    const bool found = std::any_of(headers.begin(), headers.end(),
-                                   [&](const auto& header) { return is_of(one, header.first, header.second); });
-    if (found) continue;
-    std::vector<std::string_view> known;
-    known.reserve(headers.size());
-    for (const auto& header : headers) known.emplace_back(header.first);
-    throw Error(fmt::format(
-        "{}:{}: expected a column {}, as stated by the options or the recipe, found none; the nearest is {}.", name,
-        line, in_quotes(one.source), in_quotes(nearest_name(one.source, known))));
-  }
-}
-
-// One column of numbers in the units of a series. `why`: what told its unit, where nothing in the file did.
-void take_column(const PlannedColumn& planned, std::vector<double>&& values, const std::string& why,
-                 const std::string& name, Log& log, std::set<std::string>& taken) {
-  const ColumnRecipe& stated = planned.stated;
-  LogColumn column;
-  column.source = planned.source;
-  column.found_unit = planned.unit;
-  if (std::all_of(values.begin(), values.end(), [](double v) { return std::isnan(v); })) {
-    column.gaps = values.size();
-    column.why = "has no value";
-    log.columns.push_back(std::move(column));
-    return;
-  }
-  const bool pattern_gives_way =
-      planned.unit_by_pattern && (!why.empty() || !found_role(planned.name, "", values).unit.empty());
-  const auto unit = stated.unit.empty() || pattern_gives_way
-                        ? log_unit(planned.unit)
-                        : stated_unit(stated.unit, fmt::format("{}: {}", name, planned.source));
-  double factor = 1.0, offset = 0.0;
-  if (unit) {
-    column.unit = unit->canonical;
-    factor = unit->factor;
-    offset = unit->offset;
-    if (column.unit == "K" && factor == 1.0) {
-      const Extremes range = extremes_of(values);
-      if (range.least > 150.0) {
-        column.unit = "degC";
-        offset = -kFreezing_K;
-      }
-    }
-  }
-  if (factor != 1.0 || offset != 0.0) {
-    for (double& value : values) value = value * factor + offset;
-  }
-  const FoundRole found = found_role(planned.name, column.unit, values);
-  // Whose unit of length a user states is no axis, however far it moves.
-  const bool is_length = !stated.unit.empty() && !planned.unit_by_pattern && column.unit == "um";
-  column.role = stated.role.value_or(is_length ? Role::measured : found.role);
-  column.role_is_stated = stated.role.has_value();
-  column.why = stated.role                                     ? "by the recipe"
-               : !why.empty() && found.role == Role::structure ? why
-               : is_length                                     ? "by its unit"
-                                                               : found.why;
-  if (column.unit.empty() && planned.unit.empty() && (stated.unit.empty() || pattern_gives_way))
-    column.unit = found.unit;
-  if (!stated.name.empty()) {
-    column.name = column_name(stated.name.ends_with("_" + column.unit) && !column.unit.empty()
-                                  ? std::string_view(stated.name).substr(0, stated.name.size() - column.unit.size() - 1)
-                                  : std::string_view(stated.name),
-                              column.unit, taken);
-  } else {
-    column.name = column_name(planned.name, column.unit, taken);
-  }
-  log.series.columns.push_back({column.name, column.role, std::move(values)});
-  log.columns.push_back(std::move(column));
-}
 
 std::string shape_text(const LogShape& shape) {
   const std::string_view delimiter = shape.delimiter == ';'    ? "semicolons"
@@ -337,7 +199,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   if (started_s) log.series.started = stamp_text(*started_s);
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     if (plan.columns[i].kind != ColumnKind::number) continue;
-    const std::string gone = take_sentinels(table.values[i]);
+    const std::string gone = take_missing_values(table.values[i]);
     if (!gone.empty())
       log.remarks.push_back(fmt::format("{}: {}: read as a missing value.", plan.columns[i].source, gone));
   }
@@ -394,17 +256,8 @@ Log one_log(const Source& source, const LogRecipe& recipe, bool joined) {
   return log;
 }
 
-void expect_rows_alone(const Log& log, const std::string& name) {
-  const std::size_t others = log.without_row + (log.series.has_clock ? log.skipped_lines.size() : 0);
-  if (others == 0) return;
-  throw Error(
-      fmt::format("{}: expected only rows of numbers, because the files are joined row by row, found {} other {} "
-                  "between the first and the last row.",
-                  name, others, others == 1 ? "line" : "lines"));
-}
-
-// The columns of another file beside those of the log, row by row.
-void join(Log& log, const Source& source, const std::string& file, const LogRecipe& recipe) {
+// Another file, to be joined row by row.
+Log beside_of(const Log& log, const Source& source, const std::string& file, const LogRecipe& recipe) {
   LogRecipe other = recipe;
   other.sheet = log.sheet;
   other.time = "none";
@@ -412,43 +265,7 @@ void join(Log& log, const Source& source, const std::string& file, const LogReci
   std::error_code absent;
   if (std::filesystem::equivalent(file, source.path(), absent))
     throw Error(fmt::format("{}: expected another file for --join, found the same.", file));
-  Log beside = one_log(file, other, true);
-  expect_rows_alone(log, source.name());
-  expect_rows_alone(beside, file);
-  Series& series = log.series;
-  const std::size_t rows = series.time_s.size(), others = beside.series.time_s.size(), both = std::min(rows, others);
-  if (both * 10 < std::max(rows, others) * 9) {
-    throw Error(
-        fmt::format("{}: expected about as many rows as in {}, {}, found {}.", file, source.name(), rows, others));
-  }
-  if (rows != others) {
-    const std::size_t more = std::max(rows, others) - both;
-    log.remarks.push_back(fmt::format("{} rows here and {} in {}: the last {} omitted.", rows, others, file,
-                                      more == 1 ? "row is" : fmt::format("{} rows are", more)));
-  }
-  log.recipe.columns.insert(log.recipe.columns.end(), beside.recipe.columns.begin(), beside.recipe.columns.end());
-  std::set<std::string> taken;
-  for (const Column& column : series.columns) taken.insert(column.name);
-  std::size_t k = 0;
-  for (LogColumn& column : beside.columns) {
-    const bool is_time = !column.name.empty() && is_time_name(name_and_unit(column.source).name);
-    if (is_time) {
-      beside.series.columns.erase(beside.series.columns.begin() + static_cast<std::ptrdiff_t>(k));
-      column.name.clear();
-      column.why = "another time";
-    }
-    if (!column.name.empty()) {
-      Column& values = beside.series.columns[k++];
-      values.name = column.name = free_name(values.name, taken);
-      series.columns.push_back(std::move(values));
-    }
-    log.columns.push_back(std::move(column));
-  }
-  series.time_s.resize(both);
-  for (Column& column : series.columns) column.values.resize(both);
-  log.remarks.push_back(
-      fmt::format("Joined row by row: {} of {}.", k == 1 ? "1 column" : fmt::format("{} columns", k), file));
-  std::move(beside.remarks.begin(), beside.remarks.end(), std::back_inserter(log.remarks));
+  return one_log(file, other, true);
 }
 
 void expect_joined_columns(const Log& log, const std::string& name, const LogRecipe& recipe) {
@@ -484,7 +301,7 @@ Log read_log(std::string_view bytes, const std::string& name, const LogRecipe& r
 Log open_log(const Source& source) {
   const LogRecipe& recipe = source.recipe();
   Log log = one_log(source, recipe, !recipe.join.empty());
-  for (const std::string& file : recipe.join) join(log, source, file, recipe);
+  for (const std::string& file : recipe.join) join(log, source.name(), beside_of(log, source, file, recipe), file);
   if (!recipe.join.empty()) expect_joined_columns(log, source.name(), recipe);
   if (recipe.burst_means) {
     const std::size_t rows = log.series.time_s.size();
@@ -502,52 +319,6 @@ Log open_log(const Source& source) {
 WorkbookSheets sheets_of(const Source& source) {
   if (!is_table_file(source.head(512))) return {};
   return workbook_sheets(source.bytes(kLargestTable), source.name());
-}
-
-Series with_stated_columns(Series series, const LogRecipe& recipe, const std::string& name) {
-  const auto refuse = [&](bool is_given, std::string_view option) {
-    if (is_given) throw Error(fmt::format("{}: expected a log for {}, found a ballbar series.", name, option));
-  };
-  refuse(!recipe.join.empty(), "--join");
-  refuse(recipe.burst_means, "--burst-means");
-  refuse(!recipe.time.empty(), "--time");
-  refuse(recipe.every_s && series.has_clock, "--every");
-  if (recipe.every_s) {
-    for (double& time : series.time_s) time *= *recipe.every_s;
-    series.has_clock = true;
-  }
-  if (recipe.columns.empty()) return series;
-  Headers headers;
-  for (const Column& column : series.columns) {
-    const std::size_t unit = unit_of(column.name).size();
-    headers.emplace_back(column.name, column.name.substr(0, column.name.size() - (unit == 0 ? 0 : unit + 1)));
-  }
-  expect_recipe_columns(headers, name, 1, recipe);
-  std::vector<Column> columns;
-  std::set<std::string> taken;
-  for (std::size_t i = 0; i < headers.size(); ++i) {
-    const auto& [source, stem] = headers[i];
-    Column& column = series.columns[i];
-    std::string unit(unit_of(source));
-    const ColumnRecipe stated = stated_of(recipe, source, stem, !unit.empty());
-    if (stated.left_out) continue;
-    if (!stated.unit.empty() && !unit.empty() && stated.unit != unit) {
-      throw Error(fmt::format("{}: {}: expected no other unit than {}, which its name states, found {}.", name, source,
-                              unit, in_quotes(stated.unit)));
-    }
-    if (!stated.unit.empty() && unit.empty()) {
-      const LogUnit found = stated_unit(stated.unit, fmt::format("{}: {}", name, source));
-      for (double& value : column.values) value = value * found.factor + found.offset;
-      unit = found.canonical;
-      if (column.role == Role::event) column.role = role_from_unit(unit);
-    }
-    if (stated.role) column.role = *stated.role;
-    column.name = column_name(stated.name.empty() ? stem : stated.name, unit, taken);
-    columns.push_back(std::move(column));
-  }
-  if (columns.empty()) throw Error(fmt::format("{}: expected a column that is not left out, found none.", name));
-  series.columns = std::move(columns);
-  return series;
 }
 
 std::optional<double> seconds_of_stamp(std::string_view started) {

@@ -35,7 +35,28 @@ struct Repeats {
   std::size_t pairs = 0;
 };
 
-// Difference of `b` to `a` at a's times since the start, about its mean. A value between two rows of b at `share` of
+// Sum of squares about a straight line: a slow drift is no noise.
+double squares_about_line(std::span<const double> time_s, std::span<const double> values_um) {
+  const auto n = static_cast<double>(time_s.size());
+  double time = 0.0, value = 0.0;
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    time += time_s[i] / n;
+    value += values_um[i] / n;
+  }
+  double tt = 0.0, tv = 0.0, vv = 0.0;
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    const double t = time_s[i] - time, v = values_um[i] - value;
+    tt += t * t;
+    tv += t * v;
+    vv += v * v;
+  }
+  return std::max(0.0, vv - tv * tv / tt);
+}
+
+// Degrees of freedom about a line of so many values.
+double degrees_about_line(std::size_t count) { return static_cast<double>(count) - 2.0; }
+
+// Difference of `b` to `a` at a's times since the start, about a line. A value between two rows of b at `share` of
 // the way scatters less than one: (1 - share)^2 + share^2.
 void compare(const Stretch& a, const Stretch& b, Repeats& repeats) {
   std::vector<double> differences;
@@ -52,12 +73,10 @@ void compare(const Stretch& a, const Stretch& b, Repeats& repeats) {
     differences.push_back(a.target_um[i] - value_at(b.target_um, place));
     expected += 1.0 + (1.0 - place.share) * (1.0 - place.share) + place.share * place.share;
   }
-  if (differences.size() < kFewestOfRepeat) return;
-  const auto n = static_cast<double>(differences.size());
-  double mean = 0.0;
-  for (const double value : differences) mean += value / n;
-  for (const double value : differences) repeats.squares += (value - mean) * (value - mean);
-  repeats.variances += expected * (n - 1.0) / n;
+  const std::size_t n = differences.size();
+  if (n < kFewestOfRepeat) return;
+  repeats.squares += squares_about_line(a.time_s.first(n), differences);
+  repeats.variances += expected * degrees_about_line(n) / static_cast<double>(n);
   ++repeats.pairs;
 }
 
@@ -78,24 +97,6 @@ std::optional<Floor> of_repeats(const std::vector<Stretch>& stretches, double la
                repeats.pairs == 1 ? "a pair of repeats" : fmt::format("{} pairs of repeats", repeats.pairs)};
 }
 
-// Rms about a straight line, n - 2 degrees of freedom.
-double rms_about_line(std::span<const double> time_s, std::span<const double> target_um) {
-  const auto n = static_cast<double>(time_s.size());
-  double time = 0.0, target = 0.0;
-  for (std::size_t i = 0; i < time_s.size(); ++i) {
-    time += time_s[i] / n;
-    target += target_um[i] / n;
-  }
-  double tt = 0.0, ty = 0.0, yy = 0.0;
-  for (std::size_t i = 0; i < time_s.size(); ++i) {
-    const double t = time_s[i] - time, y = target_um[i] - target;
-    tt += t * t;
-    ty += t * y;
-    yy += y * y;
-  }
-  return std::sqrt(std::max(0.0, yy - ty * ty / tt) / (n - 2.0));
-}
-
 std::optional<Floor> of_standstill(const std::vector<SpeedStep>& steps, double largest_rpm,
                                    std::span<const double> time_s, std::span<const double> target_um) {
   std::size_t begin = 0, end = 0;
@@ -112,7 +113,8 @@ std::optional<Floor> of_standstill(const std::vector<SpeedStep>& steps, double l
   }
   if (end == 0) return std::nullopt;
   return Floor{
-      rms_about_line(time_s.subspan(begin, end - begin), target_um.subspan(begin, end - begin)),
+      std::sqrt(squares_about_line(time_s.subspan(begin, end - begin), target_um.subspan(begin, end - begin)) /
+                degrees_about_line(end - begin)),
       fmt::format("standstill from {:.0f} to {:.0f} min", min_from_s(time_s[begin]), min_from_s(time_s[end - 1]))};
 }
 

@@ -46,16 +46,18 @@ void relabel(std::vector<FittedParameter>& parameters, const std::string& from, 
   }
 }
 
-// The set beside whose other members the effects of `alone` are tested, as diagnose() tests them: the most probable set
-// if it has them all, else the most probable one that has. `alone` if the search found none.
+// The set beside whose other members and freed value the effects of `alone` are tested, as diagnose() tests them: the
+// most probable set if it has them all, else the most probable one that has and frees nothing. `alone` if the search
+// found none.
 const EffectSet& set_with(const Posterior& posterior, const EffectSet& alone) {
   const auto has_them = [&](const EffectSet& set) {
-    return set.own == 0 && set.log_weight > kLogZero &&
+    return set.log_weight > kLogZero &&
            std::includes(set.families.begin(), set.families.end(), alone.families.begin(), alone.families.end());
   };
   const EffectSet& best = posterior.sets[posterior.best];
   if (has_them(best)) return best;
-  const auto listed = std::find_if(posterior.sets.begin(), posterior.sets.end(), has_them);
+  const auto listed = std::find_if(posterior.sets.begin(), posterior.sets.end(),
+                                   [&](const EffectSet& set) { return set.own == 0 && has_them(set); });
   return listed == posterior.sets.end() ? alone : *listed;
 }
 
@@ -77,7 +79,11 @@ void test_added(Inference& found, const std::vector<Term>& terms, const Series& 
     result.beside.push_back(label_of(found.problem->library.families[family].bound));
   result.after.likelihood_ratio = std::max(0.0, log_bayes_factor_beside(found, set, others));
   const FittedSet fitted = fitted_set(*found.problem, found.posterior, set, true);
-  if (others.empty()) result.parameters = fitted.parameters;
+  if (others.empty() && set.own == 0) result.parameters = fitted.parameters;
+  if (set.own > 0) {
+    const FittedParameter& freed = fitted.parameters[found.problem->own[set.own - 1].parameter];
+    result.freed = fmt::format("{} of {}", freed.name, freed.effect);
+  }
   // A surrogate lowers the RMSE of the model with the other effects, which is not the one reported.
   const std::size_t surrogates = others.empty() || result.model.level == Level::recording ? kSurrogates : 0;
   const SetRegression at = set_regression(*found.problem, found.posterior, set);

@@ -76,6 +76,23 @@ Series two_hidden() {
   return data;
 }
 
+// Beside a time constant that the model holds at 85 % of its value.
+TEST(OneTruth, an_effect_beside_a_wrong_held_value_has_the_numbers_of_its_test) {
+  made::Drift how{3.0, 1};
+  how.noise_um = 0.1;
+  const Series data = made::drift(how);
+  Model model = made::by_speed();
+  model.terms.front().settings[1].start = 0.85 * 2300.0;
+  model.terms.front().settings[1].held = true;
+  const Diagnosis found = diagnose(model, data);
+  ASSERT_EQ(found.named.size(), 1U) << found.sentence;
+  ASSERT_FALSE(found.own.empty()) << found.sentence;
+  const EffectTest tested = effect_test(model, {term_of(found.named[0].effect->name, found.named[0].columns)}, data);
+  expect_same(found.candidates.front(), tested.added.front());
+  EXPECT_EQ(tested.freed, "time_constant_s of speed_heating(speed_rpm)");
+  EXPECT_EQ(tested.after.verdict, "supported");
+}
+
 // Each of two beside the other.
 TEST(OneTruth, two_effects_have_the_numbers_of_their_test) {
   const Series data = two_hidden();

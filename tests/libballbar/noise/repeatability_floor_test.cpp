@@ -43,6 +43,21 @@ TEST(Floor, of_repeats) {
   EXPECT_NEAR(floor.rms_um, 0.3, 0.06);
 }
 
+// As above; the room moves the second repeat by 5 um, evenly.
+TEST(Floor, of_repeats_beside_a_slow_drift) {
+  Record record;
+  record.run(0.0, 100, 0.0, 20.0);
+  record.run(8000.0, 200, 20.0, 20.0);
+  record.run(0.0, 300, 0.0, 20.0);
+  const std::size_t second = record.target_um.size();
+  record.run(8000.0, 205, 20.0, 20.0);
+  for (std::size_t i = second; i < record.target_um.size(); ++i)
+    record.target_um[i] += 5.0 * static_cast<double>(i - second) / 200.0;
+  const Floor floor = floor_of(record.time_s, record.target_um, {}, record.speed_rpm, kLarge);
+  EXPECT_EQ(floor.source, "a pair of repeats");
+  EXPECT_NEAR(floor.rms_um, 0.3, 0.06);
+}
+
 // Two repeats 5 um apart by the second's drift differ by more than a residual of 0.4 um has: something else went on.
 // The rest of 300 min holds 180 min of standstill, rows 420 to 599 (rest begins at 300 min): 0.3 um +- 0.016. What is
 // left of the exponential after 2 h, 20 exp(-6) = 0.05 um, is small beside it.

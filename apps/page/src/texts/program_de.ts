@@ -72,6 +72,7 @@ export const program_de: readonly (readonly [string, string])[] = [
   ["The data do not support {}.", "Die Daten stützen {1} nicht."],
   ["The test and the amplitude assume that {} is missing as well.", "Prüfung und Amplitude gelten unter der Annahme, dass auch {1} fehlt."],
   ["The test and the amplitude assume that {} are missing as well.", "Prüfung und Amplitude gelten unter der Annahme, dass auch {1} fehlen."],
+  ["The test and the amplitude assume another {} of {} than the model holds.", "Prüfung und Amplitude setzen bei {2} einen anderen Wert von {1} voraus, als das Modell festhält."],
   ["Why not: {}, {}.", "Warum nicht: {1}; {2}."],
   ["Why not: {}.", "Warum nicht: {1}."],
   ["{}, {} um of {} ({})", "{1}, {2} µm von {3} ({4})"],

@@ -72,6 +72,7 @@ export const program_zh: readonly (readonly [string, string])[] = [
   ["The data do not support {}.", "数据不支持 {1}。"],
   ["The test and the amplitude assume that {} is missing as well.", "检验和幅值假定 {1} 也缺失。"],
   ["The test and the amplitude assume that {} are missing as well.", "检验和幅值假定 {1} 也缺失。"],
+  ["The test and the amplitude assume another {} of {} than the model holds.", "检验和幅值假定 {2} 的参数 {1} 不同于模型的固定值。"],
   ["Why not: {}, {}.", "原因：{1}；{2}。"],
   ["Why not: {}.", "原因：{1}。"],
   ["{}, {} um of {} ({})", "{1}，{3} 的 {2} µm（{4}）"],

@@ -7,7 +7,8 @@
 // An added effect is supported if 2 ln B is at least 10, its gain is equal in all cycles (p >= 0.01), and it does not
 // depend on time alone. The test assumes that the other effects of the most probable set of diagnose() with these
 // effects are missing as well, so that both report the same figures; a large missing effect would otherwise hide a
-// small one. Earlier effects are tested without this assumption. This is valid for an effect chosen before looking at
+// small one. If that set has another value of a held parameter, the test frees it. Earlier effects are tested without
+// these assumptions. This is valid for an effect chosen before looking at
 // these data. Use diagnose() to search the data for an effect. The shapes of the added effects start at their most
 // likely values, so that a fit of the model equals the reported fit. For long series all figures but those of the
 // ledger rows use every second, third ... value, as in diagnose().
@@ -44,8 +45,9 @@ struct EffectTest {
   LedgerRow before, after;          // `after` has change, likelihood ratio, verdict, effects still needed
   std::vector<Candidate> added;     // each with the rest of the model, and with the effects `beside` it
   std::vector<std::string> beside;  // labels of effects that are not in the model and assumed missing in the test
+  std::string freed;                // "gain_um_per_K of expansion(T1_degC)": held by the model, free in the test
   // Parameters of the model with the effects, from the likelihood used for `added`. Empty if no effect could be tested,
-  // if the test assumes further effects, and after pruning.
+  // if the test assumes further effects or frees a value, and after pruning.
   std::vector<FittedParameter> parameters;
   std::vector<DropTest> earlier;
 };

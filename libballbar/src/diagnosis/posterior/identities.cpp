@@ -16,6 +16,8 @@ constexpr std::size_t kRowsAtEnds = 2;  // at either end of the rows no jump is 
 
 // The values of a held parameter to try.
 std::vector<double> other_values(const OwnParameter& own, const Parameter& parameter) {
+  if (parameter.kind == ParameterKind::gain)
+    return {own.fitted.empty() ? own.held + 1.0 : own.fitted.back()};  // all alike
   std::vector<double> values = own.fitted;
   if (parameter.unit != "s") {
     std::copy_if(parameter.grid.begin(), parameter.grid.end(), std::back_inserter(values),

@@ -116,8 +116,9 @@ std::vector<OwnParameter> own_of(const Model& model) {
   for (const Term& term : model.terms) {
     for (std::size_t k = 0; k < term.settings.size(); ++k, ++place) {
       const Parameter& parameter = term.effect->parameters[k];
-      if (!term.settings[k].held || parameter.kind == ParameterKind::gain || !is_of_curve(parameter.shape_of)) continue;
-      if (parameter.grid.empty() && parameter.unit != "s") continue;  // a dimension of the part
+      if (!term.settings[k].held) continue;
+      const bool is_shape = is_of_curve(parameter.shape_of) && (!parameter.grid.empty() || parameter.unit == "s");
+      if (parameter.kind != ParameterKind::gain && !is_shape) continue;  // a dimension of the part
       own.push_back({place, term.settings[k].start, {}});
     }
   }

@@ -75,8 +75,20 @@ std::size_t variant_of_own(const Problem& problem, Posterior& posterior, std::si
   }
   std::vector<double> parameters = posterior.variants.front().parameters;
   parameters[problem.own[own].parameter] = value;
-  posterior.variants.push_back(variant_at(problem, own + 1, std::move(parameters)));
+  Variant variant = variant_at(problem, own + 1, std::move(parameters), posterior.variants.front().times);
+  posterior.variants.push_back(std::move(variant));
   return posterior.variants.size() - 1;
+}
+
+// Linearises a model with a held value at another one about its most likely parameters beside the effects of the set:
+// the value that the search found lies on a coarse grid.
+void relinearise_own(const Problem& problem, Posterior& posterior, EffectSet& set) {
+  if (set.own == 0) return;
+  const Variant& variant = posterior.variants[set.variant];
+  ConditionalFit conditional = conditional_fit(problem, variant, set.signatures, posterior.points[set.point]);
+  Variant about = variant_at(problem, set.own, std::move(conditional.parameters), variant.times);
+  posterior.variants.push_back(std::move(about));
+  set.variant = posterior.variants.size() - 1;
 }
 
 // Exactly these effects with the model, at every covariance.
@@ -209,6 +221,7 @@ void add_sets(Problem& problem, const Identities& identities, const Ascent& like
     if (posterior.sets[s].families == best.families && posterior.sets[s].own == best.own) posterior.best = s;
   }
   posterior.log_total = log_sum(weights);
+  relinearise_own(problem, posterior, posterior.sets[posterior.best]);
 }
 
 std::size_t set_of(Problem& problem, Posterior& posterior, std::vector<std::size_t> families) {

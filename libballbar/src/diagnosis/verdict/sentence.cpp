@@ -108,7 +108,8 @@ std::string missing_text(const Diagnosis& d, std::string_view first, std::string
 std::string group_text(const Diagnosis& d, const std::vector<BoundEffect>& group) {
   std::string text = fmt::format("{} ({})", label_of(group.front()), percent_text(p_of(d, group.front())));
   if (group.size() > 1) text += fmt::format(", possibly {}", label_of(group[1]));
-  if (group.size() > 2) text += fmt::format(" or one of {} more", group.size() - 2);
+  if (group.size() == 3) text += " or one more";
+  if (group.size() > 3) text += fmt::format(" or one of {} more", group.size() - 2);
   return text;
 }
 
@@ -126,7 +127,7 @@ std::string own_text(const Diagnosis& d, double least) {
   std::string text;
   for (const OwnValue& own : d.own) {
     if (own.p < least) continue;
-    text += fmt::format("{}In {}, the {} of {} is held at {:.3g}, but the data say {:.3g} ({:.3g} to {:.3g}, {}).",
+    text += fmt::format("{}In {}, the {} of {} is held at {:.4g}, but the data say {:.4g} ({:.4g} to {:.4g}, {}).",
                         text.empty() ? "" : " ", model_text(d), own.parameter, own.effect, own.held, own.fitted,
                         own.interval.low, own.interval.high, sure_text(own.p));
   }
@@ -198,6 +199,22 @@ std::string drifts_text(const Diagnosis& d) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
+// An effect, or another value of a held parameter.
+std::string best_candidate_text(const Diagnosis& d) {
+  std::string what;
+  double p = 0.0;
+  if (!d.candidates.empty()) {
+    what = d.candidates.front().label;
+    p = d.candidates.front().p;
+  }
+  for (const OwnValue& own : d.own) {
+    if (own.p <= p) continue;
+    what = fmt::format("another {} of {}", own.parameter, own.effect);
+    p = own.p;
+  }
+  return what.empty() ? "" : fmt::format(" The best candidate, {} ({}), is not proven.", what, percent_text(p));
+}
+
 std::string unexplained_text(const Diagnosis& d) {
   const std::string drivers = likely_drivers_text(d);
   if (d.discrepancy_um > 0.0 && d.p_discrepancy >= kDiscrepancy) {
@@ -213,10 +230,7 @@ std::string unexplained_text(const Diagnosis& d) {
     return fmt::format("Something that depends on time alone is missing from {}: {}. No logged column follows it.{}",
                        model_text(d), drifts, where_text(d));
   }
-  const std::string candidate = !drivers.empty() || d.candidates.empty()
-                                    ? drivers
-                                    : fmt::format(" The best candidate, {} ({}), is not proven.",
-                                                  d.candidates.front().label, percent_text(d.candidates.front().p));
+  const std::string candidate = drivers.empty() ? best_candidate_text(d) : drivers;
   return fmt::format("Something is probably still missing from {} ({}). The remaining error is {} um RMS.{}{}",
                      model_text(d), percent_text(1.0 - d.p_nothing), size_text(d.base.rmse_um), candidate,
                      where_text(d));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <tuple>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "diagnosis/made_drift.hpp"
@@ -219,6 +220,29 @@ TEST(Diagnosis, names_a_value_that_the_model_holds) {
   EXPECT_GT(own.interval.high, own.fitted);
   EXPECT_GE(own.p, kNamed);
   EXPECT_TRUE(found.sentence.starts_with("In the model of ")) << found.sentence;
+}
+
+// The gain is 0.4 um per krpm^(5/3), the time constant 2300 s. One of them is held at 85 % of it, and the room is
+// missing as well. An exponent of 1.49 does nearly what the gain does.
+TEST(Diagnosis, names_an_effect_beside_a_value_that_the_model_holds) {
+  const std::tuple<std::size_t, double, double> values[] = {{0, 0.4, 0.5}, {1, 2300.0, kNamed}};
+  for (const auto& [parameter, truth, least_p] : values) {
+    Model model = by_speed();
+    Setting& setting = model.terms.front().settings[parameter];
+    setting.start = 0.85 * truth;
+    setting.held = true;
+    made::Drift how{3.0, 1};
+    how.noise_um = 0.1;
+    const Diagnosis found = diagnose(model, drift(how), 0, quick());
+    EXPECT_EQ(made::labels_of(found.named), std::vector<std::string>{"lagged_expansion(T_room_degC)"})
+        << found.sentence;
+    ASSERT_FALSE(found.own.empty()) << found.sentence;
+    const OwnValue& own = found.own.front();
+    EXPECT_EQ(own.parameter, model.terms.front().effect->parameters[parameter].name);
+    EXPECT_GE(own.p, least_p);
+    EXPECT_LT(own.interval.low, truth);
+    EXPECT_GT(own.interval.high, truth);
+  }
 }
 
 TEST(Diagnosis, a_value_that_the_model_holds_lowers_the_rmse) {

@@ -115,7 +115,7 @@ TEST(Sentence, of_a_value_that_the_model_holds) {
   Diagnosis found = with_verdict(Verdict::named);
   found.own = {{"speed_heating(n_rpm)", "exponent", "1", 5.0 / 3.0, 1.0, {0.9, 1.1}, 0.97}};
   EXPECT_EQ(sentence_of(found),
-            "In the model of z_um, the exponent of speed_heating(n_rpm) is held at 1.67, but the data say 1 (0.9 to "
+            "In the model of z_um, the exponent of speed_heating(n_rpm) is held at 1.667, but the data say 1 (0.9 to "
             "1.1, 97 % "
             "sure).");
 }
@@ -151,6 +151,8 @@ TEST(Sentence, of_many_that_cannot_be_told_apart) {
             "Something of about 11 um is missing from the model of z_um (98 % sure). The data do not tell which of 6 "
             "effects it "
             "is: most likely expansion(T1_degC) (16 %), possibly expansion(T2_degC) or one of 4 more.");
+  found.equivalent[0].resize(3);
+  EXPECT_TRUE(sentence_of(found).ends_with("possibly expansion(T2_degC) or one more."));
   found.equivalent[0].resize(1);
   EXPECT_EQ(sentence_of(found),
             "Something of about 11 um is missing from the model of z_um (98 % sure). The data do not tell for certain "
@@ -176,6 +178,11 @@ TEST(Sentence, of_what_no_effect_explains) {
   found.base.rmse_um = 3.7;
   EXPECT_EQ(sentence_of(found),
             "Something is probably still missing from the model of z_um (98 %). The remaining error is 3.7 um RMS.");
+  add(found, expansion("T1_degC"), 0.31, 3.0);
+  EXPECT_TRUE(sentence_of(found).ends_with(" The best candidate, expansion(T1_degC) (31 %), is not proven."));
+  found.own = {{"speed_heating(n_rpm)", "exponent", "1", 5.0 / 3.0, 1.0, {0.9, 1.1}, 0.45}};
+  EXPECT_TRUE(sentence_of(found).ends_with(
+      " The best candidate, another exponent of speed_heating(n_rpm) (45 %), is not proven."));
 }
 
 TEST(Sentence, of_nothing) {

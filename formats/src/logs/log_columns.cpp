@@ -1,0 +1,158 @@
+#include "logs/log_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "ballbar/error.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "logs/log_roles.hpp"
+#include "logs/log_table.hpp"
+#include "logs/log_units.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kFreezing_K = 273.15;
+
+// A name that can be typed: letters, digits and _; then the unit.
+std::string column_name(std::string_view name, std::string_view unit, std::set<std::string>& taken) {
+  std::string stem;
+  for (const char c : name) {
+    const bool kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c & 0x80) != 0;
+    if (kept)
+      stem += c;
+    else if (!stem.empty() && stem.back() != '_')
+      stem += '_';
+  }
+  for (const std::string_view sign : {"°", "º", "\u00A0", "（", "）", "Â"}) {
+    for (std::size_t at = stem.find(sign); at != std::string::npos; at = stem.find(sign)) stem.erase(at, sign.size());
+  }
+  while (stem.ends_with('_')) stem.pop_back();
+  if (stem.empty()) stem = "column";
+  return free_name(unit.empty() ? stem : fmt::format("{}_{}", stem, unit), taken);
+}
+
+}  // namespace
+
+void expect_recipe_columns(const Headers& headers, const std::string& name, std::size_t line, const LogRecipe& recipe) {
+  if (recipe.may_lack_columns) return;
+  for (const ColumnRecipe& one : recipe.columns) {
+    const bool found = std::any_of(headers.begin(), headers.end(),
+                                   [&](const auto& header) { return is_of(one, header.first, header.second); });
+    if (found) continue;
+    std::vector<std::string_view> known;
+    known.reserve(headers.size());
+    for (const auto& header : headers) known.emplace_back(header.first);
+    throw Error(fmt::format(
+        "{}:{}: expected a column {}, as stated by the options or the recipe, found none; the nearest is {}.", name,
+        line, in_quotes(one.source), in_quotes(nearest_name(one.source, known))));
+  }
+}
+
+void take_column(const PlannedColumn& planned, std::vector<double>&& values, const std::string& why,
+                 const std::string& name, Log& log, std::set<std::string>& taken) {
+  const ColumnRecipe& stated = planned.stated;
+  LogColumn column;
+  column.source = planned.source;
+  column.found_unit = planned.unit;
+  if (std::all_of(values.begin(), values.end(), [](double v) { return std::isnan(v); })) {
+    column.gaps = values.size();
+    column.why = "has no value";
+    log.columns.push_back(std::move(column));
+    return;
+  }
+  const bool pattern_gives_way =
+      planned.unit_by_pattern && (!why.empty() || !found_role(planned.name, "", values).unit.empty());
+  const auto unit = stated.unit.empty() || pattern_gives_way
+                        ? log_unit(planned.unit)
+                        : stated_unit(stated.unit, fmt::format("{}: {}", name, planned.source));
+  double factor = 1.0, offset = 0.0;
+  if (unit) {
+    column.unit = unit->canonical;
+    factor = unit->factor;
+    offset = unit->offset;
+    if (column.unit == "K" && factor == 1.0) {
+      const Extremes range = extremes_of(values);
+      if (range.least > 150.0) {
+        column.unit = "degC";
+        offset = -kFreezing_K;
+      }
+    }
+  }
+  if (factor != 1.0 || offset != 0.0) {
+    for (double& value : values) value = value * factor + offset;
+  }
+  const FoundRole found = found_role(planned.name, column.unit, values);
+  // Whose unit of length a user states is no axis, however far it moves.
+  const bool is_length = !stated.unit.empty() && !planned.unit_by_pattern && column.unit == "um";
+  column.role = stated.role.value_or(is_length ? Role::measured : found.role);
+  column.role_is_stated = stated.role.has_value();
+  column.why = stated.role                                     ? "by the recipe"
+               : !why.empty() && found.role == Role::structure ? why
+               : is_length                                     ? "by its unit"
+                                                               : found.why;
+  if (column.unit.empty() && planned.unit.empty() && (stated.unit.empty() || pattern_gives_way))
+    column.unit = found.unit;
+  if (!stated.name.empty()) {
+    column.name = column_name(stated.name.ends_with("_" + column.unit) && !column.unit.empty()
+                                  ? std::string_view(stated.name).substr(0, stated.name.size() - column.unit.size() - 1)
+                                  : std::string_view(stated.name),
+                              column.unit, taken);
+  } else {
+    column.name = column_name(planned.name, column.unit, taken);
+  }
+  log.series.columns.push_back({column.name, column.role, std::move(values)});
+  log.columns.push_back(std::move(column));
+}
+
+Series with_stated_columns(Series series, const LogRecipe& recipe, const std::string& name) {
+  const auto refuse = [&](bool is_given, std::string_view option) {
+    if (is_given) throw Error(fmt::format("{}: expected a log for {}, found a ballbar series.", name, option));
+  };
+  refuse(!recipe.join.empty(), "--join");
+  refuse(recipe.burst_means, "--burst-means");
+  refuse(!recipe.time.empty(), "--time");
+  refuse(recipe.every_s && series.has_clock, "--every");
+  if (recipe.every_s) {
+    for (double& time : series.time_s) time *= *recipe.every_s;
+    series.has_clock = true;
+  }
+  if (recipe.columns.empty()) return series;
+  Headers headers;
+  for (const Column& column : series.columns) {
+    const std::size_t unit = unit_of(column.name).size();
+    headers.emplace_back(column.name, column.name.substr(0, column.name.size() - (unit == 0 ? 0 : unit + 1)));
+  }
+  expect_recipe_columns(headers, name, 1, recipe);
+  std::vector<Column> columns;
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < headers.size(); ++i) {
+    const auto& [source, stem] = headers[i];
+    Column& column = series.columns[i];
+    std::string unit(unit_of(source));
+    const ColumnRecipe stated = stated_of(recipe, source, stem, !unit.empty());
+    if (stated.left_out) continue;
+    if (!stated.unit.empty() && !unit.empty() && stated.unit != unit) {
+      throw Error(fmt::format("{}: {}: expected no other unit than {}, which its name states, found {}.", name, source,
+                              unit, in_quotes(stated.unit)));
+    }
+    if (!stated.unit.empty() && unit.empty()) {
+      const LogUnit found = stated_unit(stated.unit, fmt::format("{}: {}", name, source));
+      for (double& value : column.values) value = value * found.factor + found.offset;
+      unit = found.canonical;
+      if (column.role == Role::event) column.role = role_from_unit(unit);
+    }
+    if (stated.role) column.role = *stated.role;
+    column.name = column_name(stated.name.empty() ? stem : stated.name, unit, taken);
+    columns.push_back(std::move(column));
+  }
+  if (columns.empty()) throw Error(fmt::format("{}: expected a column that is not left out, found none.", name));
+  series.columns = std::move(columns);
+  return series;
+}
+
+}  // namespace ballbar
