@@ -65,10 +65,10 @@ std::string command_of(const std::string& verb, const std::vector<std::string>& 
   return shortened(command, command.size()) == command ? command : "";  // a name that a terminal would obey
 }
 
-// The first that is worth a try: of what is in question, else of what is most probable.
+// The first that is worth a try: of what is in question, else of the most probable set.
 std::vector<BoundEffect> worth_a_try(const Diagnosis& found) {
   if (!found.equivalent.empty() && !found.equivalent.front().empty()) return {found.equivalent.front().front()};
-  if (!found.candidates.empty()) return {found.candidates.front().bound};
+  if (!found.candidates.empty() && found.candidates.front().in_best_set) return {found.candidates.front().bound};
   return {};
 }
 

@@ -46,6 +46,8 @@ TEST(NextCommand, what_is_probable_is_added_and_what_is_in_question_tried) {
     EXPECT_EQ(next_command(options(), diagnosis), "");
     diagnosis.candidates.push_back({});
     diagnosis.candidates.front().bound = bound("linear_drift", {});
+    EXPECT_EQ(next_command(options(), diagnosis), "");  // more likely not missing
+    diagnosis.candidates.front().in_best_set = true;
     EXPECT_EQ(next_command(options(), diagnosis),
               "ballbar add linear_drift 'run 1.csv' --model model.toml --target y_um --dry-run");
     diagnosis.equivalent = {{bound("expansion", {"T_room_degC"}), bound("linear_drift", {})}};
