@@ -8,10 +8,10 @@
 // depend on time alone. The test assumes that the other effects of the most probable set of diagnose() with these
 // effects are missing as well, so that both report the same figures; a large missing effect would otherwise hide a
 // small one. If that set has another value of a held parameter, the test frees it. Earlier effects are tested without
-// these assumptions. This is valid for an effect chosen before looking at
-// these data. Use diagnose() to search the data for an effect. The shapes of the added effects start at their most
-// likely values, so that a fit of the model equals the reported fit. For long series all figures but those of the
-// ledger rows use every second, third ... value, as in diagnose().
+// these assumptions. This is valid for an effect chosen before looking at these data. Use diagnose() to search the data
+// for an effect. The shapes of the added effects start at their most likely values, so that a fit of the model equals
+// the reported fit. For long series all figures but those of the ledger rows use every second, third ... value, as in
+// diagnose().
 //
 // Errors of linear axes on recordings are tested together with all other errors of the axes: chi^2 replaces 2 ln B, and
 // an error is needed if its p-value is below 0.001 (machine_errors.hpp).
