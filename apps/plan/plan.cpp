@@ -24,8 +24,6 @@ struct PlanArguments {
   TestPlanOptions plan;
   std::vector<std::string> can;
   std::string out;
-  double ballbar_mm = 0.0;  // length of the bar; 0: no ballbar tests between
-  double ballbar_every_min = 60.0;
   bool details = false;
   bool json = false;
 };
@@ -85,13 +83,7 @@ PlanContents contents_of(const TestPlan& plan, const PlanArguments& options, con
   for (const Column& column : data.series->columns) {
     if (column.role != Role::measured || column.name == target) contents.columns_to_log.push_back(column.name);
   }
-  contents.options.title = contents.title;
-  if (options.plan.max_rpm > 0.0) contents.options.max_rpm = options.plan.max_rpm;
-  if (options.ballbar_mm > 0.0) {
-    contents.options.ballbar = BallbarTest{};
-    contents.options.ballbar->radius_mm = options.ballbar_mm;
-    contents.options.ballbar->every_min = options.ballbar_every_min;
-  }
+  if (options.plan.max_rpm > 0.0) contents.max_rpm = options.plan.max_rpm;
   return contents;
 }
 
@@ -133,7 +125,7 @@ void run(PlanArguments options) {
     return;
   }
   write_plan(options.out, contents_of(plan, options, data, model.targets.front()));
-  wrote_line(options.out + ": schedule.csv, programs for four controls, checklist.txt, plan.svg");
+  wrote_line(options.out + ": schedule.csv, program.nc, checklist.txt, plan.svg");
 }
 
 }  // namespace
@@ -155,17 +147,8 @@ void add_plan(CLI::App& app) {
       ->type_name("WHAT")
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"load", "room", "coolant"}));
-  command->add_option("--out", options->out, "a new folder: schedule, programs of the machine, check list, picture")
+  command->add_option("--out", options->out, "a new folder: schedule, program of the machine, check list, picture")
       ->type_name("FOLDER");
-  command
-      ->add_option("--ballbar", options->ballbar_mm,
-                   "drive a ballbar test between the speeds, with a bar of this length")
-      ->type_name("MM")
-      ->check(number_within(10.0, 1000.0));
-  command->add_option("--tests-every", options->ballbar_every_min, "minutes between the ballbar tests")
-      ->type_name("MIN")
-      ->capture_default_str()
-      ->check(number_within(1.0, 1440.0));
   command->add_option("--seed", options->plan.search.seed, "seed of the random draws")
       ->type_name("N")
       ->check(whole_number_within(0, kLargestSeed));

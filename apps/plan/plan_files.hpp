@@ -2,12 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ballbar/diagnosis/next_test/schedule.hpp"
-#include "ballbar/formats/schedules/spindle_program.hpp"
 
 namespace ballbar {
 
@@ -26,11 +26,10 @@ struct PlanContents {
   // darker shade in the picture. May be empty.
   std::vector<double> separation;
   std::vector<std::string> columns_to_log;
-  ProgramOptions options;
+  std::optional<double> max_rpm;
 };
 
-// Name and bytes of each file: schedule.csv, the program of each control, checklist.txt, plan.svg. Throws Error as
-// spindle_program.
+// Name and bytes of each file: schedule.csv, program.nc, checklist.txt, plan.svg. Throws Error as iso_program().
 std::vector<std::pair<std::string, std::string>> plan_files(const PlanContents& contents);
 
 // Throws Error if `folder` is a file or is not empty. Call it before doing the work.

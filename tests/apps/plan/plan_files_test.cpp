@@ -5,7 +5,6 @@
 #include <set>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/schedules/dry_run.hpp"
 #include "ballbar/formats/schedules/schedule_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "scratch_folder.hpp"
@@ -22,7 +21,7 @@ PlanContents sample() {
           .curves = {{"one", 0.6, {0.0, 7200.0}, {0.0, 9.0}, {0.5, 0.5}}, {"two", 0.4, {0.0, 7200.0}, {0.0, 3.0}, {}}},
           .separation = {0.0, 2.0},
           .columns_to_log = {"T_room_degC"},
-          .options = {.ballbar = BallbarTest{}, .max_rpm = 12000.0}};
+          .max_rpm = 12000.0};
 }
 
 TEST(plan_files, a_folder_that_a_shop_can_run) {
@@ -31,17 +30,12 @@ TEST(plan_files, a_folder_that_a_shop_can_run) {
   write_plan(scratch.path() / "plan", contents);
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(scratch.path() / "plan")) names.insert(entry.path().filename());
-  EXPECT_EQ(names, (std::set<std::string>{"checklist.txt", "fanuc.nc", "heidenhain.h", "linuxcnc.ngc", "plan.svg",
-                                          "schedule.csv", "siemens.mpf"}));
+  EXPECT_EQ(names, (std::set<std::string>{"checklist.txt", "plan.svg", "program.nc", "schedule.csv"}));
   const auto bytes = [&](std::string_view name) { return read_bytes(scratch.path() / "plan" / name, kLargestText); };
   EXPECT_EQ(duration_s(read_schedule_csv(bytes("schedule.csv"), "schedule.csv")), 7200.0);
-  for (const Dialect dialect : kDialects) {
-    const DryRun run = dry_run_of(bytes(file_name_of(dialect)), dialect);
-    EXPECT_EQ(run.duration_s, 7200.0);
-    EXPECT_EQ(run.highest_rpm, 12000.0);
-    EXPECT_EQ(run.circles.size(), 6u);
-    EXPECT_NE(bytes(file_name_of(dialect)).find("TITLE WHICH OF TWO"), std::string::npos);
-  }
+  EXPECT_NE(bytes("program.nc").find("(TITLE WHICH OF TWO)\n"), std::string::npos);
+  EXPECT_NE(bytes("program.nc").find("S12000 M3\n"), std::string::npos);
+  EXPECT_TRUE(bytes("program.nc").ends_with("(120 OF 120 MIN)\nM5\nM30\n%\n"));
   EXPECT_TRUE(bytes("checklist.txt").starts_with("Which of two\n2 h in all"));
   EXPECT_NE(bytes("checklist.txt").find("[ ] T_room_degC\n"), std::string::npos);
   EXPECT_TRUE(bytes("plan.svg").ends_with("</svg>\n"));
@@ -59,7 +53,7 @@ TEST(plan_files, all_or_nothing_and_never_over_another) {
       "DIR/plan: expected a new or an empty folder, found one that holds a plan; name another, or remove this one.");
   scratch.write("other/schedule.csv", "mine");
   EXPECT_EQ(write("other"), "DIR/other: expected a new or an empty folder, found one that holds files.");
-  contents.options.max_rpm = 6000.0;
+  contents.max_rpm = 6000.0;
   EXPECT_EQ(write("slow"),
             "Dwell 2 of the schedule, from 30 min: expected at most 6000 rpm, the highest that the machine may turn, "
             "found 12000 rpm.");

@@ -6,14 +6,16 @@
 #include <vector>
 
 #include "ballbar/diagnosis/next_test/schedule.hpp"
-#include "ballbar/formats/schedules/spindle_program.hpp"
 
 namespace ballbar {
 
-// Times are hours and minutes of the schedule; stops and ballbar tests delay them. `columns_to_log`: names of columns
-// of a series, with their units. Title and columns may have any UTF-8 text; control characters become blanks. Throws
-// Error as spindle_program() does.
-std::string check_list(const Schedule& schedule, const ProgramOptions& options,
-                       const std::vector<std::string>& columns_to_log, std::string_view title);
+// What is to be set by hand where `now` follows `before`, "load 1.5 times that of the data, room +3 K"; empty: nothing.
+std::string order_text(const Dwell& before, const Dwell& now);
+
+// For the program of iso_program(). Times are hours and minutes of the schedule; stops and ballbar tests delay them.
+// `columns_to_log`: names of columns of a series, with their units. Title and columns may have any UTF-8 text; control
+// characters become blanks. Throws Error as expect_schedule() does.
+std::string check_list(const Schedule& schedule, const std::vector<std::string>& columns_to_log,
+                       std::string_view title);
 
 }  // namespace ballbar
