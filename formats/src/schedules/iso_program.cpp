@@ -32,25 +32,10 @@ std::string passed_min(long long time_ms) {
   return fmt::format("{}", std::round(static_cast<double>(time_ms) / 6e3) / 10.0);
 }
 
-void expect_at_most(double max_rpm, const Schedule& schedule) {
-  double begin_s = 0.0;
-  for (std::size_t i = 0; i < schedule.dwells.size(); ++i) {
-    const Dwell& dwell = schedule.dwells[i];
-    if (!(std::round(dwell.speed_rpm) <= max_rpm)) {
-      throw Error(
-          fmt::format("Dwell {} of the schedule, from {:.4g} min: expected at most {} rpm, the highest that the "
-                      "machine may turn, found {} rpm.",
-                      i + 1, begin_s / 60.0, max_rpm, dwell.speed_rpm));
-    }
-    begin_s += dwell.duration_s;
-  }
-}
-
 }  // namespace
 
 std::string iso_program(const Schedule& schedule, std::string_view title, std::optional<double> max_rpm) {
   expect_schedule(schedule);
-  if (max_rpm) expect_at_most(*max_rpm, schedule);
   const auto ms_of = [](double time_s) { return std::llround(time_s * 1e3); };
   const long long total_ms = ms_of(duration_s(schedule));
   double highest_rpm = 0.0;
@@ -77,6 +62,12 @@ std::string iso_program(const Schedule& schedule, std::string_view title, std::o
   for (std::size_t i = 0; i < schedule.dwells.size(); ++i) {
     const Dwell& dwell = schedule.dwells[i];
     const long long rpm = std::llround(dwell.speed_rpm);
+    if (max_rpm && !(std::round(dwell.speed_rpm) <= *max_rpm)) {
+      throw Error(
+          fmt::format("Dwell {} of the schedule, from {:.4g} min: expected at most {} rpm, the highest that the "
+                      "machine may turn, found {} rpm.",
+                      i + 1, begin_s / 60.0, *max_rpm, dwell.speed_rpm));
+    }
     out += comment(fmt::format("Dwell {} of {} - {} at {} rpm", i + 1, schedule.dwells.size(),
                                duration_text(dwell.duration_s), rpm));
     if (const std::string order = order_text(before, dwell); !order.empty()) {
