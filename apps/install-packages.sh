@@ -28,7 +28,7 @@ python='pybind11-dev python3-dev python3-numpy python3-pandas python3-venv'
 # Many machines at once, tables and pictures in Python.
 fleet='python3-distributed python3-matplotlib python3-tqdm'
 hal='linuxcnc-uspace linuxcnc-uspace-dev'
-package='dpkg-dev file lintian mmdebstrap uidmap desktop-file-utils shared-mime-info libglib2.0-bin'
+package='dpkg-dev file help2man lintian mmdebstrap uidmap desktop-file-utils shared-mime-info libglib2.0-bin'
 test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn python3-nbclient python3-ipykernel mypy chromium fonts-dejavu-core'
 browsers='chromium firefox-esr fonts-dejavu-core'
 bench='libbenchmark-dev python3 python3-numpy python3-scipy python3-sklearn'

@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -53,10 +52,6 @@ const std::vector<Group>& groups() {
   return kGroups;
 }
 
-void expect_no_old_command(const std::string& name) {
-  if (const std::string now = ballbar::renamed_command(name); !now.empty()) throw ballbar::UsageError(now);
-}
-
 void add_commands(CLI::App& app) {
   for (const Group& group : groups()) {
     for (const Command& command : group.commands) {
@@ -77,7 +72,6 @@ CLI::App& add_command(CLI::App& app, const std::string& name) {
       return *app.get_subcommand(name);
     }
   }
-  expect_no_old_command(name);
   throw ballbar::UsageError(fmt::format("expected a command, found {}.", ballbar::in_quotes(name)));
 }
 
@@ -152,8 +146,6 @@ void run_command(const CommandCall& call) {
 void run_command(const std::vector<std::string>& words) {
   CommandLine app{"Compute thermal drift of machine tool spindles from ballbar logs."};
   set_up(app);
-  std::error_code absent;
-  if (!words.empty() && !std::filesystem::exists(words.front(), absent)) expect_no_old_command(words.front());
   try {
     std::vector<std::string> line = with_command(words, app);
     std::reverse(line.begin(), line.end());  // as CLI11 takes them

@@ -23,15 +23,9 @@ std::string known(double value, int decimals) { return std::isfinite(value) ? fi
 
 std::string percent(double share) { return std::isfinite(share) ? fmt::format("{:.0f}", 100.0 * share) : "-"; }
 
-// Three digits.
-int digits_of(double value) {
-  if (!(std::abs(value) > 0.0) || !std::isfinite(value)) return 2;
-  return std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 6);
-}
-
 Table figures(const EffectTest& effect_test) {
   const LedgerRow &before = effect_test.before, &after = effect_test.after;
-  const int decimals = digits_of(std::min(before.rmse_um, after.rmse_um));
+  const int decimals = decimals_showing(3, std::min(before.rmse_um, after.rmse_um));
   Table table({"", "before", "after"});
   const auto row = [&](const std::string& what, double from, double to, int digits) {
     table.add({what, known(from, digits), known(to, digits)});
@@ -54,10 +48,11 @@ Table added_table(const EffectTest& effect_test) {
                "fall by chance %"});
   const double fall = 1.0 - effect_test.after.rmse_um / effect_test.before.rmse_um;
   for (const Candidate& tried : effect_test.added) {
+    const int decimals = decimals_showing(3, tried.amplitude_um);
     table.add({one_line(tried.label),
                std::isfinite(tried.amplitude_sigma_um)
-                   ? with_sigma(tried.amplitude_um, tried.amplitude_sigma_um, digits_of(tried.amplitude_um))
-                   : fixed(tried.amplitude_um, digits_of(tried.amplitude_um)),
+                   ? with_sigma(tried.amplitude_um, tried.amplitude_sigma_um, decimals)
+                   : fixed(tried.amplitude_um, decimals),
                fixed(tried.likelihood_ratio, 1), fixed(tried.threshold, 1),
                effect_test.added.size() == 1 ? percent(fall) : "-", percent(tried.best_surrogate_fall)});
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "ballbar/number_text.hpp"
 #include "ballbar/units.hpp"
 #include "diagnose/error_names.hpp"
 #include "diagnose/machine_errors_report.hpp"
@@ -21,11 +22,7 @@ constexpr std::size_t kErrorRows = 10, kStoredRows = 25, kDifferences = 3;  // w
 
 std::string plain(double value, int decimals) { return fixed(value, decimals); }
 
-// Enough digits that sigma shows two.
-int decimals_of_sigma(double sigma) {
-  if (!(sigma > 0.0) || !std::isfinite(sigma)) return 2;
-  return std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 4);
-}
+int decimals_of_sigma(double sigma) { return decimals_showing(2, sigma, 4); }
 
 std::string moment(std::int64_t started_s) {
   const std::time_t time = static_cast<std::time_t>(started_s);

@@ -199,7 +199,7 @@ std::vector<std::string> machine_conclusion(const History& history) {
 
 std::vector<std::string> quantity_row(const MachineHistory& machine, std::size_t series) {
   const QuantityHistory& one = machine.series[series];
-  const int decimals = decimals_of(one.unit);
+  const int decimals = decimals_in(one.unit);
   std::vector<std::string> row{one.name, one.unit, with_sigma(one.value.back(), one.sigma.back(), decimals)};
   if (one.value.size() > 1) {
     const std::size_t last = one.value.size() - 1;

@@ -40,8 +40,6 @@ std::string several(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-int decimals_of(const std::string& unit) { return unit == "ms" ? 3 : unit == "um" ? 2 : 1; }
-
 std::string signed_text(double value, int decimals) {
   const std::string text = fixed(value, decimals);
   return text.starts_with('-') ? text : '+' + text;

@@ -17,7 +17,6 @@ std::string csv_text(const std::string& text);                  // in quotes whe
 std::string csv_number(double value);                           // empty: not finite
 std::string several(std::size_t count, std::string_view what);  // "1 test", "2 tests"
 
-int decimals_of(const std::string& unit);
 std::string signed_text(double value, int decimals);
 
 // Cells of a table; "-" where there is nothing to state.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ballbar/history/trend.hpp"
+#include "ballbar/number_text.hpp"
 #include "history/quantity_text.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -50,7 +51,7 @@ std::string kind_text(FindingKind kind) {
 
 std::string size_text(const Finding& finding) {
   const FindingQuantity& quantity = finding.quantities.front();
-  const int decimals = decimals_of(quantity.unit);
+  const int decimals = decimals_in(quantity.unit);
   const bool to_either_side = finding.kind == FindingKind::season;
   return fmt::format("{} ± {} {}{}",
                      to_either_side ? fixed(quantity.size, decimals) : signed_text(quantity.size, decimals),
@@ -108,7 +109,7 @@ std::vector<std::string> ranking_row(const MachineHistory& machine) {
             need_text(machine),
             "-",
             fmt::format("{} {}", beyond->name, name_of(beyond->plane)),
-            with_sigma(beyond->level, beyond->level_sigma, decimals_of(beyond->unit)) + ' ' + beyond->unit,
+            with_sigma(beyond->level, beyond->level_sigma, decimals_in(beyond->unit)) + ' ' + beyond->unit,
             "-",
             "-",
             "-"};

@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/number_text.hpp"
 #include "history/quantity_text.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {
 
-std::string number_text(double value, const std::string& unit) { return fixed(value, decimals_of(unit)); }
+std::string number_text(double value, const std::string& unit) { return fixed(value, decimals_in(unit)); }
 
 // "fell from 8.10 to 1.20 um"
 std::string change_text(double before, double after, const std::string& unit, bool with_verb) {
@@ -130,7 +131,7 @@ std::string comparison_text(const TestComparison& comparison, bool all) {
       left_out += one.of_set_up ? 0 : 1;
       continue;
     }
-    const int decimals = decimals_of(one.unit);
+    const int decimals = decimals_in(one.unit);
     const auto cell = [&](double value, double sigma) {
       return std::isfinite(value) ? with_sigma(value, sigma, decimals) : std::string("-");
     };

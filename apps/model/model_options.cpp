@@ -14,6 +14,7 @@
 #include "ballbar/model/recording_base_model.hpp"
 #include "ballbar/model/run_terms.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "ballbar/number_text.hpp"
 #include "model/held_values.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/log_options.hpp"
@@ -241,9 +242,7 @@ std::string value_text(const FittedParameter& parameter) {
   if (parameter.sigma < 1e-6 * std::abs(parameter.value)) {
     return fmt::format("{:.6g} ± {:.0e}", parameter.value, parameter.sigma);
   }
-  // Two digits of sigma.
-  const int decimals =
-      parameter.sigma > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(parameter.sigma))), 0, 9) : 4;
+  const int decimals = parameter.sigma > 0.0 ? decimals_showing(2, parameter.sigma, 9) : 4;
   return with_sigma(parameter.value, parameter.sigma, decimals);
 }
 

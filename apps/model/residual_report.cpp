@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -42,10 +41,7 @@ void print_sentences(const ResidualReport& residual_report) {
   }
 }
 
-int decimals_of(double rmse_um) {
-  if (!(rmse_um > 0.0)) return 2;
-  return std::clamp(1 - static_cast<int>(std::floor(std::log10(rmse_um))), 2, 6);
-}
+int decimals_of(double rmse_um) { return std::max(2, decimals_showing(2, rmse_um)); }
 
 std::string floor_text(const Fit& fit) {
   const int decimals = decimals_of(fit.rmse_um) + 1;

@@ -3,8 +3,8 @@
 #
 #   sh stage.sh STAGED BUILD VERSION
 #
-# In each component below STAGED: copyright with the notices of what is compiled in, changelog, manual page compressed,
-# permissions that the umask does not set, times of the changelog.
+# In each component below STAGED: copyright with the notices of what is compiled in, changelog, manual pages of the
+# program, permissions that the umask does not set, times of the changelog.
 set -eu
 staged=$1 build=$2 version=$3
 here=$(cd "$(dirname "$0")" && pwd)
@@ -76,6 +76,24 @@ copyright_of() (
   esac
 )
 
+# manual_pages PROGRAM [WORD...]: here, of a command by its help, then of its own commands; without a word, of the
+# program. Examples get a prompt, by which help2man sets each on a line of its own.
+manual_pages() (
+  program=$1
+  shift
+  name=$(echo ballbar "$@" | tr ' ' '-')
+  version=$("$program" --version)
+  "$program" "$@" --help ${1:+--details} >"$name"
+  sed -i -e ':a; / \\$/ { N; s/ \\\n */ /; ba }' -e 's/^  ballbar /  $ ballbar /' "$name"
+  SOURCE_DATE_EPOCH=$epoch help2man --no-info --locale=C.UTF-8 --include="$here/ballbar.h2m" \
+    --name="$(sed -n '1 s/\.\{0,1\}$//p' "$name")" --version-string="$name (ballbar) ${version#ballbar }" \
+    --help-option="$name" --output="$name.1" cat
+  sed -n 's/^  \([a-z]\{1,\}\)  .*/\1/p' "$name" | while read -r command; do
+    manual_pages "$program" "$@" "$command"
+  done
+  rm "$name"
+)
+
 for component in program:ballbar development:libballbar-dev python:python3-ballbar; do
   folder=$staged/${component%%:*} package=${component##*:}
   [ -d "$folder" ] || continue
@@ -83,7 +101,10 @@ for component in program:ballbar development:libballbar-dev python:python3-ballb
   mkdir -p "$doc"
   copyright_of "$package" "$doc" "$folder" >"$doc/copyright"
   gzip -9nc "$here/changelog" >"$doc/changelog.gz"
-  find "$folder/usr/share" -path '*/man/man?/*.?' -exec gzip -9n {} +
+  if [ "$package" = ballbar ]; then
+    mkdir -p "$folder/usr/share/man/man1"
+    (cd "$folder/usr/share/man/man1" && manual_pages "$folder/usr/bin/ballbar" && gzip -9n ./*)
+  fi
   find "$folder" -type d -empty -delete # of what is optional and not there
   find "$folder" -type d -exec chmod 755 {} +
   find "$folder" -type f -perm -u+x -exec chmod 755 {} +

@@ -52,7 +52,7 @@ OptionWords words_of(const CLI::Option& option) {
 }
 
 void add_words(const CLI::App& app, const std::string& path, std::vector<CommandWords>& all) {
-  CommandWords words{path, app.get_description(), app.get_group(), app.get_footer(), {}, {}, command_names(app)};
+  CommandWords words{path, app.get_description(), {}, {}, command_names(app)};
   for (const CLI::Option* option : app.get_options([](const CLI::Option* one) { return !one->get_group().empty(); })) {
     (option->get_positional() ? words.places : words.options).push_back(words_of(*option));
   }

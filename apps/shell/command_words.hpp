@@ -1,4 +1,5 @@
-// The commands and their options for completions and the man page, from the command line parser of the program.
+// The commands and their options for completions and for functions in Python, from the command line parser of the
+// program.
 #pragma once
 
 #include <string>
@@ -25,7 +26,7 @@ struct OptionWords {
 
 struct CommandWords {
   std::string path;  // "simulate score", empty of the program itself
-  std::string summary, heading, examples;
+  std::string summary;
   std::vector<OptionWords> places, options;
   std::vector<std::string> commands;  // the next words
 };
@@ -36,13 +37,7 @@ std::vector<CommandWords> command_words(const CLI::App& app);
 // Of both levels, each once.
 std::vector<std::string> effect_words();
 
-// The completion script of a shell for commands, options, effects and files: `ballbar help --completion
-// bash|zsh|fish`.
+// The script for commands, options, effects and files: `ballbar help --completion bash`.
 std::string bash_completion(const std::vector<CommandWords>& commands);
-std::string zsh_completion(const std::vector<CommandWords>& commands);
-std::string fish_completion(const std::vector<CommandWords>& commands);
-
-// The page for man(1), `ballbar help --man`: all commands and options, in roff.
-std::string man_page(const CLI::App& app);
 
 }  // namespace ballbar

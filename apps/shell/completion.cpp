@@ -46,7 +46,7 @@ std::string offers_of_places(const CommandWords& command) {
 }
 
 // Which command the words before belong to, what an option's value may be, and which options and places there are: the
-// same three `case` of bash and of zsh.
+// three `case` of the script.
 std::string path_cases(const std::vector<CommandWords>& commands) {
   std::string cases;
   for (const CommandWords& command : commands) {
@@ -124,46 +124,6 @@ _ballbar() {{
   return 0
 }}
 complete -F _ballbar ballbar
-)",
-      joined(effect_words()), path_cases(commands), value_cases(commands), command_cases(commands));
-}
-
-std::string zsh_completion(const std::vector<CommandWords>& commands) {
-  return fmt::format(
-      R"(#compdef ballbar
-# Completion of ballbar in zsh, printed by `ballbar help --completion zsh`.
-_ballbar() {{
-  local word=$words[CURRENT] before=$words[CURRENT-1]
-  local command= options= offered= paths= is_value= i
-  local effects='{}'
-  if [[ $word = --*=* ]]; then
-    before=${{word%%=*}}
-    word=${{word#*=}}
-    compset -P '*='
-  fi
-  for ((i = 2; i < CURRENT; i++)); do
-    case $command/$words[i] in
-{}      /-*) ;;
-      /*) break ;;
-    esac
-  done
-  case $command:$before in
-{}  esac
-  if [[ -z $is_value ]]; then
-    case $command in
-{}    esac
-    if [[ $word = -* ]]; then
-      offered=$options
-      paths=
-    fi
-  fi
-  local none=1
-  if [[ -n $offered ]]; then compadd -- ${{=offered}} && none=0; fi
-  if [[ $paths = files ]]; then _files && none=0; fi
-  if [[ $paths = folders ]]; then _files -/ && none=0; fi
-  return none
-}}
-if [[ $funcstack[1] = _ballbar ]]; then _ballbar "$@"; else compdef _ballbar ballbar; fi
 )",
       joined(effect_words()), path_cases(commands), value_cases(commands), command_cases(commands));
 }

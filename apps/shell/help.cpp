@@ -4,10 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <memory>
 #include <sstream>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -92,33 +90,9 @@ class HelpFormatter : public CLI::Formatter {
   bool details_;
 };
 
-using Completion = std::string (*)(const std::vector<CommandWords>& commands);
-constexpr std::array<Completion, 3> kCompletions{bash_completion, zsh_completion, fish_completion};
-
-// A command of the version before, and what does its work now.
-struct OldCommand {
-  std::string_view name, now, help;
-};
-
-constexpr OldCommand kOldCommands[] = {
-    {"merge", "import LOG LOG...", "import"},
-    {"fleet", "history FOLDER...", "history"},
-    {"page", "report --tool", "report"},
-    {"try", "add EFFECT... DATA --dry-run", "add"},
-    {"preflight", "could DATA", "could"},
-    {"inject", "could EFFECT DATA", "could"},
-    {"terms", "effects --terms", "effects"},
-    {"select", "train RUNS --for DATA", "train"},
-    {"meanpoint", "compensate --from-picture FILE", "compensate"},
-    {"blind", "simulate --hidden, simulate SET --schedule FILE, or simulate score DIR", "simulate"},
-    {"completion", "help --completion SHELL", "help"},
-    {"man", "help --man", "help"},
-};
-
 struct HelpArguments {
   std::vector<std::string> words;
-  bool details = false, man = false;
-  Completion completion = nullptr;
+  bool details = false, completion = false;
 };
 
 }  // namespace
@@ -134,37 +108,21 @@ void add_help_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("help", "Show the help of a command");
   CLI::Option* words = command->add_option("COMMAND", asked->words, "command, such as drift")->type_name("");
   CLI::Option* details = command->add_flag("--details", asked->details, "list all options");
-  CLI::Option* man = command->add_flag("--man", asked->man, "print the manual page for man(1)");
-  add_choice(*command, "--completion", {"bash", "zsh", "fish"}, "", "print a completion script for the shell",
-             [asked](std::size_t at) { asked->completion = kCompletions.at(at); });
-  man->excludes(words)->excludes(details);
-  command->get_option("--completion")->excludes(words)->excludes(details)->excludes(man);
+  add_choice(*command, "--completion", {"bash"}, "", "print a completion script for the shell",
+             [asked](std::size_t) { asked->completion = true; });
+  command->get_option("--completion")->excludes(words)->excludes(details);
   command->footer(
-      "Examples:\n"
-      "  ballbar help --man | man -l -\n"
+      "Example:\n"
       "  source <(ballbar help --completion bash)");
   command->callback([asked, &app] {
-    if (asked->man) {
-      fmt::print("{}", man_page(app));
-    } else if (asked->completion != nullptr) {
-      fmt::print("{}", asked->completion(command_words(app)));
-    } else if (const std::string now = asked->words.empty() ? "" : renamed_command(asked->words.front());
-               !now.empty()) {
-      fmt::print("{}\n", now);
+    if (asked->completion) {
+      fmt::print("{}", bash_completion(command_words(app)));
     } else {
       const CLI::App* of = &app;
       for (const std::string& word : asked->words) of = &command_of(*of, word);
       print_help(help_of(*of, asked->details));
     }
   });
-}
-
-std::string renamed_command(const std::string& name) {
-  for (const OldCommand& old : kOldCommands) {
-    if (old.name == name)
-      return fmt::format("{} has been replaced by ballbar {}. See ballbar {} --help.", old.name, old.now, old.help);
-  }
-  return "";
 }
 
 void print_help(const std::string& text) {

@@ -1,4 +1,4 @@
-// `ballbar help [COMMAND]`, the man page and the completions, and how help is printed.
+// `ballbar help [COMMAND]`, the completion, and how help is printed.
 #pragma once
 
 #include <string>
@@ -17,10 +17,6 @@ void set_help(CLI::App& app);
 std::string help_of(const CLI::App& app, bool details);
 
 void add_help_command(CLI::App& app);
-
-// "merge is now: ballbar import LOG LOG...; see ballbar import --help" of a command of the version before; empty of any
-// other name.
-std::string renamed_command(const std::string& name);
 
 // Prints it, headings in bold on a terminal.
 void print_help(const std::string& text);

@@ -28,9 +28,7 @@ std::string in_colour(std::string_view code, const std::string& text, std::FILE*
 
 }  // namespace
 
-std::string bold(const std::string& text, std::FILE* stream) { return in_colour("1", text, stream); }
-std::string red(const std::string& text, std::FILE* stream) { return in_colour("1;31", text, stream); }
-std::string yellow(const std::string& text, std::FILE* stream) { return in_colour("33", text, stream); }
+std::string bold(const std::string& text) { return in_colour("1", text, stdout); }
 
 void stderr_line(const std::string& text) {
   if (const Caller* program = caller(); program != nullptr && program->remark) return program->remark(text);
@@ -46,8 +44,8 @@ void tell(const std::vector<std::string>& remarks) {
   for (const std::string& remark : remarks) stderr_line("ballbar: " + remark);
 }
 
-void error_line(const std::string& text) { stderr_line(red("ballbar:") + " " + text); }
+void error_line(const std::string& text) { stderr_line(in_colour("1;31", "ballbar:", stderr) + " " + text); }
 
-void warning_line(const std::string& text) { stderr_line(caller() == nullptr ? yellow(text) : text); }
+void warning_line(const std::string& text) { stderr_line(caller() == nullptr ? in_colour("33", text, stderr) : text); }
 
 }  // namespace ballbar

@@ -1,7 +1,6 @@
 // Prints a line on the standard error. Never throws: a failure to print does not stop the program.
 #pragma once
 
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -20,10 +19,8 @@ void error_line(const std::string& text);
 // The line in yellow: a warning about completed work.
 void warning_line(const std::string& text);
 
-// Colour where a person reads: only on a terminal that is not dumb, and not where NO_COLOR is set (no-color.org). What
-// goes to a file, a pipe or a program stays plain.
-std::string bold(const std::string& text, std::FILE* stream = stdout);
-std::string red(const std::string& text, std::FILE* stream = stderr);
-std::string yellow(const std::string& text, std::FILE* stream = stderr);
+// For the standard output. Colour where a person reads: only on a terminal that is not dumb, and not where NO_COLOR is
+// set (no-color.org). What goes to a file, a pipe or a program stays plain.
+std::string bold(const std::string& text);
 
 }  // namespace ballbar

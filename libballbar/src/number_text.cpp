@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ballbar {
@@ -40,14 +41,20 @@ std::string p_text(double p) {
   constexpr double kLeast = 1e-6;
   if (p < kLeast) return "< 0.000001";
   if (!(p < 0.995)) return "1";
-  const int decimals = 1 - static_cast<int>(std::floor(std::log10(p)));
-  return fmt::format("{:.{}f}", p, decimals);
+  return fmt::format("{:.{}f}", p, decimals_showing(2, p, 7));
 }
 
 std::string p_equals_text(double p) {
   const std::string text = p_text(p);
   return text.starts_with('<') ? "p " + text : "p = " + text;
 }
+
+int decimals_showing(int digits, double value, int most) {
+  if (value == 0.0 || !std::isfinite(value)) return 2;
+  return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, most);
+}
+
+int decimals_in(std::string_view unit) { return unit == "ms" ? 3 : unit == "um" ? 2 : 1; }
 
 std::string size_text(double size_um) {
   return std::abs(size_um) < 99.5 ? fmt::format("{:.2g}", size_um) : grouped_text(size_um);

@@ -48,6 +48,26 @@ TEST(NumberText, how_sure) {
   EXPECT_EQ(sure_text(0.001), "under 1 % sure");
 }
 
+TEST(NumberText, decimals_that_show_so_many_digits) {
+  EXPECT_EQ(decimals_showing(2, 0.031), 3);
+  EXPECT_EQ(decimals_showing(2, -0.99), 2);
+  EXPECT_EQ(decimals_showing(2, 1.0), 1);
+  EXPECT_EQ(decimals_showing(3, 1.0), 2);
+  EXPECT_EQ(decimals_showing(2, 31.0), 0);
+  EXPECT_EQ(decimals_showing(2, 3.1e9), 0);
+  EXPECT_EQ(decimals_showing(2, 3.1e-9), 6);
+  EXPECT_EQ(decimals_showing(2, 3.1e-9, 9), 9);
+  EXPECT_EQ(decimals_showing(3, 0.0), 2);
+  EXPECT_EQ(decimals_showing(3, std::numeric_limits<double>::infinity()), 2);
+  EXPECT_EQ(decimals_showing(3, std::numeric_limits<double>::quiet_NaN()), 2);
+}
+
+TEST(NumberText, decimals_in_a_unit) {
+  EXPECT_EQ(decimals_in("ms"), 3);
+  EXPECT_EQ(decimals_in("um"), 2);
+  EXPECT_EQ(decimals_in("um/m"), 1);
+}
+
 TEST(NumberText, sizes) {
   EXPECT_EQ(size_text(0.534), "0.53");
   EXPECT_EQ(size_text(13.98), "14");

@@ -35,6 +35,19 @@ program=$scratch/unpacked/usr/bin/ballbar
 python3 "$source/tests/cli/transcript.py" "$program" simulate.txt simulate-shaft-images
 python3 "$source/tests/cli/readme.py" "$program" "$source" "$scratch/readme" apps/shaft_picture/README.md
 
+echo 'Manual pages'
+pages=$scratch/unpacked/usr/share/man/man1
+for page in "$pages"/*.gz; do
+  said=$(zcat "$page" | groff -man -Tascii -ww -z 2>&1)
+  [ -z "$said" ] || fail "$page: expected nothing to be said by groff, found $said"
+done
+[ -s "$pages/ballbar-simulate-score.1.gz" ] || fail 'expected a page of ballbar simulate score'
+zcat "$pages/ballbar-drift.1.gz" >"$scratch/drift.1"
+"$program" drift --help --details | grep -o '^  --[a-z0-9-]*' | sed 's/^  //; s/-/\\-/g' >"$scratch/options"
+while read -r option; do
+  grep -qF -e "$option" "$scratch/drift.1" || fail "expected $option on the page of ballbar drift"
+done <"$scratch/options"
+
 echo 'Desktop'
 sh "$here/desktop.sh" "$scratch/unpacked/usr" "$source/sample-runs/qc20-style-b5r/00.b5r"
 

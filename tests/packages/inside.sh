@@ -50,9 +50,8 @@ case $(cat /tmp/home/opened) in
 esac
 rm /srv/00.b5r
 
-gzip -t /usr/share/man/man1/ballbar.1.gz
-for file in bash-completion/completions/ballbar zsh/site-functions/_ballbar fish/vendor_completions.d/ballbar.fish \
-  doc/ballbar/copyright; do
+gzip -t /usr/share/man/man1/ballbar.1.gz /usr/share/man/man1/ballbar-drift.1.gz
+for file in bash-completion/completions/ballbar doc/ballbar/copyright; do
   [ -s "/usr/share/$file" ] || fail "expected /usr/share/$file"
 done
 gzip -t /usr/share/doc/ballbar/changelog.gz

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace ballbar {
 
@@ -22,6 +23,13 @@ std::string p_text(double p);
 
 // "p = 0.18", "p < 0.000001".
 std::string p_equals_text(double p);
+
+// The decimals that show so many digits of a value from the first that is not 0: of 0.031 two need 3 decimals. 0 to
+// `most`; 2 of what is 0 or not finite.
+int decimals_showing(int digits, double value, int most = 6);
+
+// The decimals of an error of a machine in its unit: 3 of ms, 2 of um, else 1.
+int decimals_in(std::string_view unit);
 
 // A length in um with two significant digits: "3.2", "14", "0.53", "1200".
 std::string size_text(double size_um);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ballbar/drift/comparison.hpp"
+#include "ballbar/number_text.hpp"
 #include "ballbar/units.hpp"
 
 namespace ballbar {
@@ -26,7 +27,7 @@ std::string stretch_of(const AxisComparison& axis) {
 
 // Two digits of sigma: "4.03 ± 0.81".
 std::string with_two_digits(double value, double sigma) {
-  const int decimals = sigma > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 6) : 2;
+  const int decimals = decimals_showing(2, sigma);
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sigma, decimals);
 }
 

@@ -161,9 +161,8 @@ void by_angle(const Fit& fit, const Series& data, const Column& angle, Groups& g
 // "-3.1 ± 0.4": two digits of sigma where its first is 1, else one.
 std::string with_sigma(double value, double sigma) {
   if (!(sigma > 0.0) || !std::isfinite(sigma)) return fmt::format("{:.3g}", value);
-  const int exponent = static_cast<int>(std::floor(std::log10(sigma)));
-  const bool one = sigma / std::pow(10.0, exponent) < 1.95;
-  const int decimals = std::clamp(-exponent + (one ? 1 : 0), 0, 6);
+  const double first = sigma / std::pow(10.0, std::floor(std::log10(sigma)));
+  const int decimals = decimals_showing(first < 1.95 ? 2 : 1, sigma);
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sigma, decimals);
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "ballbar/number_text.hpp"
 #include "history/quantity_series.hpp"
 
 namespace ballbar {
@@ -15,10 +16,8 @@ namespace {
 
 constexpr std::size_t kMostNamed = 3;
 
-int decimals_of(std::string_view unit) { return unit == "ms" ? 3 : unit == "um" ? 2 : 1; }
-
 std::string signed_number(double value, std::string_view unit) {
-  return fmt::format("{:+.{}f}", value, decimals_of(unit));
+  return fmt::format("{:+.{}f}", value, decimals_in(unit));
 }
 
 std::string label_of(const AllSeries& all, const Call& call) {
@@ -33,7 +32,7 @@ std::string list_of(const AllSeries& all, const Event& event, std::string_view w
     const Call& call = *event.calls[i];
     const std::string_view unit = series_of(all, call).unit;
     text += fmt::format("{}{}{}{} ± {:.{}f} {}", i == 0 ? "" : ", ", label_of(all, call), with,
-                        signed_number(call.size, unit), call.sigma, decimals_of(unit), unit);
+                        signed_number(call.size, unit), call.sigma, decimals_in(unit), unit);
   }
   if (event.calls.size() > named) text += fmt::format(" and {} more", event.calls.size() - named);
   return text;
@@ -121,8 +120,8 @@ std::string day_text(double time_s) {
 std::string label_of(std::string_view name, Plane plane) { return fmt::format("{} {}", name, name_of(plane)); }
 
 std::string amount_text(double value, double sigma, std::string_view unit) {
-  const std::string of_sigma = std::isfinite(sigma) ? fmt::format(" ± {:.{}f}", sigma, decimals_of(unit)) : "";
-  return fmt::format("{:.{}f}{} {}", value, decimals_of(unit), of_sigma, unit);
+  const std::string of_sigma = std::isfinite(sigma) ? fmt::format(" ± {:.{}f}", sigma, decimals_in(unit)) : "";
+  return fmt::format("{:.{}f}{} {}", value, decimals_in(unit), of_sigma, unit);
 }
 
 EventTexts texts_of(const AllSeries& all, const Event& event) {

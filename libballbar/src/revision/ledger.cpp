@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/number_text.hpp"
 #include "diagnosis/verdict/member_tests.hpp"
 #include "fit/machine_error_fit.hpp"
 #include "revision/effect_test_parts.hpp"
@@ -17,8 +18,7 @@ namespace {
 // "12.3", "0.31", "120": three digits.
 std::string um_text(double value) {
   if (!(std::abs(value) > 0.0)) return "0";
-  const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 6);
-  return fmt::format("{:.{}f}", value, decimals);
+  return fmt::format("{:.{}f}", value, decimals_showing(3, value));
 }
 
 std::string times_text(double value) { return fmt::format("{:.{}f}", value, value < 10.0 ? 2 : 1); }
