@@ -12,7 +12,6 @@
 #include "ballbar/formats/recordings/test_folder.hpp"
 #include "commands.hpp"
 #include "diagnose/diagnosis_result.hpp"
-#include "diagnose/follow.hpp"
 #include "diagnose/next_command.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
@@ -29,7 +28,6 @@ namespace {
 struct DiagnoseArguments {
   ModelOptions model;
   DiagnoseOptions how;
-  FollowOptions follow;
   bool details = false;
   bool json = false;
 };
@@ -88,11 +86,6 @@ void expect_no_circles_of_linear_axes(const ModelOptions& options, const ModelDa
 }
 
 void run(DiagnoseArguments options) {
-  expect_follow(options.follow);
-  if (options.follow.follow) {
-    follow(options.model, options.how, options.follow, options.json);
-    return;
-  }
   const std::vector<std::string> typed = names_of(options.model.data);
   for (const SkippedFile& fault : expand(options.model)) warning_line(fault.why);
   const auto data = std::make_shared<const ModelData>(open_data(options.model));
@@ -134,7 +127,6 @@ void add_diagnose(CLI::App& app) {
                    "search at most N readings; a longer series is thinned")
       ->type_name("N")
       ->check(whole_number_within(30, 5000));
-  add_follow_options(*command, options->follow);
   add_details(*command, options->details);
   command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(

@@ -14,7 +14,6 @@
 #include "ballbar/revision/replacement.hpp"
 #include "diagnose/diagnosis_result.hpp"
 #include "diagnose/effect_test_text.hpp"
-#include "diagnose/follow_results.hpp"
 #include "diagnose/next_command.hpp"
 #include "terminal/progress.hpp"
 
@@ -27,9 +26,8 @@ constexpr std::size_t kShownSoFar = 12;
 
 // For a page, which draws it.
 void show_so_far(const std::vector<ProbableSoFar>& effects) {
-  PosteriorSoFar so_far;
-  for (std::size_t k = 0; k < std::min(effects.size(), kShownSoFar); ++k)
-    so_far.posterior.push_back({label_of(effects[k].bound), effects[k].p});
+  PosteriorSoFar so_far{effects};
+  so_far.posterior.resize(std::min(effects.size(), kShownSoFar));
   show_progress(json_of(so_far).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "ballbar/diagnosis/posterior/search_options.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
 #include "diagnose/diagnosis_report.hpp"
 
@@ -121,6 +122,26 @@ struct ResultType<DiagnosedTargets> {
   static constexpr std::string_view meaning = "Which effect a model of several targets lacks.";
   static constexpr std::tuple fields{
       Field{"targets", &DiagnosedTargets::targets, "of several targets, each as of one"}};
+};
+
+template <>
+struct ResultType<ProbableSoFar> {
+  static constexpr std::string_view name = "Hypothesis";
+  static constexpr std::string_view meaning = "What may be missing.";
+  static constexpr std::tuple fields{
+      Field{"label", [](const ProbableSoFar& of) { return label_of(of.bound); }, "the effect with its columns"},
+      Field{"p", &ProbableSoFar::p, "probability"}};
+};
+
+struct PosteriorSoFar {
+  std::vector<ProbableSoFar> posterior;
+};
+
+template <>
+struct ResultType<PosteriorSoFar> {
+  static constexpr std::string_view name = "SoFar";
+  static constexpr std::string_view meaning = "What a diagnosis says while it goes on.";
+  static constexpr std::tuple fields{Field{"posterior", &PosteriorSoFar::posterior, "the most probable first"}};
 };
 
 }  // namespace ballbar

@@ -139,10 +139,6 @@ std::string add_command(const ModelOptions& options, const EffectTest& tried) {
   return command_of("add", words, options, tried.after.target);
 }
 
-std::string diagnose_command(const ModelOptions& options, const std::string& target) {
-  return command_of("diagnose", {}, options, target);
-}
-
 std::string next_hint(const ModelOptions& options, const Diagnosis& found) {
   if (found.verdict == Verdict::nothing || found.verdict == Verdict::untestable) return "";
   if (!says_a_name(found)) return "";

@@ -33,9 +33,6 @@ std::string train_command(const ModelOptions& options, const Diagnosis& found, b
 // "ballbar add 'expansion(T_room_degC)' run.csv --model model.toml --target y_um": saves the tested effect.
 std::string add_command(const ModelOptions& options, const EffectTest& tried);
 
-// "ballbar diagnose run.csv --model model.toml --target y_um"
-std::string diagnose_command(const ModelOptions& options, const std::string& target);
-
 // The file of the model as typed; without one a new name: model.toml, model-2.toml ...
 std::string model_file(const ModelOptions& options);
 

@@ -25,7 +25,6 @@
 #include "compensate/replay_result.hpp"
 #include "compensate/written_result.hpp"
 #include "diagnose/diagnosis_result.hpp"
-#include "diagnose/follow_results.hpp"
 #include "diagnose/inject_result.hpp"
 #include "diagnose/machine_errors_result.hpp"
 #include "diagnose/revision_results.hpp"
@@ -113,10 +112,10 @@ std::string with_tables(std::string page, const std::vector<ResultSchema>& schem
 }
 
 std::vector<ResultSchema> all_schemas() {
-  return schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsReports, PosteriorSoFar, Looked, Followed,
-                    CheckedTargets, PreflightTargets, EffectPages, ExplainedTerms, TestPlan, EffectTest, Added, Ledger,
-                    Undone, Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, TestComparison,
-                    TestHeads, HistoryResult, History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet,
+  return schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsReports, PosteriorSoFar, CheckedTargets,
+                    PreflightTargets, EffectPages, ExplainedTerms, TestPlan, EffectTest, Added, Ledger, Undone,
+                    Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, TestComparison, TestHeads,
+                    HistoryResult, History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet,
                     TrainedOnTemperatures, TrainedOnEffects, TrainedForJob, PredictedSeries, PredictedTarget,
                     ReplayResult, WrittenResult, MadeSets, NextRun, ScoredSets, MeanPointsResult, ShaftPart, PageReport,
                     ModelPart, HeldPart, WithPart, RevisedPart, EffectChoices, Hypotheses, ModelText, HistoryReport,

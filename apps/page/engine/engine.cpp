@@ -25,14 +25,10 @@ EM_JS(void, tell_progress, (const char* text, int length), {
 
 }  // namespace
 
-// What the program asks a system for, and a page has not: other programs, and files without a name.
+// What the program asks a system for, and a page has not: other programs.
 extern "C" int posix_spawnp(pid_t*, const char*, const posix_spawn_file_actions_t*, const posix_spawnattr_t*,
                             char* const*, char* const*) {
   return ENOENT;
-}
-extern "C" int memfd_create(const char*, unsigned) {
-  errno = ENOSYS;
-  return -1;
 }
 
 namespace {

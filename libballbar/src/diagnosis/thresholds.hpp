@@ -32,10 +32,6 @@ inline constexpr double kSureDriver = 0.9;   // P
 inline constexpr double kDiscrepancy = 0.5;  // P of a slow drift without a cause from which it is reported
 inline constexpr double kMinor = 0.05;       // share of the RMSE
 
-// A run that is followed.
-inline constexpr double kFalselyDecided = 0.02;   // largest share of false decisions
-inline constexpr std::size_t kLooksToDecide = 3;  // consecutive equal looks for a decision
-
 // The next test.
 inline constexpr double kSureEnough = 0.95;    // P(right) of a test from which no longer test is considered
 inline constexpr double kSureOfNothing = 0.8;  // P of nothing from which no test is planned

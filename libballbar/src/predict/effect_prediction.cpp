@@ -111,7 +111,7 @@ double first_gain(const Term& term) {
 }  // namespace
 
 LivePrediction::LivePrediction(const EffectRegression& regression)
-    : of_(regression), live_(with_gains_of_1(regression.model)), factor_(regression.factor_um) {
+    : of_(regression), live_(with_gains_of_1(regression.model)) {
   for (const Term& term : regression.model.terms) {
     gains_.push_back(first_gain(term));
     const auto known = std::find(drivers_.begin(), drivers_.end(), term.columns.front());
@@ -121,7 +121,7 @@ LivePrediction::LivePrediction(const EffectRegression& regression)
   mean_um_.assign(regression.mean_um.begin(), regression.mean_um.end());
   for (const double sd_um : regression.sd_um) per_sd_.push_back(1.0 / sd_um);
   contributions_um_.resize(gains_.size());
-  scaled_.resize(gains_.size() + 2);
+  scaled_.setOnes(static_cast<Eigen::Index>(gains_.size() + 2));
   room_ = scaled_;
   for (const std::string& name : live_.columns()) {
     const auto range = std::find_if(regression.model.trained.begin(), regression.model.trained.end(),
@@ -138,7 +138,10 @@ double LivePrediction::forgotten(double time_s) const {
   return is_after ? std::exp(-(time_s - of_.end_s) / of_.length_s) : 0.0;
 }
 
-double LivePrediction::half_width_um(double known_um2, double forgotten) const {
+// scaled: 1, the scaled terms, what is left of the discrepancy.
+double LivePrediction::half_width_um(const Eigen::Ref<const Eigen::VectorXd>& scaled, Eigen::VectorXd& room) const {
+  room.noalias() = of_.factor_um.triangularView<Eigen::Lower>().transpose() * scaled;
+  const double known_um2 = room.squaredNorm(), forgotten = scaled[scaled.size() - 1];
   const double fresh = 1.0 - remembered(0.0, of_.length_s) * forgotten * forgotten;
   return kNormal95 * of_.interval_scale * std::sqrt(known_um2 + fresh * of_.sigma_um * of_.sigma_um);
 }
@@ -146,44 +149,36 @@ double LivePrediction::half_width_um(double known_um2, double forgotten) const {
 LivePrediction::At LivePrediction::next(double time_s, std::span<const double> values) {
   if (!std::isfinite(live_.next(time_s, values))) return {kUnknown, kUnknown, false};
   const std::span<const double> units = live_.contributions_um();
-  const std::size_t m = gains_.size();
   At at;
   at.predicted_um = *of_.model.constant_um;
-  scaled_[0] = 1.0;
-  for (std::size_t k = 0; k < m; ++k) {
+  for (std::size_t k = 0; k < gains_.size(); ++k) {
     contributions_um_[k] = gains_[k] * units[k];
     at.predicted_um += contributions_um_[k];
-    scaled_[k + 1] = (units[k] - mean_um_[k]) * per_sd_[k];
+    scaled_[static_cast<Eigen::Index>(k + 1)] = (units[k] - mean_um_[k]) * per_sd_[k];
   }
-  scaled_[m + 1] = forgotten(time_s);
-  discrepancy_um_ = of_.end_discrepancy_um * scaled_[m + 1];
+  double& left = scaled_[scaled_.size() - 1];
+  left = forgotten(time_s);
+  discrepancy_um_ = of_.end_discrepancy_um * left;
   at.predicted_um += discrepancy_um_;
-  at.half_width_um = half_width_um(factor_.squared_norm(scaled_.data(), room_.data()), scaled_[m + 1]);
+  at.half_width_um = half_width_um(scaled_, room_);
   for (std::size_t c = 0; c < values.size(); ++c)
     at.outside = at.outside || values[c] < low_[c] || values[c] > high_[c];
   return at;
 }
 
 bool LivePrediction::next(const Rows& rows) {
-  constexpr std::size_t kEight = LowerFactor::kAtOnce, kRowsOfPart = 32 * kEight;
+  constexpr std::size_t kRowsOfPart = 256;
   const std::size_t n = rows.time_s.size(), m = gains_.size();
   units_.resize(n * m);
   if (!live_.next(rows.time_s, rows.values, units_)) return false;
   Eigen::Ref<Eigen::MatrixXd> drivers_um = rows.drivers_um;
   in_parallel((n + kRowsOfPart - 1) / kRowsOfPart, [&](std::size_t part) {
     const std::size_t begin = part * kRowsOfPart, count = std::min(kRowsOfPart, n - begin);
-    const std::size_t groups = (count + kEight - 1) / kEight;
-    // A group of eight rows after the other, of each the eight first numbers, the second ones ...
-    std::vector<LowerFactor::Eight> x(groups * (m + 2), LowerFactor::Eight{});
-    std::vector<double> column(groups * kEight);
-    const auto set_in_groups = [&](std::size_t i) {
-      for (std::size_t group = 0; group < groups; ++group)
-        std::copy_n(column.data() + group * kEight, kEight, x[group * (m + 2) + i].data());
-    };
+    Eigen::MatrixXd scaled(scaled_.size(), static_cast<Eigen::Index>(count));  // a column for each row
+    Eigen::VectorXd room(scaled_.size());
     double* const predicted_um = rows.predicted_um.data() + begin;
     std::fill_n(predicted_um, count, *of_.model.constant_um);
-    std::fill_n(column.data(), count, 1.0);
-    set_in_groups(0);
+    scaled.row(0).setOnes();
     for (std::size_t k = 0; k < m; ++k) {
       const double* const units = units_.data() + k * n + begin;
       double* const driver_um = drivers_um.col(driver_of_[k]).data() + begin;
@@ -191,20 +186,15 @@ bool LivePrediction::next(const Rows& rows) {
         const double added_um = gains_[k] * units[row];
         predicted_um[row] += added_um;
         driver_um[row] += added_um;
+        scaled(static_cast<Eigen::Index>(k + 1), static_cast<Eigen::Index>(row)) =
+            (units[row] - mean_um_[k]) * per_sd_[k];
       }
-      const double mean_um = mean_um_[k], per_sd = per_sd_[k];
-      for (std::size_t row = 0; row < count; ++row) column[row] = (units[row] - mean_um) * per_sd;
-      set_in_groups(k + 1);
     }
     for (std::size_t row = 0; row < count; ++row) {
-      column[row] = forgotten(rows.time_s[begin + row]);
-      predicted_um[row] += of_.end_discrepancy_um * column[row];
-    }
-    set_in_groups(m + 1);
-    for (std::size_t group = 0; group < groups; ++group) {
-      const LowerFactor::Eight known_um2 = factor_.squared_norms(x.data() + group * (m + 2));
-      for (std::size_t row = group * kEight; row < std::min(count, (group + 1) * kEight); ++row)
-        rows.half_width_um[begin + row] = half_width_um(known_um2[row % kEight], column[row]);
+      auto of_row = scaled.col(static_cast<Eigen::Index>(row));
+      of_row[of_row.size() - 1] = forgotten(rows.time_s[begin + row]);
+      predicted_um[row] += of_.end_discrepancy_um * of_row[of_row.size() - 1];
+      rows.half_width_um[begin + row] = half_width_um(of_row, room);
     }
   });
   return true;

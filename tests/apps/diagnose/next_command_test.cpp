@@ -117,9 +117,5 @@ TEST(NextCommand, words_are_quoted_where_a_shell_would_part_them) {
   EXPECT_EQ(shell_word("$(x)'"), "'$(x)'\\'''");
 }
 
-TEST(NextCommand, diagnose_takes_no_effect) {
-  EXPECT_EQ(diagnose_command(options(), "z_um"), "ballbar diagnose 'run 1.csv' --model model.toml --target z_um");
-}
-
 }  // namespace
 }  // namespace ballbar

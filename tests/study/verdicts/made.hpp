@@ -66,7 +66,6 @@ struct Recipe {
   double kelvin_step = 0.01;
   std::size_t fakes = 0;  // temperatures of nothing
   std::size_t row_s = 0;  // 0: drawn
-  double hours = 0.0;     // of a rich plan; 0: drawn
 };
 
 // `stream`: another for every cell.

@@ -162,10 +162,9 @@ Track followed(const Track& set, double time_constant_s) {
 
 }  // namespace
 
-Plan rich_plan(Chance& chance, double hours) {
+Plan rich_plan(Chance& chance) {
   Plan plan;
-  const double drawn_hours = chance.between(5.0, 12.0);
-  plan.span_s = seconds((hours > 0.0 ? hours : drawn_hours) * kHour_s);
+  plan.span_s = seconds(chance.between(5.0, 12.0) * kHour_s);
   const std::size_t length = plan.span_s + kAfter_s;
   plan[Quantity::speed] = random_speed(length, chance);
   plan[Quantity::load] = random_load(plan[Quantity::speed], chance);

@@ -47,8 +47,8 @@ struct Plan {
 };
 inline constexpr std::size_t kAfter_s = 900;
 
-// Many random speeds and cuts, a room with a day's swing and doors, a coolant with two-point control. hours 0: 5 to 12.
-Plan rich_plan(Chance& chance, double hours = 0.0);
+// 5 to 12 h: many random speeds and cuts, a room with a day's swing and doors, a coolant with two-point control.
+Plan rich_plan(Chance& chance);
 
 // 2.5 h: a start, one change of speed and a stop, in a room that is nearly still.
 Plan poor_plan(Chance& chance);

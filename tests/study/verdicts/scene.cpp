@@ -31,7 +31,7 @@ Plan drawn_plan(const Recipe& recipe, Chance& chance) {
     case Course::rich:
       break;
   }
-  return rich_plan(chance, recipe.hours);
+  return rich_plan(chance);
 }
 
 Scatter drawn_scatter(Noise noise, Chance& chance) {

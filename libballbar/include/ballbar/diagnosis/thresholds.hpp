@@ -19,10 +19,6 @@ inline constexpr std::size_t kSurrogates = 200;
 inline constexpr double kNamed = 0.9;     // P
 inline constexpr double kProbable = 0.8;  // P
 
-// A run that is followed.
-inline constexpr std::size_t kFirstLook = 64;   // values of the target
-inline constexpr std::size_t kMostLooks = 100;  // the last look is at 177 000 values
-
 // Effects of a model.
 inline constexpr double kDropTest = 0.05;  // an effect is needed if P that it is not is smaller
 

@@ -40,7 +40,6 @@
 
 #include "ballbar/model/live_model.hpp"
 #include "ballbar/model/model.hpp"
-#include "ballbar/numerics/lower_factor.hpp"
 #include "ballbar/predict/held_out.hpp"
 #include "ballbar/predict/prediction.hpp"
 #include "ballbar/series/series.hpp"
@@ -220,7 +219,7 @@ class LivePrediction {
 
  private:
   double forgotten(double time_s) const;
-  double half_width_um(double known_um2, double forgotten) const;
+  double half_width_um(const Eigen::Ref<const Eigen::VectorXd>& scaled, Eigen::VectorXd& room) const;
 
   const EffectRegression& of_;
   LiveModel live_;                                // with gains of 1
@@ -229,8 +228,8 @@ class LivePrediction {
   std::vector<double> contributions_um_;
   std::vector<std::string> drivers_;
   std::vector<Eigen::Index> driver_of_;  // of every term
-  LowerFactor factor_;
-  std::vector<double> scaled_, room_, units_;
+  Eigen::VectorXd scaled_, room_;
+  std::vector<double> units_;
   double discrepancy_um_ = 0.0;
   bool goes_on_ = false;
 };

@@ -139,7 +139,6 @@ class Decision {
   void read_posterior() {
     result_.p_nothing = posterior().nothing;
     result_.p_discrepancy = posterior().discrepancy;
-    result_.log_bayes_factor = log_bayes_factor_of_any(posterior());
     if (model_.level == Level::series) result_.drivers = drivers_of(problem(), posterior());
     for (std::size_t f = 0; f < problem().effects; ++f) {
       if (posterior().family[f] >= 0.01) result_.effects.push_back({family(f).bound, posterior().family[f]});

@@ -1,7 +1,6 @@
 #include "diagnosis/verdict/probabilities.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -50,12 +49,6 @@ std::vector<std::size_t> credible_set(const SinglePosterior& effect) {
     sum += effect.p[i];
   }
   return set;
-}
-
-double log_bayes_factor_of_any(const Posterior& posterior) {
-  const double none = std::clamp(posterior.none, 1e-300, 1.0 - 1e-12);
-  const double prior = std::pow(kPriorOfNone, static_cast<double>(std::max<std::size_t>(1, posterior.effects.size())));
-  return std::log1p(-none) - std::log(none) - std::log((1.0 - prior) / prior);
 }
 
 }  // namespace ballbar

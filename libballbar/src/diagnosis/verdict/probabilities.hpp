@@ -15,7 +15,4 @@ std::vector<Driver> drivers_of(const Problem& problem, const Posterior& posterio
 // The credible set of a single effect: the identities with 95 % of its probability, the most probable first.
 std::vector<std::size_t> credible_set(const SinglePosterior& effect);
 
-// ln of the Bayes factor of any effect or wrong held value against none.
-double log_bayes_factor_of_any(const Posterior& posterior);
-
 }  // namespace ballbar

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace ballbar {
 namespace {
 
@@ -38,13 +36,6 @@ TEST(Probabilities, of_columns) {
 TEST(Probabilities, credible_sets) {
   EXPECT_EQ(credible_set(of_two().effects[0]), (std::vector<std::size_t>{0, 2, 1}));
   EXPECT_EQ(credible_set(of_two().effects[1]), (std::vector<std::size_t>{1}));
-}
-
-// Odds of 4 to 1 after, of 1 to 4 before: 16 times as likely.
-TEST(Probabilities, log_bayes_factor_of_anything_against_nothing) {
-  Posterior posterior;
-  posterior.none = 0.2;
-  EXPECT_NEAR(log_bayes_factor_of_any(posterior), std::log(16.0), 1e-12);
 }
 
 }  // namespace

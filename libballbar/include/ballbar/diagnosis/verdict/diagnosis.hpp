@@ -85,9 +85,6 @@ struct Diagnosis {
   std::vector<GainByRun> gains_by_run;               // several runs: the gains that differ
   double p_nothing = 1.0;                            // no effect, no wrong held value, no discrepancy
   double p_discrepancy = 0.0;
-  // ln of the Bayes factor of any effect or wrong held value against none, the discrepancy marginalised. The mean of
-  // its exponential is at most 1 if nothing is missing.
-  double log_bayes_factor = 0.0;
   double discrepancy_um = 0.0;        // most likely standard deviation of the discrepancy, at most half the range of
                                       // the readings
   Noise noise;                        // of the fit with the best set
