@@ -117,7 +117,7 @@ std::vector<ResultSchema> all_schemas() {
                     CheckedTargets, PreflightTargets, EffectPages, ExplainedTerms, TestPlan, EffectTest, Added, Ledger,
                     Undone, Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, TestComparison,
                     TestHeads, HistoryResult, History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet,
-                    TrainedOnTemperatures, TrainedOnEffects, TrainedForJob, PredictedSeries, PredictedTarget,
+                    TrainedOnTemperatures, TrainedOnEffects, TrainedForJob, Series, PredictedTarget,
                     ReplayResult, WrittenResult, MadeSets, NextRun, ScoredSets, MeanPointsResult, ShaftPart, PageReport,
                     ModelPart, HeldPart, WithPart, RevisedPart, EffectChoices, Hypotheses, ModelText, HistoryReport,
                     FleetReport, PageFiles>();

@@ -85,9 +85,9 @@ int run(int argc, char** argv) {
       }
       std::vector<std::string> broken;
       for (const BrokenSensor& sensor : broken_sensors(batches, columns)) broken.push_back(sensor.sensor);
-      FewerSensors kept = without_sensors(std::move(batches), columns, broken);
+      leave_out_sensors(batches, columns, broken);
       for (const RegressionMethod method : kRegressionMethods) {
-        const Ways ways = ways_of(series, kept.columns, kept.batches, method);
+        const Ways ways = ways_of(series, columns, batches, method);
         fmt::print("{:11} {:5} {:6.2f}   {}   {:5.1f}%\n", name_of(kind), name_of(method), mean(ways.all),
                    way_text(ways.weights, ways.all), 100.0 * mean(ways.covered));
         std::fflush(stdout);
