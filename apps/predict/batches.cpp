@@ -152,10 +152,7 @@ OpenedBatches open_batches(const TrainOptions& options) {
                     "another column with --room.",
                     opened.columns.room));
   }
-  FewerSensors fewer =
-      with_source(options.title(), [&] { return without_sensors(std::move(opened.batches), opened.columns, leave); });
-  opened.columns = std::move(fewer.columns);
-  opened.batches = std::move(fewer.batches);
+  with_source(options.title(), [&] { leave_out_sensors(opened.batches, opened.columns, leave); });
   return opened;
 }
 

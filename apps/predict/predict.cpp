@@ -31,15 +31,6 @@
 namespace ballbar::commands {
 namespace {
 
-struct PredictArguments {
-  ModelOptions model;
-  std::vector<Source> on;
-  std::vector<std::string> out;
-  std::string state;
-  bool anyway = false;
-  bool json = false;
-};
-
 std::vector<Column> columns_of(const Model& model, const std::string& target, const Prediction& prediction,
                                const Series& data) {
   const std::string stem = stem_of(target);
@@ -87,7 +78,7 @@ Table summary(const std::vector<Column>& columns) {
 }
 
 // A regression has its own parameters, and is fitted to nothing here: on effects its own start and end, too.
-void run_regression(const PredictArguments& options, bool of_effects) {
+void run_regression(const PredictOptions& options, bool of_effects) {
   const ModelOptions& model = options.model;
   if (model.data.size() != 1) {
     throw Error(fmt::format("expected one file of DATA for {}, found {}.", model.model.name(), model.data.size()));
@@ -109,12 +100,10 @@ void run_regression(const PredictArguments& options, bool of_effects) {
                     model.model.name()));
   }
   expect_no_input(options.out, paths_of({model.data.front(), model.model}));
-  const JobOptions job{model.data.front(), model.model,   options.out,    options.json,
-                       options.anyway,     options.state, model.max_gap_s};
-  of_effects ? predict_by_effects(job) : predict_by_temperatures(job);
+  of_effects ? predict_by_effects(options) : predict_by_temperatures(options);
 }
 
-void run(const PredictArguments& options) {
+void run(const PredictOptions& options) {
   const std::string head = options.model.model.head(kHeadBytes);
   if (is_effect_regression_json(head)) return run_regression(options, true);
   if (!options.state.empty()) throw Error("--state: expected a model of train --effects.");
@@ -141,7 +130,7 @@ void run(const PredictArguments& options) {
   }
   for (const std::string& path : options.out) write_bytes(path, write_series(series));
   if (options.json) {
-    print_json(json_of(PredictedSeries{series}), -1);
+    print_json(json_of(series), -1);
   } else {
     fmt::print("{}\n{}: {} rows over {}{}\n\n{}", other.title, options.model.model.name(), series.time_s.size(),
                duration_text(series.time_s.back() - series.time_s.front()),
@@ -157,7 +146,7 @@ void run(const PredictArguments& options) {
 }  // namespace
 
 void add_predict(CLI::App& app) {
-  const auto options = std::make_shared<PredictArguments>();
+  const auto options = std::make_shared<PredictOptions>();
   CLI::App* command = app.add_subcommand("predict", "Predict a series with a model, effect by effect");
   add_model_options(*command, options->model, true);
   add_fit_options(*command, options->model);

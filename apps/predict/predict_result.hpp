@@ -22,20 +22,16 @@ struct ResultType<DriverShare> {
                                      Field{"share_um", &DriverShare::share_um, "of the range of what is predicted"}};
 };
 
-struct PredictedSeries {
-  Series series;
-};
-
 template <>
-struct ResultType<PredictedSeries> {
+struct ResultType<Series> {
   static constexpr std::string_view name = "Predicted";
   static constexpr std::string_view meaning = "A model's series.";
   static constexpr std::tuple fields{
-      Field{"time_s", [](const PredictedSeries& of) { return of.series.time_s; }, "of each row"},
+      Field{"time_s", &Series::time_s, "of each row"},
       Field{"COLUMN",
-            [](const PredictedSeries& of) {
+            [](const Series& of) {
               KeysOf<std::vector<double>> columns;
-              for (const Column& column : of.series.columns) columns.values.emplace_back(column.name, column.values);
+              for (const Column& column : of.columns) columns.values.emplace_back(column.name, column.values);
               return columns;
             },
             "TARGET_model_um, the target, TARGET_residual_um, and what each effect adds"}};
@@ -53,7 +49,7 @@ struct ResultType<PredictionError> {
 };
 
 struct PredictedTarget {
-  PredictedSeries predicted;
+  Series predicted;
   MayLack<bool> goes_on, holds;
   MayLack<std::vector<DriverShare>> drivers;
   std::optional<PredictionError> error;
@@ -66,7 +62,7 @@ struct ResultType<PredictedTarget> {
   static constexpr std::string_view name = "PredictedTarget";
   static constexpr std::string_view meaning = "A target predicted by a regression.";
   static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&PredictedTarget::predicted, ResultType<PredictedSeries>::fields),
+      fields_through(&PredictedTarget::predicted, ResultType<Series>::fields),
       std::tuple{
           Field{"goes_on", &PredictedTarget::goes_on, "by effects: from the end of training, or an earlier prediction"},
           Field{"holds_training", &PredictedTarget::holds, "by effects: whether it begins with the training rows"},

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/batch_model_json.hpp"
@@ -16,7 +17,6 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/reader.hpp"
 #include "ballbar/number_text.hpp"
-#include "model/model_options.hpp"
 #include "predict/predict_result.hpp"
 #include "predict/train.hpp"
 #include "terminal/caller.hpp"
@@ -179,10 +179,10 @@ Series rows_after(Series data, double last_s) {
 }
 
 // A state is no input and no output, and its folder is there.
-void expect_state_apart(const JobOptions& options) {
+void expect_state_apart(const PredictOptions& options) {
   if (options.state.empty()) return;
   const std::filesystem::path state(options.state);
-  std::vector<std::filesystem::path> others = paths_of({options.data, options.model});
+  std::vector<std::filesystem::path> others = paths_of({options.model.data.front(), options.model.model});
   others.insert(others.end(), options.out.begin(), options.out.end());
   expect_no_input({options.state}, others, "--state");
   for (const std::filesystem::path& other : others) {
@@ -230,21 +230,21 @@ struct KindTexts {
 };
 
 // first_new: rows before it were trained on.
-void print_and_write(const PredictedJob& job, const JobOptions& options, const KindTexts& texts, std::size_t first_new,
-                     PredictedTarget result) {
+void print_and_write(const PredictedJob& job, const PredictOptions& options, const KindTexts& texts,
+                     std::size_t first_new, PredictedTarget result) {
   const RegressionPrediction& prediction = job.prediction;
-  result.predicted.series = series_of(job);
+  result.predicted = series_of(job);
   result.warnings = job.warnings;
   if (const Column* measured = find_column(job.data, job.target)) {
     result.error = error_of(prediction, measured->values, first_new);
   }
-  for (const std::string& path : options.out) write_bytes(path, write_series(result.predicted.series));
+  for (const std::string& path : options.out) write_bytes(path, write_series(result.predicted));
   if (options.json) {
     print_json(json_of(result), -1);
   } else {
     const std::vector<double>& time_s = job.data.time_s;
-    fmt::print("{}\n{}: {} by {}\n{}\n{} rows over {}: {}{}", job.source, options.model.name(), job.target, texts.by,
-               texts.start.empty() ? "" : texts.start + "\n", time_s.size(),
+    fmt::print("{}\n{}: {} by {}\n{}\n{} rows over {}: {}{}", job.source, options.model.model.name(), job.target,
+               texts.by, texts.start.empty() ? "" : texts.start + "\n", time_s.size(),
                duration_text(time_s.back() - time_s.front()), job.target, range_text(prediction));
     if (result.error) {
       fmt::print(
@@ -286,28 +286,29 @@ BatchJob batch_job(const Source& data, const Source& model, bool anyway) {
   return made;
 }
 
-void predict_by_temperatures(const JobOptions& options) {
-  const auto& [model, job] = batch_job(options.data, options.model, options.anyway);
+void predict_by_temperatures(const PredictOptions& options) {
+  const auto& [model, job] = batch_job(options.model.data.front(), options.model.model, options.anyway);
   const std::string by = fmt::format("{}, {} batches", label_of(model.settings), model.batches.size());
   PredictedTarget result;
   result.broken.value = job.prediction.broken;
   print_and_write(job, options, {by, {}, {}}, 0, std::move(result));
 }
 
-void predict_by_effects(const JobOptions& options) {
-  const std::string bytes = options.model.bytes(kLargestText);
-  const EffectRegression model = read_effect_regression(bytes, options.model.name());
+void predict_by_effects(const PredictOptions& options) {
+  const Source& data = options.model.data.front();
+  const std::string bytes = options.model.model.bytes(kLargestText);
+  const EffectRegression model = read_effect_regression(bytes, options.model.model.name());
   expect_state_apart(options);
   const std::optional<FileLock> lock = options.state.empty() ? std::nullopt : only_program(options.state);
   const std::optional<PredictionState> from = state_of(options.state, digest_of(bytes));
-  PredictedJob job{source_name(options.data), model.model.targets.front(), {}, {}, {}};
-  if (options.data.name() == "-") {
-    job.data = read_data(options.data);
+  PredictedJob job{source_name(data), model.model.targets.front(), {}, {}, {}};
+  if (data.name() == "-") {
+    job.data = read_data(data);
   } else {
-    const ModelData opened = open_drift(options.data, options.max_gap_s);
+    const ModelData opened = open_drift(data, options.model.max_gap_s);
     if (opened.series->runs.size() > 1) {
       throw Error(fmt::format("{}: expected one run to predict, found {}. Name its file, or its sheet with --sheet.",
-                              options.data.name(), opened.series->runs.size()));
+                              data.name(), opened.series->runs.size()));
     }
     expect_no_input(options.out, opened.files);
     job.data = *opened.series;

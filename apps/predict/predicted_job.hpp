@@ -2,7 +2,6 @@
 // file or on what comes by standard input.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "ballbar/predict/effect_regression.hpp"
 #include "ballbar/predict/temperature_regression.hpp"
 #include "ballbar/series/series.hpp"
+#include "model/model_options.hpp"
 
 namespace ballbar {
 
@@ -31,18 +31,17 @@ struct BatchJob {
 // `data` "-": standard input. Throws Error where a sensor looks broken, unless `anyway`.
 BatchJob batch_job(const Source& data, const Source& model, bool anyway);
 
-struct JobOptions {
-  Source data;  // file, session of effects, or - for the standard input
-  Source model;
+struct PredictOptions {
+  ModelOptions model;      // of a regression the first of its data is the job: file, session of effects, or - for stdin
+  std::vector<Source> on;  // by a physical model: other data
   std::vector<std::string> out;
+  std::string state;    // by effects: where a live prediction stands; empty: none
+  bool anyway = false;  // by temperatures: with sensors that look broken
   bool json = false;
-  bool anyway = false;                   // by temperatures: with sensors that look broken
-  std::string state = {};                // by effects: where a live prediction stands; empty: none
-  std::optional<double> max_gap_s = {};  // by effects
 };
 
 // Print and write as `predict`. Throw Error as batch_job.
-void predict_by_temperatures(const JobOptions& options);
-void predict_by_effects(const JobOptions& options);
+void predict_by_temperatures(const PredictOptions& options);
+void predict_by_effects(const PredictOptions& options);
 
 }  // namespace ballbar

@@ -1,5 +1,5 @@
 // `ballbar train RUNS --target COLUMN --out model.json`: a regression of thermal error on temperatures over batches;
-// with --for DATA over those that are like the job at hand, with --effects on the catalogue's effects.
+// with --for DATA weighted by their likeness to the job at hand, with --effects on the catalogue's effects.
 #include "predict/train.hpp"
 
 #include <fmt/format.h>
@@ -209,23 +209,20 @@ void expect_together_for_job(const TrainOptions& given) {
                             : given.few            ? "--few"
                             : given.sensors        ? "--sensors"
                             : given.components     ? "--components"
+                            : given.share          ? "--share"
                             : given.penalty_K2     ? "--penalty"
                             : given.max_gap_s      ? "--max-gap"
                             : !given.start.empty() ? "--start-from"
                             : given.model.empty()  ? nullptr
                                                    : "--model";
   if (other != nullptr) throw CLI::ValidationError(fmt::format("{}: cannot be combined with --for", other));
-  if (given.share && given.method == RegressionMethod::ridge) {
-    throw CLI::ValidationError("--share: expected --method pcr");
-  }
 }
 
-void run(const TrainOptions& given, const std::vector<CLI::Option*>& of_a_job) {
+void run(const TrainOptions& given) {
   if (!given.job.empty()) {
     expect_together_for_job(given);
     return train_for_job(given);
   }
-  expect_none_given(of_a_job, "--for");
   expect_together(given);
   const bool on_effects = given.effects || !lists_batches(given.data);
   if (!on_effects && given.out.empty()) throw CLI::RequiredError("--out");
@@ -291,35 +288,6 @@ void add_method_options(CLI::App& command, TrainOptions& options) {
   add_max_gap(command, options.max_gap_s);
 }
 
-// Those that mean nothing without --for.
-std::vector<CLI::Option*> add_job_options(CLI::App& command, TrainOptions& options) {
-  add_data(command, "--for", options.job,
-           "series of the current job: train on the batches most like it, and check if it holds the target")
-      ->type_name("DATA");
-  std::vector<CLI::Option*> added;
-  added.push_back(
-      command.add_option("--fall", options.fall, "with --for: required decrease of RMSE_m below all previous ones")
-          ->check(number_within(0.0, 1.0))
-          ->type_name("SHARE")
-          ->capture_default_str());
-  added.push_back(
-      command.add_option("--random", options.random.choices, "with --for: number of random choices to compare with")
-          ->check(whole_number_within(0, 100000))
-          ->type_name("N")
-          ->capture_default_str());
-  added.push_back(command.add_option("--seed", options.random.seed, "seed of the random choices")
-                      ->type_name("N")
-                      ->check(whole_number_within(0, kLargestSeed))
-                      ->capture_default_str());
-  add_choice(command, "--take", {"paper", "held-out", "weights", "all"}, "weights",
-             "with --for: choice whose model is written and shown first",
-             [&](std::size_t at) { options.take = static_cast<Take>(at); });
-  added.push_back(command.get_option("--take"));
-  for (CLI::Option* option : added) option->group("With --for");
-  added.push_back(command.add_flag("--list-all", options.details)->group(""));  // the name of --details before
-  return added;
-}
-
 }  // namespace
 
 void add_train(CLI::App& app) {
@@ -327,11 +295,14 @@ void add_train(CLI::App& app) {
   CLI::App* command = app.add_subcommand("train", "Train a regression of thermal error on temperatures");
   add_batch_options(*command, *options);
   add_method_options(*command, *options);
-  const std::vector<CLI::Option*> of_a_job = add_job_options(*command, *options);
+  add_data(*command, "--for", options->job,
+           "series of the current job: train on the batches most like it, and check if it holds the target")
+      ->type_name("DATA");
   command->add_option("--out", options->out, "write the model to FILE (.json); optional with --for or --effects")
       ->type_name("FILE")
       ->check(name_that_ends_in({".json"}));
   add_details(*command, options->details);
+  command->add_flag("--list-all", options->details)->group("");  // the name of --details before
   command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(
       "Examples:\n"
@@ -339,7 +310,7 @@ void add_train(CLI::App& app) {
       "  ballbar train sample-runs/spindle-46h/measured.csv --effects --target ch1_um --out ch1.json\n"
       "  ballbar train sample-runs/spindle-46h/measured.csv --sensors 4 --target ch1_um\n"
       "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --for sample-runs/batches-tan2024/test1.csv");
-  command->callback([options, of_a_job] { run(*options, of_a_job); });
+  command->callback([options] { run(*options); });
 }
 
 }  // namespace commands

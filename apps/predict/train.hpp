@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "ballbar/formats/text/source.hpp"
-#include "ballbar/predict/batch_choice.hpp"
 #include "ballbar/predict/held_out.hpp"
 #include "ballbar/predict/sensor_choice.hpp"
+#include "ballbar/predict/temperature_regression.hpp"
 #include "ballbar/series/series.hpp"
 #include "terminal/details.hpp"
 
@@ -32,10 +32,7 @@ struct TrainOptions {
   std::optional<std::size_t> sensors;  // as many temperatures are chosen
   std::optional<double> max_gap_s;
 
-  Source job;  // --for: a series of its temperatures; with the target, the choice is checked
-  double fall = ChoiceOptions{}.fall;
-  RandomOptions random;
-  Take take = Take::weights;
+  Source job;  // --for: a series of its temperatures; with the target, the prediction is checked
 
   std::string out;  // .json; empty: no model is written
   bool details = false, json = false;
@@ -97,8 +94,8 @@ void take_tests_of(const SensorChoice& choice, TrainedRegression& trained);
 std::vector<ScreenPart> sensor_choice_parts(const SensorChoice& choice, const std::string& target,
                                             const std::string& unit, bool predicted, bool details);
 
-// Prints the batches by their likeness to the job and what each choice among them predicts; writes the model of the
-// choice that is taken.
+// Prints the batches by their likeness to the job and what they predict, weighted by it and all alike; writes the model
+// with weights.
 void train_for_job(const TrainOptions& options);
 
 }  // namespace ballbar

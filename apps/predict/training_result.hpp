@@ -1,4 +1,4 @@
-// What `train --json` prints of a regression on temperatures, and of batches chosen for a job.
+// What `train --json` prints of a regression on temperatures, and of batches weighted for a job.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,13 @@
 #include <vector>
 
 #include "ballbar/formats/results/result_type.hpp"
-#include "ballbar/predict/batch_choice.hpp"
 #include "predict/train.hpp"
 
 namespace ballbar {
+
+inline constexpr std::tuple kRegressionSettings{Field{"method", &RegressionSettings::method, "pcr, ridge"},
+                                                Field{"components", &RegressionSettings::components, ""},
+                                                Field{"penalty_K2", &RegressionSettings::penalty_K2, "of ridge"}};
 
 inline constexpr std::tuple kContenderErrors{
     Field{"held_out_um", [](const Contender& of) { return of.held_out.rms_um; }, "RMSE of batches left out"},
@@ -20,14 +23,11 @@ inline constexpr std::tuple kContenderErrors{
 
 template <>
 struct ResultType<Contender> {
-  using Of = const Contender&;
   static constexpr std::string_view name = "TrainedMethod";
   static constexpr std::string_view meaning = "A method of regression.";
   static constexpr std::tuple fields =
-      std::tuple_cat(std::tuple{Field{"method", [](Of of) { return of.settings.method; }, "pcr, ridge"},
-                                Field{"components", [](Of of) { return of.settings.components; }, ""},
-                                Field{"penalty_K2", [](Of of) { return of.settings.penalty_K2; }, "of ridge"}},
-                     kContenderErrors, std::tuple{Field{"taken", &Contender::taken, "whether it is written"}});
+      std::tuple_cat(fields_through(&Contender::settings, kRegressionSettings), kContenderErrors,
+                     std::tuple{Field{"taken", &Contender::taken, "whether it is written"}});
 };
 
 struct ComparedModel {
@@ -67,76 +67,55 @@ struct ResultType<TrainedOnTemperatures> {
       Field{"remarks", &Of::remarks, ""}};
 };
 
+struct RankedBatch {
+  std::string name;
+  double distance = 0.0, weight = 0.0;
+};
+
 template <>
 struct ResultType<RankedBatch> {
   static constexpr std::string_view name = "RankedBatch";
   static constexpr std::string_view meaning = "A batch, and how like the job it is.";
-  static constexpr std::tuple fields{
-      Field{"batch", &RankedBatch::name, ""},
-      Field{"room_apart_K", &RankedBatch::room_apart_K, "temperature of the room as it begins"},
-      Field{"distance", &RankedBatch::distance, "how unlike it is"},
-      Field{"weight", &RankedBatch::weight, ""},
-      Field{"components", [](const RankedBatch& of) { return of.settings.components; }, "of the regression up to it"},
-      Field{"modelling_rmse_um", &RankedBatch::modelling_rmse_um, "of the batches up to this rank"},
-      Field{"predicted_rmse_um", &RankedBatch::predicted_rmse_um, "of the job by these; null: not measured"}};
+  static constexpr std::tuple fields{Field{"batch", &RankedBatch::name, ""},
+                                     Field{"distance", &RankedBatch::distance, "how unlike it is"},
+                                     Field{"weight", &RankedBatch::weight, ""}};
+};
+
+struct BatchChoice {
+  std::string name;
+  double batches = 0.0;
+  RegressionSettings settings;
+  std::optional<double> predicted_rmse_um;
 };
 
 template <>
 struct ResultType<BatchChoice> {
-  using Of = const BatchChoice&;
   static constexpr std::string_view name = "BatchChoice";
   static constexpr std::string_view meaning = "A way to choose batches.";
-  static constexpr std::tuple fields{
-      Field{"choice", &BatchChoice::take, "paper, held_out, weights, all"},
-      Field{"batches", [](Of of) { return effective_batches(of.weights); }, "as many as these alike"},
-      Field{"method", [](Of of) { return of.settings.method; }, "pcr, ridge"},
-      Field{"components", [](Of of) { return of.settings.components; }, ""},
-      Field{"penalty_K2", [](Of of) { return of.settings.penalty_K2; }, "of ridge"},
-      Field{"predicted_rmse_um", &BatchChoice::predicted_rmse_um, "of the job; null: not measured"}};
-};
-
-template <>
-struct ResultType<HeldOutNumber> {
-  static constexpr std::string_view name = "HeldOutBatches";
-  static constexpr std::string_view meaning = "Error of batches like the job by so many batches.";
-  static constexpr std::tuple fields{Field{"batches", &HeldOutNumber::batches, "how many"},
-                                     Field{"rmse_um", &HeldOutNumber::rmse_um, ""}};
-};
-
-template <>
-struct ResultType<RandomChoices> {
-  static constexpr std::string_view name = "RandomBatches";
-  static constexpr std::string_view meaning = "Random choices of as many batches as are taken.";
-  static constexpr std::tuple fields{
-      Field{"batches", &RandomChoices::batches, "in each"},
-      Field{"share_worse", &RandomChoices::share_worse, "than what is taken"},
-      Field{"predicted_rmse_um", &RandomChoices::predicted_rmse_um, "of the job, rising"}};
+  static constexpr std::tuple fields = std::tuple_cat(
+      std::tuple{Field{"choice", &BatchChoice::name, "weights, all"},
+                 Field{"batches", &BatchChoice::batches, "as many as these alike"}},
+      fields_through(&BatchChoice::settings, kRegressionSettings),
+      std::tuple{Field{"predicted_rmse_um", &BatchChoice::predicted_rmse_um, "of the job; null: not measured"}});
 };
 
 struct TrainedForJob {
   std::string target;
   double room_degC = 0.0;
-  Take taken = Take::weights;
-  BatchRanking ranking;
-  std::optional<RandomChoices> random;
+  std::vector<RankedBatch> ranked;
+  std::vector<BatchChoice> choices;  // by weights, and all
   std::vector<std::string> remarks;
 };
 
 template <>
 struct ResultType<TrainedForJob> {
-  using Of = const TrainedForJob&;
   static constexpr std::string_view name = "Selected";
   static constexpr std::string_view meaning = "Batches to train on for a job.";
-  static constexpr std::tuple fields{
-      Field{"target", &TrainedForJob::target, "column that is predicted"},
-      Field{"room_degC", &TrainedForJob::room_degC, "as the job begins"},
-      Field{"taken", &TrainedForJob::taken, "the choice that is written"},
-      Field{"ranked", [](Of of) { return of.ranking.ranked; }, "batches by the temperature of their rooms"},
-      Field{"choices", [](Of of) { return std::vector(of.ranking.choices.begin(), of.ranking.choices.end()); },
-            "with what came of each"},
-      Field{"held_out", [](Of of) { return of.ranking.held_out; }, "by number of batches"},
-      Field{"random", &TrainedForJob::random, "choices to compare with; null: none"},
-      Field{"remarks", &TrainedForJob::remarks, ""}};
+  static constexpr std::tuple fields{Field{"target", &TrainedForJob::target, "column that is predicted"},
+                                     Field{"room_degC", &TrainedForJob::room_degC, "as the job begins"},
+                                     Field{"ranked", &TrainedForJob::ranked, "batches, the most like the job first"},
+                                     Field{"choices", &TrainedForJob::choices, "with what came of each"},
+                                     Field{"remarks", &TrainedForJob::remarks, ""}};
 };
 
 }  // namespace ballbar

@@ -116,10 +116,10 @@ std::vector<ResultSchema> all_schemas() {
                     PreflightTargets, EffectPages, ExplainedTerms, TestPlan, EffectTest, Added, Ledger, Undone,
                     Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, TestComparison, TestHeads,
                     HistoryResult, History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet,
-                    TrainedOnTemperatures, TrainedOnEffects, TrainedForJob, PredictedSeries, PredictedTarget,
-                    ReplayResult, WrittenResult, MadeSets, NextRun, ScoredSets, MeanPointsResult, ShaftPart, PageReport,
-                    ModelPart, HeldPart, WithPart, RevisedPart, EffectChoices, Hypotheses, ModelText, HistoryReport,
-                    FleetReport, PageFiles>();
+                    TrainedOnTemperatures, TrainedOnEffects, TrainedForJob, Series, PredictedTarget, ReplayResult,
+                    WrittenResult, MadeSets, NextRun, ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart,
+                    HeldPart, WithPart, RevisedPart, EffectChoices, Hypotheses, ModelText, HistoryReport, FleetReport,
+                    PageFiles>();
 }
 
 int run_readmes(const std::filesystem::path& folder, bool update) {

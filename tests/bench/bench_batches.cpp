@@ -1,4 +1,4 @@
-// Batches of thermal tests in memory: their moments, and the choice of those to train on. Their number:
+// Batches of thermal tests in memory: their moments, and their weights for a job. Their number:
 // BALLBAR_BENCH_BATCHES, 1000 unless given.
 #include <benchmark/benchmark.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/predict/batch_choice.hpp"
+#include "ballbar/predict/batch_weights.hpp"
 #include "bench_data.hpp"
 
 namespace {
@@ -36,18 +36,17 @@ void batches_moments(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(batches());
 }
 
-void batches_selected(benchmark::State& state) {
+void batches_weighted(benchmark::State& state) {
   const std::vector<ballbar::Batch> all = batches();
   const std::span<const ballbar::Batch> others(all.data(), all.size() - 1);
   for (auto _ : state) {
-    const ballbar::BatchRanking found = ballbar::batch_ranking(others, all.back().start, &all.back().moments);
-    benchmark::DoNotOptimize(ballbar::regress(ballbar::merged(others), found.choice(ballbar::Take::all).settings));
+    benchmark::DoNotOptimize(ballbar::batch_weights(others, all.back().start, ballbar::RegressionMethod::pcr));
   }
   state.counters["batches"] = static_cast<double>(warm_ups().size());
 }
 
-// The peer's figure is the processor time of all its threads, too.
+// The processor time of all threads.
 BENCHMARK(batches_moments)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
-BENCHMARK(batches_selected)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK(batches_weighted)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 }  // namespace

@@ -7,9 +7,7 @@ both its circles fitted, by the peer in two ways: as usually written, and with t
 autocorrelation in its covariance, the second way no covariance; ours has both. Five probes: read, drift and tilt, written; the peer
 without sigma, ours with a column of it for each. Errors of a machine: the peer is one least squares of their columns over all readings,
 with the covariance of white noise and the pitches of the screws known; ours searches the pitches, adds what shows at the reversals, and
-has the noise with a memory, the ranks and what is left. Batches of thermal tests: the peer stacks the rows of the first 1, 2 ... and fits
-each stack by PCA and linear regression, once and not by the median, with one number of components; ours chooses that number by leaving out
-one batch at a time, fits the first 1, 2 ... all, and predicts 30 batches from their neighbours by number and by weight.
+has the noise with a memory, the ranks and what is left.
 """
 import json
 import os
@@ -21,11 +19,8 @@ import xml.etree.ElementTree as xml
 
 import numpy as np
 from scipy.optimize import least_squares
-from sklearn.decomposition import PCA
 from sklearn.gaussian_process import GaussianProcessRegressor
 from sklearn.gaussian_process.kernels import RBF, ConstantKernel, DotProduct, WhiteKernel
-from sklearn.linear_model import LinearRegression
-from sklearn.pipeline import make_pipeline
 
 folder = pathlib.Path(sys.argv[1])
 repetitions = int(sys.argv[2])
@@ -145,28 +140,6 @@ def warm_ups(count):
     return batches
 
 
-def first_numbers(most):
-    """As numbers_to_try in batch_choice.cpp: each to 40, then by a tenth more."""
-    numbers, i = [], 1
-    while i < most:
-        numbers.append(i)
-        i += 1 if i < 40 else i // 10
-    return numbers + [most]
-
-
-def of_first_batches(batches):
-    """Error of the last batch by a regression to the first 1, 2 ... of those nearest to its room."""
-    job_degC, job_um = batches[-1]
-    ranked = sorted(batches[:-1], key=lambda batch: abs(batch[0][:, -1].mean() - job_degC[0, -1]))
-    errors = []
-    for number in first_numbers(len(ranked)):
-        degC = np.vstack([batch[0] for batch in ranked[:number]])
-        um = np.concatenate([batch[1] for batch in ranked[:number]])
-        model = make_pipeline(PCA(n_components=3), LinearRegression()).fit(degC, um)
-        errors.append(np.sqrt(np.mean((model.predict(job_degC) - job_um) ** 2)))
-    return errors
-
-
 def gaussian_process(batch):
     """A regression with a discrepancy that remembers, as a user would write it: no lags, kernel by its likelihood."""
     degC, um = batch
@@ -202,8 +175,7 @@ rows = [
      median_ms(lambda: five_probes(folder / "probes.csv", folder / "probes-drift.csv"))),
     ("  of it the drift and its uncertainty", "five_probe_reduced", None),
     (f"{len(batches)} batches of 600 rows, their moments", "batches_moments/process_time", None),
-    (f"  of them the first {len(first_numbers(len(batches) - 1))} numbers, fitted", "batches_selected/process_time",
-     median_ms(lambda: of_first_batches(batches), 1)),
+    ("  their weights for a job", "batches_weighted/process_time", None),
     ("a regression on effects, 600 rows, 24 columns", "prediction_trained/process_time",
      median_ms(lambda: gaussian_process(batches[0]), 1)),
     ("46 h of the finite-volume spindle", "spindle_46h", None),

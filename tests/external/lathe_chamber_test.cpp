@@ -5,7 +5,7 @@
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/predict/batch_choice.hpp"
+#include "ballbar/predict/temperature_regression.hpp"
 #include "external_data.hpp"
 
 namespace ballbar {
@@ -50,8 +50,8 @@ TEST(LatheChamber, left_out_batches_are_predicted_as_by_stacked_rows) {
   REQUIRE_EXTERNAL_DATA(folder);
   constexpr RegressionSettings kSettings[] = {{RegressionMethod::pcr, 11, 0.0}, {RegressionMethod::pcr, 12, 0.0}};
   const auto rms = [&](const char* target) {
-    const Lathe all = lathe(folder, target);
-    const FewerSensors kept = without_sensors(all.batches, all.columns, {"PT10_degC"});
+    Lathe kept = lathe(folder, target);
+    leave_out_sensors(kept.batches, kept.columns, {"PT10_degC"});
     const Eigen::MatrixXd um = held_out_um(kept.batches, kSettings);
     return Eigen::Vector2d((um.colwise().squaredNorm() / static_cast<double>(um.rows())).cwiseSqrt().transpose());
   };

@@ -1,19 +1,15 @@
-// Measured batches, each in turn the job at hand: what choosing among the others is worth.
+// Measured batches, each in turn the job at hand: what weights by likeness to it are worth.
 //
 //   study_batches RUNS.csv ROOM_COLUMN TARGET...
 //
-// For every method and kind of inputs the RMSE of prediction, over the batches each left out: by all the others, the
-// paper's rule, the number that is best for batches like the job, weights by likeness, and the median of 100 random
-// choices as large as the paper's; how often each does better than all, and the mean of the logarithm of the ratio, so
-// that a batch counts as much as another. "cover" is the share of readings within the 95 % interval of the model of
-// weights; random worse: the share of random choices that do worse than the paper's rule, where it chooses. Fails where
-// the weighted model is worse than all batches by more than a tenth, over all of them.
+// For every method and kind of inputs the RMSE of prediction, over the batches each left out: by all the others, and by
+// weights; how often weights do better, and the mean of the logarithm of the ratio, so that a batch counts as much as
+// another. "cover" is the share of readings within the 95 % interval of the model of weights. Fails where the weighted
+// model is worse than all batches by more than a tenth, over all of them.
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <cstdlib>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,56 +17,30 @@
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/predict/batch_choice.hpp"
+#include "ballbar/predict/batch_weights.hpp"
 
 namespace {
 
 using namespace ballbar;
 
 struct Ways {
-  std::vector<double> all, paper, held_out, weights, random, random_worse, covered;
-  std::size_t chosen = 0;  // times that the paper's rule finds a fall
+  std::vector<double> all, weights, covered;
 };
-
-struct Setting {
-  const char* label;
-  RegressionMethod method;
-  std::optional<double> share;
-};
-
-constexpr std::array kSettings{Setting{"pcr, 95 % explained", RegressionMethod::pcr, 0.95},
-                               Setting{"pcr, 99 % explained", RegressionMethod::pcr, 0.99},
-                               Setting{"pcr, 99.9 % explained", RegressionMethod::pcr, 0.999},
-                               Setting{"pcr, left out", RegressionMethod::pcr, std::nullopt},
-                               Setting{"ridge, left out", RegressionMethod::ridge, std::nullopt}};
 
 Ways ways_of(const std::vector<Series>& series, const BatchColumns& columns, const std::vector<Batch>& batches,
-             const Setting& setting) {
+             RegressionMethod method) {
   Ways ways;
   for (std::size_t job = 0; job < batches.size(); ++job) {
     std::vector<Batch> others = batches;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(job));
-    ChoiceOptions options;
-    options.method = setting.method;
-    options.share = setting.share;
-    const BatchRanking found = batch_ranking(others, batches[job].start, &batches[job].moments, options);
-    const auto um = [&](Take take) { return *found.choice(take).predicted_rmse_um; };
-    ways.all.push_back(um(Take::all));
-    ways.paper.push_back(um(Take::paper));
-    ways.held_out.push_back(um(Take::held_out));
-    ways.weights.push_back(um(Take::weights));
-    if (found.paper_found) {
-      const RandomChoices random =
-          random_choices(others, batches[job].moments, found.choice(Take::paper), setting.share);
-      ++ways.chosen;
-      ways.random.push_back(random.predicted_rmse_um[random.predicted_rmse_um.size() / 2]);
-      ways.random_worse.push_back(random.share_worse);
-    } else {
-      ways.random.push_back(um(Take::all));
-    }
-    const BatchChoice& weighed = found.choice(Take::weights);
+    const BatchWeights found = batch_weights(others, batches[job].start, method);
+    const auto um = [&](const std::vector<double>& weight, const RegressionSettings& settings) {
+      return rmse_um(batches[job].moments, regress(merged(others, weight), settings));
+    };
+    ways.all.push_back(um({}, best_settings(others, method)));
+    ways.weights.push_back(um(found.weight, found.settings));
     const TemperatureRegression model = temperature_regression(
-        others, weighed.weights, columns, weighed.settings, [&](std::size_t k) { return series[k < job ? k : k + 1]; });
+        others, found.weight, columns, found.settings, [&](std::size_t k) { return series[k < job ? k : k + 1]; });
     const std::vector<double>& measured_um = find_column(series[job], columns.target)->values;
     ways.covered.push_back(error_of(predict(model, series[job]), measured_um)->within_share);
   }
@@ -106,8 +76,7 @@ int run(int argc, char** argv) {
   for (int t = 3; t < argc; ++t) {
     fmt::print("{} of {} batches, mean RMSE um, percent less than by all batches (geometric mean), batches better\n",
                argv[t], series.size());
-    fmt::print("{:34} {:>6}   {:^17}   {:^17}   {:^17}   {:^17}  {:>6} {:>6} {:>6}\n", "", "all", "fall of RMSE_m",
-               "best for alike", "weights", "random", "found", "worse", "cover");
+    fmt::print("{:17} {:>6}   {:^17}   {:>6}\n", "", "all", "weights", "cover");
     for (const InputKind kind : {InputKind::temperature, InputKind::rise, InputKind::both}) {
       BatchColumns columns = batch_columns(series.front(), kind, argv[t], argv[2]);
       std::vector<Batch> batches;
@@ -116,13 +85,11 @@ int run(int argc, char** argv) {
       }
       std::vector<std::string> broken;
       for (const BrokenSensor& sensor : broken_sensors(batches, columns)) broken.push_back(sensor.sensor);
-      FewerSensors kept = without_sensors(std::move(batches), columns, broken);
-      for (const Setting& setting : kSettings) {
-        const Ways ways = ways_of(series, kept.columns, kept.batches, setting);
-        fmt::print("{:11} {:22} {:6.2f}   {}   {}   {}   {}  {:6} {:5.0f}% {:5.1f}%\n", name_of(kind), setting.label,
-                   mean(ways.all), way_text(ways.paper, ways.all), way_text(ways.held_out, ways.all),
-                   way_text(ways.weights, ways.all), way_text(ways.random, ways.all), ways.chosen,
-                   100.0 * mean(ways.random_worse), 100.0 * mean(ways.covered));
+      leave_out_sensors(batches, columns, broken);
+      for (const RegressionMethod method : kRegressionMethods) {
+        const Ways ways = ways_of(series, columns, batches, method);
+        fmt::print("{:11} {:5} {:6.2f}   {}   {:5.1f}%\n", name_of(kind), name_of(method), mean(ways.all),
+                   way_text(ways.weights, ways.all), 100.0 * mean(ways.covered));
         std::fflush(stdout);
         fine = fine && less(ways.weights, ways.all) > -10.0;
       }

@@ -346,19 +346,17 @@ std::vector<std::string> constant_sensors(std::span<const Batch> batches, const 
   return constant;
 }
 
-FewerSensors without_sensors(std::vector<Batch> batches, const BatchColumns& columns,
-                             const std::vector<std::string>& sensors) {
-  if (sensors.empty()) return {columns, std::move(batches)};
+void leave_out_sensors(std::vector<Batch>& batches, BatchColumns& columns, const std::vector<std::string>& sensors) {
+  if (sensors.empty()) return;
   std::vector<Eigen::Index> kept = kept_inputs(columns, sensors);
   BatchColumns one_each = columns;
   one_each.kind = InputKind::temperature;
   const std::vector<Eigen::Index> kept_sensors = kept_inputs(one_each, sensors);
-  FewerSensors result{columns, std::move(batches)};
-  std::erase_if(result.columns.sensors, [&](const std::string& name) {
+  std::erase_if(columns.sensors, [&](const std::string& name) {
     return std::find(sensors.begin(), sensors.end(), name) != sensors.end();
   });
-  if (result.columns.sensors.empty()) throw Error("expected sensors that are sound and not constant, found none.");
-  for (Batch& batch : result.batches) {
+  if (columns.sensors.empty()) throw Error("expected sensors that are sound and not constant, found none.");
+  for (Batch& batch : batches) {
     std::vector<Eigen::Index> places = kept;
     places.push_back(batch.moments.mean.size() - 1);
     batch.moments.mean = batch.moments.mean(places).eval();
@@ -367,7 +365,6 @@ FewerSensors without_sensors(std::vector<Batch> batches, const BatchColumns& col
     batch.sensor_mean_degC = batch.sensor_mean_degC(kept_sensors).eval();
     batch.start = with_sensors(batch.start, batch.sensor_first_degC);
   }
-  return result;
 }
 
 }  // namespace ballbar

@@ -214,8 +214,11 @@ TEST(batch, messages) {
   EXPECT_EQ(inputs_of(series, columns).rows(), 3);  // a job need not be measured
   series = {{0.0, 10.0}, {{"T_room_degC", Role::structure, {1.0, 2.0}}, {"z_um", Role::measured, {0.0, 3.0}}}, {}};
   expect_error("expected a batch of at least 3 rows, found 2.", batch_with(series));
-  expect_error("expected sensors that are sound and not constant, found none.",
-               [&] { (void)without_sensors({batch_of("a", good, columns)}, columns, {"T_room_degC"}); });
+  expect_error("expected sensors that are sound and not constant, found none.", [&] {
+    std::vector<Batch> batches{batch_of("a", good, columns)};
+    BatchColumns all = columns;
+    leave_out_sensors(batches, all, {"T_room_degC"});
+  });
 }
 
 TEST(batch, a_sensor_off_in_some_batches_is_broken) {
@@ -266,38 +269,38 @@ TEST(batch, constant_sensors_of_a_decimal_fraction) {
 }
 
 // What is left is what the batches without these columns would be.
-TEST(batch, without_sensors) {
+TEST(batch, leave_out_sensors) {
   std::vector<Series> all = made::warm_ups(2, {}, "without_sensors");
   for (double& degC : made::values_of(all[1], "T05_degC")) degC += 500.0;
   for (const InputKind kind : {InputKind::temperature, InputKind::rise, InputKind::both}) {
-    const BatchColumns columns = made::columns_of(all, kind);
-    const std::vector<Batch> batches = made::batches_of(all, columns);
-    const FewerSensors fewer = without_sensors(batches, columns, {"T05_degC", "T20_degC"});
-    BatchColumns expected = columns;
+    BatchColumns columns = made::columns_of(all, kind), expected = columns;
+    std::vector<Batch> batches = made::batches_of(all, columns);
+    leave_out_sensors(batches, columns, {"T05_degC", "T20_degC"});
     std::erase(expected.sensors, "T05_degC");
     std::erase(expected.sensors, "T20_degC");
-    EXPECT_EQ(fewer.columns, expected);
+    EXPECT_EQ(columns, expected);
     const std::vector<Batch> direct = made::batches_of(all, expected);
     for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_LT((fewer.batches[k].moments.mean - direct[k].moments.mean).norm(), 1e-12);
-      EXPECT_LT((fewer.batches[k].moments.scatter - direct[k].moments.scatter).norm(),
+      EXPECT_LT((batches[k].moments.mean - direct[k].moments.mean).norm(), 1e-12);
+      EXPECT_LT((batches[k].moments.scatter - direct[k].moments.scatter).norm(),
                 1e-12 * direct[k].moments.scatter.norm());
-      EXPECT_EQ(fewer.batches[k].sensor_first_degC, direct[k].sensor_first_degC);
-      EXPECT_LT((fewer.batches[k].sensor_mean_degC - direct[k].sensor_mean_degC).norm(), 1e-12);
+      EXPECT_EQ(batches[k].sensor_first_degC, direct[k].sensor_first_degC);
+      EXPECT_LT((batches[k].sensor_mean_degC - direct[k].sensor_mean_degC).norm(), 1e-12);
     }
   }
 }
 
 // A job without the sensor that is left out knows nothing of it: the two must stay comparable.
-TEST(batch, without_sensors_the_start_is_that_of_the_rest) {
+TEST(batch, leave_out_sensors_the_start_is_that_of_the_rest) {
   std::vector<Series> all = made::warm_ups(2, {}, "without_sensors_start");
   for (double& degC : made::values_of(all[1], "T05_degC")) degC += 500.0;
-  const BatchColumns columns = made::columns_of(all);
-  const FewerSensors fewer = without_sensors(made::batches_of(all, columns), columns, {"T05_degC"});
+  BatchColumns columns = made::columns_of(all);
+  std::vector<Batch> batches = made::batches_of(all, columns);
+  leave_out_sensors(batches, columns, {"T05_degC"});
   for (std::size_t k = 0; k < 2; ++k) {
-    const BatchStart start = batch_of("a", all[k], fewer.columns).start;
-    EXPECT_NEAR(fewer.batches[k].start.sensors_mean_degC, start.sensors_mean_degC, 1e-9);  // rounding
-    EXPECT_NEAR(fewer.batches[k].start.sensors_spread_K, start.sensors_spread_K, 1e-9);
+    const BatchStart start = batch_of("a", all[k], columns).start;
+    EXPECT_NEAR(batches[k].start.sensors_mean_degC, start.sensors_mean_degC, 1e-9);  // rounding
+    EXPECT_NEAR(batches[k].start.sensors_spread_K, start.sensors_spread_K, 1e-9);
   }
 }
 

@@ -108,12 +108,7 @@ std::vector<BrokenSensor> broken_sensors(std::span<const Batch> batches, const B
 // Sensors with one constant reading in all rows of all batches.
 std::vector<std::string> constant_sensors(std::span<const Batch> batches, const BatchColumns& columns);
 
-// The batches without these sensors.
-struct FewerSensors {
-  BatchColumns columns;
-  std::vector<Batch> batches;
-};
-FewerSensors without_sensors(std::vector<Batch> batches, const BatchColumns& columns,
-                             const std::vector<std::string>& sensors);
+// Leaves these sensors out. Throws Error if none remains.
+void leave_out_sensors(std::vector<Batch>& batches, BatchColumns& columns, const std::vector<std::string>& sensors);
 
 }  // namespace ballbar
