@@ -1,7 +1,6 @@
 // The ledger of a model: one row per revision, with the change, its benefit and the evidence for it.
 //
-// A smaller error alone is no evidence. Every row therefore has 2 ln B, its threshold, and the fall of the error by the
-// best surrogate effect, as far as these are known.
+// A smaller error alone is no evidence. Every row therefore has 2 ln B and its threshold, as far as these are known.
 #pragma once
 
 #include <cstddef>
@@ -32,9 +31,7 @@ struct LedgerRow {
   double held_out_um = kUnknown;            // RMSE of left-out cycles (recordings), each predicted from the others
   double likelihood_ratio = kUnknown;       // 2 ln B of the change (effect_test.hpp)
   double threshold = kUnknown;              // of the likelihood ratio
-  double best_surrogate_fall = kUnknown;    // relative fall of the RMSE by the best of 200 surrogates
   double forecast_um = kUnknown;            // RMSE of rows forecast from earlier rows (growth.hpp)
-  double surrogate_forecast_um = kUnknown;  // the same with surrogates replacing the effects
   double discrepancy_um = kUnknown;         // grown models: standard deviation of the slow part of the residual
   // "start", "named", "supported", "time only", "not supported". Grown models: "driver known" (the driver is known, its
   // form is not), "empirical" (it predicts, without a claimed cause). "by hand": the user's choice, not tested.
@@ -47,9 +44,12 @@ struct LedgerRow {
 // every second, third ... value for it. The other members have their default values.
 LedgerRow row_of(const Model& model, const Series& data, std::size_t target = 0);
 
+// Whether the likelihood ratio is chi^2 of errors of linear axes (effect_test.hpp). Their thresholds are quantiles, those
+// of 2 ln B multiples of kLeastLikelihoodRatio.
+bool is_of_axes(const LedgerRow& row);
+
 // "Revision 2 added lagged_expansion(T16_degC). RMSE 12.3 -> 3.1 um (4.0 -> 1.0 times the noise), left-out cycles
-// 14.0 -> 3.9 um. 2 ln B is 431.2 (threshold 10.0). A random curve lowers the RMSE by up to 27 %.
-// speed_heating(speed_rpm) is still needed." Without figures from before where `before` is nullptr or of another
+// 14.0 -> 3.9 um. 2 ln B is 431.2 (threshold 10.0). speed_heating(speed_rpm) is still needed." Without figures from before where `before` is nullptr or of another
 // target or other data; of recordings "left-out recordings".
 std::string sentence(const LedgerRow& row, const LedgerRow* before);
 
