@@ -43,7 +43,8 @@ Table figures(const EffectTest& effect_test) {
 }
 
 Table added_table(const EffectTest& effect_test) {
-  Table table({"added effect", "amplitude um", is_of_axes(effect_test.after) ? "chi^2" : "2 ln B", "threshold", "RMSE fall %"});
+  Table table(
+      {"added effect", "amplitude um", is_of_axes(effect_test.after) ? "chi^2" : "2 ln B", "threshold", "RMSE fall %"});
   const double fall = 1.0 - effect_test.after.rmse_um / effect_test.before.rmse_um;
   for (const Candidate& tried : effect_test.added) {
     table.add({one_line(tried.label),
@@ -175,9 +176,8 @@ std::string tables(const EffectTest& effect_test, bool details) {
   return text + "\n" +
          wrapped(fmt::format(
              "2 ln B: 10 means that the readings are 150 times as likely with the effect, whatever its gain and shape. "
-             "It "
-             "holds for an effect chosen before looking at these data. An earlier effect is needed where the probability "
-             "that it is superfluous is below {}.",
+             "It holds for an effect chosen before looking at these data. An earlier effect is needed where the "
+             "probability that it is superfluous is below {}.",
              kDropTest));
 }
 

@@ -107,7 +107,7 @@ struct Diagnosis {
 
 struct DiagnosisOptions {
   SearchOptions search;
-  double tolerance_um = 0.0;  // smaller effects are called minor
+  double tolerance_um = 0.0;     // smaller effects are called minor
   std::size_t most_rows = 1000;  // largest number of target values used
   bool fit_candidates = true;    // compute Candidate::rmse_after_um
   bool leave_out = true;         // compute Candidate::held_out_before_um and _after_um as the ledger of a model does
