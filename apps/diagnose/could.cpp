@@ -60,9 +60,6 @@ void add_could(CLI::App& app) {
                              ->type_name("NAME=VALUE")
                              ->allow_extra_args(false)
                              ->check(name_and_number()));
-  of_an_effect.push_back(command->add_option("--seed", injection.seed, "seed of the random draws")
-                             ->type_name("N")
-                             ->check(whole_number_within(0, kLargestSeed)));
   of_an_effect.push_back(command->add_option("--out", injection.out, "write the data with EFFECT added, .csv")
                              ->type_name("FILE")
                              ->check(name_that_ends_in({".csv"})));

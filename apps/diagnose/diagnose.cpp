@@ -119,9 +119,6 @@ void add_diagnose(CLI::App& app) {
   command->add_option("--tolerance", options->how.diagnosis.tolerance_um, "report smaller effects as minor")
       ->type_name("UM")
       ->check(number_within(0.0, 1e6));
-  command->add_option("--seed", options->how.diagnosis.search.seed, "seed of the random draws")
-      ->type_name("N")
-      ->check(whole_number_within(0, kLargestSeed));
   command
       ->add_option("--most-rows", options->how.diagnosis.most_rows,
                    "search at most N readings; a longer series is thinned")

@@ -15,7 +15,7 @@
 namespace ballbar {
 
 struct DiagnoseOptions {
-  DiagnosisOptions diagnosis;  // tolerance, seed, most rows
+  DiagnosisOptions diagnosis;  // tolerance, most rows
   bool progress = true;        // show progress on a terminal
 };
 

@@ -21,7 +21,6 @@ constexpr double kNotNoise = 0.01;  // as the sentences of residual.hpp
 
 std::string known(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : "-"; }
 
-std::string percent(double share) { return std::isfinite(share) ? fmt::format("{:.0f}", 100.0 * share) : "-"; }
 
 Table figures(const EffectTest& effect_test) {
   const LedgerRow &before = effect_test.before, &after = effect_test.after;
@@ -38,14 +37,9 @@ Table figures(const EffectTest& effect_test) {
   return table;
 }
 
-// Judged beside all errors of the axes, without surrogates.
-bool is_of_axes(const EffectTest& effect_test) {
-  return effect_test.after.level == Level::recording && !std::isfinite(effect_test.after.best_surrogate_fall);
-}
-
 Table added_table(const EffectTest& effect_test) {
-  Table table({"added effect", "amplitude um", is_of_axes(effect_test) ? "chi^2" : "2 ln B", "threshold", "RMSE fall %",
-               "fall by chance %"});
+  Table table(
+      {"added effect", "amplitude um", is_of_axes(effect_test.after) ? "chi^2" : "2 ln B", "threshold", "RMSE fall %"});
   const double fall = 1.0 - effect_test.after.rmse_um / effect_test.before.rmse_um;
   for (const Candidate& tried : effect_test.added) {
     const int decimals = decimals_showing(3, tried.amplitude_um);
@@ -53,14 +47,14 @@ Table added_table(const EffectTest& effect_test) {
                std::isfinite(tried.amplitude_sigma_um)
                    ? with_sigma(tried.amplitude_um, tried.amplitude_sigma_um, decimals)
                    : fixed(tried.amplitude_um, decimals),
-               fixed(tried.likelihood_ratio, 1), fixed(tried.threshold, 1),
-               effect_test.added.size() == 1 ? percent(fall) : "-", percent(tried.best_surrogate_fall)});
+               fixed(tried.likelihood_ratio, 1), known(tried.threshold, 1),
+               effect_test.added.size() == 1 ? known(100.0 * fall, 0) : "-"});
   }
   return table;
 }
 
 Table earlier_table(const EffectTest& effect_test) {
-  const bool of_axes = is_of_axes(effect_test);
+  const bool of_axes = is_of_axes(effect_test.after);
   Table table({"earlier effect", of_axes ? "chi^2" : "2 ln B", "parameters", of_axes ? "p" : "probability superfluous",
                "needed"});
   for (const DropTest& drop_test : effect_test.earlier) {
@@ -167,7 +161,7 @@ std::string tables(const EffectTest& effect_test, bool details) {
   if (!details) return text;
   if (!effect_test.earlier.empty()) text += "\n" + earlier_table(effect_test).text(table_width());
   text += "\n" + parameter_table(effect_test).text(table_width());
-  if (is_of_axes(effect_test)) {
+  if (is_of_axes(effect_test.after)) {
     return text + "\n" +
            wrapped(
                "Each error has its value beside all errors of the axes; sigma is by the noise that these leave "
@@ -178,11 +172,9 @@ std::string tables(const EffectTest& effect_test, bool details) {
   return text + "\n" +
          wrapped(fmt::format(
              "2 ln B: 10 means that the readings are 150 times as likely with the effect, whatever its gain and shape. "
-             "It "
-             "holds for an effect chosen before looking at these data. fall by chance: largest fall of the RMSE by {} "
-             "random curves that are as smooth and have no cause. An earlier effect is needed where the probability "
-             "that it is superfluous is below {}.",
-             kSurrogates, kDropTest));
+             "It holds for an effect chosen before looking at these data. An earlier effect is needed where the "
+             "probability that it is superfluous is below {}.",
+             kDropTest));
 }
 
 }  // namespace ballbar

@@ -14,7 +14,7 @@ std::string conclusion(const EffectTest& effect_test);
 // "A", "A and B", "A, B and C".
 std::string enumeration(const std::vector<std::string>& names);
 
-// Error before and after, added effects with 2 ln B and surrogates. details: earlier effects tested anew, all
+// Error before and after, added effects with 2 ln B. details: earlier effects tested anew, all
 // parameters, and what the figures mean.
 std::string tables(const EffectTest& effect_test, bool details);
 

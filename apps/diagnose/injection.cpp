@@ -131,7 +131,6 @@ Injected tested(const InjectionOptions& options, const ModelOptions& of, const M
                         [&] { return injected(series, model.targets.front(), result.injection, result.amplitude_um); });
   DiagnosisOptions how;
   how.search.motion = data.motion;
-  how.search.seed = options.seed;
   how.fit_candidates = how.leave_out = false;
   show_progress_of(1);
   result.without = diagnose(model, series, 0, how);

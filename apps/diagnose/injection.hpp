@@ -1,7 +1,6 @@
 // Tests whether an effect could be detected in data: adds it and diagnoses the result.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,8 +14,7 @@ struct InjectionOptions {
   std::string effect;                  // as `add` takes it
   std::optional<double> amplitude_um;  // range (max - min); nullopt: that from which it should be named
   std::vector<std::string> shapes;     // NAME=VALUE
-  std::uint64_t seed = 1;
-  std::string out;  // .csv; empty: none
+  std::string out;                     // .csv; empty: none
 };
 
 // The verdicts with and without it, and the smallest detected amplitude. Throws Error: several targets, an effect that

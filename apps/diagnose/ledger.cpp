@@ -42,12 +42,9 @@ Table table_of(const std::vector<LedgerRow>& rows) {
       std::any_of(rows.begin(), rows.end(), [&](const LedgerRow& row) { return row.target != rows.front().target; });
   std::vector<std::string> heading{"revision"};
   if (several) heading.emplace_back("target");
-  const bool of_axes = std::any_of(rows.begin(), rows.end(), [](const LedgerRow& row) {
-    return row.level == Level::recording && row.revision > 0 && !std::isfinite(row.best_surrogate_fall);
-  });
+  const bool of_axes = std::any_of(rows.begin(), rows.end(), is_of_axes);
   // A figure that no row has would only take room from the names of the revisions.
   std::vector<Figure> figures{{"forecast um", &LedgerRow::forecast_um},
-                              {"surrogate um", &LedgerRow::surrogate_forecast_um},
                               {of_axes ? "chi^2" : "2 ln B", &LedgerRow::likelihood_ratio, 1},
                               {"threshold", &LedgerRow::threshold, 1}};
   std::erase_if(figures, [&](const Figure& figure) {

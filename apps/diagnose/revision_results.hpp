@@ -45,9 +45,7 @@ struct ResultType<LedgerEntry> {
       Field{"change", &LedgerRow::change, "+ what was added, - what was taken out, = what was set; start"}};
   static constexpr std::tuple evidence{
       Field{"likelihood_ratio", &LedgerRow::likelihood_ratio, "2 ln B of the change, of errors of axes chi^2"},
-      Field{"threshold", &LedgerRow::threshold, "from which that counts"},
-      Field{"best_surrogate_fall", &LedgerRow::best_surrogate_fall,
-            "share by which the best of 200 surrogates lowers the RMSE"}};
+      Field{"threshold", &LedgerRow::threshold, "from which that counts"}};
   static constexpr std::tuple judged{
       Field{"verdict", &LedgerRow::verdict,
             "start, named, supported, time only, not supported, driver known, empirical, by hand"},
@@ -55,7 +53,6 @@ struct ResultType<LedgerEntry> {
       Field{"data", &LedgerRow::data, "files, as they were named"}};
   static constexpr std::tuple grown{
       Field{"forecast_um", &LedgerRow::forecast_um, "RMSE of rows forecast from earlier ones alone"},
-      Field{"surrogate_forecast_um", &LedgerRow::surrogate_forecast_um, "the same with surrogates instead of effects"},
       Field{"discrepancy_um", &LedgerRow::discrepancy_um, "standard deviation of the slow curve that is left"},
       Field{"still_needed", &LedgerRow::still_needed, "earlier effects, tested anew"},
       Field{"no_longer_needed", &LedgerRow::no_longer_needed, ""}};
@@ -93,8 +90,6 @@ struct ResultType<AddedEffect> {
               Field{"likelihood_ratio", &Candidate::likelihood_ratio,
                     "2 ln of how much likelier the readings are with it than without"},
               Field{"threshold", &Candidate::threshold, "from which that counts"},
-              Field{"best_surrogate_fall", &Candidate::best_surrogate_fall,
-                    "share by which the best surrogate lowers the RMSE; null: not tested"},
               Field{"p_same_gain", &Candidate::p_same_gain, "of gains as different from cycle to cycle, by chance"}}),
       std::tuple{Field{"time_only", [](const AddedEffect& of) { return of.bound.effect->time_only; },
                        "whether it needs nothing but time"},

@@ -55,7 +55,6 @@ constexpr ExplainedTerm kTerms[] = {
      "Standard uncertainty of a value, the number after ±: 68 % of repeats lie within one sigma, 95 % within two."},
     {"significant", "Noise alone would give such a value in 1 of 100 tests at most."},
     {"standard deviation", "Root mean square deviation from the mean: 68 % of values lie within it."},
-    {"surrogate", "Random signal as smooth as a real one. What it explains is due to chance."},
     {"variance", "Square of the standard deviation."},
     {"white", "Noise whose readings do not depend on each other."},
     {"whitened", "Freed of the correlation of the noise, so that the rest should be white."},

@@ -182,11 +182,9 @@ void bind_bench(py::module_& module) {
              return py::make_tuple(to_python(json), arrays_of(report->fit), listener.remarks);
            })
       .def("diagnose",
-           [](Bench& bench, double tolerance_um, std::optional<std::uint64_t> seed,
-              std::optional<std::size_t> most_rows, const py::object& progress) {
+           [](Bench& bench, double tolerance_um, std::optional<std::size_t> most_rows, const py::object& progress) {
              DiagnoseOptions how;
              how.diagnosis.tolerance_um = tolerance_um;
-             if (seed) how.diagnosis.search.seed = *seed;
              if (most_rows) how.diagnosis.most_rows = *most_rows;
              Listener listener(progress);
              const auto [json, best] = listener.hear([&] { return bench.diagnose(how); });

@@ -123,8 +123,6 @@ struct ResultType<PageCandidate> {
       fields_through(&PageCandidate::candidate, ResultType<Candidate>::fields),
       std::tuple{Field{"label", [](const PageCandidate& of) { return label_of(of.candidate.bound); },
                        "lagged_expansion(T_room_degC)"},
-                 Field{"best_surrogate_fall", [](const PageCandidate& of) { return of.candidate.best_surrogate_fall; },
-                       "share of the RMSE beside the rest of its set"},
                  Field{"curve_um", &PageCandidate::curve_um,
                        "what it adds that the model cannot make itself, at the rows of the checked series"}});
 };

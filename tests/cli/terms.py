@@ -29,7 +29,7 @@ WORDS = {
     "periodogram": r"\bperiodogram\b", "posterior": r"\bposterior\b", "prior": r"\b[Pp]rior\b",
     "quantile": r"\bquantiles?\b", "RMS": r"\bRMS\b", "robust": r"\brobust\b", "sigma": r"\bsigmas?\b",
     "significant": r"\bsignificant\b", "standard deviation": r"\bstandard deviations?\b",
-    "surrogate": r"\b[Ss]urrogates?\b", "variance": r"\bvariance\b", "white": r"\bwhite\b", "whitened": r"\bwhitened\b",
+    "variance": r"\bvariance\b", "white": r"\bwhite\b", "whitened": r"\bwhitened\b",
 }  # fmt: skip
 
 

@@ -31,7 +31,7 @@ const series = (columns, rows = 240) => {
 const history_row = (revision, target) =>
   `[[history]]\nrevision = ${revision}\nchange = ${JSON.stringify(revision > 0 ? `+ ${image}${rich}${turned}${formula}${long}` : "start")}\n` +
   `target = ${JSON.stringify(target)}\ndata = [${JSON.stringify(image)}]\nparameters = 2\nrmse_um = ${3 - revision}.0\nforecast_um = ${4 - revision}.0\n` +
-  `surrogate_forecast_um = 3.5\nverdict = ${JSON.stringify(`${script}${rich}${turned}${long}`)}\n` +
+  `verdict = ${JSON.stringify(`${script}${rich}${turned}${long}`)}\n` +
   (revision > 0 ? 'still_needed = []\nno_longer_needed = []\neffects_before = """\n"""\n' : "");
 
 const of_series = () => {

@@ -20,7 +20,7 @@ table = bb.read("run.csv")
 model: bb.Model = bb.Model("y_um", ["expansion(T_degC)"]) + bb.LaggedExpansion("T_degC", time_constant_s=bb.free(1800.0))
 fit = model.fit(table, robust=True)
 rmse: float = fit.rmse_um
-found: bb.Diagnosis = fit.diagnose(seed=1)
+found: bb.Diagnosis = fit.diagnose()
 better = model + found.best
 sentence: str = better.fit(table).compare(fit).sentence
 centre: float = bb.fit_circle([100.0, 100.1], angle_deg=[0.0, 90.0]).recordings[0].centre_a_um

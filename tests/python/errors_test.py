@@ -99,7 +99,7 @@ class Errors(unittest.TestCase):
             with self.assertRaises(KeyboardInterrupt):
                 threading.Timer(delay_s, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
                 endless()
-        self.assertEqual(fit.diagnose(seed=2), fit.diagnose(seed=2))
+        self.assertEqual(fit.diagnose(), fit.diagnose())
 
     def test_attributes(self):
         found = bb.circles("sample-runs/qc20-style-b5r/00.b5r")

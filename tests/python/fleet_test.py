@@ -130,9 +130,9 @@ class Lazy(unittest.TestCase):
     def test_diagnosed(self):
         data, path = "sample-runs/hidden-effect/01/data.csv", "sample-runs/hidden-effect/01/model.toml"
         model = ballbar.Model.load(path)
-        expected = model.fit(data).diagnose(seed=3)
+        expected = model.fit(data).diagnose()
         for asked in (path, model):
-            rows = fleet.diagnose([data, "missing.csv"], asked, seed=3).compute(scheduler="synchronous").set_index("file")
+            rows = fleet.diagnose([data, "missing.csv"], asked).compute(scheduler="synchronous").set_index("file")
             self.assertEqual((rows["verdict"][data], rows["named"][data]), (expected.verdict, ", ".join(one.effect for one in expected.named)))
             self.assertEqual((rows["rmse_um"][data], rows["p_nothing"][data]), (expected.fit.rmse_um, expected.p_nothing))
             self.assertEqual(rows["fault"]["missing.csv"], "missing.csv: No such file or directory.")
@@ -281,9 +281,9 @@ class Cluster(unittest.TestCase):
 
         data = "sample-runs/hidden-effect/01/data.csv"
         model = ballbar.Model.load("sample-runs/hidden-effect/01/model.toml")
-        expected = model.fit(data).diagnose(seed=1, extra=[square])
+        expected = model.fit(data).diagnose(extra=[square])
         with Client(n_workers=1, threads_per_worker=1, dashboard_address=None) as client:
-            row = fleet.diagnose(data, model, seed=1, extra=[square]).compute(scheduler=client).iloc[0]
+            row = fleet.diagnose(data, model, extra=[square]).compute(scheduler=client).iloc[0]
         self.assertEqual((row["verdict"], row["p_nothing"]), (expected.verdict, expected.p_nothing))
         self.assertTrue(pandas.isna(row["fault"]))
 

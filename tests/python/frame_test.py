@@ -136,7 +136,7 @@ class Tables(unittest.TestCase):
         fit = MODEL.fit(self.table)
         fit.residuals.iloc[0] = 99.0  # of a copy
         self.assertLess(abs(fit.residuals.iloc[0]), 9.0)
-        fit.diagnose(seed=1)
+        fit.diagnose()
         fit.predict(self.table)
         self.assertEqual(pickle.dumps(self.table), before)
 

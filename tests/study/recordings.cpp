@@ -27,7 +27,6 @@ Tally tally(const made::Plan& plan, const Effect* effect, int seeds) {
     const Series trace = made::recordings(plan, effect, static_cast<std::uint64_t>(seed));
     DiagnosisOptions options;
     options.search.motion = Motion::linear_axes;
-    options.search.seed = static_cast<std::uint64_t>(seed);
     if (effect != nullptr && effect->motions == std::vector{Motion::rotary_axis, Motion::spindle}) {
       options.search.motion = Motion::rotary_axis;
     }

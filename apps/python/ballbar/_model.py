@@ -406,7 +406,6 @@ class Fit(_kinds.Checked):
     def diagnose(
         self,
         *,
-        seed: int | None = None,
         tolerance_um: float = 0.0,
         most_rows: int | None = None,
         extra: Sequence[PythonEffect] = (),
@@ -416,8 +415,6 @@ class Fit(_kinds.Checked):
 
         Parameters
         ----------
-        seed : int
-            Of the random draws; the same seed gives the same result.
         tolerance_um : float
             Smaller effects are called minor, um.
         most_rows : int
@@ -440,17 +437,16 @@ class Fit(_kinds.Checked):
         --------
         >>> import ballbar as bb
         >>> run = "sample-runs/hidden-effect/01"
-        >>> found = bb.Model.load(f"{run}/model.toml").fit(f"{run}/data.csv").diagnose(seed=1)
+        >>> found = bb.Model.load(f"{run}/model.toml").fit(f"{run}/data.csv").diagnose()
         >>> found.verdict, found.best
         ('named', (lagged_expansion(T_room_degC),))
         """
         from ._call import told
 
         tolerance_um = number_of("tolerance_um", tolerance_um, 0.0)
-        seed = None if seed is None else int(number_of("seed", seed, 0, 9.2e18, whole=True))
         most_rows = None if most_rows is None else int(number_of("most_rows", most_rows, 30, 5000, whole=True))
         bench = _bench_of(self.model, self._places, self._held, self._how, progress, extra) if extra else self._workbench()
-        keys, text = told(lambda tell: bench.diagnose(tolerance_um, seed, most_rows, tell), self._places, progress)
+        keys, text = told(lambda tell: bench.diagnose(tolerance_um, most_rows, tell), self._places, progress)
         return Diagnosis._from(keys, self, _effects_of(tomllib.loads(text), functions_of(self.model.effects, extra)))
 
     def test(self, effects: Effects, *, progress: Progress | None = None) -> Tried:
@@ -459,7 +455,7 @@ class Fit(_kinds.Checked):
         Returns
         -------
         Tried
-            Before and after, with the evidence, the surrogates, and each earlier effect tested anew.
+            Before and after, with the evidence, and each earlier effect tested anew.
         """
         more = _effects(effects, self.model.of_recordings)
         if not more:
@@ -475,7 +471,7 @@ class Fit(_kinds.Checked):
         return Tried(keys)
 
     def compare(self, other: Fit, *, progress: Progress | None = None) -> Tried:
-        """This fit beside one of a smaller model of the same data: the fall of the error, tests, a surrogate beside.
+        """This fit beside one of a smaller model of the same data: the fall of the error, and tests.
 
         Parameters
         ----------

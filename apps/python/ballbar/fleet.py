@@ -62,8 +62,8 @@ def errors(paths: Paths, *, files_of_a_partition: int = 50, **storage: Any) -> A
 
 
 def diagnose(
-    paths: Paths, model: Any = None, *, target: str | None = None, extra: Sequence[Any] = (), seed: int | None = None,
-    files_of_a_partition: int = 1, **storage: Any,
+    paths: Paths, model: Any = None, *, target: str | None = None, extra: Sequence[Any] = (), files_of_a_partition: int = 1,
+    **storage: Any,
 ) -> Any:
     """Returns a lazy table of what a diagnosis says of each file, :func:`ballbar.machine_errors` of a `.b5r`.
 
@@ -77,8 +77,6 @@ def diagnose(
         One column; None: that of the model.
     extra : list of PythonEffect
         Are searched beside the catalogue's; they go to the workers with the task.
-    seed : int
-        As of :meth:`ballbar.Fit.diagnose`.
 
     Returns
     -------
@@ -106,7 +104,7 @@ def diagnose(
             raise BallbarError(f"{path}: expected a model or a target for a series, found neither; pass target=.")
         else:
             fit = fitted.fit(path)
-            found = fit.diagnose(seed=seed, extra=extra)
+            found = fit.diagnose(extra=extra)
             row = {"sentence": found.sentence, "rmse_um": fit.rmse_um, "floor_um": fit.floor_um, "p_nothing": found.p_nothing}
         return {**row, "verdict": found.verdict, "named": ", ".join(one.effect for one in found.named)}
 

@@ -27,9 +27,7 @@ constexpr Key kKeys[] = {
     {"held_out_um", "um", "the same for cycles, or recordings, that are left out and predicted from the others"},
     {"likelihood_ratio", "1", "2 ln B of the change; chi^2 for axis errors"},
     {"threshold", "1", "its threshold"},
-    {"best_surrogate_fall", "1", "share by which the best of 200 surrogates lowers the RMSE"},
     {"forecast_um", "um", "root mean square error of rows forecast from earlier ones alone"},
-    {"surrogate_forecast_um", "um", "the same with as many surrogates in place of the effects"},
     {"discrepancy_um", "um", "standard deviation of the slow curve in the residual"},
     {"verdict", "text",
      "\"start\", \"named\", \"supported\", \"time only\", \"not supported\", \"driver known\", \"empirical\" or \"by "
@@ -38,6 +36,9 @@ constexpr Key kKeys[] = {
     {"no_longer_needed", "texts", "earlier effects that are no longer needed"},
     {"effects_before", "text", "the effects before, unchanged; `undo` restores them"},
 };
+
+// Keys that ballbar 0.2.0 wrote and nothing reads.
+constexpr std::string_view kIgnored[] = {"best_surrogate_fall", "surrogate_forecast_um"};
 
 // A number of a row, which may be missing.
 struct Figure {
@@ -50,9 +51,7 @@ constexpr Figure kFigures[] = {{"rmse_um", &LedgerRow::rmse_um},
                                {"held_out_um", &LedgerRow::held_out_um},
                                {"likelihood_ratio", &LedgerRow::likelihood_ratio, false},
                                {"threshold", &LedgerRow::threshold, false},
-                               {"best_surrogate_fall", &LedgerRow::best_surrogate_fall, false},
                                {"forecast_um", &LedgerRow::forecast_um},
-                               {"surrogate_forecast_um", &LedgerRow::surrogate_forecast_um},
                                {"discrepancy_um", &LedgerRow::discrepancy_um}};
 
 // Of the text without its byte order mark.
@@ -90,7 +89,7 @@ Places places_of(std::string_view text, const TomlTable& root) {
 }
 
 LedgerRow row_at(const TomlTable& table, std::size_t place) {
-  expect_keys(table, kKeys);
+  expect_keys(table, kKeys, kIgnored);
   LedgerRow row;
   const std::int64_t revision = required(integer, table, "revision");
   if (revision != static_cast<std::int64_t>(place)) {

@@ -125,11 +125,15 @@ std::vector<std::string_view> names_of(std::span<const Key> keys) {
 
 TomlTable root_of(const TomlSource& source) { return {&source.root, source.name, ""}; }
 
-void expect_keys(const TomlTable& table, std::span<const std::string_view> known) {
+void expect_keys(const TomlTable& table, std::span<const std::string_view> known,
+                 std::span<const std::string_view> ignored) {
   // In the order of the file: a toml::table is sorted by name.
   const toml::key* first = nullptr;
   for (const auto& [key, value] : *table.table) {
-    if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    const auto is_in = [&](std::span<const std::string_view> names) {
+      return std::find(names.begin(), names.end(), key.str()) != names.end();
+    };
+    if (is_in(known) || is_in(ignored)) continue;
     const auto place = key.source().begin;
     if (!first || place.line < first->source().begin.line ||
         (place.line == first->source().begin.line && place.column < first->source().begin.column)) {
@@ -150,7 +154,9 @@ void expect_keys(const TomlTable& table, std::span<const std::string_view> known
                    nearest_name(first->str(), known)));
 }
 
-void expect_keys(const TomlTable& table, std::span<const Key> known) { expect_keys(table, names_of(known)); }
+void expect_keys(const TomlTable& table, std::span<const Key> known, std::span<const std::string_view> ignored) {
+  expect_keys(table, names_of(known), ignored);
+}
 
 bool has(const TomlTable& table, std::string_view key) { return table.table->contains(key); }
 

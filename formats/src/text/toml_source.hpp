@@ -61,9 +61,10 @@ TomlSource parse_toml(std::string_view text, std::string_view name);
 TomlTable root_of(const TomlSource& source);
 TomlTable root_of(TomlSource&&) = delete;
 
-// Throws Error at the first key that is not in `known`, with the nearest known name.
-void expect_keys(const TomlTable& table, std::span<const std::string_view> known);
-void expect_keys(const TomlTable& table, std::span<const Key> known);
+// Throws Error at the first key that is not in `known`, with the nearest known name; keys in `ignored` are no error.
+void expect_keys(const TomlTable& table, std::span<const std::string_view> known,
+                 std::span<const std::string_view> ignored = {});
+void expect_keys(const TomlTable& table, std::span<const Key> known, std::span<const std::string_view> ignored = {});
 
 bool has(const TomlTable& table, std::string_view key);
 std::optional<std::string> string(const TomlTable& table, std::string_view key);

@@ -14,10 +14,4 @@ std::vector<Eigen::Index> used_parameters(const Fit& fit);
 // Their columns of the Jacobian, scaled to unit length.
 Eigen::MatrixXd model_columns(const Fit& fit);
 
-// An orthonormal basis of the model's columns, and the residual orthogonal to it; whitened or not.
-struct ModelProjection {
-  Eigen::MatrixXd basis;     // n by the rank of the model
-  Eigen::VectorXd residual;  // n
-};
-
 }  // namespace ballbar

@@ -22,7 +22,6 @@
 namespace ballbar {
 namespace {
 
-constexpr std::uint64_t kSeed = 1;
 constexpr const char* kLowLikelihoodRatio = "the evidence for it is weak";
 
 std::size_t free_parameters(const Term& term) {
@@ -84,14 +83,12 @@ void test_added(Inference& found, const std::vector<Term>& terms, const Series& 
     const FittedParameter& freed = fitted.parameters[found.problem->own[set.own - 1].parameter];
     result.freed = fmt::format("{} of {}", freed.name, freed.effect);
   }
-  // A surrogate lowers the RMSE of the model with the other effects, which is not the one reported.
-  const std::size_t surrogates = others.empty() || result.model.level == Level::recording ? kSurrogates : 0;
   const SetRegression at = set_regression(*found.problem, found.posterior, set);
   std::vector<std::size_t> places;  // in the fitted model
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const std::size_t m = member_of(found, set, bounds[t]);
     places.push_back(found.problem->model.terms.size() + m);
-    Candidate one = tested_member(found, set, fitted, at, m, surrogates, kSeed);
+    Candidate one = tested_member(found, set, fitted, at, m);
     one.label = label_of(terms[t]);
     relabel(one.parameters, one.parameters.front().effect, one.label);
     relabel(result.parameters, label_of(fitted.model.terms[places.back()]), one.label);
@@ -167,8 +164,6 @@ EffectTest effect_test_of(Inference& found, FittedModel before, FittedModel afte
   for (Candidate& one : result.added) {
     one.rmse_after_um = result.fit_after.rmse_um;
     changes.push_back("+ " + one.label);
-    if (std::isfinite(one.best_surrogate_fall) && !(result.after.best_surrogate_fall >= one.best_surrogate_fall))
-      result.after.best_surrogate_fall = one.best_surrogate_fall;
   }
   result.after.threshold = kLeastLikelihoodRatio * static_cast<double>(count);
   result.after.change = fmt::format("{}", fmt::join(changes, ", "));

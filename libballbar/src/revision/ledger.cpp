@@ -74,6 +74,11 @@ LedgerRow row_of(const Model& model, const Series& data, std::size_t target) {
   return row_of(fit(model, data, target), model, data, target);
 }
 
+bool is_of_axes(const LedgerRow& row) {
+  return row.level == Level::recording && std::isfinite(row.likelihood_ratio) &&
+         std::remainder(row.threshold, kLeastLikelihoodRatio) != 0.0;
+}
+
 std::string sentence(const LedgerRow& row, const LedgerRow* before) {
   const bool same = before != nullptr && before->target == row.target && before->data == row.data;
   const LedgerRow none{.rmse_um = LedgerRow::kUnknown};
@@ -90,20 +95,12 @@ std::string sentence(const LedgerRow& row, const LedgerRow* before) {
   }
   text += '.';
   if (std::isfinite(row.likelihood_ratio)) {
-    const bool of_errors = row.level == Level::recording && !std::isfinite(row.best_surrogate_fall);
-    text += fmt::format(" {} is {:.1f}", of_errors ? "chi^2" : "2 ln B", row.likelihood_ratio);
+    text += fmt::format(" {} is {:.1f}", is_of_axes(row) ? "chi^2" : "2 ln B", row.likelihood_ratio);
     if (std::isfinite(row.threshold)) text += fmt::format(" (threshold {:.1f})", row.threshold);
     text += '.';
   }
-  if (std::isfinite(row.best_surrogate_fall)) {
-    text += fmt::format(" A random curve lowers the RMSE by up to {:.0f} %.", 100.0 * row.best_surrogate_fall);
-  }
   if (std::isfinite(row.forecast_um) && row.revision > 0) {
-    text += fmt::format(" Forecast error {} um", change_text(from.forecast_um, row.forecast_um, um_text));
-    if (std::isfinite(row.surrogate_forecast_um)) {
-      text += fmt::format(", {} um with as many random curves", um_text(row.surrogate_forecast_um));
-    }
-    text += '.';
+    text += fmt::format(" Forecast error {} um.", change_text(from.forecast_um, row.forecast_um, um_text));
   }
   return text + needed_text(row.still_needed, "still needed") + needed_text(row.no_longer_needed, "no longer needed");
 }

@@ -70,6 +70,7 @@ Candidate candidate_of_error(const Model& model, std::size_t place, const Fit& a
   candidate.p_same_gain = Candidate::kUnknown;
   const RankedError* ranked = ranked_of(errors, term.effect.get());
   if (ranked == nullptr) {
+    candidate.threshold = Candidate::kUnknown;
     candidate.doubts.emplace_back("these readings do not show it");
     return candidate;
   }

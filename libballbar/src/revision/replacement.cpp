@@ -28,7 +28,6 @@ std::vector<Replacement> replacements(const Model& model, std::span<const std::s
     const Term& term = model.terms[t];
     if (!is_asked(term)) continue;
     DiagnosisOptions how = options;
-    how.surrogates = 0;
     how.fit_candidates = how.leave_out = false;
     Replacement one{t, label_of(term), 0.0, diagnose(model_without(model, t), data, target, how)};
     for (const EffectProbability& effect : one.without.effects) {

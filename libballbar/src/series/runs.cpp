@@ -119,20 +119,6 @@ Series rows_of(const Series& data, const RowRange& range) {
   return result;
 }
 
-std::vector<double> unrolled(std::span<const double> time_s) {
-  constexpr double kDay_s = 86400.0;
-  std::vector<double> result(time_s.begin(), time_s.end());
-  if (result.empty()) return result;
-  const auto [low, high] = std::minmax_element(time_s.begin(), time_s.end());
-  const double between_s = *high - *low + kDay_s;
-  double offset_s = 0.0;
-  for (std::size_t row = 0; row < result.size(); ++row) {
-    if (row > 0 && time_s[row] < time_s[row - 1]) offset_s += between_s;
-    result[row] += offset_s;
-  }
-  return result;
-}
-
 std::vector<double> one_after_another(std::span<const double> time_s) {
   std::vector<double> result(time_s.begin(), time_s.end());
   double offset_s = 0.0;

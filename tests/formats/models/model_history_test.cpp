@@ -42,7 +42,6 @@ LedgerRow change(std::string what) {
   row.held_out_um = 0.5;
   row.likelihood_ratio = -0.25;
   row.threshold = 25.0;
-  row.best_surrogate_fall = 0.27;
   row.verdict = "supported";
   row.still_needed = {"speed_heating(speed_rpm)"};
   row.no_longer_needed = {"linear_drift", "a \"quoted\" one"};
@@ -84,7 +83,6 @@ times_floor = 1.5
 held_out_um = 0.5
 likelihood_ratio = -0.25
 threshold = 25.0
-best_surrogate_fall = 0.27
 verdict = "supported"
 still_needed = ["speed_heating(speed_rpm)"]
 no_longer_needed = ["linear_drift", "a \"quoted\" one"]
@@ -121,10 +119,24 @@ TEST(model_history, read_back) {
   EXPECT_EQ(found.held_out_um, expected.held_out_um);
   EXPECT_EQ(found.likelihood_ratio, expected.likelihood_ratio);
   EXPECT_EQ(found.threshold, expected.threshold);
-  EXPECT_EQ(found.best_surrogate_fall, expected.best_surrogate_fall);
   EXPECT_EQ(found.verdict, expected.verdict);
   EXPECT_EQ(found.still_needed, expected.still_needed);
   EXPECT_EQ(found.no_longer_needed, expected.no_longer_needed);
+}
+
+// Figures that 0.2.0 wrote: they are read over, and stay in the rows where they stand.
+TEST(model_history, of_version_0_2_0) {
+  std::string text = once(kModel);
+  const std::string threshold = "threshold = 25.0\n";
+  text.insert(text.find(threshold) + threshold.size(), "best_surrogate_fall = 0.27\nsurrogate_forecast_um = 3.5\n");
+  const std::vector<LedgerRow> rows = read_ledger(text, "file");
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[1].threshold, 25.0);
+  EXPECT_EQ(rows[1].verdict, "supported");
+  EXPECT_EQ(without_last_revision(text, "file"), kModel);
+  const std::string more = with_revision(text, "file", {}, {}, start(), change("- x"));
+  EXPECT_TRUE(more.starts_with(text));
+  EXPECT_EQ(more.rfind("surrogate"), text.rfind("surrogate"));
 }
 
 TEST(model_history, taken_back_to_the_byte) {
@@ -187,11 +199,8 @@ TEST(model_history, edited_by_hand) {
       {"revision = 1", "revision = \"1\"", "file:28:12: expected an integer for revision, found the text \"1\"."},
       {"revision = 1", "revison = 1",
        "file:28:1: expected one of the keys revision, change, target, data, parameters, rmse_um, times_floor, "
-       "held_out_um, likelihood_ratio, threshold, best_surrogate_fall, "
-       "forecast_um, surrogate_forecast_um, discrepancy_um, verdict, "
-       "still_needed, no_longer_needed, "
-       "effects_before in "
-       "[[history]] 2, found \"revison\"; the nearest is revision."},
+       "held_out_um, likelihood_ratio, threshold, forecast_um, discrepancy_um, verdict, still_needed, "
+       "no_longer_needed, effects_before in [[history]] 2, found \"revison\"; the nearest is revision."},
       {"\"+ expansion(T_air_degC)\"", "\"start\"",
        "file:29:10: expected \"+ effect\", \"- effect\" or \"= parameter\", found \"start\"."},
       {"change = \"start\"", "change = \"begin\"", "file:20:10: expected \"start\", found \"begin\"."},

@@ -81,7 +81,7 @@ void expect_answer(const Diagnosis& found) {
 }
 
 Diagnosis answered(const Series& data, const Model& model = by_speed()) {
-  Diagnosis found = diagnose(model, data, 0, made::quick());
+  Diagnosis found = diagnose(model, data);
   expect_answer(found);
   return found;
 }
@@ -111,7 +111,7 @@ TEST(Degenerate, of_three_to_thirty_rows) {
 }
 
 TEST(Degenerate, of_fewer_rows_is_an_error) {
-  for (std::size_t n = 0; n < 3; ++n) EXPECT_THROW(diagnose(by_speed(), rows(n), 0, made::quick()), Error) << n;
+  for (std::size_t n = 0; n < 3; ++n) EXPECT_THROW(diagnose(by_speed(), rows(n)), Error) << n;
 }
 
 TEST(Degenerate, two_equal_columns) {
@@ -225,7 +225,7 @@ TEST(Degenerate, inputs_and_target_with_gaps) {
 TEST(Degenerate, a_target_without_values_is_an_error) {
   Series data = rows();
   fill(data, "z_um", kNaN);
-  EXPECT_THROW(diagnose(by_speed(), data, 0, made::quick()), Error);
+  EXPECT_THROW(diagnose(by_speed(), data), Error);
 }
 
 TEST(Degenerate, one_reading_far_from_the_others) {

@@ -18,13 +18,12 @@ namespace {
 using made::by_speed;
 using made::drift;
 using made::kRows;
-using made::quick;
 using made::values_of;
 
 TEST(Diagnosis, nothing_hidden_is_nothing) {
   int called = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    const Diagnosis found = diagnose(by_speed(), drift({0.0, seed}), 0, quick());
+    const Diagnosis found = diagnose(by_speed(), drift({0.0, seed}));
     called += found.verdict == Verdict::nothing ? 0 : 1;
     EXPECT_TRUE(found.named.empty()) << seed;
     EXPECT_TRUE(found.probable.empty()) << seed;
@@ -39,7 +38,7 @@ TEST(Diagnosis, nothing_hidden_is_nothing) {
 TEST(Diagnosis, is_what_its_numbers_say) {
   for (const double room_um_per_K : {0.1, 0.2, 0.3, 0.4, 0.6}) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      const Diagnosis found = diagnose(by_speed(), drift({room_um_per_K, seed, 300}), 0, quick());
+      const Diagnosis found = diagnose(by_speed(), drift({room_um_per_K, seed, 300}));
       const std::string what = std::to_string(room_um_per_K) + " " + std::to_string(seed);
       EXPECT_GE(found.p_nothing, 0.0) << what;
       EXPECT_LE(found.p_nothing + found.p_discrepancy, 1.0 + 1e-9) << what;
@@ -77,7 +76,7 @@ TEST(Diagnosis, is_what_its_numbers_say) {
 }
 
 TEST(Diagnosis, says_nothing_of_an_effect_that_is_not_searched) {
-  DiagnosisOptions options = quick();
+  DiagnosisOptions options;
   options.search.without = {"lagged_expansion"};
   const Diagnosis found = diagnose(by_speed(), drift({3.0, 1}), 0, options);
   const auto is_it = [](const auto& one) { return one.effect->name == "lagged_expansion"; };
@@ -91,7 +90,7 @@ TEST(Diagnosis, says_nothing_of_an_effect_that_is_not_searched) {
 
 TEST(Diagnosis, tells_what_it_does) {
   std::vector<std::string> steps;
-  DiagnosisOptions options = quick();
+  DiagnosisOptions options;
   options.search.progress = [&](std::string_view step) { steps.emplace_back(step); };
   const Diagnosis found = diagnose(by_speed(), drift({3.0, 1}), 0, options);
   ASSERT_GE(steps.size(), 2U);
@@ -107,7 +106,7 @@ TEST(Diagnosis, tells_what_it_does) {
 TEST(Diagnosis, intervals_of_gain_and_lag_hold_the_truth) {
   int outside = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const Diagnosis found = diagnose(by_speed(), drift({2.0, seed}), 0, quick());
+    const Diagnosis found = diagnose(by_speed(), drift({2.0, seed}));
     ASSERT_FALSE(found.candidates.empty()) << seed;
     const Candidate& best = found.candidates.front();
     ASSERT_EQ(best.label, "lagged_expansion(T_room_degC)") << seed;
@@ -128,9 +127,9 @@ TEST(Diagnosis, a_second_target_is_no_input) {
   for (double& value : second.values) value = 20.0 + 0.1 * value;
   data.columns.push_back(second);
   Model model = by_speed();
-  const Diagnosis as_input = diagnose(model, data, 0, quick());
+  const Diagnosis as_input = diagnose(model, data);
   model.targets.push_back("T_second_degC");
-  const Diagnosis as_target = diagnose(model, data, 0, quick());
+  const Diagnosis as_target = diagnose(model, data);
   const auto reads_it = [](const BoundEffect& bound) {
     return std::find(bound.columns.begin(), bound.columns.end(), "T_second_degC") != bound.columns.end();
   };
@@ -139,7 +138,7 @@ TEST(Diagnosis, a_second_target_is_no_input) {
   for (const EffectProbability& one : as_target.effects) EXPECT_FALSE(reads_it(one.bound));
   for (const Driver& driver : as_target.drivers) EXPECT_NE(driver.column, "T_second_degC");
   data.columns.pop_back();
-  const Diagnosis without = diagnose(by_speed(), data, 0, quick());
+  const Diagnosis without = diagnose(by_speed(), data);
   EXPECT_EQ(without.verdict, as_target.verdict);
   EXPECT_EQ(without.p_nothing, as_target.p_nothing);
   ASSERT_EQ(without.candidates.size(), as_target.candidates.size());
@@ -171,7 +170,7 @@ TEST(Diagnosis, too_few_values_are_untestable) {
 }
 
 TEST(Diagnosis, without_any_effect_to_search_is_untestable) {
-  DiagnosisOptions options = quick();
+  DiagnosisOptions options;
   options.search.catalogue.clear();
   EXPECT_EQ(diagnose(by_speed(), drift({3.0, 4}), 0, options).verdict, Verdict::untestable);
 }

@@ -70,13 +70,6 @@ inline Model by_speed() {
   return model;
 }
 
-// Few surrogates: a verdict takes a tenth of a second less.
-inline DiagnosisOptions quick() {
-  DiagnosisOptions options;
-  options.surrogates = 20;
-  return options;
-}
-
 inline std::vector<std::string> labels_of(const std::vector<BoundEffect>& bounds) {
   std::vector<std::string> labels;
   for (const BoundEffect& bound : bounds) labels.push_back(label_of(bound));

@@ -110,7 +110,6 @@ Model by_room() {
 DiagnosisOptions quick(const Catalogue& catalogue) {
   DiagnosisOptions options;
   options.search.catalogue = catalogue;
-  options.surrogates = 100;
   return options;
 }
 

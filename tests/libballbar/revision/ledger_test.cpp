@@ -58,13 +58,26 @@ TEST(Ledger, sentence_of_an_addition) {
   LedgerRow after = row(2, "+ lagged_expansion(T16_degC)", 3.1, 1.0, 3.9);
   after.likelihood_ratio = 431.23;
   after.threshold = 25.0;
-  after.best_surrogate_fall = 0.271;
   after.still_needed = {"speed_heating(speed_rpm)"};
   EXPECT_EQ(
       sentence(after, &before),
       "Revision 2 added lagged_expansion(T16_degC). RMSE 12.3 -> 3.10 um (14.0 -> 1.00 times the noise), left-out "
-      "cycles 14.0 -> 3.90 um. 2 ln B is 431.2 (threshold 25.0). A random curve lowers the RMSE by up to 27 %. "
+      "cycles 14.0 -> 3.90 um. 2 ln B is 431.2 (threshold 25.0). "
       "speed_heating(speed_rpm) is still needed.");
+}
+
+// Of errors of the axes the threshold is a quantile of chi^2, of other effects 10 each.
+TEST(Ledger, sentence_of_an_addition_on_recordings) {
+  LedgerRow after = row(1, "+ backlash_a", 0.2, 1.0, 0.3);
+  after.level = Level::recording;
+  after.likelihood_ratio = 927.2;
+  const std::string begin =
+      "Revision 1 added backlash_a. RMSE 0.200 um (1.00 times the noise), left-out recordings 0.300 um.";
+  EXPECT_EQ(sentence(after, nullptr), begin + " chi^2 is 927.2.");
+  after.threshold = 14.3;
+  EXPECT_EQ(sentence(after, nullptr), begin + " chi^2 is 927.2 (threshold 14.3).");
+  after.threshold = 20.0;
+  EXPECT_EQ(sentence(after, nullptr), begin + " 2 ln B is 927.2 (threshold 20.0).");
 }
 
 TEST(Ledger, sentence_of_effects_taken_out) {

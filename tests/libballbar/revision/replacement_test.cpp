@@ -14,7 +14,7 @@ TEST(Replacement, names_what_an_effect_stood_in_for) {
   Model model = made::by_speed();
   model.terms.push_back(term_of("expansion", {"T_bearing_degC"}));
   const std::size_t added[] = {1};
-  const std::vector<Replacement> found = replacements(model, added, data, 0, made::quick());
+  const std::vector<Replacement> found = replacements(model, added, data, 0, {});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found.front().term, 1U);
   EXPECT_EQ(found.front().label, "expansion(T_bearing_degC)");
@@ -27,8 +27,8 @@ TEST(Replacement, leaves_what_is_there) {
   Model model = made::by_speed();
   model.terms.push_back(term_of("lagged_expansion", {"T_room_degC"}));
   const std::size_t all[] = {0, 1};
-  for (const Replacement& one : replacements(model, all, data, 0, made::quick())) ADD_FAILURE() << one.label;
-  EXPECT_TRUE(replacements(model, {}, data, 0, made::quick()).empty());
+  for (const Replacement& one : replacements(model, all, data, 0, {})) ADD_FAILURE() << one.label;
+  EXPECT_TRUE(replacements(model, {}, data, 0, {}).empty());
 }
 
 }  // namespace

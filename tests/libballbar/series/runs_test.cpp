@@ -28,14 +28,6 @@ TEST(runs, begin_where_time_falls) {
   EXPECT_TRUE(runs_of({}).empty());
 }
 
-TEST(runs, unrolled_time_rises) {
-  const std::vector<double> time_s{10.0, 20.0, 0.0, 5.0};
-  const std::vector<double> all = unrolled(time_s);
-  EXPECT_EQ(all[1], 20.0);
-  EXPECT_EQ(all[2], 20.0 + 86400.0);  // 0 + (20 - 0) + a day
-  EXPECT_EQ(all[3] - all[2], 5.0);
-}
-
 TEST(runs, stacked_from_zero_each_with_its_name) {
   Series second = run_of({0.0, 300.0, 400.0}, 1000.0);
   second.columns.push_back({"T_oil_degC", Role::coolant, {20.0, 20.0, 20.0}});

@@ -23,10 +23,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 Stage judged_stage(const verdicts::Bench& bench, const Joined& joined, Diagnosis& found) {
   Stage stage;
-  DiagnosisOptions options;
-  options.search.seed = bench.made.seed;
   const auto start = std::chrono::steady_clock::now();
-  found = diagnose(joined.model, joined.data, 0, options);
+  found = diagnose(joined.model, joined.data);
   stage.diagnosis_s = seconds_since(start);
   stage.said = verdicts::said_of(found);
   stage.said.took_s = stage.diagnosis_s;

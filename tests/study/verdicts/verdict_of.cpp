@@ -46,7 +46,6 @@ std::string_view name_of(Word word) {
 
 Said verdict_of(const Made& made) {
   DiagnosisOptions options;
-  options.search.seed = made.seed;
   options.search.without = made.without;
   const auto start = std::chrono::steady_clock::now();
   const Diagnosis found = diagnose(made.model, made.data, 0, options);

@@ -2,11 +2,11 @@
 import { candidate_table, posterior_table } from "./diagnosis_tables";
 import { candidates_picture } from "./candidates";
 import { coherence_picture } from "./coherence";
-import { ledger_steps, no_evidence_of_several, not_known, type Step } from "./steps";
+import { ledger_steps, not_known, type Step } from "./steps";
 import type { Next, Picture, Section } from "../picture";
 import { command_of, data_files, model_options } from "../drawing/command";
 import { best_set, set_name } from "./ranking";
-import type { Candidate, Checked, Diagnosed, Num, Report } from "../report";
+import type { Checked, Diagnosed, Num, Report } from "../report";
 import { plain } from "../drawing/text";
 import { plain_name } from "../machine_errors/error_names";
 import { shown } from "../drawing/theme";
@@ -69,10 +69,6 @@ const history_of = (report: Report, found: Diagnosed): { steps: Step[]; last_um:
   return Math.abs(last_um - found.rmse_um) <= 0.01 * found.rmse_um ? { steps, last_um: null } : { steps: [], last_um };
 };
 
-// Of those that were tried; 0: nothing is known to fall.
-const best_surrogate_fall = (best: readonly Candidate[]): Num =>
-  Math.max(0, ...best.map((candidate) => candidate.best_surrogate_fall ?? 0)) || null;
-
 // From the model as it is, with its history where a ledger leads to it, to the set that is drawn.
 const fall_steps = (found: Diagnosed, history: readonly Step[]): Step[] => {
   const best = best_set(found);
@@ -83,7 +79,6 @@ const fall_steps = (found: Diagnosed, history: readonly Step[]): Step[] => {
     rmse_um: found.rmse_um,
     from_um: null,
     floor_um: found.floor_um,
-    surrogate_fall: null,
     held_out_um: best.length === 1 ? (best[0]?.held_out_before_um ?? null) : null,
     proposed: false,
   };
@@ -95,8 +90,6 @@ const fall_steps = (found: Diagnosed, history: readonly Step[]): Step[] => {
       rmse_um: found.rmse_after_um,
       from_um: found.rmse_um,
       floor_um: found.floor_um,
-      // A surrogate stands in the place of one effect, beside the others: of several, its fall does not begin here.
-      surrogate_fall: best.length === 1 ? best_surrogate_fall(best) : null,
       held_out_um: all_equal(left_out) ? (left_out[0] ?? null) : null,
       proposed: true,
     },
@@ -110,8 +103,6 @@ const fall_picture = (report: Report, found: Diagnosed, name: string): Picture[]
   if (steps.length < 2) return [];
   const effects = best_set(found).length;
   const accepted = set_name(found) !== "closest";
-  const first =
-    effects > 1 ? no_evidence_of_several(effects, best_surrogate_fall(best_set(found))) : t.diagnosis_no_evidence;
   const hollow = accepted ? t.diagnosis_fall_hollow : t.diagnosis_fall_closest;
   const left_out =
     history.last_um === null
@@ -123,9 +114,9 @@ const fall_picture = (report: Report, found: Diagnosed, name: string): Picture[]
       title: effects > 0 && !accepted ? t.diagnosis_fall_title_closest : t.diagnosis_fall_title,
       caption: t.diagnosis_falling,
       about: [
-        first,
+        t.diagnosis_no_evidence,
         effects === 0 ? t.diagnosis_fall_none : hollow,
-        ...not_known(steps, effects <= 1),
+        ...not_known(steps),
         ...left_out,
       ].join(" "),
       steps,

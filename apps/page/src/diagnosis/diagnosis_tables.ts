@@ -2,7 +2,7 @@
 // curve in the picture of the candidates, where there is one.
 import type { TextTable } from "../picture";
 import { type Ranked, ranked_candidates, set_name } from "./ranking";
-import type { Candidate, Diagnosed, Num } from "../report";
+import type { Diagnosed, Num } from "../report";
 import { rounded, shown, with_sigma } from "../drawing/theme";
 import { t } from "../texts/texts";
 import { typed_name } from "../machine_errors/error_names";
@@ -14,10 +14,6 @@ const decimals_of = (rmse_um: Num): number =>
 
 const change = (before: Num, after: Num, decimals: number): string =>
   `${shown(before, decimals)} → ${shown(after, decimals)}`;
-
-// Surrogates are tried against the effects of the best set, where they can be.
-const surrogates_text = ({ beats_surrogates, in_best_set }: Candidate): string =>
-  beats_surrogates === null ? (in_best_set ? t.diagnosis_not_tested : "–") : beats_surrogates ? t.yes : t.no;
 
 const kMost_numbers = 6; // numbers in a cell
 
@@ -43,10 +39,10 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
   const star = named === null ? [] : [named === "best" ? t.diagnosis_star_best : t.diagnosis_star_closest];
   return {
     title: t.diagnosis_candidates,
-    about: [...star, t.diagnosis_columns({ left_out, surrogates: named !== null })].join(" "),
+    about: [...star, t.diagnosis_columns({ left_out })].join(" "),
     heading: [
       t.diagnosis_no, t.diagnosis_one_candidate, t.diagnosis_amplitude, "P", "2 ln B", t.diagnosis_rmse,
-      t.diagnosis_held_out, t.diagnosis_beats, t.diagnosis_inseparable,
+      t.diagnosis_held_out, t.diagnosis_inseparable,
     ],
     rows: ranked.map((one, k) => {
       const c = one.candidate;
@@ -59,7 +55,6 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
         shown(c.rmse_after_um, decimals + 1),
         // Of the others nothing is left out.
         c.in_best_set ? change(c.held_out_before_um, c.held_out_after_um, decimals) : "–",
-        surrogates_text(c),
         inseparable_text(one, ranked),
       ];
     }),

@@ -1,5 +1,5 @@
-// Of a ledger that knows forecasts, over its revisions: the error on the rows that were fitted, of rows forecast from
-// earlier ones alone, and of these with a surrogate in the place of the revision's effect.
+// Of a ledger that knows forecasts, over its revisions: the error on the rows that were fitted, and of rows forecast
+// from earlier ones alone.
 import { curve, type Dash, type Point } from "../drawing/curve";
 import { curves_base } from "../drawing/hover";
 import { kBottom_px, kLeft_px, kRight_px, top_px, x_axis } from "../drawing/axes";
@@ -11,21 +11,19 @@ import type { LedgerPart, LedgerRow, Num } from "../report";
 import { named, t } from "../texts/texts";
 
 interface Figure extends Toggle {
-  key: "rmse_um" | "forecast_um" | "surrogate_forecast_um";
+  key: "rmse_um" | "forecast_um";
   dash: Dash;
   symbol: string;
 }
-const figure = (key: Figure["key"], label: string, k: number, mark: "line" | "dashed" | "dotted", symbol: string): Figure => ({
+const figure = (key: Figure["key"], label: string, k: number, mark: "line" | "dotted", symbol: string): Figure => ({
   ...toggle(key, label, k, mark),
   key,
   dash: mark === "line" ? "solid" : mark,
   symbol,
 });
-// Colour and dashes of a surrogate as in the waterfall.
 const figures_of_language = (): Figure[] => [
   figure("rmse_um", t.diagnosis_rows_fitted, 0, "dotted", "circle"),
   figure("forecast_um", t.diagnosis_forecasts_curve, 2, "line", "diamond"),
-  figure("surrogate_forecast_um", t.diagnosis_forecasts_surrogate, 1, "dashed", "triangle"),
 ];
 
 const known = (row: LedgerRow, key: Figure["key"] | "discrepancy_um"): Num => row[key] ?? null;

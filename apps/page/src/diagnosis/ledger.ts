@@ -2,7 +2,7 @@
 import { ledger_steps, not_known, targets_of } from "./steps";
 import { forecast_curves, has_forecasts } from "./forecast_curves";
 import type { Picture, Section, TextTable } from "../picture";
-import type { LedgerPart, LedgerRow, Num, Report } from "../report";
+import type { LedgerPart, Report } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { waterfall } from "./waterfall";
@@ -10,10 +10,9 @@ import { english, named, t } from "../texts/texts";
 
 // Figures that only some ledgers have, and what the title says of them: none that no row has, for they only take room.
 interface Figure {
-  key: "likelihood_ratio" | "threshold" | "best_surrogate_fall" | "forecast_um" | "surrogate_forecast_um" | "discrepancy_um";
+  key: "likelihood_ratio" | "threshold" | "forecast_um" | "discrepancy_um";
   name: () => string;
   decimals: number;
-  percent?: boolean; // of a share
   about?: () => string;
 }
 const figures: Figure[] = [
@@ -24,20 +23,7 @@ const figures: Figure[] = [
     about: () => t.diagnosis_likelihood_about,
   },
   { key: "threshold", name: () => t.diagnosis_counts_from, decimals: 1 },
-  {
-    key: "best_surrogate_fall",
-    name: () => t.diagnosis_surrogate_fall,
-    decimals: 0,
-    percent: true,
-    about: () => t.diagnosis_surrogate_fall_about,
-  },
   { key: "forecast_um", name: () => t.diagnosis_forecasts, decimals: 3, about: () => t.diagnosis_forecasts_about },
-  {
-    key: "surrogate_forecast_um",
-    name: () => t.diagnosis_with_surrogate,
-    decimals: 3,
-    about: () => t.diagnosis_with_surrogate_about,
-  },
   {
     key: "discrepancy_um",
     name: () => t.diagnosis_slow_curve,
@@ -48,7 +34,6 @@ const figures: Figure[] = [
 
 const table_of = ({ rows }: LedgerPart, several: boolean): TextTable => {
   const present = figures.filter(({ key }) => rows.some((row) => typeof row[key] === "number"));
-  const figure = (value: Num | undefined, percent = false): Num => (typeof value === "number" ? (percent ? 100 : 1) * value : null);
   return {
     title: t.diagnosis_revisions,
     about: present.flatMap(({ about }) => (about ? [about()] : [])).join(" "),
@@ -65,35 +50,30 @@ const table_of = ({ rows }: LedgerPart, several: boolean): TextTable => {
       shown(row.rmse_um, 3),
       shown(row.times_floor, 2),
       shown(row.held_out_um, 3),
-      ...present.map(({ key, decimals, percent }) => shown(figure(row[key], percent), decimals)),
+      ...present.map(({ key, decimals }) => shown(row[key], decimals)),
       named(t.verdicts, row.verdict),
     ]),
   };
 };
 
-const has_surrogate_falls = (rows: readonly LedgerRow[]): boolean =>
-  rows.some((row) => typeof row.best_surrogate_fall === "number");
-
 const falls = (ledger: LedgerPart, target: string, name: string): Picture => {
   const steps = ledger_steps(ledger, target);
-  const rows = ledger.rows.filter((row) => row.target === target);
-  const untold = rows.some((row, i) => typeof row.best_surrogate_fall === "number" && steps[i]?.surrogate_fall === null);
-  const several = untold ? [t.diagnosis_several_added] : [];
   return waterfall({
     name,
     title: t.diagnosis_error_title({ target: plain(target, 60) }),
     caption: t.diagnosis_falling,
-    about: [t.diagnosis_no_evidence, ...several, ...not_known(steps, !untold)].join(" "),
+    about: [t.diagnosis_no_evidence, ...not_known(steps)].join(" "),
     steps,
   });
 };
 
-// The falls, and the forecasts of a grown model, whose surrogates stand beside these and not beside the falls.
+// The falls, and the forecasts of a grown model, which say more than its falls where nothing was tested.
 const pictures_of = (ledger: LedgerPart, target: string, number: string): Picture[] => {
   const rows = ledger.rows.filter((row) => row.target === target);
   const forecasts = has_forecasts(rows);
+  const tested = rows.some((row) => typeof row.likelihood_ratio === "number");
   return [
-    ...(forecasts && !has_surrogate_falls(rows) ? [] : [falls(ledger, target, `ledger${number}`)]),
+    ...(forecasts && !tested ? [] : [falls(ledger, target, `ledger${number}`)]),
     ...(forecasts ? [forecast_curves(ledger, target, `ledger-forecasts${number}`)] : []),
   ];
 };

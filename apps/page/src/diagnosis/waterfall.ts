@@ -1,22 +1,18 @@
-// The marks of a step of a waterfall, drawn by hand: its bar, the fall from the step before, the best surrogate and the
-// floor.
+// The marks of a step of a waterfall, drawn by hand: its bar, the fall from the step before, and the floor.
 import type { Look, Numbers, Picture, State, Toggle } from "../picture";
-import { type Step, surrogate_um } from "./steps";
+import type { Step } from "./steps";
 import { axis, base, colours, font, legend, rounded, shown, toggle, tooltip } from "../drawing/theme";
 import { t } from "../texts/texts";
 import { kLeft_px, kRight_px, round_up, top_px } from "../drawing/axes";
 import type { Num } from "../report";
 import { plain } from "../drawing/text";
 
-// Parts of the place of a step: of the bar, and of the marks over it.
-export const kBar = 0.56;
-const kMark = 0.8;
+export const kBar = 0.56; // part of the place of a step
 export const kRoomy_px = 110; // place of a step from which its name is written below it
 
 const step_toggles = () => ({
   rmse: toggle("rmse", "RMSE", 0, "bar"),
   fall: toggle("fall", t.diagnosis_fall_from, (dark) => colours(dark).faint, "band"),
-  surrogate: toggle("surrogate", t.diagnosis_best_surrogate, 1, "dashed"),
   floor: toggle("floor", t.floor, 2, "dotted"),
   held_out: toggle("held_out", t.diagnosis_left_out, 3, "dot"),
 });
@@ -52,10 +48,10 @@ export const bar = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
   const colour = step_toggles().rmse.colour(look.dark);
   const shape = rectangle(api, k, 0, step.rmse_um);
   const { y: top, height } = shape;
-  // Within the bar where it fits, clear of the lines of surrogate and floor.
-  const lines_px = [surrogate_um(step), step.floor_um].flatMap((level) => (level === null ? [] : [api.coord([k, level])[1]]));
+  // Within the bar where it fits, clear of the line of the floor.
+  const line = step.floor_um === null ? -Infinity : api.coord([k, step.floor_um])[1];
   const within = height > 28;
-  const y = [top + 14, top + height / 2, top + height - 12].find((at) => lines_px.every((line) => Math.abs(line - at) > 12));
+  const y = [top + 14, top + height / 2, top + height - 12].find((at) => Math.abs(line - at) > 12);
   const style = step.proposed
     ? { fill: with_alpha(colour, 0.16), stroke: colour, lineWidth: 1.5, lineDash: [6, 4] }
     : { fill: colour };
@@ -92,34 +88,6 @@ export const fall = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
   ];
 };
 
-export const surrogate = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
-  const level = surrogate_um(step);
-  if (level === null) return [];
-  const colour = step_toggles().surrogate.colour(look.dark);
-  const { left, right, width } = place(api, k, kMark);
-  const y = api.coord([k, level])[1];
-  return [
-    { type: "line", shape: { x1: left, y1: y, x2: right, y2: y }, style: { stroke: colour, lineWidth: 2.5, lineDash: [6, 4] } },
-    ...(width < kRoomy_px * kMark
-      ? []
-      : [{
-          type: "text",
-          silent: true,
-          style: {
-            text: t.diagnosis_surrogate_percent({ percent: shown(100 * (step.surrogate_fall ?? 0), 0) }),
-            x: right,
-            y: y - 4,
-            align: "right",
-            verticalAlign: "bottom",
-            font: `12px ${font}`,
-            fill: colours(look.dark).ink,
-            stroke: colours(look.dark).paper,
-            lineWidth: 3,
-          },
-        }]),
-  ];
-};
-
 export const floor = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
   if (step.floor_um === null) return [];
   const { left, right } = place(api, k, 1);
@@ -128,8 +96,7 @@ export const floor = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
   return [{ type: "line", shape: { x1: left, y1: y, x2: right, y2: y }, style: line }];
 };
 
-// How far the error falls from step to step, and beside every fall what a surrogate effect would have bought: a falling
-// error proves fit, not cause.
+// How far the error falls from step to step: a falling error proves fit, not cause.
 
 export interface Fall {
   name: string;
@@ -146,7 +113,6 @@ const present = (steps: readonly Step[]): Toggle[] => {
   return [
     toggles.rmse,
     ...(some((step) => step.from_um) ? [toggles.fall] : []),
-    ...(some(surrogate_um) ? [toggles.surrogate] : []),
     ...(some((step) => step.floor_um) ? [toggles.floor] : []),
     ...(some((step) => step.held_out_um) ? [toggles.held_out] : []),
   ];
@@ -154,11 +120,9 @@ const present = (steps: readonly Step[]): Toggle[] => {
 
 const step_text = (step: Step): string => {
   const row = (what: string, value: Num): string[] => (value === null ? [] : [`${what} ${shown(value, 3)} µm`]);
-  const percent = step.surrogate_fall === null ? "" : shown(100 * step.surrogate_fall, 0);
   return [
     plain(step.label, 60),
     ...row("RMSE", step.rmse_um),
-    ...row(t.diagnosis_surrogate_percent_of({ percent }), surrogate_um(step)),
     ...row(t.floor, step.floor_um),
     ...row(t.diagnosis_left_out, step.held_out_um),
   ].join("\n");
@@ -169,7 +133,7 @@ const drawing = ({ steps }: Fall, state: State): Record<string, unknown> => {
   const c = colours(look.dark);
   const toggles = step_toggles();
   const place_px = (look.width_px - 84) / Math.max(1, steps.length);
-  const levels = steps.flatMap((step) => [step.rmse_um, step.held_out_um, step.floor_um, surrogate_um(step)]);
+  const levels = steps.flatMap((step) => [step.rmse_um, step.held_out_um, step.floor_um]);
   const most = Math.max(1e-9, ...levels.map((level) => level ?? 0));
   const letters = Math.max(0, ...steps.map((step) => step.label.length));
   const lines = place_px > kRoomy_px ? Math.min(4, Math.ceil((7 * letters) / (place_px - 24))) : 1;
@@ -228,7 +192,6 @@ const drawing = ({ steps }: Fall, state: State): Record<string, unknown> => {
       ...by_hand(toggles.fall, fall, 1),
       ...by_hand(toggles.rmse, bar, 2),
       ...by_hand(toggles.floor, floor, 3),
-      ...by_hand(toggles.surrogate, surrogate, 4),
       ...(hidden.has(toggles.held_out.key)
         ? []
         : [{
@@ -240,7 +203,7 @@ const drawing = ({ steps }: Fall, state: State): Record<string, unknown> => {
             symbolOffset: [(-kBar / 2) * place_px, 0], // on the left edge of the bar, clear of its value
             itemStyle: { borderColor: c.paper, borderWidth: 1.5 },
             data: steps.map((step, k) => [k, step.held_out_um]),
-            z: 5,
+            z: 4,
           }]),
     ],
   };
@@ -251,7 +214,6 @@ const numbers = ({ steps }: Fall): Numbers => ({
     { name: "step", values: steps.map((_, k) => k) },
     { name: "what", values: steps.map((step) => step.label) },
     { name: "rmse_um", values: steps.map((step) => step.rmse_um) },
-    { name: "best_surrogate_um", values: steps.map(surrogate_um) },
     { name: "floor_um", values: steps.map((step) => step.floor_um) },
     { name: "left_out_um", values: steps.map((step) => step.held_out_um) },
   ],

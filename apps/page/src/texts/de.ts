@@ -491,7 +491,7 @@ export const de: Texts = {
   diagnosis_star_closest:
     "* die nächstliegende Gruppe des Katalogs, nicht angenommen, jeder zusammen mit den anderen angepasst.",
   diagnosis_columns:
-    ({ left_out, surrogates }) => `P: Wahrscheinlichkeit, dass der Effekt fehlt. 2 ln B: 10 heißt, dass die Messwerte mit dem Effekt 150-mal so wahrscheinlich sind. RMSE: Restfehler mit dem Effekt. Ausgelassen: Fehler in ${left_out}, die der Fit nicht verwendet, ohne und mit dem Effekt. ${surrogates ? "Zufallskurven treten gegen die mit * an. " : ""}Zu verwechseln mit: Zeilen, und Effekte ohne Zeile.`,
+    ({ left_out }) => `P: Wahrscheinlichkeit, dass der Effekt fehlt. 2 ln B: 10 heißt, dass die Messwerte mit dem Effekt 150-mal so wahrscheinlich sind. RMSE: Restfehler mit dem Effekt. Ausgelassen: Fehler in ${left_out}, die der Fit nicht verwendet, ohne und mit dem Effekt. Zu verwechseln mit: Zeilen, und Effekte ohne Zeile.`,
   diagnosis_left_out_recordings: "Messläufe, oder Viertel davon,",
   diagnosis_left_out_cycles: "Zyklen",
   diagnosis_no: "Nr.",
@@ -499,9 +499,7 @@ export const de: Texts = {
   diagnosis_amplitude: "Amplitude, µm",
   diagnosis_rmse: "RMSE, µm",
   diagnosis_held_out: "ausgelassen, µm",
-  diagnosis_beats: "schlägt Surrogate",
   diagnosis_inseparable: "zu verwechseln mit",
-  diagnosis_not_tested: "nicht geprüft",
   diagnosis_more: ({ more }) => `${more} weitere`,
   diagnosis_coherence_title: "Welche Effekte verwechselt werden können",
   diagnosis_coherence_caption:
@@ -518,13 +516,9 @@ export const de: Texts = {
   diagnosis_best_short: "beste Gruppe",
   diagnosis_closest_short: "nicht angenommen",
   diagnosis_falling: "Der Fehler von Schritt zu Schritt. Ein Abfall allein beweist nichts.",
-  diagnosis_no_evidence:
-    "Auch eine gleich glatte Zufallskurve ohne Ursache senkt den Fehler. Die Linie des besten Surrogats zeigt, um wie viel. Es zählt P, nicht der Abfall.",
-  diagnosis_no_evidence_of_several:
-    ({ effects, percent }) => `Auch eine gleich glatte Zufallskurve ohne Ursache senkt den Fehler. Ein solches Surrogat ersetzte einen der ${effects} Effekte, neben den anderen${percent === "" ? "" : `, und senkte den RMSE, den sie übrig lassen, um bis zu ${percent} %`}. Der RMSE, den sie übrig lassen, ist nicht bekannt, daher ist keine Linie gezeichnet.`,
+  diagnosis_no_evidence: "Es zählen P und 2 ln B, nicht der Abfall.",
   diagnosis_not_known: ({ missing }) => `Nicht bekannt: ${missing}.`,
   diagnosis_the_floor: "das Rauschen",
-  diagnosis_the_surrogate: "der Gewinn einer Zufallskurve",
   diagnosis_the_left_out: "der Fehler ausgelassener Daten",
   diagnosis_fall_none: "Kein Effekt wurde gefunden.",
   diagnosis_fall_hollow:
@@ -537,10 +531,6 @@ export const de: Texts = {
   diagnosis_fall_title_closest:
     "Wie weit der Fehler mit der nächstliegenden Gruppe des Katalogs sänke, nicht angenommen",
   diagnosis_fall_from: "Abfall gegenüber dem Schritt davor",
-  diagnosis_best_surrogate: "bestes Surrogat",
-  diagnosis_surrogate_percent: ({ percent }) => `bestes Surrogat −${percent} %`,
-  diagnosis_surrogate_percent_of:
-    ({ percent }) => percent === "" ? "bestes Surrogat" : `bestes Surrogat −${percent} %:`,
   diagnosis_left_out: "ausgelassen",
   diagnosis_posterior_title: "P für jedes, von 0 bis 1. Mehrere können zugleich wahr sein.",
   diagnosis_what: "was",
@@ -564,21 +554,15 @@ export const de: Texts = {
   diagnosis_likelihood_about:
     "2 ln B: 10 heißt, dass die Messwerte mit der Änderung 150-mal so wahrscheinlich sind; bei Achsfehlern chi².",
   diagnosis_counts_from: "Schwelle",
-  diagnosis_surrogate_fall: "Abfall des besten Surrogats, %",
-  diagnosis_surrogate_fall_about: "Der Abfall des besten Surrogats bezieht sich auf den RMSE.",
   diagnosis_forecasts: "Vorhersagen, µm",
   diagnosis_forecasts_about: "Vorhersagen: RMSE von Zeilen, die nur aus früheren vorhergesagt sind.",
-  diagnosis_with_surrogate: "mit Surrogat, µm",
-  diagnosis_with_surrogate_about: "Mit Surrogat: dasselbe mit einem Surrogat anstelle des Effekts.",
   diagnosis_slow_curve: "langsame Kurve, µm",
   diagnosis_slow_curve_about:
     "Langsame Kurve: Standardabweichung der verbleibenden Diskrepanz. Antrieb bekannt: Der Antrieb ist bekannt, die Form empirisch. Empirisch: Es sagt voraus, ohne bekannte Ursache.",
-  diagnosis_several_added: "Wo mehrere Effekte zugleich hinzukamen, ist die Linie des Surrogats nicht bekannt.",
   diagnosis_error_title: ({ target }) => `Fehler von ${target} von Revision zu Revision`,
   diagnosis_honest: "Ein kleinerer Fehler ist nur echt, wenn auch die Vorhersagen besser werden.",
   diagnosis_rows_fitted: "angepasste Zeilen",
   diagnosis_forecasts_curve: "Vorhersagen",
-  diagnosis_forecasts_surrogate: "Vorhersagen mit Surrogat",
   diagnosis_forecasts_title: ({ target }) => `Fehler und Vorhersagen von ${target} von Revision zu Revision`,
   verdicts: {
     named: "benannt",
@@ -855,10 +839,8 @@ export const de: Texts = {
     verdict: "Befund",
     step: "Schritt",
     floor: "Rauschen",
-    best_surrogate: "bestes Surrogat",
     left_out: "ausgelassen",
     forecast: "Vorhersage",
-    surrogate_forecast: "Vorhersage mit Surrogat",
     discrepancy: "Diskrepanz",
     batch: "Los",
     weight: "Gewicht",

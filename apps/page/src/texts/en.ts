@@ -495,7 +495,7 @@ export const en = {
   diagnosis_star_best: "* the best set, each fitted together with the others.",
   diagnosis_star_closest: "* the closest set of the catalogue, not accepted, each fitted together with the others.",
   diagnosis_columns:
-    ({ left_out, surrogates }: { left_out: string; surrogates: boolean }) => `P: probability that the effect is missing. 2 ln B: 10 means that the readings are 150 times as likely with the effect. RMSE: remaining error with the effect. Left out: error in ${left_out} that the fit did not use, without and with the effect. ${surrogates ? "Random curves compete with those marked *. " : ""}Confused with: rows, and effects without a row.`,
+    ({ left_out }: { left_out: string }) => `P: probability that the effect is missing. 2 ln B: 10 means that the readings are 150 times as likely with the effect. RMSE: remaining error with the effect. Left out: error in ${left_out} that the fit did not use, without and with the effect. Confused with: rows, and effects without a row.`,
   diagnosis_left_out_recordings: "recordings, or quarters of their sweeps,",
   diagnosis_left_out_cycles: "cycles",
   diagnosis_no: "no.",
@@ -503,9 +503,7 @@ export const en = {
   diagnosis_amplitude: "amplitude, µm",
   diagnosis_rmse: "RMSE, µm",
   diagnosis_held_out: "left out, µm",
-  diagnosis_beats: "beats surrogates",
   diagnosis_inseparable: "confused with",
-  diagnosis_not_tested: "not tested",
   diagnosis_more: ({ more }: { more: number }) => `${more} more`,
   diagnosis_coherence_title: "Which effects may be confused",
   diagnosis_coherence_caption:
@@ -522,13 +520,9 @@ export const en = {
   diagnosis_best_short: "best set",
   diagnosis_closest_short: "not accepted",
   diagnosis_falling: "Error from step to step. A fall alone proves nothing.",
-  diagnosis_no_evidence:
-    "An equally smooth random curve without a cause lowers the error too. The line of the best surrogate shows by how much. Judge by P, not by the fall.",
-  diagnosis_no_evidence_of_several:
-    ({ effects, percent }: { effects: number; percent: string }) => `An equally smooth random curve without a cause lowers the error too. Such a surrogate replaced one of the ${effects} effects, beside the others${percent === "" ? "" : `, and lowered the RMSE that they leave by up to ${percent} %`}. The RMSE that they leave is not known, so no line is drawn.`,
+  diagnosis_no_evidence: "Judge by P and 2 ln B, not by the fall.",
   diagnosis_not_known: ({ missing }: { missing: string }) => `Not known: ${missing}.`,
   diagnosis_the_floor: "the noise",
-  diagnosis_the_surrogate: "the gain of a random curve",
   diagnosis_the_left_out: "the error of left-out data",
   diagnosis_fall_none: "No effect was found.",
   diagnosis_fall_hollow:
@@ -540,10 +534,6 @@ export const en = {
   diagnosis_fall_title: "How far the error falls",
   diagnosis_fall_title_closest: "How far the error would fall with the closest set of the catalogue, not accepted",
   diagnosis_fall_from: "fall from the step before",
-  diagnosis_best_surrogate: "the best surrogate",
-  diagnosis_surrogate_percent: ({ percent }: { percent: string }) => `best surrogate −${percent} %`,
-  diagnosis_surrogate_percent_of:
-    ({ percent }: { percent: string }) => percent === "" ? "best surrogate" : `best surrogate −${percent} %:`,
   diagnosis_left_out: "left out",
   diagnosis_posterior_title: "P of each, from 0 to 1. Several may be true at once.",
   diagnosis_what: "what",
@@ -567,21 +557,15 @@ export const en = {
   diagnosis_likelihood_about:
     "2 ln B: 10 means that the readings are 150 times as likely with the change; of errors of axes, chi².",
   diagnosis_counts_from: "threshold",
-  diagnosis_surrogate_fall: "best surrogate's fall, %",
-  diagnosis_surrogate_fall_about: "The fall of the best surrogate is in the RMSE.",
   diagnosis_forecasts: "forecasts, µm",
   diagnosis_forecasts_about: "Forecasts: RMSE of rows that are forecast from earlier rows alone.",
-  diagnosis_with_surrogate: "with surrogate, µm",
-  diagnosis_with_surrogate_about: "With surrogate: the same with a surrogate in the place of the effect.",
   diagnosis_slow_curve: "slow curve, µm",
   diagnosis_slow_curve_about:
     "Slow curve: standard deviation of the remaining discrepancy. Driver known: the driver is known, the form is empirical. Empirical: it predicts, without a known cause.",
-  diagnosis_several_added: "Where several effects were added at once, the surrogate's line is not known.",
   diagnosis_error_title: ({ target }: { target: string }) => `Error of ${target} from revision to revision`,
   diagnosis_honest: "A lower error is real only if the forecasts improve too.",
   diagnosis_rows_fitted: "rows fitted",
   diagnosis_forecasts_curve: "forecasts",
-  diagnosis_forecasts_surrogate: "forecasts with a surrogate",
   diagnosis_forecasts_title:
     ({ target }: { target: string }) => `Errors and forecasts of ${target} from revision to revision`,
   verdicts: {
@@ -868,10 +852,8 @@ export const en = {
     verdict: "verdict",
     step: "step",
     floor: "noise",
-    best_surrogate: "best surrogate",
     left_out: "left out",
     forecast: "forecast",
-    surrogate_forecast: "surrogate forecast",
     discrepancy: "discrepancy",
     batch: "batch",
     weight: "weight",

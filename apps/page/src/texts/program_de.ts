@@ -140,8 +140,6 @@ export const program_de: readonly (readonly [string, string])[] = [
   ["2 ln B is {}.", "2 ln B ist {1}."],
   ["chi^2 is {} (threshold {}).", "chi² ist {1} (Schwelle {2})."],
   ["chi^2 is {}.", "chi² ist {1}."],
-  ["A random curve lowers the RMSE by up to {} %.", "Eine Zufallskurve senkt den RMSE um bis zu {1} %."],
-  ["Forecast error {} um, {} um with as many random curves.", "Vorhersagefehler {1} µm, mit ebenso vielen Zufallskurven {2} µm."],
   ["Forecast error {} um.", "Vorhersagefehler {1} µm."],
   ["{} is still needed.", "{1} wird weiterhin gebraucht."],
   ["{} are still needed.", "{1} werden weiterhin gebraucht."],

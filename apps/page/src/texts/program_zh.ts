@@ -140,8 +140,6 @@ export const program_zh: readonly (readonly [string, string])[] = [
   ["2 ln B is {}.", "2 ln B 为 {1}。"],
   ["chi^2 is {} (threshold {}).", "chi² 为 {1}（阈值 {2}）。"],
   ["chi^2 is {}.", "chi² 为 {1}。"],
-  ["A random curve lowers the RMSE by up to {} %.", "随机曲线最多使 RMSE 下降 {1} %。"],
-  ["Forecast error {} um, {} um with as many random curves.", "预测误差 {1} µm，用同样多的随机曲线为 {2} µm。"],
   ["Forecast error {} um.", "预测误差 {1} µm。"],
   ["{} is still needed.", "{1} 仍需要。"],
   ["{} are still needed.", "{1} 仍需要。"],

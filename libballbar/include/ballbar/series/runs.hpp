@@ -25,9 +25,6 @@ std::vector<RowRange> runs_of(std::span<const double> time_s);
 // The series of one run.
 Series rows_of(const Series& data, const RowRange& range);
 
-// Rising times over all runs, with at least a day between runs; only for drawing and counting.
-std::vector<double> unrolled(std::span<const double> time_s);
-
 // Rising times with the runs end to end, for a picture or a file. A run begins one clock step after the last row.
 std::vector<double> one_after_another(std::span<const double> time_s);
 

@@ -20,7 +20,6 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kSurrogatesSimulated = 50;
 constexpr const char* kAddedSensor = "T_added_degC";
 constexpr std::size_t kSlowStride = 3;       // use one in so many covariances with a slow curve
 constexpr std::size_t kMostCovariances = 8;  // likely ones
@@ -172,7 +171,6 @@ DiagnosisOptions SimulatedTests::simulated_options() const {
   DiagnosisOptions how;
   how.search = options_.search;
   how.search.progress = {};
-  how.surrogates = kSurrogatesSimulated;
   how.most_rows = kRowsSimulated;
   how.fit_candidates = how.leave_out = false;
   return how;

@@ -187,7 +187,7 @@ class Decision {
     result_.rmse_after_um = rmse_um_with(fitted);
     result_.explained_um = std::min(fitted.together_um, measured_um_);
     for (std::size_t m = 0; m < best_->signatures.size(); ++m) {
-      Candidate one = tested_member(inference_, *best_, fitted, at_, m, options_.surrogates, options_.search.seed);
+      Candidate one = tested_member(inference_, *best_, fitted, at_, m);
       one.in_best_set = true;
       one.minor = one.amplitude_um < std::max(kMinor * problem().base.rmse_um, options_.tolerance_um);
       if (!(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.emplace_back("the evidence for it is weak");

@@ -5,11 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
-#include "diagnosis/surrogates/surrogate_recordings.hpp"
-#include "diagnosis/surrogates/surrogate_series.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "diagnosis/verdict/start_values.hpp"
 #include "numerics/orthonormal.hpp"
@@ -88,32 +85,6 @@ LeftOutFit left_out(const SetRegression& at, const Eigen::MatrixXd& white, const
   return result;
 }
 
-std::optional<BestSurrogate> surrogate_of(const Problem& problem, const Posterior& posterior, const EffectSet& set,
-                                          const SetRegression& at, std::size_t member, std::size_t count,
-                                          std::uint64_t seed) {
-  const Signature& signature = problem.library.signatures[set.signatures[member]];
-  const Family& family = problem.library.families[signature.family];
-  if (family.bound.effect->time_only || family.bound.effect->inputs.empty() || count == 0) return std::nullopt;
-  const Whitening& filter = posterior.points[set.point].filter;
-  Background background;
-  background.row = problem.base.row;
-  background.whiten = [&](const Eigen::MatrixXd& columns) { return at.white(filter, columns); };
-  background.white.basis = orthonormal(at.white_columns_but(member));
-  background.white.residual = orthogonal_part(at.white_y, background.white.basis);
-  background.plain.basis = orthonormal(at.columns_but(member));
-  background.plain.residual = orthogonal_part(at.y, background.plain.basis);
-  SurrogateSource source{family.bound, {signature.point}, {}};
-  std::optional<BestSurrogate> best;
-  if (family.bound.effect->level == Level::series) {
-    best = best_surrogate(source, problem.logged.series, background, count, seed);
-  } else {
-    source.added_um = at.members.col(at.first[member]);
-    best = best_recording_surrogate(source, problem.logged.series, problem.base.row, background, count, seed);
-  }
-  if (best) best->gain /= at.variance;
-  return best;
-}
-
 std::size_t family_of_member(const Problem& problem, const EffectSet& set, std::size_t member) {
   return problem.library.signatures[set.signatures[member]].family;
 }
@@ -124,9 +95,8 @@ const Effect& effect_of_member(const Problem& problem, const EffectSet& set, std
 
 }  // namespace
 
-Candidate with_tests(Candidate one, const Problem& problem, const Posterior& posterior, const EffectSet& set,
-                     const SetRegression& at, std::size_t member, const std::vector<std::size_t>& fold,
-                     std::size_t surrogates, std::uint64_t seed) {
+Candidate with_tests(Candidate one, const Effect& effect, const SetRegression& at, std::size_t member,
+                     const std::vector<std::size_t>& fold) {
   const std::size_t folds = *std::max_element(fold.begin(), fold.end()) + 1;
   const Eigen::MatrixXd others = at.white_columns_but(member), plain_others = at.columns_but(member);
   const Eigen::MatrixXd own = at.white_members.middleCols(at.first[member], at.width[member]);
@@ -146,15 +116,7 @@ Candidate with_tests(Candidate one, const Problem& problem, const Posterior& pos
     best = std::max(best, gained);
   }
   one.held_out_evidence -= best;
-  const Eigen::MatrixXd basis = orthonormal(others), whole = orthonormal(with);
-  one.gain = (orthogonal_part(at.white_y, basis).squaredNorm() - orthogonal_part(at.white_y, whole).squaredNorm()) /
-             at.variance;
-  if (const auto surrogate = surrogate_of(problem, posterior, set, at, member, surrogates, seed)) {
-    one.best_surrogate_gain = surrogate->gain;
-    one.best_surrogate_fall = surrogate->fall;
-    one.beats_surrogates = one.gain > surrogate->gain;
-  }
-  one.doubts = doubts_of(one, effect_of_member(problem, set, member));
+  one.doubts = doubts_of(one, effect);
   return one;
 }
 
@@ -233,14 +195,14 @@ Candidate described_member(const Inference& inference, const EffectSet& set, con
 }
 
 Candidate tested_member(const Inference& inference, const EffectSet& set, const FittedSet& fitted,
-                        const SetRegression& at, std::size_t member, std::size_t surrogates, std::uint64_t seed) {
+                        const SetRegression& at, std::size_t member) {
   const Problem& problem = *inference.problem;
   Candidate one = described_member(inference, set, fitted, member);
   const Signature& signature = problem.library.signatures[set.signatures[member]];
   const std::vector<std::size_t> fold =
       folds_that_tell(problem.logged.series, problem.base.row, folds_of(problem.logged.series, problem.base.row),
                       problem.library.columns.middleCols(signature.first, signature.width));
-  return with_tests(std::move(one), problem, inference.posterior, set, at, member, fold, surrogates, seed);
+  return with_tests(std::move(one), effect_of_member(problem, set, member), at, member, fold);
 }
 
 }  // namespace ballbar

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,11 +13,10 @@
 
 namespace ballbar {
 
-// The candidate with its tests: gains by cycle, left-out cycles, fall of chi^2, surrogates. fold: the fold of each of
-// the n rows. seed, surrogates: seed and number of surrogates.
-Candidate with_tests(Candidate one, const Problem& problem, const Posterior& posterior, const EffectSet& set,
-                     const SetRegression& at, std::size_t member, const std::vector<std::size_t>& fold,
-                     std::size_t surrogates, std::uint64_t seed);
+// The candidate with its tests: gains by cycle and left-out cycles. effect: of the member. fold: the fold of each of
+// the n rows.
+Candidate with_tests(Candidate one, const Effect& effect, const SetRegression& at, std::size_t member,
+                     const std::vector<std::size_t>& fold);
 
 // RMSE of the model in left-out cycles (recordings), each predicted from the others; NaN: unknown. Throws Error as
 // fit() does.
@@ -37,9 +35,9 @@ std::vector<std::string> doubts_of(const Candidate& tested, const Effect& effect
 Candidate described_member(const Inference& inference, const EffectSet& set, const FittedSet& fitted,
                            std::size_t member);
 
-// The same with its tests. surrogates: their number; 0: none.
+// The same with its tests.
 Candidate tested_member(const Inference& inference, const EffectSet& set, const FittedSet& fitted,
-                        const SetRegression& at, std::size_t member, std::size_t surrogates, std::uint64_t seed);
+                        const SetRegression& at, std::size_t member);
 
 // 2 ln of the Bayes factor of the set against the set without this member.
 double log_bayes_factor_of_member(const Inference& inference, const EffectSet& set, std::size_t member);

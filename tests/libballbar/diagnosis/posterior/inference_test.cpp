@@ -98,8 +98,8 @@ TEST(Inference, readings_far_from_the_others_count_less) {
   std::size_t others = 0;
   for (const double one : found.problem->relative_variance) others += one > 1.0 ? 1 : 0;
   EXPECT_LE(others, 12U);
-  const Diagnosis without = diagnose(made::by_speed(), made::drift({1.0, 1, 300}), 0, made::quick());
-  const Diagnosis with = diagnose(made::by_speed(), data, 0, made::quick());
+  const Diagnosis without = diagnose(made::by_speed(), made::drift({1.0, 1, 300}));
+  const Diagnosis with = diagnose(made::by_speed(), data);
   ASSERT_FALSE(with.effects.empty());
   ASSERT_FALSE(without.effects.empty());
   EXPECT_EQ(label_of(with.effects.front().bound), label_of(without.effects.front().bound));

@@ -135,7 +135,7 @@ TEST(Posterior, ascends_to_effects_that_show_together_alone) {
   Series data = made::drift({3.0, 1, 300});
   std::vector<double>& values = made::values_of(data, "z_um");
   for (std::size_t i = 170; i < values.size(); ++i) values[i] -= 2.5;
-  const Diagnosis found = diagnose(made::by_speed(), data, 0, made::quick());
+  const Diagnosis found = diagnose(made::by_speed(), data);
   ASSERT_EQ(found.verdict, Verdict::named);
   EXPECT_NE(found.sentence.find("a jump of -2."), std::string::npos) << found.sentence;
   const auto step = std::find_if(found.candidates.begin(), found.candidates.end(),
@@ -234,7 +234,7 @@ TEST(Prior, has_effects_alike_and_their_columns_alike) {
 
 // P of every effect from 1 %.
 std::map<std::string, double> probabilities(const Model& model, const Series& data) {
-  const Diagnosis found = diagnose(model, data, 0, made::quick());
+  const Diagnosis found = diagnose(model, data);
   std::map<std::string, double> p;
   for (const EffectProbability& one : found.effects) p[label_of(one.bound)] = one.p;
   p["nothing"] = found.p_nothing;
@@ -326,12 +326,12 @@ TEST_P(Invariance, of_the_size_of_the_readings) {
 
 // A probe that reads from elsewhere, 10 mm or a metre more; what is told of cycles left out, too.
 TEST_P(Invariance, of_a_constant) {
-  const Diagnosis here = diagnose(made::by_speed(), data(), 0, made::quick());
+  const Diagnosis here = diagnose(made::by_speed(), data());
   for (const double more_um : {1e4, 1e6}) {
     Series further = data();
     for (double& value : further.columns.back().values) value += more_um;
     expect_same(probabilities(made::by_speed(), data()), probabilities(made::by_speed(), further), 0.01);
-    const Diagnosis there = diagnose(made::by_speed(), further, 0, made::quick());
+    const Diagnosis there = diagnose(made::by_speed(), further);
     EXPECT_EQ(there.verdict, here.verdict);
     ASSERT_EQ(there.candidates.empty(), here.candidates.empty());
     if (here.candidates.empty()) continue;

@@ -14,7 +14,7 @@
 //   revision = 1
 //   change = "+ lagged_expansion(T16_degC)"
 //   ...                                      # as above
-//   likelihood_ratio = 431.0                 # and threshold, best_surrogate_fall; each absent if not known
+//   likelihood_ratio = 431.0                 # and threshold; each absent if not known
 //   still_needed = ["speed_heating(speed_rpm)"]
 //   no_longer_needed = []
 //   effects_before = '''                     # the earlier text of the effects, unchanged
@@ -23,7 +23,7 @@
 // The text of the effects reaches from the blank lines above the first [[effect]] and its comments to the [[history]]
 // and its comments. The comments of a table are those directly above it. Without effects it is the blank lines at the
 // end. Rows are numbered from 0 without gaps. read_model() ignores a history, whatever its content; the functions below
-// accept only what they would write.
+// accept only what they, or ballbar 0.2.0, would write.
 #pragma once
 
 #include <cstddef>

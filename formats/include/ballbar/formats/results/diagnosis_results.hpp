@@ -55,8 +55,6 @@ struct ResultType<Candidate> {
           Field{"held_out_before_um", &Candidate::held_out_before_um, "error in cycles left out, without it"},
           Field{"held_out_after_um", &Candidate::held_out_after_um, "error in cycles left out, with it"},
           Field{"p_same_gain", &Candidate::p_same_gain, "of gains as different from cycle to cycle, by chance"},
-          Field{"beats_surrogates", &Candidate::beats_surrogates,
-                "whether it does better than random curves of its kind; null: not tested"},
           Field{"in_best_set", &Candidate::in_best_set, "whether it is of the likeliest set"},
           Field{"minor", &Candidate::minor, "whether it is too small to matter"},
           Field{"doubts", &Candidate::doubts, "why it is not named"},

@@ -26,7 +26,7 @@ struct SearchOptions {
   std::optional<Motion> motion;                // what moved the ballbar, for recordings
   std::vector<std::string> without;            // names of effects to leave out of the search
   std::uint64_t seed = 1;
-  // Called before each step, in the calling thread: "testing 200 surrogates of expansion(T_room_degC)".
+  // Called before each step, in the calling thread: "testing 2 effects".
   std::function<void(std::string_view step)> progress;
   // Called with all effects, the most probable first, whenever more sets have been evaluated; in the calling thread.
   std::function<void(const std::vector<ProbableSoFar>& effects)> so_far;

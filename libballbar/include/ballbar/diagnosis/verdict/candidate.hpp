@@ -2,7 +2,6 @@
 #pragma once
 
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,13 +35,9 @@ struct Candidate {
   // RMSE in cycles left out of the fit, of the model with the other members of the set and with this one as well; of a
   // series as LedgerRow::held_out_um.
   double held_out_before_um = 0.0, held_out_after_um = 0.0;
-  double held_out_evidence = kUnknown;    // gain in ln likelihood of the left-out cycles, without the best cycle
-  double p_same_gain = 1.0;               // p-value of equal gains in all cycles
-  double gain = 0.0;                      // fall of chi^2
-  double best_surrogate_gain = kUnknown;  // largest fall of chi^2 by a surrogate
-  double best_surrogate_fall = kUnknown;  // largest relative fall of the RMSE by a surrogate
-  std::optional<bool> beats_surrogates;   // nullopt: not tested, see diagnosis.hpp
-  std::vector<std::string> doubts;        // phrases, why it is not named: "its gain differs from cycle to cycle"
+  double held_out_evidence = kUnknown;  // gain in ln likelihood of the left-out cycles, without the best cycle
+  double p_same_gain = 1.0;             // p-value of equal gains in all cycles
+  std::vector<std::string> doubts;      // phrases, why it is not named: "its gain differs from cycle to cycle"
   bool in_best_set = false;
   bool minor = false;                         // below max(5 % of the RMSE, the tolerance)
   std::vector<std::string> inseparable_from;  // labels of other effects

@@ -10,8 +10,7 @@
 //
 // P is the probability within the catalogue (tests/study/verdicts).
 //
-// On recordings a cycle is one recording, or a quarter of the sweep of a single recording. The comparison with
-// surrogates is reported (candidate.hpp) but does not affect the verdict.
+// On recordings a cycle is one recording, or a quarter of the sweep of a single recording.
 //
 // Of more than 1000 values of the target only every second, third ... is used, and all values near a detected jump. The
 // figures of the effects refer to these values.
@@ -105,8 +104,7 @@ struct Diagnosis {
 
 struct DiagnosisOptions {
   SearchOptions search;
-  double tolerance_um = 0.0;  // smaller effects are called minor
-  std::size_t surrogates = kSurrogates;
+  double tolerance_um = 0.0;     // smaller effects are called minor
   std::size_t most_rows = 1000;  // largest number of target values used
   bool fit_candidates = true;    // compute Candidate::rmse_after_um
   bool leave_out = true;         // compute Candidate::held_out_before_um and _after_um as the ledger of a model does
