@@ -9,9 +9,9 @@
 #include "ballbar/formats/results/result_type.hpp"
 #include "ballbar/history/history.hpp"
 #include "ballbar/history/machine_geometry.hpp"
-#include "history/quantity_text.hpp"
-#include "history/test_files.hpp"
-#include "history/test_result.hpp"
+#include "errors/quantity_text.hpp"
+#include "errors/test_files.hpp"
+#include "errors/test_result.hpp"
 
 namespace ballbar {
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "ballbar/number_text.hpp"
-#include "history/quantity_text.hpp"
+#include "errors/quantity_text.hpp"
 #include "history/ranking_text.hpp"
 #include "terminal/terminal_table.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ballbar/history/trend.hpp"
-#include "history/quantity_text.hpp"
+#include "errors/quantity_text.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

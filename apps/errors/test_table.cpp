@@ -1,4 +1,4 @@
-#include "history/test_table.hpp"
+#include "errors/test_table.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "history/quantity_text.hpp"
+#include "errors/quantity_text.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

@@ -1,4 +1,4 @@
-#include "history/quantity_text.hpp"
+#include "errors/quantity_text.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

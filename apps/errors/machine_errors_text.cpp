@@ -8,8 +8,8 @@
 #include <ctime>
 
 #include "ballbar/units.hpp"
-#include "diagnose/error_names.hpp"
-#include "diagnose/machine_errors_report.hpp"
+#include "errors/error_names.hpp"
+#include "errors/machine_errors_report.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
