@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "errors/quantity_text.hpp"
 #include "errors/test_table.hpp"
 #include "history/history_text.hpp"
 #include "history/page_parts.hpp"

@@ -80,6 +80,20 @@ struct ResultType<Finding> {
       Field{"quantities", &Finding::quantities, "the clearest first"}};
 };
 
+inline std::string_view name_of(Outlook outlook) {
+  switch (outlook) {
+    case Outlook::beyond:
+      return "beyond";
+    case Outlook::no_trend:
+      return "no_trend";
+    case Outlook::away:
+      return "not_within_10_years";
+    case Outlook::expected:
+      return "expected";
+  }
+  return "";
+}
+
 template <>
 struct ResultType<ToleranceOutlook> {
   static constexpr std::string_view name = "ToleranceOutlook";

@@ -19,6 +19,13 @@ std::string history_text(const TestFiles& files, const History& history, const M
 std::vector<std::string> machine_conclusion(const History& history);
 std::vector<std::string> quantity_row(const MachineHistory& machine, std::size_t series);
 
+std::string group_text(const TestGroup& group);  // "XY, 100 mm, 1000 mm/min, 360 deg"
+
+// The outlook of a series; nullptr: it has no tolerance.
+const ToleranceOutlook* outlook_for(const MachineHistory& machine, std::size_t series);
+// Whether a finding of such a kind names the series.
+bool is_found(const MachineHistory& machine, std::size_t series, bool lasting);
+
 struct GeometryTexts {
   std::string heading;
   std::vector<std::vector<std::string>> rows;  // what, um/m, from
