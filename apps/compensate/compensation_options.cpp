@@ -62,6 +62,7 @@ CLI::Option* add_limit(CLI::App& command, const std::string& name, double& limit
 }  // namespace
 
 void add_compensation_options(CLI::App& command, CompensationOptions& options) {
+  options.fitting.catalogue = catalogue_of(command);
   add_sources(command, "--model", options.models,
               "model.toml of one or more axes, or model.json of one; may be repeated")
       ->type_name("FILE")
@@ -146,7 +147,7 @@ std::vector<CompensatedAxis> axes_of(const CompensationOptions& options) {
                       "batches.",
                       file));
     }
-    const Model whole = read_model(bytes, file);
+    const Model whole = read_model(bytes, file, options.fitting.catalogue);
     for (const std::string& target : whole.targets) {
       Model model = whole;
       model.targets = {target};

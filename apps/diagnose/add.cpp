@@ -78,7 +78,7 @@ void add_terms(const AddArguments& options, const std::vector<Term>& terms, Addi
 // A new effect may not read what the file is to explain beside the target chosen here.
 void expect_file_suits(const AddArguments& options, const ModelData& data, const std::string& bytes) {
   if (data.level == Level::recording) return;
-  Model file = read_model(bytes, options.effect.model.model.name());
+  Model file = read_model(bytes, options.effect.model.model.name(), options.effect.model.catalogue);
   const std::vector<std::string>& also = options.effect.model.also_input;
   std::erase_if(file.targets, [&](const std::string& target) {
     return find_column(*data.series, target) == nullptr || std::find(also.begin(), also.end(), target) != also.end();
@@ -209,7 +209,7 @@ void run(AddArguments options) {
     stderr_line("nothing added, nothing written");
     return;
   }
-  const std::vector<std::string> targets = read_model(additions.model.text(), how.model.name()).targets;
+  const std::vector<std::string> targets = read_model(additions.model.text(), how.model.name(), how.catalogue).targets;
   if (targets.size() > 1) {
     stderr_line(fmt::format("{} holds for all its targets, {}; the ledger's row is of {}", out,
                             fmt::join(targets, ", "), additions.model.model().targets.front()));

@@ -165,7 +165,7 @@ std::string take_back_assumed(Additions& additions, std::vector<std::string> tex
 void add_grown(const AutomaticAddition& how, const ModelData& data, Additions& additions) {
   const ProgressLine progress;
   additions.grown = grown_model(additions.model.text(), how.model.model.name(), additions.model.model(), data,
-                                names_of(how.model.data), additions.drivers);
+                                names_of(how.model.data), additions.drivers, how.model.catalogue);
   additions.model.set_text(additions.grown->bytes);
 }
 

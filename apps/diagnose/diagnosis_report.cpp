@@ -42,10 +42,11 @@ std::vector<std::size_t> terms_added(const ModelOptions& options, const Model& m
   if (options.model.empty()) return {};
   const std::string& file = options.model.name();
   std::string bytes = options.model.bytes(kLargestText);
-  const std::size_t revisions = read_ledger(bytes, file).size();
+  const std::size_t revisions = read_ledger(bytes, file, options.catalogue).size();
   if (revisions < 2) return {};
-  for (std::size_t revision = 1; revision < revisions; ++revision) bytes = without_last_revision(bytes, file);
-  const std::set<std::string> first = labels_of(read_model(bytes, file));
+  for (std::size_t revision = 1; revision < revisions; ++revision)
+    bytes = without_last_revision(bytes, file, options.catalogue);
+  const std::set<std::string> first = labels_of(read_model(bytes, file, options.catalogue));
   std::vector<std::size_t> added;
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
     if (!first.contains(label_of(model.terms[t]))) added.push_back(t);

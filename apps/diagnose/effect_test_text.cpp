@@ -21,7 +21,6 @@ constexpr double kNotNoise = 0.01;  // as the sentences of residual.hpp
 
 std::string known(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : "-"; }
 
-
 Table figures(const EffectTest& effect_test) {
   const LedgerRow &before = effect_test.before, &after = effect_test.after;
   const int decimals = decimals_showing(3, std::min(before.rmse_um, after.rmse_um));

@@ -63,7 +63,8 @@ std::string_view stop_text(GrowthStop stop) {
 }  // namespace
 
 GrownModel grown_model(const std::string& bytes, const std::string& file, const Model& model, const ModelData& data,
-                       const std::vector<std::string>& data_names, const std::vector<Driver>& drivers) {
+                       const std::vector<std::string>& data_names, const std::vector<Driver>& drivers,
+                       const Catalogue& catalogue) {
   GrownModel grown;
   grown.bytes = bytes;
   const auto progress = [](const std::string& what) { show_progress(what); };
@@ -80,11 +81,11 @@ GrownModel grown_model(const std::string& bytes, const std::string& file, const 
   for (std::size_t r = 0; r < grown.growth.revisions.size(); ++r) {
     const GrownRevision& revision = grown.growth.revisions[r];
     LedgerRow row = row_of(revision, grown.growth.errors[r + 1], grown.before, drivers);
-    const std::size_t in_file = read_model(grown.bytes, file).terms.size();
+    const std::size_t in_file = read_model(grown.bytes, file, catalogue).terms.size();
     std::vector<std::size_t> removed;  // the same with the gains that they had
     for (std::size_t j = 0; j < before; ++j) removed.push_back(in_file - before + j);
-    grown.bytes = with_revision(grown.bytes, file, revision.terms, removed, grown.before, row);
-    row.revision = read_ledger(grown.bytes, file).size() - 1;
+    grown.bytes = with_revision(grown.bytes, file, revision.terms, removed, grown.before, row, catalogue);
+    row.revision = read_ledger(grown.bytes, file, catalogue).size() - 1;
     grown.rows.push_back(std::move(row));
     before = revision.terms.size();
   }

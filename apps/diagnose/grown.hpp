@@ -25,7 +25,8 @@ struct GrownModel {
 
 // `file`: name in messages. drivers: columns that are known to drive the missing part.
 GrownModel grown_model(const std::string& bytes, const std::string& file, const Model& model, const ModelData& data,
-                       const std::vector<std::string>& data_names, const std::vector<Driver>& drivers);
+                       const std::vector<std::string>& data_names, const std::vector<Driver>& drivers,
+                       const Catalogue& catalogue);
 
 // "18 effects predict new rows to 1.8 um RMSE, 20.6 um today ..."; `causes`: labels named earlier.
 std::string conclusion(const GrownModel& grown, const std::vector<std::string>& causes,

@@ -24,6 +24,7 @@ namespace {
 
 struct LedgerArguments {
   Source model;
+  Catalogue catalogue = built_in_catalogue();
   bool details = false;
   bool json = false;
 };
@@ -68,7 +69,8 @@ Table table_of(const std::vector<LedgerRow>& rows) {
 }
 
 void run(const LedgerArguments& options) {
-  const std::vector<LedgerRow> rows = read_ledger(options.model.bytes(kLargestText), options.model.name());
+  const std::vector<LedgerRow> rows =
+      read_ledger(options.model.bytes(kLargestText), options.model.name(), options.catalogue);
   if (options.json) {
     print_json(json_of(ledger_of(rows)));
     return;
@@ -92,6 +94,7 @@ void run(const LedgerArguments& options) {
 void add_ledger(CLI::App& app) {
   const auto options = std::make_shared<LedgerArguments>();
   CLI::App* command = app.add_subcommand("ledger", "What a model went through: every revision and its error");
+  options->catalogue = catalogue_of(*command);
   add_source(*command, "--model", options->model, "model.toml with a ledger")->type_name("FILE")->required();
   add_details(*command, options->details);
   command->add_flag("--json", options->json, "print the result as JSON");

@@ -49,7 +49,7 @@ RevisedModel::RevisedModel(const ModelOptions& options, const std::shared_ptr<co
       bench_(workbench_of(readable(options), data, model, std::move(diagnosis))),
       text_(is_new_ ? new_model_text(model) : options.model.bytes(kLargestText)),
       not_in_file_(model.terms.size() - read_model(text_, options.model.name(), options.catalogue).terms.size()) {
-  static_cast<void>(read_ledger(text_, options_.model.name()));
+  static_cast<void>(read_ledger(text_, options_.model.name(), options_.catalogue));
 }
 
 // Takes the effects out; their numbers in the file, rising.
@@ -139,9 +139,9 @@ LedgerRow RevisedModel::revise_by_hand() {
   row.change = fmt::format("{}", fmt::join(by_hand_, ", "));
   row.verdict = "by hand";
   before.data = row.data = data_names();
-  std::string text = with_revision(text_, options_.model.name(), {}, removed_, before, row);
-  put_text(with_settings(text, options_.model.name(), terms_in_file()));
-  return read_ledger(text_, options_.model.name()).back();
+  std::string text = with_revision(text_, options_.model.name(), {}, removed_, before, row, options_.catalogue);
+  put_text(with_settings(text, options_.model.name(), terms_in_file(), options_.catalogue));
+  return read_ledger(text_, options_.model.name(), options_.catalogue).back();
 }
 
 std::string RevisedModel::text_as_fitted() {
@@ -160,7 +160,7 @@ std::string RevisedModel::text_as_fitted() {
       setting.stated = true;
     }
   }
-  return with_settings(text_, options_.model.name(), terms);
+  return with_settings(text_, options_.model.name(), terms, options_.catalogue);
 }
 
 EffectTest RevisedModel::revise(const Choice& choice) {
@@ -185,9 +185,10 @@ EffectTest RevisedModel::revise(const Choice& choice) {
   tried.before.data = tried.after.data = data_names();
   // With their shapes begun where they were found: a fit of the file is the fit that is told here.
   const std::vector<Term> begun(tried.model.terms.end() - static_cast<std::ptrdiff_t>(added), tried.model.terms.end());
-  std::string text = with_revision(text_, options_.model.name(), begun, removed, tried.before, tried.after);
+  std::string text =
+      with_revision(text_, options_.model.name(), begun, removed, tried.before, tried.after, options_.catalogue);
   put_text(std::move(text));
-  tried.after.revision = read_ledger(text_, options_.model.name()).size() - 1;
+  tried.after.revision = read_ledger(text_, options_.model.name(), options_.catalogue).size() - 1;
   return tried;
 }
 

@@ -17,14 +17,15 @@ namespace {
 
 struct UndoArguments {
   Source model;
+  Catalogue catalogue = built_in_catalogue();
   bool json = false;
 };
 
 void run(const UndoArguments& options) {
   const std::string& name = options.model.name();
   const std::string bytes = options.model.bytes(kLargestText);
-  const std::string before = without_last_revision(bytes, name);
-  const LedgerRow undone = read_ledger(bytes, name).back();
+  const std::string before = without_last_revision(bytes, name, options.catalogue);
+  const LedgerRow undone = read_ledger(bytes, name, options.catalogue).back();
   const std::size_t revision = undone.revision - 1;
   if (options.model.is_path()) write_bytes(name, before);
   if (options.json) {
@@ -42,6 +43,7 @@ void run(const UndoArguments& options) {
 void add_undo(CLI::App& app) {
   const auto options = std::make_shared<UndoArguments>();
   CLI::App* command = app.add_subcommand("undo", "The model as it was before its last revision");
+  options->catalogue = catalogue_of(*command);
   add_source(*command, "--model", options->model, "model.toml with a ledger, which is changed")
       ->type_name("FILE")
       ->required();

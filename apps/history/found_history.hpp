@@ -6,7 +6,7 @@
 
 #include "ballbar/history/history.hpp"
 #include "ballbar/history/machine_geometry.hpp"
-#include "history/test_files.hpp"
+#include "errors/test_files.hpp"
 
 namespace ballbar {
 

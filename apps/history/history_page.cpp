@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "errors/test_table.hpp"
 #include "history/history_text.hpp"
 #include "history/page_parts.hpp"
-#include "history/quantity_text.hpp"
 #include "history/ranking_text.hpp"
-#include "history/test_table.hpp"
 #include "page/report_page.hpp"
 
 namespace ballbar {

@@ -9,9 +9,9 @@
 #include "ballbar/formats/results/result_type.hpp"
 #include "ballbar/history/history.hpp"
 #include "ballbar/history/machine_geometry.hpp"
-#include "history/quantity_text.hpp"
-#include "history/test_files.hpp"
-#include "history/test_result.hpp"
+#include "errors/quantity_text.hpp"
+#include "errors/test_files.hpp"
+#include "errors/test_result.hpp"
 
 namespace ballbar {
 
@@ -79,6 +79,20 @@ struct ResultType<Finding> {
       Field{"remedy", &Finding::remedy, "what to do"},
       Field{"quantities", &Finding::quantities, "the clearest first"}};
 };
+
+inline std::string_view name_of(Outlook outlook) {
+  switch (outlook) {
+    case Outlook::beyond:
+      return "beyond";
+    case Outlook::no_trend:
+      return "no_trend";
+    case Outlook::away:
+      return "not_within_10_years";
+    case Outlook::expected:
+      return "expected";
+  }
+  return "";
+}
 
 template <>
 struct ResultType<ToleranceOutlook> {

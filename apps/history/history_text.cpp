@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "ballbar/number_text.hpp"
-#include "history/quantity_text.hpp"
+#include "errors/quantity_text.hpp"
 #include "history/ranking_text.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -16,6 +16,31 @@ namespace ballbar {
 namespace {
 
 constexpr std::array kColumns{"quantity", "unit", "last", "change", "sigmas", "per year", "tolerance", "met"};
+
+// Cells of a table; "-" where there is nothing to state. "± 5":
+std::string tolerance_text(const Tolerance& tolerance) {
+  const auto& [name, lower, upper] = tolerance;
+  if (lower && upper && *lower == -*upper) return fmt::format("± {:g}", *upper);
+  if (lower && upper) return fmt::format("{:g} to {:g}", *lower, *upper);
+  return lower ? fmt::format("from {:g}", *lower) : fmt::format("to {:g}", upper.value_or(0.0));
+}
+
+// "2027-03-01 (2026-11-05 to 2027-10-20)"
+std::string outlook_text(const ToleranceOutlook& one) {
+  const ToleranceDate& date = one.date;
+  switch (date.outlook) {
+    case Outlook::beyond:
+      return "beyond it";
+    case Outlook::no_trend:
+      return one.last_alone ? "the last test alone beyond it" : "no trend";
+    case Outlook::away:
+      return fmt::format("not within {:g} years", kForecast_years);
+    case Outlook::expected:
+      return fmt::format("{} ({} to {})", date_text(*date.at_s), date_text(*date.earliest_s),
+                         date.latest_s ? date_text(*date.latest_s) : "open");
+  }
+  return "-";
+}
 
 // Whether its row is shown without --details.
 bool has_something_to_state(const MachineHistory& machine, std::size_t place, const std::string& squareness) {
@@ -185,6 +210,28 @@ std::vector<std::string> sentences_of(const MachineGeometry& geometry, bool all)
 }
 
 }  // namespace
+
+std::string group_text(const TestGroup& group) {
+  std::string text = fmt::format("{}, {:g} mm", name_of(group.plane), group.nominal_length_mm);
+  if (group.feed_mm_per_min) text += fmt::format(", {:.0f} mm/min", *group.feed_mm_per_min);
+  text += fmt::format(", {:.0f} deg", group.arc_deg);
+  if (group.arc_deg < 359.0) text += fmt::format(" from {:.0f}", group.start_deg);
+  return text;
+}
+
+const ToleranceOutlook* outlook_for(const MachineHistory& machine, std::size_t series) {
+  const auto found = std::find_if(machine.tolerances.begin(), machine.tolerances.end(),
+                                  [&](const ToleranceOutlook& one) { return one.series == series; });
+  return found == machine.tolerances.end() ? nullptr : &*found;
+}
+
+bool is_found(const MachineHistory& machine, std::size_t series, bool lasting) {
+  return std::any_of(machine.findings.begin(), machine.findings.end(), [&](const Finding& finding) {
+    if (finding.kind == FindingKind::season || (finding.kind == FindingKind::trend) != lasting) return false;
+    return std::any_of(finding.quantities.begin(), finding.quantities.end(),
+                       [&](const FindingQuantity& one) { return one.series == series; });
+  });
+}
 
 std::vector<std::string> machine_conclusion(const History& history) {
   const MachineHistory& machine = history.machines.front();

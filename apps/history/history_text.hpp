@@ -6,7 +6,7 @@
 
 #include "ballbar/history/history.hpp"
 #include "ballbar/history/machine_geometry.hpp"
-#include "history/test_files.hpp"
+#include "errors/test_files.hpp"
 
 namespace ballbar {
 
@@ -18,6 +18,13 @@ std::string history_text(const TestFiles& files, const History& history, const M
 // columns are quantity, unit, last, change, sigmas, a year, tolerance, met; "-": no value.
 std::vector<std::string> machine_conclusion(const History& history);
 std::vector<std::string> quantity_row(const MachineHistory& machine, std::size_t series);
+
+std::string group_text(const TestGroup& group);  // "XY, 100 mm, 1000 mm/min, 360 deg"
+
+// The outlook of a series; nullptr: it has no tolerance.
+const ToleranceOutlook* outlook_for(const MachineHistory& machine, std::size_t series);
+// Whether a finding of such a kind names the series.
+bool is_found(const MachineHistory& machine, std::size_t series, bool lasting);
 
 struct GeometryTexts {
   std::string heading;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ballbar/formats/results/result_type.hpp"
-#include "history/test_result.hpp"
+#include "errors/test_result.hpp"
 #include "page/report_head.hpp"
 
 namespace ballbar {

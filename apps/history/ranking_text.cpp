@@ -7,7 +7,7 @@
 
 #include "ballbar/history/trend.hpp"
 #include "ballbar/number_text.hpp"
-#include "history/quantity_text.hpp"
+#include "errors/quantity_text.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

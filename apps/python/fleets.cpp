@@ -12,11 +12,11 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/history/history.hpp"
+#include "errors/test_files.hpp"
+#include "errors/test_result.hpp"
 #include "history/history_page.hpp"
 #include "history/history_result.hpp"
 #include "history/ranking_text.hpp"
-#include "history/test_files.hpp"
-#include "history/test_result.hpp"
 #include "python/arrays.hpp"
 #include "python/classes.hpp"
 

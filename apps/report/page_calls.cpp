@@ -8,9 +8,9 @@
 #include <variant>
 
 #include "ballbar/error.hpp"
+#include "errors/test_comparison_result.hpp"
 #include "history/found_history.hpp"
 #include "history/history_page.hpp"
-#include "history/test_comparison_result.hpp"
 #include "terminal/command_line.hpp"
 
 namespace ballbar {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "history/stored_test.hpp"
+#include "errors/stored_test.hpp"
 #include "report/report_data.hpp"
 #include "report/report_parts.hpp"
 

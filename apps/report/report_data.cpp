@@ -15,7 +15,7 @@
 #include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/reader.hpp"
 #include "ballbar/series/runs.hpp"
-#include "history/test_comparison_text.hpp"
+#include "errors/test_comparison_text.hpp"
 #include "measure/compared_drifts.hpp"
 #include "measure/drift_text.hpp"
 #include "predict/predicted_job.hpp"

@@ -9,7 +9,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
-#include "diagnose/machine_errors_result.hpp"
+#include "errors/machine_errors_result.hpp"
 #include "report/report_parts.hpp"
 
 namespace ballbar {

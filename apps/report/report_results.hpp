@@ -9,7 +9,7 @@
 #include "ballbar/drift/measured_drift.hpp"
 #include "ballbar/formats/results/drift_results.hpp"
 #include "diagnose/revision_results.hpp"
-#include "history/test_comparison_result.hpp"
+#include "errors/test_comparison_result.hpp"
 #include "measure/comparison_result.hpp"
 #include "report/model_parts.hpp"
 

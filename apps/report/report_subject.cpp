@@ -152,7 +152,7 @@ void ReportSubject::add_model(ModelPart& made, Parts parts) {
   if (request_.model.model.empty()) return;
   const auto rows = read_ledger(
       models_.size() == 1 && models_.front() ? models_.front()->text() : request_.model.model.bytes(kLargestText),
-      request_.model.model.name());
+      request_.model.model.name(), request_.model.catalogue);
   if (!rows.empty()) made.ledger.value = ledger_of(rows);
 }
 
@@ -229,7 +229,7 @@ RevisedPart ReportSubject::revise(const std::string& file, bool keep) {
   if (model.is_by_hand()) {
     model.revise_by_hand();
   } else if (const EffectTest& tried = model.bench().added(); !keep && tried.after.verdict == kNotSupported) {
-    part = {conclusion(tried), false, false, ledger_of(read_ledger(model.text(), file))};
+    part = {conclusion(tried), false, false, ledger_of(read_ledger(model.text(), file, request_.model.catalogue))};
     model.take_back();
     return part;
   } else {
@@ -239,7 +239,7 @@ RevisedPart ReportSubject::revise(const std::string& file, bool keep) {
   }
   write_bytes(file, model.text());
   request_.model.model = file;
-  part.ledger = ledger_of(read_ledger(model.text(), file));
+  part.ledger = ledger_of(read_ledger(model.text(), file, request_.model.catalogue));
   if (part.sentence.empty()) part.sentence = part.ledger.rows.back().sentence;
   return part;
 }

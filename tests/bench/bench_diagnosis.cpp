@@ -84,7 +84,6 @@ void diagnosed(benchmark::State& state, const Series& data, bool all) {
   state.SetLabel(std::string(name_of(found.verdict)));
   state.counters["rows"] = static_cast<double>(data.time_s.size());
   state.counters["inputs"] = static_cast<double>(data.columns.size() - 1);
-  state.counters["effects"] = static_cast<double>(found.searched_effects);
 }
 
 void diagnosis_1333_rows_5_inputs(benchmark::State& state) {

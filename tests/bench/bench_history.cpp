@@ -11,8 +11,8 @@
 #include "ballbar/history/history.hpp"
 #include "ballbar/history/machine_geometry.hpp"
 #include "bench_data.hpp"
+#include "errors/test_files.hpp"
 #include "history/history_text.hpp"
-#include "history/test_files.hpp"
 
 namespace {
 

@@ -7,9 +7,9 @@
 
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/history/machine_geometry.hpp"
+#include "errors/stored_test.hpp"
+#include "errors/test_files.hpp"
 #include "external_data.hpp"
-#include "history/stored_test.hpp"
-#include "history/test_files.hpp"
 
 namespace ballbar {
 namespace {

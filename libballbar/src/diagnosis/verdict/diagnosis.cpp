@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 #include <utility>
 
 #include "ballbar/number_text.hpp"
@@ -64,9 +63,6 @@ class Decision {
   }
 
   Diagnosis run() {
-    std::set<const Effect*> searched;
-    for (std::size_t f = 0; f < problem().effects; ++f) searched.insert(family(f).bound.effect);
-    result_.searched_effects = searched.size();
     if (inference_.is_still) return still();
     if (problem().effects == 0 || inference_.largest == 0) return untestable(inference_.largest == 0);
     read_posterior();

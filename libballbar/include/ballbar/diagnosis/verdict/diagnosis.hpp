@@ -93,9 +93,8 @@ struct Diagnosis {
   // Amplitude up to which an effect could be present and undetected. It is that of the hardest effect to detect among
   // those that blind challenges hide, at its middle shape, and at most the range of the readings.
   double hidden_um = 0.0;
-  BoundEffect hidden;          // that effect
-  double rmse_after_um = 0.0;  // of the fit with the best set
-  std::size_t searched_effects = 0;
+  BoundEffect hidden;                        // that effect
+  double rmse_after_um = 0.0;                // of the fit with the best set
   std::vector<Detectability> detectability;  // as in Preflight
   std::vector<std::string> reasons;          // whole sentences: why the verdict is not `named`
   std::string where;                         // where the model fails most, from the options: "while warming"

@@ -1,4 +1,4 @@
-#include "history/test_files.hpp"
+#include "errors/test_files.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@
 #include "ballbar/formats/recordings/test_folder.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/numerics/parallel.hpp"
-#include "history/stored_test.hpp"
+#include "errors/stored_test.hpp"
 #include "terminal/progress.hpp"
 
 namespace ballbar {

@@ -1,4 +1,4 @@
-#include "history/stored_test.hpp"
+#include "errors/stored_test.hpp"
 
 #include <gtest/gtest.h>
 

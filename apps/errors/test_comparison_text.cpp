@@ -1,4 +1,4 @@
-#include "history/test_comparison_text.hpp"
+#include "errors/test_comparison_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "ballbar/number_text.hpp"
-#include "history/quantity_text.hpp"
+#include "errors/quantity_text.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

@@ -8,8 +8,8 @@
 
 #include "ballbar/formats/results/result_type.hpp"
 #include "ballbar/history/machine_test.hpp"
-#include "history/quantity_text.hpp"
-#include "history/test_files.hpp"
+#include "errors/quantity_text.hpp"
+#include "errors/test_files.hpp"
 
 namespace ballbar {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "history/test_files.hpp"
+#include "errors/test_files.hpp"
 
 namespace ballbar {
 

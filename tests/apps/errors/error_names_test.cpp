@@ -1,4 +1,4 @@
-#include "diagnose/error_names.hpp"
+#include "errors/error_names.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 
 #include "ballbar/number_text.hpp"
 #include "ballbar/units.hpp"
-#include "diagnose/error_names.hpp"
-#include "diagnose/machine_errors_report.hpp"
+#include "errors/error_names.hpp"
+#include "errors/machine_errors_report.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

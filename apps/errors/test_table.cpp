@@ -1,4 +1,4 @@
-#include "history/test_table.hpp"
+#include "errors/test_table.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,22 @@
 #include <map>
 #include <set>
 
-#include "history/quantity_text.hpp"
+#include "errors/quantity_text.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {
+
+// In quotes where it needs them.
+std::string csv_text(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+// Empty: not finite.
+std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 
 std::string optional_cell(const std::optional<double>& value) { return value ? csv_number(*value) : ""; }
 

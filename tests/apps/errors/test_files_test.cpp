@@ -1,4 +1,4 @@
-#include "history/test_files.hpp"
+#include "errors/test_files.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "diagnose/machine_errors_report.hpp"
+#include "errors/machine_errors_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,7 +14,7 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/stored_errors.hpp"
 #include "ballbar/units.hpp"
-#include "diagnose/error_names.hpp"
+#include "errors/error_names.hpp"
 
 namespace ballbar {
 namespace {

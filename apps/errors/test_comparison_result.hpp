@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ballbar/history/test_comparison.hpp"
-#include "history/test_comparison_text.hpp"
-#include "history/test_result.hpp"
+#include "errors/test_comparison_text.hpp"
+#include "errors/test_result.hpp"
 
 namespace ballbar {
 

@@ -1,4 +1,4 @@
-#include "diagnose/machine_errors_result.hpp"
+#include "errors/machine_errors_result.hpp"
 
 #include "ballbar/formats/recordings/stored_errors.hpp"
 

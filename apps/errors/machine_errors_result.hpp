@@ -9,7 +9,7 @@
 #include "ballbar/formats/recordings/recording_results.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
 #include "ballbar/units.hpp"
-#include "diagnose/machine_errors_report.hpp"
+#include "errors/machine_errors_report.hpp"
 
 namespace ballbar {
 
