@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/diagnosis/next_test/next_test.hpp"
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/machine_errors/next_measurement.hpp"
 #include "ballbar/workbench/workbench.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
@@ -29,7 +29,7 @@ struct StandIn {
 struct DiagnosisReport {
   ResidualReport residual_report;
   Diagnosis diagnosis;
-  std::vector<NextTest> next_tests;
+  std::optional<NextMeasurement> next_measurement;  // of recordings: that would separate the effects in question
   std::string command;                      // the next command; empty: none
   bool is_for_plan = false;                 // whether another test of the series could decide more
   std::string plan_command;                 // plans such a test; empty: none, or the data have no name

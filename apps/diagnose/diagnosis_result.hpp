@@ -22,7 +22,6 @@ struct ResultType<StandIn> {
 // The test that would decide.
 struct DecidingTest {
   std::string text;
-  MayLack<double> separation;
   MayLack<std::string> command;
 };
 std::optional<DecidingTest> deciding_test(const DiagnosisReport& report);
@@ -33,7 +32,6 @@ struct ResultType<DecidingTest> {
   static constexpr std::string_view meaning = "The test that would decide.";
   static constexpr std::tuple fields{
       Field{"text", &DecidingTest::text, "what to do"},
-      Field{"separation", &DecidingTest::separation, "of recordings: d of the two that are hardest to tell"},
       Field{"command", &DecidingTest::command, "of a series: that plans it"}};
 };
 

@@ -32,4 +32,16 @@ std::string with_axes(std::string_view summary, Plane plane) {
   return text;
 }
 
+std::string sentence_of(const NextMeasurement& next) {
+  switch (next.measurement) {
+    case Measurement::other_direction:
+      return "Measure the other direction.";
+    case Measurement::full_circle:
+      return "Measure a full circle.";
+    case Measurement::another_feed:
+      break;
+  }
+  return "Measure at another feed.";
+}
+
 }  // namespace ballbar
