@@ -146,7 +146,7 @@ const std::vector<BoundEffect>& best_of(const Diagnosis& found) {
 std::string next_text(const DiagnosisReport& diagnosis_report) {
   const Diagnosis& found = diagnosis_report.diagnosis;
   if (found.verdict == Verdict::named && found.equivalent.empty()) return "";  // nothing is left to tell
-  if (diagnosis_report.next_measurement) return sentence_of(*diagnosis_report.next_measurement);
+  if (diagnosis_report.next_measurement) return measurement_text(*diagnosis_report.next_measurement);
   if (!diagnosis_report.is_for_plan) return "";
   return "another run of the machine. `ballbar plan` designs it and says how likely it is to decide.";
 }
@@ -226,7 +226,7 @@ std::optional<DecidingTest> deciding_test(const DiagnosisReport& report) {
     return DecidingTest{next_text(report), {command.empty() ? std::nullopt : std::optional(command)}};
   }
   if (!report.next_measurement) return std::nullopt;
-  return DecidingTest{sentence_of(*report.next_measurement), {}};
+  return DecidingTest{measurement_text(*report.next_measurement), {}};
 }
 
 }  // namespace ballbar

@@ -30,12 +30,12 @@ struct DiagnosisReport {
   ResidualReport residual_report;
   Diagnosis diagnosis;
   std::optional<NextMeasurement> next_measurement;  // of recordings: that would separate the effects in question
-  std::string command;                      // the next command; empty: none
-  bool is_for_plan = false;                 // whether another test of the series could decide more
-  std::string plan_command;                 // plans such a test; empty: none, or the data have no name
-  std::optional<Predictability> predicted;  // if a part remains unexplained
-  std::string train_command;                // trains a predictor; empty: not better, or the data have no name
-  std::string hint;                         // a sentence, if the next step is not a command; or empty
+  std::string command;                              // the next command; empty: none
+  bool is_for_plan = false;                         // whether another test of the series could decide more
+  std::string plan_command;                         // plans such a test; empty: none, or the data have no name
+  std::optional<Predictability> predicted;          // if a part remains unexplained
+  std::string train_command;                        // trains a predictor; empty: not better, or the data have no name
+  std::string hint;                                 // a sentence, if the next step is not a command; or empty
   std::vector<StandIn> stand_ins;
   std::vector<std::string> unsupported;  // labels of effects of the model that no data
                                          // supported

@@ -30,9 +30,8 @@ template <>
 struct ResultType<DecidingTest> {
   static constexpr std::string_view name = "DecidingTest";
   static constexpr std::string_view meaning = "The test that would decide.";
-  static constexpr std::tuple fields{
-      Field{"text", &DecidingTest::text, "what to do"},
-      Field{"command", &DecidingTest::command, "of a series: that plans it"}};
+  static constexpr std::tuple fields{Field{"text", &DecidingTest::text, "what to do"},
+                                     Field{"command", &DecidingTest::command, "of a series: that plans it"}};
 };
 
 template <>

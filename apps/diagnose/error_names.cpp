@@ -32,16 +32,10 @@ std::string with_axes(std::string_view summary, Plane plane) {
   return text;
 }
 
-std::string sentence_of(const NextMeasurement& next) {
-  switch (next.measurement) {
-    case Measurement::other_direction:
-      return "Measure the other direction.";
-    case Measurement::full_circle:
-      return "Measure a full circle.";
-    case Measurement::another_feed:
-      break;
-  }
-  return "Measure at another feed.";
+std::string measurement_text(const NextMeasurement& next) {
+  return next.measurement == Measurement::other_direction ? "Measure the other direction."
+         : next.measurement == Measurement::full_circle   ? "Measure a full circle."
+                                                          : "Measure at another feed.";
 }
 
 }  // namespace ballbar

@@ -16,6 +16,6 @@ std::string plain_name(std::string_view effect, Plane plane);
 std::string with_axes(std::string_view summary, Plane plane);
 
 // "Measure the other direction."
-std::string sentence_of(const NextMeasurement& next);
+std::string measurement_text(const NextMeasurement& next);
 
 }  // namespace ballbar

@@ -184,8 +184,7 @@ struct ResultType<NextMeasurement> {
   static constexpr std::tuple fields{
       Field{"measurement", &NextMeasurement::measurement, "other_direction, full_circle, another_feed"},
       Field{"error", &NextMeasurement::error, "that it separates best"},
-      Field{"other", &NextMeasurement::other, "from which"},
-      Field{"text", &sentence_of, "what to do"}};
+      Field{"other", &NextMeasurement::other, "from which"}, Field{"text", &measurement_text, "what to do"}};
 };
 
 template <>

@@ -69,12 +69,12 @@ std::vector<AddedError> one_by_one(const JointErrorFit& fitted, const std::vecto
   return added;
 }
 
-// Those that are fitted to all readings, together or to what the others leave.
+// Those of the fit that are not of the reversals or of the travel alone.
 std::vector<ShapedEffect> smooth_errors(const JointErrorFit& fitted) {
   std::vector<ShapedEffect> errors;
   for (const FittedEffect& one : fitted.effects) {
     const ErrorFit kind = one.effect->rules.error_fit;
-    if (kind != ErrorFit::together && kind != ErrorFit::where_it_shows) continue;
+    if (!one.in_the_fit || (kind != ErrorFit::together && kind != ErrorFit::where_it_shows)) continue;
     errors.push_back({one.effect, one.shape.value_or(0.0)});
   }
   return errors;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <utility>
 #include <vector>
 
 #include "ballbar/circle/trace.hpp"
@@ -15,40 +14,38 @@ namespace {
 
 constexpr double kAlike = 0.02, kApart = 0.1;  // share of an error's square that the others do not imitate
 constexpr double kClearly = 1.5;               // of ratios: equal but for rounding below it
+constexpr double kMostRecordings = 24.0;       // each has three columns of its own
 
-// The circles and the effects fitted together, with the share of each column that is its own.
+// The gains of the circles, then those of the effects.
 struct SeparatedErrors {
-  std::vector<ErrorColumn> columns;
+  std::vector<std::string> names;
   Eigen::MatrixXd covariance;
-  Eigen::VectorXd own;
-
-  double own_of(const ErrorColumn& column) const {
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      if (columns[k].effect == column.effect && columns[k].gain == column.gain) return own[static_cast<Eigen::Index>(k)];
-    }
-    return 0.0;
-  }
+  Eigen::ArrayXd own;  // share of each; infinite: not in the readings
+  Eigen::Index circles = 0;
 };
 
 SeparatedErrors separated_errors(const Series& trace, std::span<const ShapedEffect> effects) {
   const ErrorRows rows = error_rows(trace);
-  const Eigen::VectorXd far =
-      rows.count.cwiseProduct((rows.from_reversal_deg.array() > kAtReversal_deg).cast<double>().matrix());
   std::vector<ErrorColumns> parts{circle_columns(rows)};
-  for (const ShapedEffect& one : effects) {
-    parts.push_back(present(effect_columns(*one.effect, one.shape, rows, false), far));
-  }
+  for (const ShapedEffect& one : effects) parts.push_back(effect_columns(*one.effect, one.shape, rows, false));
   std::vector<const ErrorColumns*> all;
   for (const ErrorColumns& part : parts) all.push_back(&part);
-  ErrorColumns together = joined(all, rows);
-  const Block block = block_of(together.values, far, {});
-  const Eigen::VectorXd own = block.normal.diagonal().cwiseProduct(block.inverse.diagonal()).cwiseInverse();
-  return {std::move(together.columns), block.inverse, own};
+  const ErrorColumns together = joined(all, rows);
+  const Eigen::VectorXd far = rows.count.array() * (rows.from_reversal_deg.array() > kAtReversal_deg).cast<double>();
+  // What depends on an input that is not stated is not in the readings.
+  const Block block = block_of(together.values.array().isNaN().select(0.0, together.values), far, {});
+  SeparatedErrors found{{}, block.inverse, {}, parts.front().size()};
+  found.own = (block.normal.diagonal().array() * block.inverse.diagonal().array()).inverse();
+  for (const ErrorColumn& one : together.columns) {
+    found.names.push_back(one.effect == nullptr ? one.name : one.effect->name);
+  }
+  return found;
 }
 
 // Whether no recording of the trace is such a measurement.
 bool is_new(Measurement measurement, const Series& trace) {
-  if (measurement == Measurement::full_circle) return longest_arc_rad(trace) < kFullTurn_rad;
+  const double arc_rad = longest_arc_rad(trace);
+  if (measurement == Measurement::full_circle) return arc_rad >= kShortestArc_rad && arc_rad < kFullTurn_rad;
   if (measurement == Measurement::another_feed) return true;
   const std::vector<double>& direction = find_column(trace, trace_column("direction"))->values;
   return std::adjacent_find(direction.begin(), direction.end(), std::not_equal_to<>()) == direction.end();
@@ -59,8 +56,8 @@ Series with_measurement(Measurement measurement, const Series& trace) {
   const std::vector<double>& recording = find_column(trace, trace_column("recording"))->values;
   const std::vector<double>& direction = find_column(trace, trace_column("direction"))->values;
   const double sign = measurement == Measurement::other_direction ? -1.0 : 1.0;
-  const double turns = measurement == Measurement::full_circle ? 2.0 * kPi / longest_arc_rad(trace) : 1.0;
   const double faster = measurement == Measurement::another_feed ? 2.0 : 1.0;
+  const double turns = measurement == Measurement::full_circle ? 2.0 * kPi / longest_arc_rad(trace) : 1.0;
   Series more = trace;
   double number = recording.back();
   for (std::size_t first = 0, last = 0; first < recording.size(); first = last) {
@@ -70,8 +67,7 @@ Series with_measurement(Measurement measurement, const Series& trace) {
     ++number;
     for (std::size_t i = 0; i < count; ++i) {
       const double at = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-      const std::size_t step = std::min(static_cast<std::size_t>(at * readings), last - first - 1);
-      const std::size_t row = sign < 0.0 ? last - 1 - step : first + step;
+      const std::size_t row = first + static_cast<std::size_t>((sign < 0.0 ? 1.0 - at : at) * readings);
       more.time_s.push_back(more.time_s.back() + 1.0);
       for (Column& column : more.columns) {
         double value = column.values[row];
@@ -96,38 +92,31 @@ std::string_view name_of(Measurement measurement) {
 }
 
 std::optional<NextMeasurement> next_measurement(const Series& trace, std::span<const ShapedEffect> effects) {
+  if (effects.empty() || find_column(trace, trace_column("recording"))->values.back() >= kMostRecordings) return {};
   const SeparatedErrors now = separated_errors(trace, effects);
-  const auto name_at = [&](std::size_t k) {
-    return now.columns[k].effect == nullptr ? now.columns[k].name : now.columns[k].effect->name;
-  };
-  std::vector<std::size_t> alike;
-  for (std::size_t k = 0; k < now.columns.size(); ++k) {
-    if (now.columns[k].effect != nullptr && now.own[static_cast<Eigen::Index>(k)] < kAlike) alike.push_back(k);
-  }
+  const Eigen::ArrayXd before = now.own.tail(now.own.size() - now.circles);
   for (const Measurement measurement :
        {Measurement::other_direction, Measurement::full_circle, Measurement::another_feed}) {
-    if (alike.empty() || !is_new(measurement, trace)) continue;
-    const SeparatedErrors then = separated_errors(with_measurement(measurement, trace), effects);
-    std::optional<std::size_t> best;
-    double most = 0.0;
-    for (const std::size_t k : alike) {
-      const double after = then.own_of(now.columns[k]), rise = after / now.own[static_cast<Eigen::Index>(k)];
-      if (after < kApart || rise < kClearly * most) continue;
-      best = k;
-      most = rise;
+    if (!(before < kAlike).any() || !is_new(measurement, trace)) continue;
+    const Eigen::ArrayXd after =
+        separated_errors(with_measurement(measurement, trace), effects).own.tail(before.size());
+    Eigen::Index best = -1, other = -1;
+    double most = 0.0, closest = 0.0;
+    for (Eigen::Index k = 0; k < before.size(); ++k) {
+      if (before[k] >= kAlike || after[k] < kApart || after[k] < kClearly * most * before[k]) continue;
+      best = now.circles + k;
+      most = after[k] / before[k];
     }
-    if (!best) continue;
+    if (best < 0) continue;
     // The one that goes with it most.
-    std::size_t other = *best;
-    double closest = 0.0;
-    for (std::size_t k = 0; k < now.columns.size(); ++k) {
-      const auto i = static_cast<Eigen::Index>(*best), j = static_cast<Eigen::Index>(k);
-      const double square = now.covariance(i, j) * now.covariance(i, j) / now.covariance(j, j) / now.covariance(i, i);
-      if (name_at(k) == name_at(*best) || square < kClearly * closest) continue;
+    const auto name = [&](Eigen::Index k) { return now.names[static_cast<std::size_t>(k)]; };
+    for (Eigen::Index k = 0; k < now.own.size(); ++k) {
+      const double square = now.covariance(best, k) * now.covariance(best, k) / now.covariance(k, k);
+      if (name(k) == name(best) || square <= kClearly * closest) continue;
       other = k;
       closest = square;
     }
-    return NextMeasurement{measurement, name_at(*best), name_at(other)};
+    if (other >= 0) return NextMeasurement{measurement, name(best), name(other)};
   }
   return std::nullopt;
 }

@@ -134,7 +134,7 @@ struct MachineErrors {
   // Errors that the readings cannot separate: "scale_mismatch with straightness_b, centre_a".
   std::vector<std::string> undetermined;
   std::optional<NextMeasurement> next;  // that would separate errors; nullopt: none, or not requested
-  std::vector<PriorOfError> prior;  // of as_instrument
+  std::vector<PriorOfError> prior;      // of as_instrument
   std::vector<FittedGain> gains;
   Noise noise;  // the most likely one
 };

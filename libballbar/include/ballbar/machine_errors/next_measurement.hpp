@@ -29,8 +29,8 @@ struct ShapedEffect {
   double shape = 0.0;  // of an effect that has one
 };
 
-// Of trace_of() recordings. The first Measurement that separates one of the effects; nullopt: all are separate, or none
-// of these measurements helps.
+// Of trace_of() recordings. The first Measurement that separates one of the effects; nullopt: all are separate, none of
+// these measurements helps, or there are more than 24 recordings.
 std::optional<NextMeasurement> next_measurement(const Series& trace, std::span<const ShapedEffect> effects);
 
 }  // namespace ballbar
