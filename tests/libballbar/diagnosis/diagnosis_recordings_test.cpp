@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/machine_errors/next_measurement.hpp"
 #include "made_recordings.hpp"
 
 namespace ballbar {
@@ -97,6 +98,11 @@ TEST(DiagnosisOfRecordings, one_direction_never_tells_squareness_from_a_servo_mi
     EXPECT_TRUE(found.named.empty() && found.probable.empty()) << effect;
     EXPECT_TRUE(is_in(found.equivalent, "squareness")) << effect;
     EXPECT_TRUE(is_in(found.equivalent, "servo_mismatch")) << effect;
+    const std::vector<ShapedEffect> both{{find_effect("squareness", Level::recording)},
+                                         {find_effect("servo_mismatch", Level::recording)}};
+    const std::optional<NextMeasurement> next = next_measurement(trace, both);
+    ASSERT_TRUE(next) << effect;
+    EXPECT_EQ(next->measurement, Measurement::other_direction) << effect;
   }
 }
 
