@@ -15,6 +15,7 @@
 #include "diagnose/diagnosis_result.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/next_command.hpp"
+#include "errors/error_names.hpp"
 #include "terminal/progress.hpp"
 
 namespace ballbar {
@@ -85,6 +86,25 @@ std::vector<std::string> unsupported_of(const ModelOptions& options, const Model
   return held;
 }
 
+// That separates effects of which the diagnosis does not tell which it is.
+std::optional<NextMeasurement> next_measurement_of(const Diagnosis& found, const Series& recordings) {
+  for (const std::vector<BoundEffect>& group : found.equivalent) {
+    std::vector<ShapedEffect> effects;
+    for (const BoundEffect& bound : group) {
+      effects.push_back({bound.effect, 0.0});
+      const auto candidate = std::find_if(found.candidates.begin(), found.candidates.end(),
+                                          [&](const Candidate& one) { return one.bound == bound; });
+      for (std::size_t k = 0; candidate != found.candidates.end() && k < candidate->parameters.size(); ++k) {
+        const Parameter& parameter = bound.effect->parameters[k];
+        const bool is_shape = parameter.kind == ParameterKind::shape && parameter.shape_of != ShapeOf::recording;
+        if (is_shape) effects.back().shape = candidate->parameters[k].value;
+      }
+    }
+    if (std::optional<NextMeasurement> next = next_measurement(recordings, effects)) return next;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<StandIn> stand_ins_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
@@ -125,7 +145,7 @@ const std::vector<BoundEffect>& best_of(const Diagnosis& found) {
 std::string next_text(const DiagnosisReport& diagnosis_report) {
   const Diagnosis& found = diagnosis_report.diagnosis;
   if (found.verdict == Verdict::named && found.equivalent.empty()) return "";  // nothing is left to tell
-  if (!diagnosis_report.next_tests.empty()) return diagnosis_report.next_tests.front().text;
+  if (diagnosis_report.next_measurement) return measurement_text(*diagnosis_report.next_measurement);
   if (!diagnosis_report.is_for_plan) return "";
   return "another run of the machine. `ballbar plan` designs it and says how likely it is to decide.";
 }
@@ -188,7 +208,7 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& benc
     const Diagnosis& found = report.diagnosis;
     report.is_for_plan = bench.model().level == Level::series && is_for_plan(found);
     if (report.is_for_plan) report.plan_command = plan_command(options, found);
-    report.next_tests = next_tests(bench.model(), bench.data(), found);
+    if (bench.model().level == Level::recording) report.next_measurement = next_measurement_of(found, bench.data());
     report.command = next_command(options, found);
     report.hint = next_hint(options, found);
     report.unsupported = unsupported_of(options, bench.model());
@@ -202,10 +222,10 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& benc
 std::optional<DecidingTest> deciding_test(const DiagnosisReport& report) {
   if (report.is_for_plan) {
     const std::string& command = report.plan_command;
-    return DecidingTest{next_text(report), {}, {command.empty() ? std::nullopt : std::optional(command)}};
+    return DecidingTest{next_text(report), {command.empty() ? std::nullopt : std::optional(command)}};
   }
-  if (report.next_tests.empty()) return std::nullopt;
-  return DecidingTest{report.next_tests.front().text, {report.next_tests.front().separation}, {}};
+  if (!report.next_measurement) return std::nullopt;
+  return DecidingTest{measurement_text(*report.next_measurement), {}};
 }
 
 }  // namespace ballbar

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/diagnosis/next_test/next_test.hpp"
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/machine_errors/next_measurement.hpp"
 #include "ballbar/workbench/workbench.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
@@ -29,13 +29,13 @@ struct StandIn {
 struct DiagnosisReport {
   ResidualReport residual_report;
   Diagnosis diagnosis;
-  std::vector<NextTest> next_tests;
-  std::string command;                      // the next command; empty: none
-  bool is_for_plan = false;                 // whether another test of the series could decide more
-  std::string plan_command;                 // plans such a test; empty: none, or the data have no name
-  std::optional<Predictability> predicted;  // if a part remains unexplained
-  std::string train_command;                // trains a predictor; empty: not better, or the data have no name
-  std::string hint;                         // a sentence, if the next step is not a command; or empty
+  std::optional<NextMeasurement> next_measurement;  // of recordings: that would separate the effects in question
+  std::string command;                              // the next command; empty: none
+  bool is_for_plan = false;                         // whether another test of the series could decide more
+  std::string plan_command;                         // plans such a test; empty: none, or the data have no name
+  std::optional<Predictability> predicted;          // if a part remains unexplained
+  std::string train_command;                        // trains a predictor; empty: not better, or the data have no name
+  std::string hint;                                 // a sentence, if the next step is not a command; or empty
   std::vector<StandIn> stand_ins;
   std::vector<std::string> unsupported;  // labels of effects of the model that no data
                                          // supported

@@ -23,7 +23,6 @@ struct ResultType<StandIn> {
 // The test that would decide.
 struct DecidingTest {
   std::string text;
-  MayLack<double> separation;
   MayLack<std::string> command;
 };
 std::optional<DecidingTest> deciding_test(const DiagnosisReport& report);
@@ -32,10 +31,8 @@ template <>
 struct ResultType<DecidingTest> {
   static constexpr std::string_view name = "DecidingTest";
   static constexpr std::string_view meaning = "The test that would decide.";
-  static constexpr std::tuple fields{
-      Field{"text", &DecidingTest::text, "what to do"},
-      Field{"separation", &DecidingTest::separation, "of recordings: d of the two that are hardest to tell"},
-      Field{"command", &DecidingTest::command, "of a series: that plans it"}};
+  static constexpr std::tuple fields{Field{"text", &DecidingTest::text, "what to do"},
+                                     Field{"command", &DecidingTest::command, "of a series: that plans it"}};
 };
 
 template <>

@@ -32,4 +32,10 @@ std::string with_axes(std::string_view summary, Plane plane) {
   return text;
 }
 
+std::string measurement_text(const NextMeasurement& next) {
+  return next.measurement == Measurement::other_direction ? "Measure the other direction."
+         : next.measurement == Measurement::full_circle   ? "Measure a full circle."
+                                                          : "Measure at another feed.";
+}
+
 }  // namespace ballbar

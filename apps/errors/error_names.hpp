@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "ballbar/circle/recording.hpp"
+#include "ballbar/machine_errors/next_measurement.hpp"
 
 namespace ballbar {
 
@@ -13,5 +14,8 @@ std::string plain_name(std::string_view effect, Plane plane);
 
 // "Axis A moves sideways, along B": the catalogue's summaries, where a word that is A or B is an axis.
 std::string with_axes(std::string_view summary, Plane plane);
+
+// "Measure the other direction."
+std::string measurement_text(const NextMeasurement& next);
 
 }  // namespace ballbar

@@ -9,6 +9,7 @@
 #include "ballbar/formats/recordings/recording_results.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
 #include "ballbar/units.hpp"
+#include "errors/error_names.hpp"
 #include "errors/machine_errors_report.hpp"
 
 namespace ballbar {
@@ -177,6 +178,16 @@ struct ResultType<LeftHarmonic> {
 };
 
 template <>
+struct ResultType<NextMeasurement> {
+  static constexpr std::string_view name = "NextMeasurement";
+  static constexpr std::string_view meaning = "The measurement that would tell errors apart.";
+  static constexpr std::tuple fields{
+      Field{"measurement", &NextMeasurement::measurement, "other_direction, full_circle, another_feed"},
+      Field{"error", &NextMeasurement::error, "that it separates best"},
+      Field{"other", &NextMeasurement::other, "from which"}, Field{"text", &measurement_text, "what to do"}};
+};
+
+template <>
 struct ResultType<PriorOfError> {
   static constexpr std::string_view name = "PriorOfError";
   static constexpr std::string_view meaning = "What an error is held to be before the readings speak.";
@@ -223,6 +234,8 @@ struct ResultType<ErrorsReport> {
       std::tuple{
           Field{"left_text", &left_text, "what the errors do not explain"},
           Field{"undetermined", [](Report of) { return of.found.undetermined; }, "what the readings do not tell apart"},
+          Field{"next_measurement", [](Report of) { return MayLack<NextMeasurement>{of.found.next}; },
+                "that would tell some of these apart"},
           Field{"prior", [](Report of) { return of.found.prior; }, ""},
           Field{"tolerances", &tolerance_texts, "pass or fail, a line each"}});
   static constexpr std::tuple fields =

@@ -175,6 +175,7 @@ void print_group(const ErrorsReport& report, bool details) {
   if (!found.undetermined.empty()) {
     fmt::print("{}", wrapped(fmt::format("Not separable by these readings: {}.", fmt::join(found.undetermined, "; "))));
   }
+  if (found.next) fmt::print("{}\n", measurement_text(*found.next));
   if (details) fmt::print("{}", prior_text(report));
 }
 

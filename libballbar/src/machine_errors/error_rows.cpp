@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kFine_deg = 0.4;  // between the first and the last of its readings
 constexpr double kRow_deg = 1.0;
+constexpr double kOfAll = -1.0;  // index of the recording of an effect: all of them
 
 // Which stretch of the path a reading is of: rows never hold two.
 struct Stretch {
@@ -199,7 +200,8 @@ Eigen::MatrixXd unit_curves(const Effect& effect, const Series& fine, double sha
   std::vector<double> parameters;
   parameters.reserve(effect.parameters.size());
   for (const Parameter& parameter : effect.parameters) {
-    parameters.push_back(parameter.kind == ParameterKind::gain ? 0.0 : shape);
+    const bool is_recording = parameter.shape_of == ShapeOf::recording;
+    parameters.push_back(parameter.kind == ParameterKind::gain ? 0.0 : is_recording ? kOfAll : shape);
   }
   const std::vector<std::size_t> gains = gains_of(effect);
   const auto n = static_cast<Eigen::Index>(fine.time_s.size());

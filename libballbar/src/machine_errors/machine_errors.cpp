@@ -69,6 +69,17 @@ std::vector<AddedError> one_by_one(const JointErrorFit& fitted, const std::vecto
   return added;
 }
 
+// Those of the fit that are not of the reversals or of the travel alone.
+std::vector<ShapedEffect> smooth_errors(const JointErrorFit& fitted) {
+  std::vector<ShapedEffect> errors;
+  for (const FittedEffect& one : fitted.effects) {
+    const ErrorFit kind = one.effect->rules.error_fit;
+    if (!one.in_the_fit || (kind != ErrorFit::together && kind != ErrorFit::where_it_shows)) continue;
+    errors.push_back({one.effect, one.shape.value_or(0.0)});
+  }
+  return errors;
+}
+
 }  // namespace
 
 MachineErrors machine_errors(std::span<const Recording> recordings, const MachineErrorOptions& options) {
@@ -112,6 +123,7 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
   const double repeats_um = repeatability_um(fitted.rows, residual);
   found.repeatability_um = std::sqrt(fitted.within_um2 + repeats_um * repeats_um);  // of readings, as the residual
   if (options.details) {
+    found.next = next_measurement(trace, smooth_errors(fitted));
     found.left = left_harmonic(fitted.rows, fitted.columns.values, residual, fitted.noise, fitted.arc_rad);
   }
   return found;

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "ballbar/diagnosis/next_test/next_test.hpp"
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/machine_errors/next_measurement.hpp"
 #include "made_recordings.hpp"
 
 namespace ballbar {
@@ -86,16 +86,15 @@ TEST(DiagnosisOfRecordings, of_one_direction_nothing_drives) {
 TEST(DiagnosisOfRecordings, one_direction_never_tells_squareness_from_a_servo_mismatch) {
   for (const char* effect : {"squareness", "servo_mismatch"}) {
     const Series trace = made::recordings(plan_of(made::one_way(), 200), find_effect(effect, Level::recording), 1);
-    const Model model = recording_base_model(trace);
-    const Diagnosis found = diagnose(model, trace, 0, linear_axes());
+    const Diagnosis found = diagnose(recording_base_model(trace), trace, 0, linear_axes());
     EXPECT_TRUE(found.named.empty() && found.probable.empty()) << effect;
     EXPECT_TRUE(is_in(found.equivalent, "squareness")) << effect;
     EXPECT_TRUE(is_in(found.equivalent, "servo_mismatch")) << effect;
-    const std::vector<NextTest> tests = next_tests(model, trace, found);
-    ASSERT_FALSE(tests.empty());
-    EXPECT_TRUE(tests.front().name == "the other direction" || tests.front().name.ends_with("the feed"))
-        << tests.front().name;
-    EXPECT_GT(tests.front().separation, 7.5);
+    const std::vector<ShapedEffect> both{{find_effect("squareness", Level::recording)},
+                                         {find_effect("servo_mismatch", Level::recording)}};
+    const std::optional<NextMeasurement> next = next_measurement(trace, both);
+    ASSERT_TRUE(next) << effect;
+    EXPECT_EQ(next->measurement, Measurement::other_direction) << effect;
   }
 }
 

@@ -32,6 +32,7 @@
 
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/effects/effect.hpp"
+#include "ballbar/machine_errors/next_measurement.hpp"
 #include "ballbar/noise/noise.hpp"
 #include "ballbar/series/series.hpp"
 
@@ -41,7 +42,8 @@ enum class CyclicOfRuns { larger, mean };
 
 struct MachineErrorOptions {
   bool prior = true;  // false (`--prior none`): curves and significance on an arc do not use L
-  // Compute sigmas of the gains, the residual error by error, and its harmonics; false: faster, for many tests.
+  // Compute sigmas of the gains, the residual error by error, its harmonics, and the next measurement; false: faster,
+  // for many tests.
   bool details = true;
   // How to combine the amplitudes of the cyclic error of several recordings.
   CyclicOfRuns cyclic_of_runs = CyclicOfRuns::larger;
@@ -131,7 +133,8 @@ struct MachineErrors {
   std::optional<LeftHarmonic> left;  // a harmonic that the model does not explain; nullopt: none is significant
   // Errors that the readings cannot separate: "scale_mismatch with straightness_b, centre_a".
   std::vector<std::string> undetermined;
-  std::vector<PriorOfError> prior;  // of as_instrument
+  std::optional<NextMeasurement> next;  // that would separate errors; nullopt: none, or not requested
+  std::vector<PriorOfError> prior;      // of as_instrument
   std::vector<FittedGain> gains;
   Noise noise;  // the most likely one
 };

@@ -98,6 +98,9 @@ BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& name
   return bound;
 }
 
+namespace {
+
+// The points of the grid of an effect's shapes on these rows, including held shapes that have a grid.
 std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows,
                                            const SignatureOptions& options) {
   std::vector<double> first;
@@ -124,8 +127,6 @@ std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRow
   }
   return points;
 }
-
-namespace {
 
 // An effect on columns, with the columns of each of its shapes.
 struct EffectShapes {

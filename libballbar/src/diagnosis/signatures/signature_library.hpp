@@ -71,10 +71,6 @@ struct BoundInputs {
 };
 BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& names, const Series& data);
 
-// The points of the grid of an effect's shapes on these rows, including held shapes that have a grid.
-std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows,
-                                           const SignatureOptions& options);
-
 struct SignatureProjection {
   Eigen::VectorXd residual;   // r, n
   Eigen::MatrixXd columns;    // U, as SignatureLibrary::columns; 0 where nothing survives
