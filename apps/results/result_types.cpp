@@ -21,7 +21,6 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/results/schema.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "challenge/blind_results.hpp"
 #include "compensate/replay_result.hpp"
 #include "compensate/written_result.hpp"
 #include "diagnose/diagnosis_result.hpp"
@@ -67,7 +66,7 @@ std::vector<PythonClass> python_classes() {
           {"Comparison", "compare", {"Comparison"}},
           {"History", "history", {"History"}},
           {"Imported", "import_log", {"Imported", "Merged"}},
-          {"Simulated", "simulate", {"Simulated", "SimulatedFleet", "BlindMade", "BlindRun", "BlindScore"}},
+          {"Simulated", "simulate", {"Simulated", "SimulatedFleet", "BlindMade", "BlindScore"}},
           {"Effects", "effects", {"Effects", "Effect", "ExplainedTerms"}},
           {"Preflight", "could", {"Preflight", "PreflightTargets", "Injected"}},
           {"Checked", "Model.fit", {"Checked"}},
@@ -118,7 +117,7 @@ std::vector<ResultSchema> all_schemas() {
                     Undone, Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, TestComparison,
                     TestHeads, HistoryResult, History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet,
                     TrainedOnTemperatures, TrainedOnEffects, TrainedForJob, PredictedSeries, PredictedTarget,
-                    ReplayResult, WrittenResult, MadeSets, NextRun, ScoredSets, MeanPointsResult, ShaftPart, PageReport,
+                    ReplayResult, WrittenResult, MadeSets, ScoredSets, MeanPointsResult, ShaftPart, PageReport,
                     ModelPart, HeldPart, WithPart, RevisedPart, EffectChoices, Hypotheses, ModelText, HistoryReport,
                     FleetReport, PageFiles>();
 }

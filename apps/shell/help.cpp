@@ -110,7 +110,7 @@ constexpr OldCommand kOldCommands[] = {
     {"terms", "effects --terms", "effects"},
     {"select", "train RUNS --for DATA", "train"},
     {"meanpoint", "compensate --from-picture FILE", "compensate"},
-    {"blind", "simulate --hidden, simulate SET --schedule FILE, or simulate score DIR", "simulate"},
+    {"blind", "simulate --hidden or simulate score DIR", "simulate"},
     {"completion", "help --completion SHELL", "help"},
     {"man", "help --man", "help"},
 };
