@@ -13,15 +13,15 @@
 #include <random>
 #include <string_view>
 
-#include "ballbar/formats/machines/fleet_files.hpp"
-#include "ballbar/formats/machines/fleet_toml.hpp"
-#include "ballbar/formats/machines/machine_toml.hpp"
-#include "ballbar/formats/machines/shaft_images.hpp"
-#include "ballbar/formats/machines/simulated_files.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
+#include "simulate/fleet_files.hpp"
+#include "simulate/fleet_toml.hpp"
 #include "simulate/hidden_sets.hpp"
+#include "simulate/machine_toml.hpp"
+#include "simulate/shaft_images.hpp"
+#include "simulate/simulated_files.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 
