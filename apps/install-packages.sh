@@ -4,8 +4,8 @@
 #   sh apps/install-packages.sh GROUP...
 #
 # build                         the least to read, fit, report and diagnose
-# page images mat pdf blind hal a component each, built where its packages are: the page of `ballbar report`; pictures;
-#                               .mat files; a test as PDF; sealed blind tests; LinuxCNC
+# page images mat pdf hal       a component each, built where its packages are: the page of `ballbar report`; pictures;
+#                               .mat files; a test as PDF; LinuxCNC
 # python fleet                  the package of Python; many machines at once with it, by Dask
 # tool                          the whole program as a page, apps/page/build-tool.sh
 # package                       the Debian packages, apps/packages/make.sh
@@ -21,7 +21,6 @@ command -v node >/dev/null && command -v npm >/dev/null && page= || page='nodejs
 images='libopencv-imgproc-dev libspng-dev libjpeg62-turbo-dev'
 mat=libmatio-dev
 pdf='librsvg2-dev pkg-config'
-blind=libssl-dev
 # Beside build, whose headers it takes.
 tool='emscripten dpkg-dev'
 python='pybind11-dev python3-dev python3-numpy python3-pandas python3-venv'
@@ -43,7 +42,6 @@ for group in "$@"; do
     images) wanted="$wanted $images" ;;
     mat) wanted="$wanted $mat" ;;
     pdf) wanted="$wanted $pdf" ;;
-    blind) wanted="$wanted $blind" ;;
     python) wanted="$wanted $python" ;;
     fleet) wanted="$wanted $fleet" ;;
     tool) wanted="$wanted $tool" ;;
@@ -54,7 +52,7 @@ for group in "$@"; do
     bench) wanted="$wanted $bench" ;;
     check) wanted="$wanted $check" ;;
     *)
-      echo "install-packages.sh: no group '$group'; the groups are build, page, images, mat, pdf, blind, python, fleet," \
+      echo "install-packages.sh: no group '$group'; the groups are build, page, images, mat, pdf, python, fleet," \
         "tool, hal, package, test, browsers, bench, check" >&2
       exit 2
       ;;

@@ -40,7 +40,7 @@ else
   cat >"$carried/inside.sh" <<END_OF_FILE
 set -eux
 cd "$source"
-sh apps/install-packages.sh build page images mat pdf blind python fleet hal test
+sh apps/install-packages.sh build page images mat pdf python fleet hal test
 node --version
 ctest --test-dir "$build" --output-on-failure -j "$(nproc)" -R '^cli|^readme|^terms|^page_' -LE slow
 END_OF_FILE

@@ -17,7 +17,7 @@ if [ "${1:-}" = --all ]; then
   shift
 fi
 
-sh apps/install-packages.sh build page images mat pdf blind python fleet hal test
+sh apps/install-packages.sh build page images mat pdf python fleet hal test
 mkdir -p build-tests
 configured=build-tests/configured.log results=$PWD/build-tests/results.xml
 cmake -S . -B build-tests -DCMAKE_BUILD_TYPE=Release -DBALLBAR_TESTS=ON -DBALLBAR_PACKAGES=OFF -DBALLBAR_STUDIES=OFF \

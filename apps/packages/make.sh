@@ -17,14 +17,14 @@ export SOURCE_DATE_EPOCH
 step() { printf '\n== %s\n' "$1"; }
 
 step 'Packages to build with'
-sh apps/install-packages.sh build page images mat blind python package
+sh apps/install-packages.sh build page images mat python package
 
 step 'ballbar.html'
 sh apps/page/build-tool.sh
 
 step "Build (Release, in $build)"
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DBALLBAR_PACKAGES=ON \
-  -DBALLBAR_PAGE=ON -DBALLBAR_IMAGES=ON -DBALLBAR_MAT=ON -DBALLBAR_PDF=OFF -DBALLBAR_XLSX=ON -DBALLBAR_BLIND=ON -DBALLBAR_PYTHON=ON -DBALLBAR_HAL=OFF
+  -DBALLBAR_PAGE=ON -DBALLBAR_IMAGES=ON -DBALLBAR_MAT=ON -DBALLBAR_PDF=OFF -DBALLBAR_XLSX=ON -DBALLBAR_PYTHON=ON -DBALLBAR_HAL=OFF
 cmake --build "$build" --target ballbar ballbar_python ballbar_python_files -j "$(nproc)"
 
 step 'Packages'

@@ -56,7 +56,7 @@ copyright_of() (
   sed 's/^/  /; s/ *$//' "$source/LICENSE"
   echo
   echo "The program is linked with parts of SuiteSparse (libspqr, libcholmod) under the GNU General Public License, version"
-  echo "2 or later, and with OpenSSL under the Apache License 2.0: as a whole it may be passed on under version 3 of the"
+  echo "2 or later, and, by libzip, OpenSSL under the Apache License 2.0: as a whole it may be passed on under version 3 of the"
   echo "former, /usr/share/common-licenses/GPL-3."
   echo
   echo "Code of these Debian source packages is compiled in; the copyright of each stands in the file named. Their"

@@ -24,7 +24,7 @@ launcher=
 if command -v ccache >/dev/null; then launcher=-DCMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
 # shellcheck disable=SC2086  # nothing where there is no ccache
 emcmake cmake -S . -B "$made/engine" -DCMAKE_BUILD_TYPE=Release $launcher -DCMAKE_FIND_ROOT_PATH="$made/prefix" \
-  -DBALLBAR_PAGE=OFF -DBALLBAR_IMAGES=OFF -DBALLBAR_MAT=OFF -DBALLBAR_PDF=OFF -DBALLBAR_HAL=OFF -DBALLBAR_BLIND=OFF -DBALLBAR_PYTHON=OFF -DBALLBAR_XLSX=ON \
+  -DBALLBAR_PAGE=OFF -DBALLBAR_IMAGES=OFF -DBALLBAR_MAT=OFF -DBALLBAR_PDF=OFF -DBALLBAR_HAL=OFF -DBALLBAR_PYTHON=OFF -DBALLBAR_XLSX=ON \
   -DEigen3_DIR=/usr/share/eigen3/cmake -Dnlohmann_json_DIR="$made/prefix/lib/cmake/nlohmann_json" \
   -Dtomlplusplus_DIR="$made/prefix/lib/cmake/tomlplusplus" -DCLI11_DIR="$made/prefix/lib/cmake/CLI11" \
   -DBoost_INCLUDE_DIR="$made/prefix/include" -DFAST_FLOAT_INCLUDE_DIR="$made/prefix/include" \

@@ -21,7 +21,6 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/results/schema.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "challenge/blind_results.hpp"
 #include "compensate/replay_result.hpp"
 #include "compensate/written_result.hpp"
 #include "diagnose/diagnosis_result.hpp"
@@ -66,7 +65,7 @@ std::vector<PythonClass> python_classes() {
           {"Comparison", "compare", {"Comparison"}},
           {"History", "history", {"History"}},
           {"Imported", "import_log", {"Imported", "Merged"}},
-          {"Simulated", "simulate", {"Simulated", "SimulatedFleet", "BlindMade", "BlindRun", "BlindScore"}},
+          {"Simulated", "simulate", {"Simulated", "SimulatedFleet", "BlindMade", "BlindScore"}},
           {"Effects", "effects", {"Effects", "Effect", "ExplainedTerms"}},
           {"Preflight", "could", {"Preflight", "PreflightTargets", "Injected"}},
           {"Checked", "Model.fit", {"Checked"}},
@@ -117,8 +116,8 @@ std::vector<ResultSchema> all_schemas() {
                     Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, TestComparison, TestHeads,
                     HistoryResult, History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet,
                     TrainedOnTemperatures, TrainedOnEffects, TrainedForJob, Series, PredictedTarget, ReplayResult,
-                    WrittenResult, MadeSets, NextRun, ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart,
-                    HeldPart, WithPart, RevisedPart, EffectChoices, Hypotheses, ModelText, HistoryReport, FleetReport,
+                    WrittenResult, MadeSets, ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart, HeldPart,
+                    WithPart, RevisedPart, EffectChoices, Hypotheses, ModelText, HistoryReport, FleetReport,
                     PageFiles>();
 }
 

@@ -1,5 +1,5 @@
 // `ballbar simulate`: a virtual machine's session as files, the truth in a file of its own; with --hidden sets in which
-// effects may be hidden, with --schedule a further run of such a set's machine.
+// effects may be hidden.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,19 +10,18 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <random>
 #include <string_view>
-#include <system_error>
 
-#include "ballbar/formats/machines/fleet_files.hpp"
-#include "ballbar/formats/machines/fleet_toml.hpp"
-#include "ballbar/formats/machines/machine_toml.hpp"
-#include "ballbar/formats/machines/shaft_images.hpp"
-#include "ballbar/formats/machines/simulated_files.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
-#include "challenge/challenge.hpp"
 #include "commands.hpp"
-#include "simulate/simulate_result.hpp"
+#include "simulate/fleet_files.hpp"
+#include "simulate/fleet_toml.hpp"
+#include "simulate/hidden_sets.hpp"
+#include "simulate/machine_toml.hpp"
+#include "simulate/shaft_images.hpp"
+#include "simulate/simulated_files.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 
@@ -40,8 +39,7 @@ struct SimulateArguments {
   bool force = false;
   bool json = false;
   bool hidden = false;
-  HiddenSetsOptions sets;
-  std::string schedule;
+  int sets = 20;
 };
 
 // Beside the folder, not in it: whoever is given the run is not given the answer.
@@ -110,36 +108,26 @@ void expect_only(const CLI::App& command, const std::string& way, const std::vec
 }
 
 void run_hidden(const SimulateArguments& options, const CLI::App& command) {
-  expect_only(command, "--hidden", {"--n", "--answers", "--out", "--seed", "--json"});
+  expect_only(command, "--hidden", {"--n", "--out", "--seed", "--json"});
   if (options.out.empty()) throw CLI::RequiredError("--out");
-  HiddenSetsOptions sets = options.sets;
-  sets.out = options.out;
-  sets.seed = options.seed;
-  sets.json = options.json;
-  make_hidden_sets(sets);
-}
-
-void run_further(const SimulateArguments& options, const CLI::App& command) {
-  expect_only(command, "--schedule", {"MACHINE", "--answers", "--out", "--json"});
-  if (options.machine.empty()) throw CLI::RequiredError("MACHINE");
-  if (!options.out.empty() && !options.out.ends_with(".csv")) {
-    throw CLI::ValidationError(fmt::format("--out: expected a name that ends in .csv, found {}", options.out));
+  std::random_device random;
+  const std::uint64_t seed =
+      options.seed ? static_cast<std::uint64_t>(*options.seed) : (std::uint64_t{random()} << 31) ^ random();
+  const auto count = static_cast<std::size_t>(options.sets);
+  write_hidden_sets(options.out, count, seed);
+  const std::string answers = answers_file(options.out).string();
+  if (options.json) {
+    print_json(json_of(MadeSets{options.out, count, answers}));
+    return;
   }
-  make_further_run({options.machine, options.schedule, options.out, options.sets.answers, options.json});
+  fmt::print("written  {}: {} data set{}; README.txt explains their use\n", options.out, count, count == 1 ? "" : "s");
+  fmt::print("answers  {}\n", answers);
 }
 
 void run(const SimulateArguments& options, CLI::App& command) {
   if (options.hidden) return run_hidden(options, command);
-  if (!options.schedule.empty()) return run_further(options, command);
   expect_none_given({command.get_option("--n")}, "--hidden");
-  expect_none_given({command.get_option("--answers")}, "--hidden or --schedule");
   if (options.machine.empty()) throw CLI::RequiredError("MACHINE");
-  std::error_code absent;
-  if (fs::is_directory(options.machine, absent)) {
-    throw CLI::ValidationError(
-        fmt::format("expected --schedule FILE with the folder of a set, {}, or a machine.toml, found the folder alone",
-                    options.machine));
-  }
   if (options.out.empty()) throw CLI::RequiredError("--out");
   const std::string bytes = read_bytes(options.machine, kLargestText);
   if (is_fleet(bytes)) {
@@ -167,12 +155,8 @@ void run(const SimulateArguments& options, CLI::App& command) {
 void add_simulate(CLI::App& app) {
   const auto options = std::make_shared<SimulateArguments>();
   CLI::App* command = app.add_subcommand("simulate", "Simulate recordings and signals of a virtual machine");
-  command
-      ->add_option("MACHINE", options->machine,
-                   "machine.toml (one machine) or fleet.toml (many); with --schedule: the folder of a set of --hidden")
-      ->type_name("");
-  command->add_option("--out", options->out, "write the files to a new or empty folder; with --schedule: to one .csv")
-      ->type_name("DIR");
+  command->add_option("MACHINE", options->machine, "machine.toml (one machine) or fleet.toml (many)")->type_name("");
+  command->add_option("--out", options->out, "write the files to a new or empty folder")->type_name("DIR");
   command->add_option("--truth", options->truth, "write the truth to FILE; default: DIR-truth.csv")->type_name("FILE");
   command
       ->add_option("--seed", options->seed,
@@ -182,20 +166,11 @@ void add_simulate(CLI::App& app) {
   command->add_flag("--b5r", options->b5r, "method circles: write only .b5r files");
   command->add_flag("--force", options->force, "replace existing files");
   command->add_flag("--hidden", options->hidden,
-                    "without MACHINE: write data sets with hidden effects and sealed answers");
+                    "without MACHINE: write data sets with hidden effects and their answers");
   command
-      ->add_option("--n", options->sets.count,
-                   fmt::format("with --hidden: number of sets, 1 to {}; default: 20", kMostSets))
+      ->add_option("--n", options->sets, fmt::format("with --hidden: number of sets, 1 to {}; default: 20", kMostSets))
       ->check(whole_number_within(1, kMostSets))
       ->type_name("N");
-  command
-      ->add_option("--schedule", options->schedule,
-                   "schedule.csv: run the machine of the set MACHINE again; writes run2.csv, run3.csv ...")
-      ->type_name("FILE");
-  command
-      ->add_option("--answers", options->sets.answers,
-                   "file of the answers of --hidden; default: answers.json beside the sets")
-      ->type_name("FILE");
   command->add_flag("--json", options->json, "print the result as JSON");
   add_score(*command);
   command->get_subcommand("score")->parse_complete_callback([command] { expect_only(*command, "score", {}); });
@@ -203,9 +178,8 @@ void add_simulate(CLI::App& app) {
       "Examples:\n"
       "  ballbar simulate sample-runs/two-arcs-he2015/machine.toml --out my-run\n"
       "  ballbar drift my-run/session.toml\n"
-      "  ballbar simulate --hidden --n 20 --out blind-test\n"
-      "  ballbar simulate blind-test/01 --schedule schedule.csv\n"
-      "  ballbar simulate score blind-test");
+      "  ballbar simulate --hidden --n 20 --out hidden\n"
+      "  ballbar simulate score hidden");
   command->callback([options, command] {
     if (command->get_subcommands().empty()) run(*options, *command);
   });

@@ -1,5 +1,5 @@
 """Includes go one way: libballbar, its laboratory, formats, apps, and within each the rooms in the order in which CMake lists them.
-The modules of the page import no circle.
+The laboratory is for `simulate` alone, and `simulate` for no other room. The modules of the page import no circle.
 
     python3 one_way.py SOURCE_FOLDER
 """
@@ -27,13 +27,20 @@ def room_of(part, folder):
     return rooms.index((part, folder)) if (part, folder) in rooms else None
 
 
-def included(part, file):
+# Who may include what is not for all rooms that come after it.
+only = {"ballbar/lab/": ("libballbar/lab", "apps/simulate"), "simulate/": ("apps/simulate", "apps/results")}
+simulate = rooms.index(("apps", "simulate"))
+
+
+def included(part, file, own):
     """(part, folder) of what an include in quotes names."""
     public = re.match(r"ballbar/(formats/|lab/)?(?:(.*)/)?[^/]*$", file)
     if public:
         return {"formats/": "formats", "lab/": "libballbar/lab", None: "libballbar"}[public[1]], public[2] or ""
     if part == "libballbar/lab" and room_of(part, file.rpartition("/")[0]) is None:
         part = "libballbar"  # on whose own headers the laboratory is built
+    if own == simulate and room_of(part, file.rpartition("/")[0]) is None:
+        part = "formats"  # on whose own headers the files of virtual machines are built
     return part, file.rpartition("/")[0]
 
 
@@ -48,7 +55,11 @@ for part in parts:
             continue
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             include = re.match(r'#include "(.+)"', line)
-            other = room_of(*included(part, include[1])) if include else own
+            other = room_of(*included(part, include[1], own)) if include else own
+            for begin, users in only.items():
+                if include and include[1].startswith(begin) and not f"{'/'.join(rooms[own])}/".startswith(tuple(f"{user}/" for user in users)):
+                    wrong.append(f"{path.relative_to(source)}:{number}: {'/'.join(rooms[own]).strip('/')} may not include "
+                                 f"{include[1]}: it is for {' and '.join(users)} alone")
             if other is None or other > own:
                 wrong.append(f"{path.relative_to(source)}:{number}: {'/'.join(rooms[own]).strip('/')} may not include "
                              f"{include[1]}: expected a file of its own room or of one listed before it")

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "ballbar/drift/drift.hpp"
-#include "ballbar/formats/machines/simulated_files.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
 #include "bench_data.hpp"
+#include "simulate/simulated_files.hpp"
 
 namespace {
 

@@ -45,7 +45,7 @@ sys.dont_write_bytecode = True  # beside the sources
 import same  # noqa: E402
 
 kHere = pathlib.Path(__file__).resolve().parent
-kComponents = {"PAGE", "IMAGES", "MAT", "PDF", "XLSX", "BLIND"}
+kComponents = {"PAGE", "IMAGES", "MAT", "PDF", "XLSX"}
 kSkipped = 77
 kAtOnce = 2  # sections
 

@@ -15,12 +15,13 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/formats/machines/machine_toml.hpp"
-#include "ballbar/formats/machines/shaft_images.hpp"
-#include "ballbar/formats/machines/simulated_files.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/keys.hpp"
 #include "ballbar/lab/spindle/finite_volume_spindle.hpp"
+#include "simulate/fleet_toml.hpp"
+#include "simulate/machine_toml.hpp"
+#include "simulate/shaft_images.hpp"
+#include "simulate/simulated_files.hpp"
 
 namespace ballbar {
 namespace {

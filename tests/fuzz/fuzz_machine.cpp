@@ -4,9 +4,9 @@
 #include <string_view>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/machines/fleet_toml.hpp"
-#include "ballbar/formats/machines/machine_toml.hpp"
-#include "ballbar/formats/machines/shaft_images.hpp"
+#include "simulate/fleet_toml.hpp"
+#include "simulate/machine_toml.hpp"
+#include "simulate/shaft_images.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

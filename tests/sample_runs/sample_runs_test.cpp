@@ -7,11 +7,11 @@
 #include <set>
 
 #include "ballbar/drift/drift.hpp"
-#include "ballbar/formats/machines/machine_toml.hpp"
-#include "ballbar/formats/machines/simulated_files.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "simulate/machine_toml.hpp"
+#include "simulate/simulated_files.hpp"
 
 namespace ballbar {
 namespace {

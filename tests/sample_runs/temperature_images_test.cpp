@@ -8,12 +8,12 @@
 #include <set>
 #include <sstream>
 
-#include "ballbar/formats/machines/machine_toml.hpp"
-#include "ballbar/formats/machines/shaft_images.hpp"
 #include "ballbar/formats/pictures/picture_file.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/temperature/mean_point.hpp"
+#include "simulate/machine_toml.hpp"
+#include "simulate/shaft_images.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,10 +1,8 @@
-// In place of picture_file.cpp, colour_map.cpp and shaft_picture.cpp where ballbar is built without what reads and
-// paints pictures.
+// In place of picture_file.cpp and colour_map.cpp where ballbar is built without what reads and writes pictures.
 #include <fmt/format.h>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/pictures/picture_file.hpp"
-#include "ballbar/formats/pictures/shaft_picture.hpp"
 
 namespace ballbar {
 namespace {
@@ -24,10 +22,5 @@ std::string write_png(const Picture&) { fail("a PNG"); }
 std::string write_jpeg(const Picture&, int) { fail("a JPEG"); }
 std::vector<Colour> colour_map(std::string_view name) { fail(fmt::format("the colour map {}", name)); }
 std::vector<std::string_view> colour_map_names() { return {}; }
-
-ShaftPicture shaft_picture(const FiniteVolumeSpindle&, const TemperatureProfile&, const ShaftPictureStyle& style) {
-  colour_map(style.colours);  // says what to install
-  return {};
-}
 
 }  // namespace ballbar

@@ -48,7 +48,10 @@ void write_folder(const fs::path& folder, const std::vector<std::pair<std::strin
   const fs::path temporary = new_folder_beside(target);
   std::error_code ignored;
   try {
-    for (const auto& [name, bytes] : files) write_bytes(temporary / name, bytes);
+    for (const auto& [name, bytes] : files) {
+      fs::create_directories((temporary / name).parent_path());
+      write_bytes(temporary / name, bytes);
+    }
     fs::remove(target);  // an empty one
     fs::rename(temporary, target);
   } catch (const fs::filesystem_error& failed) {

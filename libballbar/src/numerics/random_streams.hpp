@@ -21,8 +21,7 @@ enum class Stream : std::uint32_t {
   spindle_variety,
   blind_kind,
   blind_set,
-  blind_run,
-  fleet_machine,
+  fleet_machine = 15,
   fleet_test,
   fleet_bar
 };

@@ -19,7 +19,7 @@ elsewhere = {
     "centre_a_um", "centre_b_um",  # of a fitted circle
 }
 by_name = {
-    # The models that blind challenges are written with.
+    # The models that sets with hidden effects are written with.
     "blind.cpp": {"speed_heating", "expansion", "lagged_expansion", "load_heating", "gradient_bending"},
     "expression.cpp": {"onset_s"},  # what a user's formula calls an onset
 }

@@ -32,11 +32,11 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/machines/fleet_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "fleet/other_plant.hpp"
 #include "fleet/plant.hpp"
 #include "fleet/tally.hpp"
+#include "simulate/fleet_toml.hpp"
 
 namespace {
 

@@ -73,7 +73,7 @@ struct Parameter {
   bool held = false;  // stays at `start` unless a model states otherwise
   ShapeOf shape_of = ShapeOf::curve;
   GridOnRows grid_on = {};    // replaces `grid` where the start values depend on the rows
-  UsualOnRows usual_on = {};  // shape, for blind challenges; empty: log-uniform from the second value of the grid to
+  UsualOnRows usual_on = {};  // shape, for made data; empty: log-uniform from the second value of the grid to
                               // the last but one
   std::string row = {};       // gain of a machine error: its row in the table of errors, "pos" for "NAME_pos"; two
                               // gains with one row are sine and cosine of an amplitude
@@ -138,7 +138,7 @@ struct Evaluate {
   void operator()(const EffectRows& rows, const double* at, double* values, double* derivatives) const;
 };
 
-// Causes of drift of the finite-volume spindle in blind challenges (blind.hpp).
+// Causes of drift of a spindle that an effect explains.
 enum class SpindleCause { centrifugal, rings, housing, structure, bending };
 
 // A cause for which this effect is the right answer: only on the sensors of the parts that cause it, or on any columns.
@@ -201,7 +201,7 @@ struct PredictorRule {
                                    // minus that one on its second, at the same shapes
 };
 
-// Rules for searches, tests and challenges.
+// Rules for searches, tests and made data.
 struct EffectRules {
   bool is_base = false;    // part of every model of its level; not searched and not tested by leaving it out
   bool of_set_up = false;  // describes the set-up of these data; not written to model files

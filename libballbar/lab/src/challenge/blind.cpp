@@ -10,11 +10,9 @@
 namespace ballbar {
 namespace {
 
-using blind::DrawnSet;
 using blind::HiddenEffect;
 using blind::Random;
 using blind::Scatter;
-using blind::Source;
 using blind::Workshop;
 
 struct NamedKind {
@@ -57,14 +55,13 @@ Model usual_model(std::string target, const Catalogue& catalogue, Random& random
 BoundEffect bound_of(const Term& term) { return {term.effect.get(), term.columns}; }
 
 // A constant and 5 to 30 um of every effect.
-std::vector<double> clean_of(const Model& model, const Series& logged, std::vector<Source>& sources, Random& random) {
+std::vector<double> clean_of(const Model& model, const Series& logged, Random& random) {
   std::vector<double> clean(logged.time_s.size(), blind::between(random, -5.0, 5.0));
   for (const Term& term : model.terms) {
     const Injection injection = blind::drawn_injection(bound_of(term), logged, random);
     const std::vector<double> signal = signal_of(injection, logged);
     const double scale = blind::between(random, 5.0, 30.0) / range_of(signal);
     for (std::size_t i = 0; i < clean.size(); ++i) clean[i] += scale * signal[i];
-    sources.push_back({blind::again(injection, logged), scale});
   }
   return clean;
 }
@@ -87,8 +84,7 @@ double cosine(const std::vector<double>& a, const std::vector<double>& b) {
 
 // Takes hidden signals as `next` offers them, each scaled to a d, until there are enough; false where there never are.
 template <class Next>
-bool hide(DrawnSet& drawn, std::size_t count, const Fit& base, const Noise& noise, Random& random, Next next) {
-  BlindSet& set = drawn.set;
+bool hide(BlindSet& set, std::size_t count, const Fit& base, const Noise& noise, Random& random, Next next) {
   std::vector<std::vector<double>> taken;
   for (int tries = 0; set.hidden_um.size() < count && tries < kMostTries; ++tries) {
     std::optional<HiddenEffect> hidden = next();
@@ -103,7 +99,6 @@ bool hide(DrawnSet& drawn, std::size_t count, const Fit& base, const Noise& nois
     taken.push_back(std::move(survival.left));
     for (double& value : hidden->signal_um) value *= scale;
     set.hidden_um.push_back(std::move(hidden->signal_um));
-    drawn.sources.push_back({std::move(hidden->again), scale});
     set.answer.what += (set.answer.what.empty() ? "" : " and ") + hidden->what;
     if (hidden->bound) set.answer.hidden.push_back(*hidden->bound);
     set.answer.match = std::move(hidden->match);
@@ -132,20 +127,20 @@ std::optional<HiddenEffect> twin_effect(Twins twins, const Catalogue& catalogue,
   }
   Injection injection = blind::drawn_injection(bound, logged, random);
   if (twins != Twins::room) {
-    return HiddenEffect{label_of(bound), bound, {}, signal_of(injection, logged), blind::again(injection, logged)};
+    return HiddenEffect{label_of(bound), bound, {}, signal_of(injection, logged)};
   }
   // The room does not move: the same as the other temperature alone.
   const BoundEffect alone = of("lagged_expansion", {"T_front_degC"});
-  return HiddenEffect{
-      label_of(bound), bound, {}, signal_of({alone, injection.parameters}, logged), blind::again(injection, logged)};
+  return HiddenEffect{label_of(bound), bound, {}, signal_of({alone, injection.parameters}, logged)};
 }
 
-// What the model makes with these parameters, in another run; without its constant.
-blind::Adds again(Model model, std::vector<FittedParameter> parameters) {
-  parameters.front().value = 0.0;
-  return [model = std::move(model), parameters = std::move(parameters)](const Workshop& run, Random&) {
-    return predict(model, parameters, run.logged).predicted_um;
-  };
+void log_head_twice(Series& logged, const Series& sensors) {
+  std::erase_if(logged.columns, [](const Column& column) { return column.name == "T_head_degC"; });
+  Column head = *find_column(sensors, "T_head_degC");
+  for (double& value : head.values) value = simulation::rounded(value, 0.1);
+  logged.columns.push_back(head);
+  head.name = "T_head_2_degC";
+  logged.columns.push_back(std::move(head));
 }
 
 std::vector<double> sum_of_others(const Series& causes, std::string_view target, const HiddenEffect& cause) {
@@ -154,18 +149,15 @@ std::vector<double> sum_of_others(const Series& causes, std::string_view target,
   return sum;
 }
 
-bool fill(DrawnSet& drawn, BlindKind kind, const Catalogue& catalogue, Random& random) {
-  BlindSet& set = drawn.set;
+bool fill(BlindSet& set, BlindKind kind, const Catalogue& catalogue, Random& random) {
   set.answer.kind = kind;
   const std::string target = blind::chance(random, 0.5) ? "y_um" : "z_um";
   const Twins twins = blind::one_of(random, std::array{Twins::sensors, Twins::load, Twins::room});
   blind::Plan plan = blind::Plan::usual;
   if (kind == BlindKind::inseparable && twins == Twins::load) plan = blind::Plan::one_speed;
   if (kind == BlindKind::inseparable && twins == Twins::room) plan = blind::Plan::constant_room;
-  drawn.workshop = blind::workshop_of(plan, random);
-  const Workshop& workshop = drawn.workshop;
-  drawn.scatter = blind::drawn_scatter(random);
-  const Scatter& scatter = drawn.scatter;
+  const Workshop workshop = blind::workshop_of(plan, random);
+  const Scatter scatter = blind::drawn_scatter(random);
   const Noise noise = blind::noise_model(scatter, workshop.logged.time_s[1] - workshop.logged.time_s[0]);
   set.data = workshop.logged;
   set.noise = noise;
@@ -182,9 +174,7 @@ bool fill(DrawnSet& drawn, BlindKind kind, const Catalogue& catalogue, Random& r
         offered = true;
         return cause;
       };
-      if (!hide(drawn, 1, base, noise, random, next)) continue;
-      drawn.sources.push_back({again(set.model, base.parameters)});
-      break;
+      if (hide(set, 1, base, noise, random, next)) break;
     }
     if (set.hidden_um.empty()) return false;
   } else {
@@ -195,9 +185,8 @@ bool fill(DrawnSet& drawn, BlindKind kind, const Catalogue& catalogue, Random& r
     if (kind == BlindKind::inseparable && twins == Twins::room) {
       set.model.terms = {friction_heat(catalogue)};
     }
-    drawn.head_twice = kind == BlindKind::inseparable && twins == Twins::sensors;
-    if (drawn.head_twice) blind::log_twice(set.data, workshop.sensors);
-    set.clean_um = clean_of(set.model, set.data, drawn.sources, random);
+    if (kind == BlindKind::inseparable && twins == Twins::sensors) log_head_twice(set.data, workshop.sensors);
+    set.clean_um = clean_of(set.model, set.data, random);
     const Fit base = base_fit(set.model, set.data, set.clean_um);
     const std::size_t count = kind == BlindKind::nothing ? 0 : kind == BlindKind::two ? 2 : 1;
     const auto next = [&]() -> std::optional<HiddenEffect> {
@@ -205,7 +194,7 @@ bool fill(DrawnSet& drawn, BlindKind kind, const Catalogue& catalogue, Random& r
       if (kind == BlindKind::inseparable) return twin_effect(twins, catalogue, set.data, random);
       return blind::drawn_effect(catalogue, set.model, set.data, random);
     };
-    if (!hide(drawn, count, base, noise, random, next)) return false;
+    if (!hide(set, count, base, noise, random, next)) return false;
   }
   if (kind == BlindKind::nothing) set.answer.what = "nothing";
 
@@ -243,15 +232,11 @@ BlindKind blind_kind(std::uint64_t seed) {
 }
 
 BlindSet blind_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogue) {
-  return blind::drawn_set(kind, seed, catalogue).set;
-}
-
-blind::DrawnSet blind::drawn_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogue) {
   // A draw in which nothing can be hidden (all at rest, say) is drawn again.
   for (std::uint64_t attempt = 0;; ++attempt) {
     Random random = simulation::stream_of(seed, simulation::Stream::blind_set, attempt);
-    DrawnSet drawn;
-    if (fill(drawn, kind, catalogue, random)) return drawn;
+    BlindSet set;
+    if (fill(set, kind, catalogue, random)) return set;
   }
 }
 

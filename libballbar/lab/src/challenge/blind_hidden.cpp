@@ -37,11 +37,11 @@ std::vector<double> unlogged_machine(const UnloggedMachine& machine, const std::
   return signal;
 }
 
-std::vector<double> room_by_speed(const Series& sensors, double room_degC) {
+std::vector<double> room_by_speed(const Series& sensors) {
   const std::vector<double>&speed_rpm = values_of(sensors, "speed_rpm"), &room = values_of(sensors, "T_room_degC");
   std::vector<double> signal;
   signal.reserve(room.size());
-  for (std::size_t i = 0; i < room.size(); ++i) signal.push_back(speed_rpm[i] * (room[i] - room_degC));
+  for (std::size_t i = 0; i < room.size(); ++i) signal.push_back(speed_rpm[i] * (room[i] - room.front()));
   return signal;
 }
 
@@ -152,18 +152,6 @@ Injection drawn_injection(const BoundEffect& bound, const Series& logged, Random
   return injection;
 }
 
-Adds again(Injection injection, const Series& logged) {
-  std::vector<double> zero;
-  for (const std::string& column : injection.bound.columns) zero.push_back(find_column(logged, column)->values.front());
-  return [injection = std::move(injection), zero = std::move(zero)](const Workshop& run, Random&) {
-    BoundInputs inputs = inputs_of(*injection.bound.effect, injection.bound.columns, run.logged);
-    inputs.rows.zero = zero;
-    std::vector<double> values(run.logged.time_s.size());
-    injection.bound.effect->evaluate(inputs.rows, injection.parameters.data(), values.data(), nullptr);
-    return values;
-  };
-}
-
 std::optional<HiddenEffect> drawn_effect(const Catalogue& catalogue, const Model& model, const Series& logged,
                                          Random& random) {
   std::vector<const Effect*> hidden;
@@ -182,37 +170,29 @@ std::optional<HiddenEffect> drawn_effect(const Catalogue& catalogue, const Model
     return std::nullopt;  // a threshold of a signal that never rises
   }
   std::vector<double> signal = signal_of(injection, logged);
-  return HiddenEffect{label_of(bound), bound, {}, std::move(signal), again(injection, logged)};
+  return HiddenEffect{label_of(bound), bound, {}, std::move(signal)};
 }
 
 HiddenEffect drawn_outsider(const Series& sensors, Random& random) {
-  const auto hidden = [&](std::string what, auto signal_on) {
-    const Adds again = [signal_on](const Workshop& run, Random& other) { return signal_on(run.sensors, other); };
-    return HiddenEffect{std::move(what), std::nullopt, {}, signal_on(sensors, random), again};
-  };
   switch (index_below(random, 4)) {
     case 0:
-      return hidden("speed times the rise of T_room_degC",
-                    [room_degC = values_of(sensors, "T_room_degC").front()](const Series& run, Random&) {
-                      return room_by_speed(run, room_degC);
-                    });
+      return {"speed times the rise of T_room_degC", std::nullopt, {}, room_by_speed(sensors)};
     case 1: {
       const double follows_s = log_between(random, 300.0, 5400.0);
       const double stays_s = (sensors.time_s.back() - sensors.time_s.front()) / between(random, 4.0, 10.0);
-      return hidden("a machine that switches on and off, not logged", [=](const Series& run, Random& times) {
-        return unlogged_machine({follows_s, stays_s}, run.time_s, times);
-      });
+      return {"a machine that switches on and off, not logged",
+              std::nullopt,
+              {},
+              unlogged_machine({follows_s, stays_s}, sensors.time_s, random)};
     }
     case 2:
-      return hidden("the square of the rate of T_front_degC",
-                    [](const Series& run, Random&) { return squared_rate(run, "T_front_degC"); });
+      return {"the square of the rate of T_front_degC", std::nullopt, {}, squared_rate(sensors, "T_front_degC")};
     default:
       break;
   }
   double at_rpm = 0.0;
   while (at_rpm == 0.0) at_rpm = one_of(random, values_of(sensors, "speed_rpm"));
-  return hidden(fmt::format("a resonance at {:g} rpm", at_rpm),
-                [at_rpm](const Series& run, Random&) { return resonance(run, at_rpm); });
+  return {fmt::format("a resonance at {:g} rpm", at_rpm), std::nullopt, {}, resonance(sensors, at_rpm)};
 }
 
 std::vector<HiddenEffect> drawn_causes(const Catalogue& catalogue, const Workshop& workshop, std::string_view target,
@@ -224,8 +204,7 @@ std::vector<HiddenEffect> drawn_causes(const Catalogue& catalogue, const Worksho
   for (const SpindlePart& part : parts) {
     const std::string_view name = part.column.substr(0, part.column.size() - 3);  // without its unit
     causes.push_back({fmt::format("{} of a finite-volume spindle", name), std::nullopt, match_of(catalogue, part),
-                      values_of(workshop.causes, part.column),
-                      [column = part.column](const Workshop& run, Random&) { return values_of(run.causes, column); }});
+                      values_of(workshop.causes, part.column)});
   }
   return causes;
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <random>
 #include <string>
@@ -11,7 +10,6 @@
 #include <vector>
 
 #include "ballbar/diagnosis/injection/injection.hpp"
-#include "ballbar/diagnosis/next_test/schedule.hpp"
 #include "ballbar/lab/challenge/blind.hpp"
 #include "ballbar/lab/simulation/virtual_spindle.hpp"
 #include "numerics/random_streams.hpp"
@@ -37,46 +35,16 @@ auto one_of(Random& random, const Values& values) {
 
 enum class Plan { usual, one_speed, constant_room };
 
-// Day and night; what else it does is drawn for each run.
-struct Room {
-  double mean_degC = 20.0, day_K = 0.0, phase_rad = 0.0;
-};
-
-// A shop floor with a spindle: what went on, what of it is logged, and what it was made with.
+// A shop floor with a spindle: what went on, and what of it is logged.
 struct Workshop {
   Series sensors;  // true, every sensor
   Series causes;   // true positions by cause
   Series logged;   // measured, some of the sensors
-  Plan kind = Plan::usual;
-  FiniteVolumeSpindle spindle;
-  DutyPlan plan;
-  Room room;
-  SpindleMeasurement measurement;
-  ThermalClock clock;
 };
 
 // one_speed: a rest, then one speed and load to the end. Logged are always the speed, in one_speed the load, and
 // T_room_degC and T_front_degC; in constant_room T_room_degC is constant.
 Workshop workshop_of(Plan kind, Random& random);
-
-// A plan that follows a schedule: from 0 on, behind `before_s` of the first plan where it starts warm; a row every
-// reading_s (0: as often as before). The load is the mean one that the first plan has at that speed, in proportion
-// between speeds and beyond them, times the stretch's. The speeds change up to a row late: nobody starts a program and
-// a logger at the same second. Without a room. Throws Error for a schedule that is too short.
-struct Day {
-  DutyPlan plan;
-  ThermalClock clock;
-  double before_s = 0.0;
-};
-Day day_under(const Schedule& schedule, const DutyPlan& first, const ThermalClock& clock, Random& random);
-
-// The same shop floor on another day. The room has its mean and its day's swing, at another time of day, with a
-// wandering of its own.
-struct AnotherRun {
-  Workshop workshop;
-  double before_s = 0.0;
-};
-AnotherRun workshop_under(const Schedule& schedule, const Workshop& first, Random& random);
 
 // Noise of the target: AR(1), rounded last.
 struct Scatter {
@@ -90,18 +58,11 @@ std::vector<double> noise_um(std::size_t n, const Scatter& scatter, Random& rand
 // Usual shapes of the effect on these rows (Parameter::usual_on), gains 1 or -1.
 Injection drawn_injection(const BoundEffect& bound, const Series& logged, Random& random);
 
-// What adds to the target in any run of a shop floor, um, one a row of what is logged.
-using Adds = std::function<std::vector<double>(const Workshop& run, Random& random)>;
-
-// An effect that is drawn on `logged`, in another run: places of a temperature stay where they were.
-Adds again(Injection injection, const Series& logged);
-
 struct HiddenEffect {
   std::string what;
   std::optional<BoundEffect> bound;     // of the catalogue
   std::vector<BoundEffect> match = {};  // spindle
   std::vector<double> signal_um;        // before it is scaled to its d
-  Adds again = {};                      // the same in another run
 };
 
 // An effect of the catalogue that the logged columns drive and the model lacks; nothing where the draw does not suit.
@@ -114,22 +75,5 @@ HiddenEffect drawn_outsider(const Series& sensors, Random& random);
 // Causes of the spindle that may be hidden in that target, in drawn order.
 std::vector<HiddenEffect> drawn_causes(const Catalogue& catalogue, const Workshop& workshop, std::string_view target,
                                        Random& random);
-
-// A set and all that it was drawn from.
-struct Source {
-  Adds adds;
-  double scale = 1.0;
-};
-struct DrawnSet {
-  BlindSet set;
-  Workshop workshop;
-  Scatter scatter;
-  std::vector<Source> sources;
-  bool head_twice = false;  // two columns of one sensor
-};
-DrawnSet drawn_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogue);
-
-// Logs the head twice.
-void log_twice(Series& logged, const Series& sensors);
 
 }  // namespace ballbar::blind

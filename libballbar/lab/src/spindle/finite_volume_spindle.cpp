@@ -30,14 +30,12 @@ double room_degC(const DutyPlan& plan, double at_s) {
 struct Duty {
   double speed_rpm = 0.0;
   double load_W = 0.0;
-  double coolant_K = 0.0;
 };
 
 Duty duty_at(const DutyPlan& plan, double at_s) {
   const auto after = std::upper_bound(plan.time_s.begin(), plan.time_s.end(), at_s);
   const auto i = static_cast<std::size_t>(after - plan.time_s.begin()) - 1;
-  return {plan.speed_rpm[i], plan.load_W.empty() ? 0.0 : plan.load_W[i],
-          plan.coolant_K.empty() ? 0.0 : plan.coolant_K[i]};
+  return {plan.speed_rpm[i], plan.load_W.empty() ? 0.0 : plan.load_W[i]};
 }
 
 struct Sensor {
@@ -80,8 +78,7 @@ class Machine {
     const VectorXd guess = VectorXd::Constant(cells_.nodes(), spindle.set_point_degC);
     const thermal::ImplicitStep forever(network, std::numeric_limits<double>::infinity(), heat, guess);
     temperature_degC_ = start_degC_ =
-        forever.next(guess, surroundings_degC(plan.time_s.front(), duty_at(plan, plan.time_s.front())), heat)
-            .temperature_degC;
+        forever.next(guess, surroundings_degC(plan.time_s.front()), heat).temperature_degC;
     expect_finite();
   }
 
@@ -102,19 +99,19 @@ class Machine {
     const double step_s = (to_s - from_s) / steps;
     const thermal::Heat heat = sources_of(spindle_, mechanisms_, cells_, duty.speed_rpm, duty.load_W);
     for (double step = 1.0; step <= steps; ++step) {
-      one_step(duty, heat, step_s, surroundings_degC(from_s + step * step_s, duty));
+      one_step(duty, heat, step_s, surroundings_degC(from_s + step * step_s));
     }
   }
 
  private:
-  VectorXd surroundings_degC(double at_s, const Duty& duty) const {
+  VectorXd surroundings_degC(double at_s) const {
     const double room = room_degC(plan_, mechanisms_.room ? at_s : plan_.time_s.front());
-    return Eigen::Vector2d(room, spindle_.set_point_degC + duty.coolant_K);
+    return Eigen::Vector2d(room, spindle_.set_point_degC);
   }
 
   void one_step(const Duty& duty, const thermal::Heat& sources, double step_s, const VectorXd& surroundings_degC) {
     expect_factored(duty, sources, step_s);
-    switch_chiller(spindle_.set_point_degC + duty.coolant_K);
+    switch_chiller();
     const bool chilled = mechanisms_.thermostat && chiller_on_;
     const thermal::Heat heat = [&](const VectorXd& temperature_degC) {
       VectorXd heat_W = sources(temperature_degC);
@@ -148,8 +145,8 @@ class Machine {
     implicit_ = std::make_unique<thermal::ImplicitStep>(network_, step_s, sources, temperature_degC_);
   }
 
-  void switch_chiller(double set_point_degC) {
-    const double above_K = temperature_degC_[cells_.tank()] - set_point_degC;
+  void switch_chiller() {
+    const double above_K = temperature_degC_[cells_.tank()] - spindle_.set_point_degC;
     if (above_K > spindle_.hysteresis_K / 2.0) chiller_on_ = true;
     if (above_K < -spindle_.hysteresis_K / 2.0) chiller_on_ = false;
   }

@@ -227,8 +227,6 @@ void check(const DutyPlan& plan, const ThermalClock& clock) {
   expect_not_negative("speed_rpm", plan.speed_rpm);
   if (!plan.load_W.empty()) expect_as_many("load_W", plan.load_W.size(), plan.time_s.size());
   expect_not_negative("load_W", plan.load_W);
-  if (!plan.coolant_K.empty()) expect_as_many("coolant_K", plan.coolant_K.size(), plan.time_s.size());
-  for (const double coolant_K : plan.coolant_K) expect_finite("coolant_K", coolant_K);
   expect_rising("the room", plan.room_time_s);
   expect_as_many("the room", plan.room_degC.size(), plan.room_time_s.size());
   for (const double room_degC : plan.room_degC) {

@@ -100,7 +100,7 @@ class Decision {
     return std::move(result_);
   }
 
-  // The least detectable effect among those that blind challenges hide, each at its middle shape.
+  // The least detectable effect among those that are common, each at its middle shape.
   void find_what_could_hide(const SignatureProjection& projection) {
     result_.hidden_um = 0.0;
     for (std::size_t f = 0; f < problem().effects; ++f) {

@@ -32,9 +32,5 @@ std::vector<KeyTable> schedule_keys();  // header of a schedule
 std::vector<KeyTable> recipe_keys();    // how a kind of log is read
 std::vector<KeyTable> model_keys();     // model .toml; the keys of an effect are its roles and parameters
 std::vector<KeyTable> history_keys();   // [[history]] of a model
-std::vector<KeyTable> machine_keys();   // machine.toml, but for [spindle], [[spindle.image]] and [spindle.body]
-std::vector<KeyTable> spindle_keys();   // [spindle], [spindle.measured]
-std::vector<KeyTable> image_keys();     // [[spindle.image]]
-std::vector<KeyTable> fleet_keys();     // fleet.toml
 
 }  // namespace ballbar

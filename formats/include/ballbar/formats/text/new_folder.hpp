@@ -17,8 +17,8 @@ std::filesystem::path new_folder_beside(const std::filesystem::path& folder);
 // The absolute path without a final slash, so that a sibling can be created. Throws Error for an empty path.
 std::filesystem::path folder_to_write(const std::filesystem::path& folder);
 
-// Writes files (name and bytes) to a new or an empty folder, and creates its parents. After an Error the folder does
-// not exist, or is empty as before.
+// Writes files (name, which may be below a folder, and bytes) to a new or an empty folder, and creates its parents.
+// After an Error the folder does not exist, or is empty as before.
 void write_folder(const std::filesystem::path& folder, const std::vector<std::pair<std::string, std::string>>& files);
 
 }  // namespace ballbar

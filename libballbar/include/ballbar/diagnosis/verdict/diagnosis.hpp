@@ -91,7 +91,7 @@ struct Diagnosis {
   // Range of the sum of the best set, at most that of the readings: effects of the model cancel the rest.
   double explained_um = 0.0;
   // Amplitude up to which an effect could be present and undetected. It is that of the hardest effect to detect among
-  // those that blind challenges hide, at its middle shape, and at most the range of the readings.
+  // those that are common, at its middle shape, and at most the range of the readings.
   double hidden_um = 0.0;
   BoundEffect hidden;                        // that effect
   double rmse_after_um = 0.0;                // of the fit with the best set

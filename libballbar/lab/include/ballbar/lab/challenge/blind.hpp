@@ -1,4 +1,4 @@
-// Data sets with something hidden in them, to try a diagnosis on: the program's, or a person's.
+// Data sets with something hidden in them, to try a diagnosis on.
 //
 // Every set has a speed plan and a room of its own: 4 to 48 h, a row every 15 to 75 s. Its temperatures are those of a
 // finite-volume spindle (finite_volume_spindle.hpp) of its own, measured to 0.1 K; which of them are logged is drawn.
@@ -35,9 +35,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/diagnosis/next_test/schedule.hpp"
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "ballbar/lab/simulation/virtual_spindle.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/noise/noise.hpp"
 #include "ballbar/series/series.hpp"
@@ -72,21 +70,6 @@ struct BlindSet {
 // The same kind, seed and catalogue give the same set, which refers to the catalogue's effects. What the base models
 // and the inseparable pairs are made of is found in it by name; throws Error where it is not there.
 BlindSet blind_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogue = built_in_catalogue());
-
-// The set's machine once more, under a schedule: the same base model, hidden effects and spindle, from a cold start, or
-// behind the set's own run where the schedule starts warm. The room has the same mean and day's swing at another time
-// of day, moved as the schedule says; the load is the mean one that the set had at that speed, in proportion between
-// its speeds and beyond them, times what the schedule says. Speeds change up to a row late. Rows every reading_s (0: as
-// in the set), times from 0 on, the columns of the set in their order; the noise is of the same kind, of the set-up a
-// new offset within 20 um. Effects of the catalogue start anew with the run's (warm: the set's) first row, as a model
-// does. The same kind, seed, schedule and number give the same run. Throws Error for a schedule shorter than reading_s,
-// and for what no spindle does.
-Series next_run(BlindKind kind, std::uint64_t seed, const Schedule& schedule, std::uint64_t number,
-                const Catalogue& catalogue = built_in_catalogue());
-
-// A virtual spindle once more, likewise: its room's curve is read to and fro from another time on (a room that is not
-// stated stays at 20 degC), each of x, y, z has a new offset. All columns that it logs, then x_um, y_um, z_um.
-Series next_run(const VirtualSpindle& machine, const Schedule& schedule, std::uint64_t seed, std::uint64_t number);
 
 // What was said of a set.
 struct BlindVerdict {

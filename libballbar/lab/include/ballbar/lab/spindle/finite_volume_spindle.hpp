@@ -128,13 +128,11 @@ struct Mechanisms {
   bool structure = true;    // off: head and column keep their shape
 };
 
-// Speed, load and coolant hold from their time to the next; the room is straight lines between its points, held beyond
-// them.
+// Speed and load hold from their time to the next; the room is straight lines between its points, held beyond them.
 struct DutyPlan {
   std::vector<double> time_s;     // rising, the first is the start
   std::vector<double> speed_rpm;  // >= 0, as many
   std::vector<double> load_W;     // >= 0, as many, or empty: none
-  std::vector<double> coolant_K;  // so much above the chiller's set point, as many, or empty: 0
   double end_s = 0.0;
   std::vector<double> room_time_s;  // rising
   std::vector<double> room_degC;    // as many; empty: 20 degC

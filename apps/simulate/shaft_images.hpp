@@ -4,9 +4,7 @@
 //   [[spindle.image]]
 //   time_min = 240
 //   file = "jet.jpg"
-//   colours = "jet"       # all keys: image_keys() of keys.hpp
-//
-// Read by ballbar::formats; painted by ballbar::images.
+//   colours = "jet"       # all keys: image_keys()
 //
 // A PNG holds exactly the painted pixels. The bytes of both formats, and the pixels of a JPEG, depend on the version of
 // the library that encodes them.
@@ -16,11 +14,14 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/formats/machines/simulated_files.hpp"
-#include "ballbar/formats/pictures/shaft_picture.hpp"
+#include "ballbar/formats/text/keys.hpp"
 #include "ballbar/lab/simulation/simulate.hpp"
+#include "simulate/shaft_picture.hpp"
+#include "simulate/simulated_files.hpp"
 
 namespace ballbar {
+
+std::vector<KeyTable> image_keys();  // [[spindle.image]]
 
 struct ShaftImage {
   double time_s = 0.0;

@@ -1,4 +1,4 @@
-#include "ballbar/formats/machines/simulated_files.hpp"
+#include "simulate/simulated_files.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/new_folder.hpp"
 #include "ballbar/units.hpp"
-#include "machines/simulated_folder.hpp"
+#include "simulate/simulated_folder.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,5 +1,5 @@
 // Virtual fleet `fleet.toml`: the machines whose tests `ballbar simulate` makes. All keys but the format are optional,
-// with the defaults of virtual_fleet.hpp. The keys are fleet_keys() of keys.hpp.
+// with the defaults of virtual_fleet.hpp. The keys are fleet_keys().
 //
 //   format = "ballbar-fleet 1"
 //   machines = 40
@@ -15,10 +15,14 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
+#include "ballbar/formats/text/keys.hpp"
 #include "ballbar/lab/simulation/virtual_fleet.hpp"
 
 namespace ballbar {
+
+std::vector<KeyTable> fleet_keys();
 
 // Whether the bytes are TOML with the format of a fleet.
 bool is_fleet(std::string_view bytes);

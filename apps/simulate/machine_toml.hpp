@@ -1,6 +1,6 @@
 // Virtual machine `machine.toml`, the input of `ballbar simulate`. All keys but the format are optional, with the
 // defaults of simulate.hpp, which explains each quantity and its sign. The keys, with units, meanings and defaults, are
-// machine_keys(), spindle_keys() and image_keys() of keys.hpp; formats/README.md has them as tables.
+// machine_keys(), spindle_keys() and image_keys() of shaft_images.hpp; formats/README.md has them as tables.
 //
 //   format = "ballbar-machine 1"
 //   method = "two_arcs"            # two_arcs | spindle_rotation | circles | series
@@ -17,10 +17,15 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
+#include "ballbar/formats/text/keys.hpp"
 #include "ballbar/lab/simulation/simulate.hpp"
 
 namespace ballbar {
+
+std::vector<KeyTable> machine_keys();  // but for [spindle], [[spindle.image]] and [spindle.body]
+std::vector<KeyTable> spindle_keys();  // [spindle], [spindle.measured]
 
 // `name` is used in messages. Unknown keys are errors. Throws Error with name:line:column. simulate() checks
 // for contradictions between well-formed values.

@@ -1,4 +1,4 @@
-#include "ballbar/formats/machines/simulated_files.hpp"
+#include "simulate/simulated_files.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

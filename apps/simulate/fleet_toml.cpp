@@ -1,4 +1,4 @@
-#include "ballbar/formats/machines/fleet_toml.hpp"
+#include "simulate/fleet_toml.hpp"
 
 #include <fmt/format.h>
 

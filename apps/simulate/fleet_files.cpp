@@ -1,4 +1,4 @@
-#include "ballbar/formats/machines/fleet_files.hpp"
+#include "simulate/fleet_files.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include "ballbar/formats/recordings/b5r.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/numerics/parallel.hpp"
-#include "machines/simulated_folder.hpp"
+#include "simulate/simulated_folder.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,10 +1,10 @@
-#include "ballbar/formats/machines/machine_toml.hpp"
+#include "simulate/machine_toml.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 
-#include "machines/spindle_toml.hpp"
+#include "simulate/spindle_toml.hpp"
 #include "text/toml_source.hpp"
 
 namespace ballbar {

@@ -5,8 +5,8 @@
 // of shaft_radius_mm up to nose_mm, of tool_radius_mm beyond. Length and radius have the same scale, as large as fits.
 // The column of pixels with its middle at x has the colour of T(x), interpolated linearly between the points of the
 // profile and constant beyond them. Above it is one line of text that begins with SIMULATED. To the right is a legend
-// bar of temperature with five numbers, the hottest at the top. Part of ballbar::images; in a build without pictures
-// the functions throw as colour_map() does.
+// bar of temperature with five numbers, the hottest at the top. In a build without pictures it throws as colour_map()
+// does.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "ballbar/formats/machines/shaft_images.hpp"
+#include "simulate/shaft_images.hpp"
 
 #include <gtest/gtest.h>
 

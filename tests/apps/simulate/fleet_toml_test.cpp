@@ -1,4 +1,4 @@
-#include "ballbar/formats/machines/fleet_toml.hpp"
+#include "simulate/fleet_toml.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 #include <string>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/machines/fleet_files.hpp"
 #include "ballbar/formats/recordings/b5r.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
 #include "scratch_folder.hpp"
+#include "simulate/fleet_files.hpp"
 
 namespace ballbar {
 namespace {

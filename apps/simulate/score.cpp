@@ -1,4 +1,4 @@
-// `ballbar simulate score`: what a diagnosis, or a person, finds in sets in which effects may be hidden.
+// `ballbar simulate score`: what diagnoses find in sets in which effects may be hidden.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -6,15 +6,10 @@
 #include <filesystem>
 #include <memory>
 
-#include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/lab/challenge/blind.hpp"
-#include "challenge/blind_results.hpp"
-#include "challenge/challenge.hpp"
-#include "challenge/challenge_files.hpp"
 #include "model/model_options.hpp"
+#include "simulate/hidden_sets.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/details.hpp"
-#include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -24,15 +19,13 @@ namespace fs = std::filesystem;
 
 struct ScoreOptions {
   std::string folder;
-  std::string answers;
-  std::string by_hand;
   bool details = false;
   bool json = false;
 };
 
 BlindVerdict diagnosis_verdict(const fs::path& folder) {
   ModelOptions options;
-  for (const fs::path& run : runs_of_set(folder)) options.data.push_back(run.string());
+  options.data = {(folder / "data.csv").string()};
   options.model = (folder / "model.toml").string();
   const ModelData data = open_data(options);
   return verdict_of(diagnose(open_model(options, data), *data.series));
@@ -69,18 +62,17 @@ void print_share(Table& table, const std::string& what, const Share& share) {
              fmt::format("{:.0f} to {:.0f} %", 100.0 * share.low, 100.0 * share.high)});
 }
 
-void print_text(const ScoredSets& scored, const ScoreOptions& options) {
+void print_text(const ScoredSets& scored, bool details) {
   constexpr std::size_t kRows = 20;
-  const std::string& by_hand = options.by_hand;
   Table table({"set", "kind", "truth", "d", "verdict", "effects reported", "outcome"});
   for (const ScoredSet& set : scored.sets) {
     table.add({set.name, std::string(name_of(set.answer.kind)), one_line(set.answer.what), d_text(set.answer),
                std::string(name_of(set.verdict.verdict)), one_line(effects_text(set.verdict)),
                std::string(name_of(set.outcome))});
   }
-  if (!options.details) table.shorten(kRows);
-  fmt::print("{} set{}, seal intact; verdicts {}\n\n{}\n", scored.sets.size(), scored.sets.size() == 1 ? "" : "s",
-             by_hand.empty() ? "by ballbar diagnose" : "of " + by_hand, table.left_aligned(table_width(150)));
+  if (!details) table.shorten(kRows);
+  fmt::print("{} set{}; verdicts by ballbar diagnose\n\n{}\n", scored.sets.size(), scored.sets.size() == 1 ? "" : "s",
+             table.left_aligned(table_width(150)));
   Table totals({"", "sets", "share", "95 % interval"});
   print_share(totals, "effect reported, but none hidden", scored.scores.false_calls);
   print_share(totals, "right", scored.scores.right);
@@ -97,46 +89,32 @@ void print_text(const ScoredSets& scored, const ScoreOptions& options) {
 }
 
 void score(const ScoreOptions& options) {
-  const std::vector<SealedSet> sets = read_blind(options.folder, answers_file(options.folder, options.answers));
-  std::vector<BlindVerdict> verdicts;
-  if (!options.by_hand.empty()) {
-    verdicts = read_verdicts(read_bytes(options.by_hand, kLargestText), options.by_hand, sets);
-  } else {
-    for (const SealedSet& set : sets) {
-      verdicts.push_back(diagnosis_verdict(fs::path(options.folder) / set.name));
-      show_sets("diagnosed set", verdicts.size(), sets.size());
-    }
-  }
-  ScoredSets scored;
+  ScoredSets scored{read_answers(options.folder), {}};
   std::vector<BlindAnswer> answers;
   std::vector<BlindOutcome> outcomes;
-  for (std::size_t i = 0; i < sets.size(); ++i) {
-    answers.push_back(sets[i].answer);
-    outcomes.push_back(outcome_of(sets[i].answer, verdicts[i]));
-    scored.sets.push_back({sets[i].name, sets[i].answer, verdicts[i], outcomes[i]});
+  for (ScoredSet& set : scored.sets) {
+    set.verdict = diagnosis_verdict(fs::path(options.folder) / set.name);
+    set.outcome = outcome_of(set.answer, set.verdict);
+    answers.push_back(set.answer);
+    outcomes.push_back(set.outcome);
+    show_sets("diagnosed set", answers.size(), scored.sets.size());
   }
   scored.scores = scores_of(answers, outcomes);
-  options.json ? print_json(json_of(scored)) : print_text(scored, options);
+  options.json ? print_json(json_of(scored)) : print_text(scored, options.details);
 }
 
 }  // namespace
 
 void add_score(CLI::App& simulate) {
   const auto options = std::make_shared<ScoreOptions>();
-  CLI::App* command = simulate.add_subcommand("score", "Compare diagnoses of sets of --hidden with the sealed answers");
+  CLI::App* command = simulate.add_subcommand("score", "Compare diagnoses of sets of --hidden with their answers");
   command->add_option("DIR", options->folder, "folder that simulate --hidden wrote")->required()->type_name("");
-  command->add_option("--answers", options->answers, "file of the answers; default: DIR/answers.json")
-      ->type_name("FILE");
-  command
-      ->add_option("--by-hand", options->by_hand,
-                   "score your own verdicts (set,verdict,effects) instead; see DIR/README.txt")
-      ->type_name("FILE");
   add_details(*command, options->details);
   command->add_flag("--json", options->json, "print the result as JSON");
   command->footer(
       "Example:\n"
-      "  ballbar simulate --hidden --n 20 --out blind-test\n"
-      "  ballbar simulate score blind-test");
+      "  ballbar simulate --hidden --n 20 --out hidden\n"
+      "  ballbar simulate score hidden");
   command->callback([options] { score(*options); });
 }
 

@@ -1,4 +1,4 @@
-#include "ballbar/formats/pictures/shaft_picture.hpp"
+#include "simulate/shaft_picture.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "ballbar/formats/machines/machine_toml.hpp"
+#include "simulate/machine_toml.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "machines/spindle_toml.hpp"
+#include "simulate/spindle_toml.hpp"
 
 #include <fmt/format.h>
 
