@@ -19,22 +19,18 @@ inline double largest_of(const std::vector<double>& values) {
 }
 
 template <>
-struct ResultType<ReplayedAxis> {
-  using Axis = const ReplayedAxis&;
-  static constexpr std::string_view name = "ReplayedAxis";
-  static constexpr std::string_view meaning = "An axis before and after it is compensated.";
-  static constexpr std::tuple fields{
+inline constexpr auto kResult<ReplayedAxis> = ResultType{"ReplayedAxis", "An axis before and after it is compensated.", std::tuple{
       Field{"target", &ReplayedAxis::target, "column that is compensated"},
-      Field{"values", [](Axis of) { return of.time_s.size() - 1; }, "since the first, which is left out"},
-      Field{"rms_before_um", [](Axis of) { return of.reduction.before_um; }, ""},
-      Field{"rms_after_um", [](Axis of) { return of.reduction.after_um; }, ""},
-      Field{"reduction_percent", [](Axis of) { return 100.0 * of.reduction.share; }, ""},
-      Field{"reduction_sigma_percent", [](Axis of) { return 100.0 * of.reduction.sigma; }, ""},
-      Field{"stretch", [](Axis of) { return of.reduction.stretch; }, "values over which the residual is correlated"},
-      Field{"largest_before_um", [](Axis of) { return largest_of(of.before_um); }, ""},
-      Field{"largest_after_um", [](Axis of) { return largest_of(of.after_um); }, ""},
+      Field{"values", [](const ReplayedAxis& of) { return of.time_s.size() - 1; }, "since the first, which is left out"},
+      Field{"rms_before_um", [](const ReplayedAxis& of) { return of.reduction.before_um; }, ""},
+      Field{"rms_after_um", [](const ReplayedAxis& of) { return of.reduction.after_um; }, ""},
+      Field{"reduction_percent", [](const ReplayedAxis& of) { return 100.0 * of.reduction.share; }, ""},
+      Field{"reduction_sigma_percent", [](const ReplayedAxis& of) { return 100.0 * of.reduction.sigma; }, ""},
+      Field{"stretch", [](const ReplayedAxis& of) { return of.reduction.stretch; }, "values over which the residual is correlated"},
+      Field{"largest_before_um", [](const ReplayedAxis& of) { return largest_of(of.before_um); }, ""},
+      Field{"largest_after_um", [](const ReplayedAxis& of) { return largest_of(of.after_um); }, ""},
       Field{"rows_held",
-            [](Axis of) {
+            [](const ReplayedAxis& of) {
               TableOf<std::size_t> rows;
               for (std::size_t kind = 1; kind < kHoldKinds; ++kind) {
                 if (of.rows_held[kind] > 0) rows.emplace_back(name_of(Hold(kind)), of.rows_held[kind]);
@@ -43,12 +39,11 @@ struct ResultType<ReplayedAxis> {
             },
             "by why"},
       Field{"most_held_by",
-            [](Axis of) {
+            [](const ReplayedAxis& of) {
               return MayLack<std::string>{of.most_held_by.empty() ? std::nullopt : std::optional(of.most_held_by)};
             },
             "column"},
-      Field{"rows_limited", &ReplayedAxis::rows_limited, "by the limits"}};
-};
+      Field{"rows_limited", &ReplayedAxis::rows_limited, "by the limits"}}};
 
 struct ReplayResult {
   std::size_t rows = 0;
@@ -57,13 +52,11 @@ struct ReplayResult {
 };
 
 template <>
-struct ResultType<ReplayResult> {
-  static constexpr std::string_view name = "Replayed";
-  static constexpr std::string_view meaning = "A compensation replayed over what was recorded.";
-  static constexpr std::tuple fields{
-      Field{"rows", &ReplayResult::rows, "of signals"},
-      Field{"in_sample", &ReplayResult::in_sample, "whether it was fitted to these data; null: not known here"},
-      Field{"axes", &ReplayResult::axes, "by letter"}};
-};
+inline constexpr auto kResult<ReplayResult> =
+    ResultType{"Replayed", "A compensation replayed over what was recorded.",
+               std::tuple{Field{"rows", &ReplayResult::rows, "of signals"},
+                          Field{"in_sample", &ReplayResult::in_sample,
+                                "whether it was fitted to these data; null: not known here"},
+                          Field{"axes", &ReplayResult::axes, "by letter"}}};
 
 }  // namespace ballbar

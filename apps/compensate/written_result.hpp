@@ -11,37 +11,30 @@
 namespace ballbar {
 
 template <>
-struct ResultType<SensorSlope> {
-  static constexpr std::string_view name = "SensorSlope";
-  static constexpr std::string_view meaning = "A sensor's part of the line; temperatures in the unit of its column.";
-  static constexpr std::tuple fields{
-      Field{"column", &SensorSlope::column, ""},
-      Field{"slope_um_per_K", &SensorSlope::slope_um_per_K, "of the error, as written but for the sign"},
-      Field{"sigma_um_per_K", &SensorSlope::sigma_um_per_K, "by leaving out runs, or fifths of one, in turn"},
-      Field{"zero", &SensorSlope::zero, "where it adds nothing"},
-      Field{"low", &SensorSlope::low, "end of what is believed"},
-      Field{"high", &SensorSlope::high, "the other one"}};
-};
+inline constexpr auto kResult<SensorSlope> = ResultType{
+    "SensorSlope", "A sensor's part of the line; temperatures in the unit of its column.",
+    std::tuple{Field{"column", &SensorSlope::column, ""},
+               Field{"slope_um_per_K", &SensorSlope::slope_um_per_K, "of the error, as written but for the sign"},
+               Field{"sigma_um_per_K", &SensorSlope::sigma_um_per_K, "by leaving out runs, or fifths of one, in turn"},
+               Field{"zero", &SensorSlope::zero, "where it adds nothing"},
+               Field{"low", &SensorSlope::low, "end of what is believed"},
+               Field{"high", &SensorSlope::high, "the other one"}}};
 
 template <>
-struct ResultType<LineErrors> {
-  using Errors = const LineErrors&;
-  static constexpr std::string_view name = "LineErrors";
-  static constexpr std::string_view meaning = "Errors since the zeros, with what is written.";
-  static constexpr std::tuple fields{
-      Field{"values", &LineErrors::values, "without those at the zeros"},
-      Field{"beyond", &LineErrors::beyond, "of these, with a reading beyond an end of the line"},
-      Field{"rms_before_um", [](Errors of) { return of.line.before_um; }, ""},
-      Field{"rms_model_um", [](Errors of) { return of.model.after_um; }, "with all of the model"},
-      Field{"rms_line_um", [](Errors of) { return of.line.after_um; }, ""},
-      Field{"reduction_model_percent", [](Errors of) { return 100.0 * of.model.share; }, ""},
-      Field{"reduction_model_sigma_percent", [](Errors of) { return 100.0 * of.model.sigma; }, ""},
-      Field{"reduction_line_percent", [](Errors of) { return 100.0 * of.line.share; }, ""},
-      Field{"reduction_line_sigma_percent", [](Errors of) { return 100.0 * of.line.sigma; }, ""},
-      Field{"largest_before_um", &LineErrors::largest_um, ""},
-      Field{"largest_model_um", &LineErrors::largest_model_um, ""},
-      Field{"largest_line_um", &LineErrors::largest_line_um, ""}};
-};
+inline constexpr auto kResult<LineErrors> = ResultType{
+    "LineErrors", "Errors since the zeros, with what is written.",
+    std::tuple{Field{"values", &LineErrors::values, "without those at the zeros"},
+               Field{"beyond", &LineErrors::beyond, "of these, with a reading beyond an end of the line"},
+               Field{"rms_before_um", [](const LineErrors& of) { return of.line.before_um; }, ""},
+               Field{"rms_model_um", [](const LineErrors& of) { return of.model.after_um; }, "with all of the model"},
+               Field{"rms_line_um", [](const LineErrors& of) { return of.line.after_um; }, ""},
+               Field{"reduction_model_percent", [](const LineErrors& of) { return 100.0 * of.model.share; }, ""},
+               Field{"reduction_model_sigma_percent", [](const LineErrors& of) { return 100.0 * of.model.sigma; }, ""},
+               Field{"reduction_line_percent", [](const LineErrors& of) { return 100.0 * of.line.share; }, ""},
+               Field{"reduction_line_sigma_percent", [](const LineErrors& of) { return 100.0 * of.line.sigma; }, ""},
+               Field{"largest_before_um", &LineErrors::largest_um, ""},
+               Field{"largest_model_um", &LineErrors::largest_model_um, ""},
+               Field{"largest_line_um", &LineErrors::largest_line_um, ""}}};
 
 struct WrittenResult {
   std::string control, file, axis, target;
@@ -55,23 +48,19 @@ struct WrittenResult {
 };
 
 template <>
-struct ResultType<WrittenResult> {
-  static constexpr std::string_view name = "Written";
-  static constexpr std::string_view meaning = "A model as a line for a control's own temperature compensation.";
-  static constexpr std::tuple fields{
-      Field{"control", &WrittenResult::control, ""},
-      Field{"file", &WrittenResult::file, ""},
-      Field{"axis", &WrittenResult::axis, ""},
-      Field{"target", &WrittenResult::target, "column that is compensated"},
-      Field{"in_sample", &WrittenResult::in_sample, "whether the model was fitted to these data; null: not known here"},
-      Field{"sensors", &WrittenResult::sensors, ""},
-      Field{"increment_um", &WrittenResult::increment_um, "of the result"},
-      Field{"rows", &WrittenResult::rows, "that the line is fitted to"},
-      Field{"runs", &WrittenResult::runs, ""},
-      Field{"rms_from_model_um", &WrittenResult::rms_from_model_um, "of the model's prediction less the line"},
-      Field{"fitted", &WrittenResult::fitted, "all values, which the line is fitted to"},
-      Field{"left_out", &WrittenResult::left_out,
-            "values that choice and slopes did not have: each run, or the last two fifths of one; null: too few"}};
-};
+inline constexpr auto kResult<WrittenResult> = ResultType{
+    "Written", "A model as a line for a control's own temperature compensation.",
+    std::tuple{
+        Field{"control", &WrittenResult::control, ""}, Field{"file", &WrittenResult::file, ""},
+        Field{"axis", &WrittenResult::axis, ""}, Field{"target", &WrittenResult::target, "column that is compensated"},
+        Field{"in_sample", &WrittenResult::in_sample,
+              "whether the model was fitted to these data; null: not known here"},
+        Field{"sensors", &WrittenResult::sensors, ""},
+        Field{"increment_um", &WrittenResult::increment_um, "of the result"},
+        Field{"rows", &WrittenResult::rows, "that the line is fitted to"}, Field{"runs", &WrittenResult::runs, ""},
+        Field{"rms_from_model_um", &WrittenResult::rms_from_model_um, "of the model's prediction less the line"},
+        Field{"fitted", &WrittenResult::fitted, "all values, which the line is fitted to"},
+        Field{"left_out", &WrittenResult::left_out,
+              "values that choice and slopes did not have: each run, or the last two fifths of one; null: too few"}}};
 
 }  // namespace ballbar

@@ -14,15 +14,12 @@
 namespace ballbar {
 
 template <>
-struct ResultType<LedgerRow> {
-  static constexpr std::string_view name = "Figures";
-  static constexpr std::string_view meaning = "How well a model does.";
-  static constexpr std::tuple fields{
-      Field{"parameters", &LedgerRow::parameters, "free ones"},
-      Field{"rmse_um", &LedgerRow::rmse_um, "of the fit to all rows"},
-      Field{"times_floor", &LedgerRow::times_floor, "RMSE over the noise; null: not known"},
-      Field{"held_out_um", &LedgerRow::held_out_um, "RMSE of cycles (recordings) left out; null: not known"}};
-};
+inline constexpr auto kResult<LedgerRow> = ResultType{
+    "Figures", "How well a model does.",
+    std::tuple{Field{"parameters", &LedgerRow::parameters, "free ones"},
+               Field{"rmse_um", &LedgerRow::rmse_um, "of the fit to all rows"},
+               Field{"times_floor", &LedgerRow::times_floor, "RMSE over the noise; null: not known"},
+               Field{"held_out_um", &LedgerRow::held_out_um, "RMSE of cycles (recordings) left out; null: not known"}}};
 
 // A row with its sentence.
 struct LedgerEntry {
@@ -36,37 +33,35 @@ struct Ledger {
 // `before`: the row before the first; nullptr: none.
 Ledger ledger_of(const std::vector<LedgerRow>& rows, const LedgerRow* before = nullptr);
 
-template <>
-struct ResultType<LedgerEntry> {
-  static constexpr std::string_view name = "LedgerRow";
-  static constexpr std::string_view meaning = "A revision of a model: what it changed, and what that bought.";
-  static constexpr std::tuple change{
-      Field{"revision", &LedgerRow::revision, "0: the model as it started"},
-      Field{"change", &LedgerRow::change, "+ what was added, - what was taken out, = what was set; start"}};
-  static constexpr std::tuple evidence{
-      Field{"likelihood_ratio", &LedgerRow::likelihood_ratio, "2 ln B of the change, of errors of axes chi^2"},
-      Field{"threshold", &LedgerRow::threshold, "from which that counts"}};
-  static constexpr std::tuple judged{
-      Field{"verdict", &LedgerRow::verdict,
-            "start, named, supported, time only, not supported, driver known, empirical, by hand"},
-      Field{"target", &LedgerRow::target, "which the figures are of"},
-      Field{"data", &LedgerRow::data, "files, as they were named"}};
-  static constexpr std::tuple grown{
-      Field{"forecast_um", &LedgerRow::forecast_um, "RMSE of rows forecast from earlier ones alone"},
-      Field{"discrepancy_um", &LedgerRow::discrepancy_um, "standard deviation of the slow curve that is left"},
-      Field{"still_needed", &LedgerRow::still_needed, "earlier effects, tested anew"},
-      Field{"no_longer_needed", &LedgerRow::no_longer_needed, ""}};
-  static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&LedgerEntry::row, std::tuple_cat(change, ResultType<LedgerRow>::fields, judged, evidence, grown)),
-      std::tuple{Field{"sentence", &LedgerEntry::sentence, "what it says in plain words"}});
-};
+inline constexpr auto kLedgerEntryChange = std::tuple{
+    Field{"revision", &LedgerRow::revision, "0: the model as it started"},
+    Field{"kLedgerEntryChange", &LedgerRow::change, "+ what was added, - what was taken out, = what was set; start"}};
+inline constexpr auto kLedgerEntryEvidence =
+    std::tuple{Field{"likelihood_ratio", &LedgerRow::likelihood_ratio,
+                     "2 ln B of the kLedgerEntryChange, of errors of axes chi^2"},
+               Field{"threshold", &LedgerRow::threshold, "from which that counts"}};
+inline constexpr auto kLedgerEntryJudged =
+    std::tuple{Field{"verdict", &LedgerRow::verdict,
+                     "start, named, supported, time only, not supported, driver known, empirical, by hand"},
+               Field{"target", &LedgerRow::target, "which the figures are of"},
+               Field{"data", &LedgerRow::data, "files, as they were named"}};
+inline constexpr auto kLedgerEntryGrown =
+    std::tuple{Field{"forecast_um", &LedgerRow::forecast_um, "RMSE of rows forecast from earlier ones alone"},
+               Field{"discrepancy_um", &LedgerRow::discrepancy_um, "standard deviation of the slow curve that is left"},
+               Field{"still_needed", &LedgerRow::still_needed, "earlier effects, tested anew"},
+               Field{"no_longer_needed", &LedgerRow::no_longer_needed, ""}};
 
 template <>
-struct ResultType<Ledger> {
-  static constexpr std::string_view name = "Ledger";
-  static constexpr std::string_view meaning = "The story of a model.";
-  static constexpr std::tuple fields{Field{"rows", &Ledger::rows, "one row per revision"}};
-};
+inline constexpr auto kResult<LedgerEntry> = ResultType{
+    "LedgerRow", "A revision of a model: what it changed, and what that bought.",
+    std::tuple_cat(
+        fields_through(&LedgerEntry::row, std::tuple_cat(kLedgerEntryChange, kResult<LedgerRow>.fields,
+                                                         kLedgerEntryJudged, kLedgerEntryEvidence, kLedgerEntryGrown)),
+        std::tuple{Field{"sentence", &LedgerEntry::sentence, "what it says in plain words"}})};
+
+template <>
+inline constexpr auto kResult<Ledger> =
+    ResultType{"Ledger", "The story of a model.", std::tuple{Field{"rows", &Ledger::rows, "one row per revision"}}};
 
 // An effect that was added for a test.
 struct AddedEffect {
@@ -77,55 +72,49 @@ struct AddedEffect {
 std::vector<AddedEffect> added_effects(const EffectTest& effect_test);
 
 template <>
-struct ResultType<AddedEffect> {
-  static constexpr std::string_view name = "AddedEffect";
-  static constexpr std::string_view meaning = "An effect that was added for a test.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&AddedEffect::bound, ResultType<BoundEffect>::fields),
-      fields_through(
-          &AddedEffect::tried,
-          std::tuple{
-              Field{"amplitude_um", &Candidate::amplitude_um, "largest less smallest of what it adds"},
-              Field{"amplitude_sigma_um", &Candidate::amplitude_sigma_um, "null: not determined"},
-              Field{"likelihood_ratio", &Candidate::likelihood_ratio,
-                    "2 ln of how much likelier the readings are with it than without"},
-              Field{"threshold", &Candidate::threshold, "from which that counts"},
-              Field{"p_same_gain", &Candidate::p_same_gain, "of gains as different from cycle to cycle, by chance"}}),
-      std::tuple{Field{"time_only", [](const AddedEffect& of) { return of.bound.effect->time_only; },
-                       "whether it needs nothing but time"},
-                 Field{"doubts", [](const AddedEffect& of) { return of.tried.doubts; }, "why it is not supported"},
-                 Field{"parameters", &AddedEffect::parameters, ""}});
-};
+inline constexpr auto kResult<AddedEffect> = ResultType{
+    "AddedEffect", "An effect that was added for a test.",
+    std::tuple_cat(
+        fields_through(&AddedEffect::bound, kResult<BoundEffect>.fields),
+        fields_through(
+            &AddedEffect::tried,
+            std::tuple{
+                Field{"amplitude_um", &Candidate::amplitude_um, "largest less smallest of what it adds"},
+                Field{"amplitude_sigma_um", &Candidate::amplitude_sigma_um, "null: not determined"},
+                Field{"likelihood_ratio", &Candidate::likelihood_ratio,
+                      "2 ln of how much likelier the readings are with it than without"},
+                Field{"threshold", &Candidate::threshold, "from which that counts"},
+                Field{"p_same_gain", &Candidate::p_same_gain, "of gains as different from cycle to cycle, by chance"}}),
+        std::tuple{Field{"time_only", [](const AddedEffect& of) { return of.bound.effect->time_only; },
+                         "whether it needs nothing but time"},
+                   Field{"doubts", [](const AddedEffect& of) { return of.tried.doubts; }, "why it is not supported"},
+                   Field{"parameters", &AddedEffect::parameters, ""}})};
 
 template <>
-struct ResultType<DropTest> {
-  static constexpr std::string_view name = "EarlierEffect";
-  static constexpr std::string_view meaning = "An effect of the model, tested by leaving it out.";
-  static constexpr std::tuple fields{Field{"effect", &DropTest::label, "with its columns"},
-                                     Field{"likelihood_ratio", &DropTest::likelihood_ratio, "2 ln B"},
-                                     Field{"parameters", &DropTest::parameters, "free ones"},
-                                     Field{"p_drop", &DropTest::p, "that it is not needed"},
-                                     Field{"needed", &DropTest::needed, ""}};
-};
+inline constexpr auto kResult<DropTest> = ResultType{
+    "EarlierEffect", "An effect of the model, tested by leaving it out.",
+    std::tuple{Field{"effect", &DropTest::label, "with its columns"},
+               Field{"likelihood_ratio", &DropTest::likelihood_ratio, "2 ln B"},
+               Field{"parameters", &DropTest::parameters, "free ones"},
+               Field{"p_drop", &DropTest::p, "that it is not needed"}, Field{"needed", &DropTest::needed, ""}}};
 
 template <>
-struct ResultType<EffectTest> {
-  using Test = const EffectTest&;
-  static constexpr std::string_view name = "Tried";
-  static constexpr std::string_view meaning = "A model before and after effects are added.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      std::tuple{Field{"target", [](Test of) { return of.after.target; }, "column that is explained"},
-                 Field{"data", [](Test of) { return of.after.data; }, "files, as they were named"},
-                 Field{"before", &EffectTest::before, "how well the model does without them"},
-                 Field{"after", &EffectTest::after, "how well it does with them"}},
-      fields_through(&EffectTest::after, ResultType<LedgerEntry>::evidence),
-      std::tuple{Field{"verdict", [](Test of) { return of.after.verdict; }, "supported, time only, not supported"},
-                 Field{"effects", &added_effects, "that were added"},
-                 Field{"beside", &EffectTest::beside, "other effects that the test assumes to be missing"},
-                 Field{"freed", &EffectTest::freed, "parameter that the model holds and the test frees; empty: none"},
-                 Field{"earlier", &EffectTest::earlier, "effects of the model, tested anew"},
-                 Field{"sentence", [](Test of) { return conclusion(of); }, "what it says in plain words"}});
-};
+inline constexpr auto kResult<EffectTest> = ResultType{
+    "Tried", "A model before and after effects are added.",
+    std::tuple_cat(
+        std::tuple{Field{"target", [](const EffectTest& of) { return of.after.target; }, "column that is explained"},
+                   Field{"data", [](const EffectTest& of) { return of.after.data; }, "files, as they were named"},
+                   Field{"before", &EffectTest::before, "how well the model does without them"},
+                   Field{"after", &EffectTest::after, "how well it does with them"}},
+        fields_through(&EffectTest::after, kLedgerEntryEvidence),
+        std::tuple{
+            Field{"verdict", [](const EffectTest& of) { return of.after.verdict; },
+                  "supported, time only, not supported"},
+            Field{"effects", &added_effects, "that were added"},
+            Field{"beside", &EffectTest::beside, "other effects that the test assumes to be missing"},
+            Field{"freed", &EffectTest::freed, "parameter that the model holds and the test frees; empty: none"},
+            Field{"earlier", &EffectTest::earlier, "effects of the model, tested anew"},
+            Field{"sentence", [](const EffectTest& of) { return conclusion(of); }, "what it says in plain words"}})};
 
 // A model grown to predict, with so many effects.
 struct GrowthStep {
@@ -135,21 +124,19 @@ struct GrowthStep {
 };
 
 template <>
-struct ResultType<GrowthStep> {
-  static constexpr std::string_view name = "GrowthStep";
-  static constexpr std::string_view meaning = "A model that grows by effects that predict, with so many of them.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      std::tuple{Field{"added", &GrowthStep::added, "effects that join; empty: none, or not kept"},
-                 Field{"kept", &GrowthStep::kept, "whether it is in the model"}},
-      fields_through(
-          &GrowthStep::errors,
-          std::tuple{Field{"effects", &GrowthErrors::effects, "how many in all"},
-                     Field{"rmse_um", &GrowthErrors::rmse_um, "of the rows it is fitted to"},
-                     Field{"forecast_um", &GrowthErrors::forecast_um, "RMSE of forecasts; null: too few rows"},
-                     Field{"forecast_mean_um", &GrowthErrors::forecast_mean_um, "their mean absolute error"},
-                     Field{"apart_um", &GrowthErrors::apart_um,
-                           "RMS of the forecasts less those of a regression on all effects"}}));
-};
+inline constexpr auto kResult<GrowthStep> = ResultType{
+    "GrowthStep", "A model that grows by effects that predict, with so many of them.",
+    std::tuple_cat(
+        std::tuple{Field{"added", &GrowthStep::added, "effects that join; empty: none, or not kept"},
+                   Field{"kept", &GrowthStep::kept, "whether it is in the model"}},
+        fields_through(
+            &GrowthStep::errors,
+            std::tuple{Field{"effects", &GrowthErrors::effects, "how many in all"},
+                       Field{"rmse_um", &GrowthErrors::rmse_um, "of the rows it is fitted to"},
+                       Field{"forecast_um", &GrowthErrors::forecast_um, "RMSE of forecasts; null: too few rows"},
+                       Field{"forecast_mean_um", &GrowthErrors::forecast_mean_um, "their mean absolute error"},
+                       Field{"apart_um", &GrowthErrors::apart_um,
+                             "RMS of the forecasts less those of a regression on all effects"}}))};
 
 // Why `add --auto` ended.
 struct Stopped {
@@ -158,12 +145,9 @@ struct Stopped {
 };
 
 template <>
-struct ResultType<Stopped> {
-  static constexpr std::string_view name = "Stopped";
-  static constexpr std::string_view meaning = "Why nothing more was added.";
-  static constexpr std::tuple fields{Field{"verdict", &Stopped::verdict, "of the last diagnosis"},
-                                     Field{"text", &Stopped::text, ""}};
-};
+inline constexpr auto kResult<Stopped> = ResultType{
+    "Stopped", "Why nothing more was added.",
+    std::tuple{Field{"verdict", &Stopped::verdict, "of the last diagnosis"}, Field{"text", &Stopped::text, ""}}};
 
 struct Added {
   std::vector<LedgerEntry> rows;
@@ -176,18 +160,15 @@ struct Added {
 };
 
 template <>
-struct ResultType<Added> {
-  static constexpr std::string_view name = "Added";
-  static constexpr std::string_view meaning = "New revisions of a model.";
-  static constexpr std::tuple fields{
-      Field{"rows", &Added::rows, "of the ledger"},
-      Field{"revisions", &Added::revisions, "before and after each"},
-      Field{"growth", &Added::growth, "of a model that grew by effects that predict"},
-      Field{"sentence", &Added::sentence, "what that growth says"},
-      Field{"stopped", &Added::stopped, "with --auto: why nothing more was added"},
-      Field{"written", &Added::written, "file; null: nothing was added, or no file is named"},
-      Field{"text", &Added::text, "of the new model, where it has no file"}};
-};
+inline constexpr auto kResult<Added> =
+    ResultType{"Added", "New revisions of a model.",
+               std::tuple{Field{"rows", &Added::rows, "of the ledger"},
+                          Field{"revisions", &Added::revisions, "before and after each"},
+                          Field{"growth", &Added::growth, "of a model that grew by effects that predict"},
+                          Field{"sentence", &Added::sentence, "what that growth says"},
+                          Field{"stopped", &Added::stopped, "with --auto: why nothing more was added"},
+                          Field{"written", &Added::written, "file; null: nothing was added, or no file is named"},
+                          Field{"text", &Added::text, "of the new model, where it has no file"}}};
 
 struct Undone {
   std::string model;
@@ -197,13 +178,11 @@ struct Undone {
 };
 
 template <>
-struct ResultType<Undone> {
-  static constexpr std::string_view name = "Undone";
-  static constexpr std::string_view meaning = "A revision that was taken back.";
-  static constexpr std::tuple fields{Field{"model", &Undone::model, "file"},
-                                     Field{"revision", &Undone::revision, "that it is now; 0: as it started"},
-                                     Field{"undone", &Undone::change, "what was taken back"},
-                                     Field{"text", &Undone::text, "of the model, where it has no file"}};
-};
+inline constexpr auto kResult<Undone> =
+    ResultType{"Undone", "A revision that was taken back.",
+               std::tuple{Field{"model", &Undone::model, "file"},
+                          Field{"revision", &Undone::revision, "that it is now; 0: as it started"},
+                          Field{"undone", &Undone::change, "what was taken back"},
+                          Field{"text", &Undone::text, "of the model, where it has no file"}}};
 
 }  // namespace ballbar

@@ -15,15 +15,12 @@
 namespace ballbar {
 
 template <>
-struct ResultType<Recording> {
-  static constexpr std::string_view name = "DrivenRecording";
-  static constexpr std::string_view meaning = "A recording that the errors are from.";
-  static constexpr std::tuple fields{
-      Field{"direction", &Recording::direction, "CCW, CW"},
-      Field{"arc_deg", [](const Recording& of) { return deg_from_rad(arc_rad(of)); }, ""},
-      Field{"feed_mm_per_min", &Recording::feed_mm_per_min, "null: not known"},
-      Field{"readings", [](const Recording& of) { return of.length_mm.size(); }, ""}};
-};
+inline constexpr auto kResult<Recording> =
+    ResultType{"DrivenRecording", "A recording that the errors are from.",
+               std::tuple{Field{"direction", &Recording::direction, "CCW, CW"},
+                          Field{"arc_deg", [](const Recording& of) { return deg_from_rad(arc_rad(of)); }, ""},
+                          Field{"feed_mm_per_min", &Recording::feed_mm_per_min, "null: not known"},
+                          Field{"readings", [](const Recording& of) { return of.length_mm.size(); }, ""}}};
 
 // Where the file states it.
 template <class Type>
@@ -39,28 +36,23 @@ constexpr auto stated(Type B5r::*member) {
 }
 
 template <>
-struct ResultType<B5r> {
-  static constexpr std::string_view name = "TestFile";
-  static constexpr std::string_view meaning = "What a file of an instrument states of its test.";
-  static constexpr std::tuple fields{
-      Field{"test", stated(&B5r::test_name), "its name"},
-      Field{"machine", stated(&B5r::machine), ""},
-      Field{"operator", stated(&B5r::operator_name), ""},
-      Field{"comment", stated(&B5r::comment), ""},
-      Field{"ballbar", stated(&B5r::ballbar_model), "model of the instrument"},
-      Field{"serial_number", stated(&B5r::serial_number), "of the ballbar"},
-      Field{"last_calibrated", stated(&B5r::last_calibrated), ""},
-      Field{"calibrator_serial_number",
-            [](const B5r& of) {
-              const std::string& number = of.calibrator.serial_number;
-              return MayLack<std::string>{number.empty() ? std::nullopt : std::optional(number)};
-            },
-            ""},
-      Field{"software", stated(&B5r::software_title), ""},
-      Field{"software_version", stated(&B5r::software_version), ""},
-      Field{"started_s", stated(&B5r::started_s), "on the machine's clock, since 1970"},
-      Field{"programmed_feed_mm_per_min", stated(&B5r::programmed_feed_mm_per_min), ""}};
-};
+inline constexpr auto kResult<B5r> = ResultType{
+    "TestFile", "What a file of an instrument states of its test.",
+    std::tuple{Field{"test", stated(&B5r::test_name), "its name"}, Field{"machine", stated(&B5r::machine), ""},
+               Field{"operator", stated(&B5r::operator_name), ""}, Field{"comment", stated(&B5r::comment), ""},
+               Field{"ballbar", stated(&B5r::ballbar_model), "model of the instrument"},
+               Field{"serial_number", stated(&B5r::serial_number), "of the ballbar"},
+               Field{"last_calibrated", stated(&B5r::last_calibrated), ""},
+               Field{"calibrator_serial_number",
+                     [](const B5r& of) {
+                       const std::string& number = of.calibrator.serial_number;
+                       return MayLack<std::string>{number.empty() ? std::nullopt : std::optional(number)};
+                     },
+                     ""},
+               Field{"software", stated(&B5r::software_title), ""},
+               Field{"software_version", stated(&B5r::software_version), ""},
+               Field{"started_s", stated(&B5r::started_s), "on the machine's clock, since 1970"},
+               Field{"programmed_feed_mm_per_min", stated(&B5r::programmed_feed_mm_per_min), ""}}};
 
 // An error as the instrument's software has it.
 struct InstrumentValue {
@@ -74,16 +66,13 @@ constexpr auto of_rank(auto InstrumentRank::*member) {
 }
 
 template <>
-struct ResultType<InstrumentValue> {
-  static constexpr std::string_view name = "InstrumentValue";
-  static constexpr std::string_view meaning = "An error as the software of the instrument has it.";
-  static constexpr std::tuple fields{
-      Field{"value", &InstrumentValue::value, ""},
-      Field{"individual_circularity_um", of_rank(&InstrumentRank::individual_circularity_um),
-            "peak to peak of its own curve"},
-      Field{"share_percent", of_rank(&InstrumentRank::share_percent), "of the sum of all it ranks"},
-      Field{"rank", of_rank(&InstrumentRank::rank), "1: the largest circularity"}};
-};
+inline constexpr auto kResult<InstrumentValue> =
+    ResultType{"InstrumentValue", "An error as the software of the instrument has it.",
+               std::tuple{Field{"value", &InstrumentValue::value, ""},
+                          Field{"individual_circularity_um", of_rank(&InstrumentRank::individual_circularity_um),
+                                "peak to peak of its own curve"},
+                          Field{"share_percent", of_rank(&InstrumentRank::share_percent), "of the sum of all it ranks"},
+                          Field{"rank", of_rank(&InstrumentRank::rank), "1: the largest circularity"}}};
 
 struct ErrorRow {
   MachineError error;
@@ -116,150 +105,130 @@ constexpr auto if_ranked(auto get) {
 }
 
 template <>
-struct ResultType<ErrorRow> {
-  using Row = const ErrorRow&;
-  static constexpr std::string_view name = "MachineError";
-  static constexpr std::string_view meaning = "An error of the machine, ranked; or of the circle, which is not.";
-  static constexpr std::tuple fields{
-      Field{"name", [](Row of) { return of.error.name; }, "squareness, backlash_a_pos, centre_a, ..."},
-      Field{"value", [](Row of) { return of.error.value; }, ""},
-      Field{"sigma", [](Row of) { return of.error.sigma; }, ""},
-      Field{"unit", [](Row of) { return of.error.unit; }, "um, um/m, ms"},
-      Field{"as_instrument",
-            [](Row of) {
-              return of.error.as_instrument
-                         ? std::optional(InstrumentValue{*of.error.as_instrument,
-                                                         of.ranked ? of.ranked->as_instrument : std::nullopt})
-                         : std::nullopt;
-            },
-            "by the estimator of the instrument's software; null: it has no such error"},
-      Field{"significant", of_rank(&RankedError::significant), "null, as all ranks: of the circle, which has none"},
-      Field{"predicts_other_run", of_rank(&RankedError::predicts_other_run),
-            "whether its value from one run lowers the residual of the other"},
-      Field{"individual_circularity_um", of_rank(&RankedError::individual_circularity_um),
-            "peak to peak of its own curve over all recordings"},
-      Field{"share_percent", of_rank(&RankedError::share_percent), "of the sum of these of all errors"},
-      Field{"rank", of_rank(&RankedError::rank),
-            "by what mending it gains, 1 the most; null: not significant, or the circularity stays"},
-      Field{"stored", &ErrorRow::stored, "that the file has of it"},
-      Field{"stored_is_same", &ErrorRow::stored_is_same, "whether that is what the instrument's estimator says"},
-      Field{"stored_rank", &ErrorRow::stored_rank, ""},
-      Field{"circularity_without_um", of_rank(&RankedError::circularity_without_um), "that remains if it is mended"},
-      Field{"circularity_gain_um", of_rank(&RankedError::gain_um), "circularity now less that"},
-      Field{"circularity_gain_sigma_um", of_rank(&RankedError::gain_sigma_um), "null: not asked for"},
-      Field{"effect", if_ranked([](Row of) { return of.ranked->effect->name; }), "as `ballbar effects` lists it"},
-      Field{"stored_individual_circularity_um", if_ranked([](Row of) { return of.stored_individual_circularity_um; }),
-            ""},
-      Field{"p_value", if_ranked([](Row of) { return of.ranked->p_value; }), "of noise that shows as much"},
-      Field{"shape", if_ranked([](Row of) { return of.ranked->shape; }),
-            "width of a spike, deg; pitch of a cyclic error, mm; null: none"},
-      Field{"remedy", if_ranked([](Row of) { return of.ranked->effect->explanation.remedy; }), ""},
-      Field{"in_the_model", &ErrorRow::in_the_model, "with a model: whether it has this error"}};
-};
+inline constexpr auto kResult<ErrorRow> = ResultType{
+    "MachineError", "An error of the machine, ranked; or of the circle, which is not.",
+    std::tuple{
+        Field{"name", [](const ErrorRow& of) { return of.error.name; }, "squareness, backlash_a_pos, centre_a, ..."},
+        Field{"value", [](const ErrorRow& of) { return of.error.value; }, ""},
+        Field{"sigma", [](const ErrorRow& of) { return of.error.sigma; }, ""},
+        Field{"unit", [](const ErrorRow& of) { return of.error.unit; }, "um, um/m, ms"},
+        Field{"as_instrument",
+              [](const ErrorRow& of) {
+                return of.error.as_instrument
+                           ? std::optional(InstrumentValue{*of.error.as_instrument,
+                                                           of.ranked ? of.ranked->as_instrument : std::nullopt})
+                           : std::nullopt;
+              },
+              "by the estimator of the instrument's software; null: it has no such error"},
+        Field{"significant", of_rank(&RankedError::significant), "null, as all ranks: of the circle, which has none"},
+        Field{"predicts_other_run", of_rank(&RankedError::predicts_other_run),
+              "whether its value from one run lowers the residual of the other"},
+        Field{"individual_circularity_um", of_rank(&RankedError::individual_circularity_um),
+              "peak to peak of its own curve over all recordings"},
+        Field{"share_percent", of_rank(&RankedError::share_percent), "of the sum of these of all errors"},
+        Field{"rank", of_rank(&RankedError::rank),
+              "by what mending it gains, 1 the most; null: not significant, or the circularity stays"},
+        Field{"stored", &ErrorRow::stored, "that the file has of it"},
+        Field{"stored_is_same", &ErrorRow::stored_is_same, "whether that is what the instrument's estimator says"},
+        Field{"stored_rank", &ErrorRow::stored_rank, ""},
+        Field{"circularity_without_um", of_rank(&RankedError::circularity_without_um), "that remains if it is mended"},
+        Field{"circularity_gain_um", of_rank(&RankedError::gain_um), "circularity now less that"},
+        Field{"circularity_gain_sigma_um", of_rank(&RankedError::gain_sigma_um), "null: not asked for"},
+        Field{"effect", if_ranked([](const ErrorRow& of) { return of.ranked->effect->name; }),
+              "as `ballbar effects` lists it"},
+        Field{"stored_individual_circularity_um",
+              if_ranked([](const ErrorRow& of) { return of.stored_individual_circularity_um; }), ""},
+        Field{"p_value", if_ranked([](const ErrorRow& of) { return of.ranked->p_value; }),
+              "of noise that shows as much"},
+        Field{"shape", if_ranked([](const ErrorRow& of) { return of.ranked->shape; }),
+              "width of a spike, deg; pitch of a cyclic error, mm; null: none"},
+        Field{"remedy", if_ranked([](const ErrorRow& of) { return of.ranked->effect->explanation.remedy; }), ""},
+        Field{"in_the_model", &ErrorRow::in_the_model, "with a model: whether it has this error"}}};
 
 template <>
-struct ResultType<AddedError> {
-  static constexpr std::string_view name = "AddedError";
-  static constexpr std::string_view meaning = "The residual with this error and those before it.";
-  static constexpr std::tuple fields{Field{"effect", [](const AddedError& of) { return of.effect->name; }, ""},
-                                     Field{"rms_um", &AddedError::rms_um, ""}};
-};
+inline constexpr auto kResult<AddedError> =
+    ResultType{"AddedError", "The residual with this error and those before it.",
+               std::tuple{Field{"effect", [](const AddedError& of) { return of.effect->name; }, ""},
+                          Field{"rms_um", &AddedError::rms_um, ""}}};
 
 template <>
-struct ResultType<LeftHarmonic> {
-  static constexpr std::string_view name = "LeftHarmonic";
-  static constexpr std::string_view meaning = "A wave that no error explains.";
-  static constexpr std::tuple fields{
-      Field{"harmonic", &LeftHarmonic::harmonic, "waves a turn"},
-      Field{"recording", &LeftHarmonic::recording, "in which it is largest"},
-      Field{"peak_to_peak_um", &LeftHarmonic::peak_to_peak_um, ""},
-      Field{"p_value", &LeftHarmonic::p_value, "after the number of harmonics and recordings looked at"},
-      Field{"in_both_directions", &LeftHarmonic::in_both, ""}};
-};
+inline constexpr auto kResult<LeftHarmonic> = ResultType{
+    "LeftHarmonic", "A wave that no error explains.",
+    std::tuple{Field{"harmonic", &LeftHarmonic::harmonic, "waves a turn"},
+               Field{"recording", &LeftHarmonic::recording, "in which it is largest"},
+               Field{"peak_to_peak_um", &LeftHarmonic::peak_to_peak_um, ""},
+               Field{"p_value", &LeftHarmonic::p_value, "after the number of harmonics and recordings looked at"},
+               Field{"in_both_directions", &LeftHarmonic::in_both, ""}}};
 
 template <>
-struct ResultType<NextMeasurement> {
-  static constexpr std::string_view name = "NextMeasurement";
-  static constexpr std::string_view meaning = "The measurement that would tell errors apart.";
-  static constexpr std::tuple fields{
-      Field{"measurement", &NextMeasurement::measurement, "other_direction, full_circle, another_feed"},
-      Field{"error", &NextMeasurement::error, "that it separates best"},
-      Field{"other", &NextMeasurement::other, "from which"}, Field{"text", &measurement_text, "what to do"}};
-};
+inline constexpr auto kResult<NextMeasurement> = ResultType{
+    "NextMeasurement", "The measurement that would tell errors apart.",
+    std::tuple{Field{"measurement", &NextMeasurement::measurement, "other_direction, full_circle, another_feed"},
+               Field{"error", &NextMeasurement::error, "that it separates best"},
+               Field{"other", &NextMeasurement::other, "from which"}, Field{"text", &measurement_text, "what to do"}}};
 
 template <>
-struct ResultType<PriorOfError> {
-  static constexpr std::string_view name = "PriorOfError";
-  static constexpr std::string_view meaning = "What an error is held to be before the readings speak.";
-  static constexpr std::tuple fields{Field{"name", &PriorOfError::name, ""},
-                                     Field{"value", [](const PriorOfError&) { return 0.0; }, ""},
-                                     Field{"sigma", &PriorOfError::sigma, ""},
-                                     Field{"unit", &PriorOfError::unit, ""},
-                                     Field{"readings_alone", &PriorOfError::alone, "its value by the readings alone"},
-                                     Field{"readings_alone_sigma", &PriorOfError::alone_sigma, ""}};
-};
+inline constexpr auto kResult<PriorOfError> = ResultType{
+    "PriorOfError", "What an error is held to be before the readings speak.",
+    std::tuple{Field{"name", &PriorOfError::name, ""}, Field{"value", [](const PriorOfError&) { return 0.0; }, ""},
+               Field{"sigma", &PriorOfError::sigma, ""}, Field{"unit", &PriorOfError::unit, ""},
+               Field{"readings_alone", &PriorOfError::alone, "its value by the readings alone"},
+               Field{"readings_alone_sigma", &PriorOfError::alone_sigma, ""}}};
 
 // That the test shows, without columns: they are the axes'.
 std::vector<BoundEffect> significant_effects(const ErrorsReport& report);
 
+inline constexpr auto kErrorsReportVerdictFields = std::tuple{
+    Field{"conclusion", [](const ErrorsReport& of) { return conclusion(of); }, "what it says in plain words"},
+    Field{"verdict", [](const ErrorsReport& of) { return verdict_of(of); }, "named, unexplained, nothing"},
+    Field{"named", &significant_effects, "errors that the test shows"},
+    Field{"errors", &error_rows, "by what mending them gains, then those of the circle"}};
+inline constexpr auto kErrorsReportFound = std::tuple{
+    Field{"one_by_one", &MachineErrors::one_by_one, "the significant ones, each time that which leaves least"},
+    Field{"circle_rms_um", &MachineErrors::circle_rms_um, "that the circles alone leave"},
+    Field{"circularity_um", &MachineErrors::circularity_um, "largest less smallest reading about the fitted centre"},
+    Field{"circularity_without_all_um", &MachineErrors::circularity_without_all_um,
+          "that remains once all significant errors are mended"}};
+inline constexpr auto kErrorsReportLeft =
+    std::tuple{Field{"residual_rms_um", &MachineErrors::residual_rms_um, "that all errors leave"},
+               Field{"repeatability_um", &MachineErrors::repeatability_um,
+                     "what of it is not the same in both directions; null: one direction"},
+               Field{"noise", &MachineErrors::noise, "of the readings"},
+               Field{"kErrorsReportLeft", &MachineErrors::left, "a wave that no error explains; null: none"}};
+inline constexpr auto kErrorsReportDriven = std::tuple{
+    Field{"plane", [](const ErrorsReport& of) { return of.recordings.front().plane; }, "XY, YZ, ZX"},
+    Field{"nominal_length_mm", [](const ErrorsReport& of) { return of.recordings.front().nominal_length_mm; }, ""}};
+inline constexpr auto kErrorsReportRest = std::tuple_cat(
+    std::tuple{Field{"file", [](const ErrorsReport& of) { return MayLack<B5r>{of.b5r}; }, "what the only file states"}},
+    kErrorsReportVerdictFields, fields_through(&ErrorsReport::found, kErrorsReportFound),
+    std::tuple{Field{"differences", &difference_texts, "where ours and the instrument's values differ, and why"}},
+    fields_through(&ErrorsReport::found, kErrorsReportLeft),
+    std::tuple{Field{"left_text", &left_text, "what the errors do not explain"},
+               Field{"undetermined", [](const ErrorsReport& of) { return of.found.undetermined; },
+                     "what the readings do not tell apart"},
+               Field{"next_measurement", [](const ErrorsReport& of) { return MayLack<NextMeasurement>{of.found.next}; },
+                     "that would tell some of these apart"},
+               Field{"prior", [](const ErrorsReport& of) { return of.found.prior; }, ""},
+               Field{"tolerances", &tolerance_texts, "pass or fail, a line each"}});
+
 template <>
-struct ResultType<ErrorsReport> {
-  using Report = const ErrorsReport&;
-  static constexpr std::string_view name = "MachineErrors";
-  static constexpr std::string_view meaning = "The errors of a machine from recordings of one plane and one bar.";
-  static constexpr std::tuple verdict_fields{
-      Field{"conclusion", [](Report of) { return conclusion(of); }, "what it says in plain words"},
-      Field{"verdict", [](Report of) { return verdict_of(of); }, "named, unexplained, nothing"},
-      Field{"named", &significant_effects, "errors that the test shows"},
-      Field{"errors", &error_rows, "by what mending them gains, then those of the circle"}};
-  static constexpr std::tuple found{
-      Field{"one_by_one", &MachineErrors::one_by_one, "the significant ones, each time that which leaves least"},
-      Field{"circle_rms_um", &MachineErrors::circle_rms_um, "that the circles alone leave"},
-      Field{"circularity_um", &MachineErrors::circularity_um, "largest less smallest reading about the fitted centre"},
-      Field{"circularity_without_all_um", &MachineErrors::circularity_without_all_um,
-            "that remains once all significant errors are mended"}};
-  static constexpr std::tuple left{Field{"residual_rms_um", &MachineErrors::residual_rms_um, "that all errors leave"},
-                                   Field{"repeatability_um", &MachineErrors::repeatability_um,
-                                         "what of it is not the same in both directions; null: one direction"},
-                                   Field{"noise", &MachineErrors::noise, "of the readings"},
-                                   Field{"left", &MachineErrors::left, "a wave that no error explains; null: none"}};
-  static constexpr std::tuple driven{
-      Field{"plane", [](Report of) { return of.recordings.front().plane; }, "XY, YZ, ZX"},
-      Field{"nominal_length_mm", [](Report of) { return of.recordings.front().nominal_length_mm; }, ""}};
-  static constexpr std::tuple rest = std::tuple_cat(
-      std::tuple{Field{"file", [](Report of) { return MayLack<B5r>{of.b5r}; }, "what the only file states"}},
-      verdict_fields, fields_through(&ErrorsReport::found, found),
-      std::tuple{Field{"differences", &difference_texts, "where ours and the instrument's values differ, and why"}},
-      fields_through(&ErrorsReport::found, left),
-      std::tuple{
-          Field{"left_text", &left_text, "what the errors do not explain"},
-          Field{"undetermined", [](Report of) { return of.found.undetermined; }, "what the readings do not tell apart"},
-          Field{"next_measurement", [](Report of) { return MayLack<NextMeasurement>{of.found.next}; },
-                "that would tell some of these apart"},
-          Field{"prior", [](Report of) { return of.found.prior; }, ""},
-          Field{"tolerances", &tolerance_texts, "pass or fail, a line each"}});
-  static constexpr std::tuple fields =
-      std::tuple_cat(std::tuple{Field{"files", &ErrorsReport::files, "of recordings"}}, driven,
-                     std::tuple{Field{"recordings", &ErrorsReport::recordings, ""}}, rest);
-};
+inline constexpr auto kResult<ErrorsReport> =
+    ResultType{"MachineErrors", "The errors of a machine from recordings of one plane and one bar.",
+               std::tuple_cat(std::tuple{Field{"files", &ErrorsReport::files, "of recordings"}}, kErrorsReportDriven,
+                              std::tuple{Field{"recordings", &ErrorsReport::recordings, ""}}, kErrorsReportRest)};
 
 // A value that a file stores.
 template <>
-struct ResultType<StoredFeature> {
-  static constexpr std::string_view name = "StoredValue";
-  static constexpr std::string_view meaning = "A value that a file stores.";
-  static constexpr std::tuple fields{
-      Field{"parent", &StoredFeature::parent, "run or analysis that it is of"},
-      Field{"name", &StoredFeature::name, "as the file has it"}, Field{"value", &StoredFeature::value, ""},
-      Field{"unit", [](const StoredFeature& of) { return unit_of_data_type(of.data_type); }, ""}};
-};
+inline constexpr auto kResult<StoredFeature> = ResultType{
+    "StoredValue", "A value that a file stores.",
+    std::tuple{Field{"parent", &StoredFeature::parent, "run or analysis that it is of"},
+               Field{"name", &StoredFeature::name, "as the file has it"}, Field{"value", &StoredFeature::value, ""},
+               Field{"unit", [](const StoredFeature& of) { return unit_of_data_type(of.data_type); }, ""}}};
 
 template <>
-struct ResultType<StoredAlone> {
-  static constexpr std::string_view name = "StoredAlone";
-  static constexpr std::string_view meaning = "A file that stores results without readings.";
-  static constexpr std::tuple fields{Field{"file", &StoredAlone::file, ""}, Field{"stored", &StoredAlone::stored, ""}};
-};
+inline constexpr auto kResult<StoredAlone> =
+    ResultType{"StoredAlone", "A file that stores results without readings.",
+               std::tuple{Field{"file", &StoredAlone::file, ""}, Field{"stored", &StoredAlone::stored, ""}}};
 
 // Of one group of recordings.
 struct ErrorsOfOne {
@@ -267,26 +236,25 @@ struct ErrorsOfOne {
 };
 std::variant<ErrorsOfOne, ErrorsReports> result_of(const ErrorsReports& reports);
 
-template <>
-struct ResultType<ErrorsReports> {
-  static constexpr std::string_view name = "RankedErrorsOfGroups";
-  static constexpr std::string_view meaning = "The errors of a machine from several planes or bars.";
-  static constexpr std::tuple files{Field{"skipped", &ErrorsReports::skipped, "files that could not be read"},
-                                    Field{"remarks", &ErrorsReports::remarks, "of the readers"}};
-  static constexpr std::tuple fields = std::tuple_cat(
-      std::tuple{Field{"groups", &ErrorsReports::groups, "of several planes or bars, each as the errors of one"},
-                 Field{"results_alone", &ErrorsReports::results_alone, "files that store results without readings"}},
-      files);
-};
+inline constexpr auto kErrorsReportsFiles =
+    std::tuple{Field{"skipped", &ErrorsReports::skipped, "kErrorsReportsFiles that could not be read"},
+               Field{"remarks", &ErrorsReports::remarks, "of the readers"}};
 
 template <>
-struct ResultType<ErrorsOfOne> {
-  static constexpr std::string_view name = "RankedErrors";
-  static constexpr std::string_view meaning = "The errors of a machine.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      fields_through([](const ErrorsOfOne& of) -> const ErrorsReport& { return of.reports.groups.front(); },
-                     ResultType<ErrorsReport>::fields),
-      fields_through(&ErrorsOfOne::reports, ResultType<ErrorsReports>::files));
-};
+inline constexpr auto kResult<ErrorsReports> = ResultType{
+    "RankedErrorsOfGroups", "The errors of a machine from several planes or bars.",
+    std::tuple_cat(
+        std::tuple{Field{"groups", &ErrorsReports::groups, "of several planes or bars, each as the errors of one"},
+                   Field{"results_alone", &ErrorsReports::results_alone,
+                         "kErrorsReportsFiles that store results without readings"}},
+        kErrorsReportsFiles)};
+
+template <>
+inline constexpr auto kResult<ErrorsOfOne> = ResultType{
+    "RankedErrors", "The errors of a machine.",
+    std::tuple_cat(
+        fields_through([](const ErrorsOfOne& of) -> const ErrorsReport& { return of.reports.groups.front(); },
+                       kResult<ErrorsReport>.fields),
+        fields_through(&ErrorsOfOne::reports, kErrorsReportsFiles))};
 
 }  // namespace ballbar

@@ -18,56 +18,44 @@ inline std::optional<std::string> moment_of(const std::optional<std::int64_t>& t
 }
 
 template <>
-struct ResultType<SkippedTest> {
-  static constexpr std::string_view name = "SkippedTest";
-  static constexpr std::string_view meaning = "A file that has no test of its own.";
-  static constexpr std::tuple fields{
-      Field{"file", &SkippedTest::file, ""}, Field{"sentence", &SkippedTest::sentence, "with the file's name"},
-      Field{"copy_of", &SkippedTest::copy_of, "file of whose test it is one; null: none"}};
-};
+inline constexpr auto kResult<SkippedTest> = ResultType{
+    "SkippedTest", "A file that has no test of its own.",
+    std::tuple{Field{"file", &SkippedTest::file, ""}, Field{"sentence", &SkippedTest::sentence, "with the file's name"},
+               Field{"copy_of", &SkippedTest::copy_of, "file of whose test it is one; null: none"}}};
 
 template <>
-struct ResultType<TestQuantity> {
-  static constexpr std::string_view name = "TestQuantity";
-  static constexpr std::string_view meaning = "An error, or a quantity, of a test.";
-  static constexpr std::tuple fields{
-      Field{"name", &TestQuantity::name, ""},
-      Field{"value", &TestQuantity::value, ""},
-      Field{"sigma", &TestQuantity::sigma, "null: not known"},
-      Field{"unit", &TestQuantity::unit, ""},
-      Field{"significant", &TestQuantity::significant, "whether the test shows it"},
-      Field{"rank", &TestQuantity::rank, "by the gain of its repair, 1 the largest; null: none"},
-      Field{"of_set_up", &TestQuantity::of_set_up, "it says nothing of the machine"}};
-};
+inline constexpr auto kResult<TestQuantity> = ResultType{
+    "TestQuantity", "An error, or a quantity, of a test.",
+    std::tuple{Field{"name", &TestQuantity::name, ""}, Field{"value", &TestQuantity::value, ""},
+               Field{"sigma", &TestQuantity::sigma, "null: not known"}, Field{"unit", &TestQuantity::unit, ""},
+               Field{"significant", &TestQuantity::significant, "whether the test shows it"},
+               Field{"rank", &TestQuantity::rank, "by the gain of its repair, 1 the largest; null: none"},
+               Field{"of_set_up", &TestQuantity::of_set_up, "it says nothing of the machine"}}};
+
+inline constexpr auto kMachineTestMadeWith =
+    std::tuple{Field{"file", &MachineTest::file, ""},
+               Field{"second_file", &MachineTest::second_file, "log of the other direction; empty: none"},
+               Field{"machine", &MachineTest::machine, "empty: not stated"},
+               Field{"bar", &MachineTest::bar, "its serial number; empty: not stated"},
+               Field{"date", [](const MachineTest& of) { return moment_of(of.started_s); }, "null: not stated"},
+               Field{"plane", &MachineTest::plane, "XY, YZ, ZX"},
+               Field{"nominal_length_mm", &MachineTest::nominal_length_mm, ""},
+               Field{"feed_mm_per_min", &MachineTest::feed_mm_per_min, "null: not stated"},
+               Field{"start_deg", &MachineTest::start_deg, "of the readings, counter-clockwise"},
+               Field{"arc_deg", &MachineTest::arc_deg, ""},
+               Field{"directions", &MachineTest::directions, "CCW, CW; empty: not stated"},
+               Field{"stored", &MachineTest::stored, "values of the file, without readings"}};
 
 template <>
-struct ResultType<MachineTest> {
-  static constexpr std::string_view name = "MachineTest";
-  static constexpr std::string_view meaning = "A test of a machine.";
-  static constexpr std::tuple made_with{
-      Field{"file", &MachineTest::file, ""},
-      Field{"second_file", &MachineTest::second_file, "log of the other direction; empty: none"},
-      Field{"machine", &MachineTest::machine, "empty: not stated"},
-      Field{"bar", &MachineTest::bar, "its serial number; empty: not stated"},
-      Field{"date", [](const MachineTest& of) { return moment_of(of.started_s); }, "null: not stated"},
-      Field{"plane", &MachineTest::plane, "XY, YZ, ZX"},
-      Field{"nominal_length_mm", &MachineTest::nominal_length_mm, ""},
-      Field{"feed_mm_per_min", &MachineTest::feed_mm_per_min, "null: not stated"},
-      Field{"start_deg", &MachineTest::start_deg, "of the readings, counter-clockwise"},
-      Field{"arc_deg", &MachineTest::arc_deg, ""},
-      Field{"directions", &MachineTest::directions, "CCW, CW; empty: not stated"},
-      Field{"stored", &MachineTest::stored, "values of the file, without readings"}};
-  static constexpr std::tuple fields =
-      std::tuple_cat(made_with, std::tuple{Field{"errors", &MachineTest::quantities, ""}});
-};
+inline constexpr auto kResult<MachineTest> =
+    ResultType{"MachineTest", "A test of a machine.",
+               std::tuple_cat(kMachineTestMadeWith, std::tuple{Field{"errors", &MachineTest::quantities, ""}})};
 
 template <>
-struct ResultType<TestFiles> {
-  static constexpr std::string_view name = "Errors";
-  static constexpr std::string_view meaning = "The errors of many ballbar tests.";
-  static constexpr std::tuple fields{Field{"tests", &TestFiles::tests, "one row per test"},
-                                     Field{"remarks", &TestFiles::remarks, "of the readers"},
-                                     Field{"skipped", &TestFiles::skipped, "files that could not be read"}};
-};
+inline constexpr auto kResult<TestFiles> =
+    ResultType{"Errors", "The errors of many ballbar tests.",
+               std::tuple{Field{"tests", &TestFiles::tests, "one row per test"},
+                          Field{"remarks", &TestFiles::remarks, "of the readers"},
+                          Field{"skipped", &TestFiles::skipped, "files that could not be read"}}};
 
 }  // namespace ballbar

@@ -17,13 +17,10 @@ struct CurveOverYears {
 };
 
 template <>
-struct ResultType<CurveOverYears> {
-  static constexpr std::string_view name = "CurveOverYears";
-  static constexpr std::string_view meaning = "A curve with half of the interval that holds 68 %.";
-  static constexpr std::tuple fields{Field{"year", known(&CurveOverYears::year), "2025.5"},
-                                     Field{"values", &CurveOverYears::values, ""},
-                                     Field{"sigmas", &CurveOverYears::sigmas, ""}};
-};
+inline constexpr auto kResult<CurveOverYears> =
+    ResultType{"CurveOverYears", "A curve with half of the interval that holds 68 %.",
+               std::tuple{Field{"year", known(&CurveOverYears::year), "2025.5"},
+                          Field{"values", &CurveOverYears::values, ""}, Field{"sigmas", &CurveOverYears::sigmas, ""}}};
 
 struct DrawnQuantity {
   std::string name, unit;
@@ -34,17 +31,14 @@ struct DrawnQuantity {
 };
 
 template <>
-struct ResultType<DrawnQuantity> {
-  static constexpr std::string_view name = "HistoryQuantity";
-  static constexpr std::string_view meaning = "A quantity over the tests with a date.";
-  static constexpr std::tuple fields =
-      std::tuple_cat(std::tuple{Field{"name", &DrawnQuantity::name, ""}, Field{"unit", &DrawnQuantity::unit, ""}},
-                     fields_through(&DrawnQuantity::tests, ResultType<CurveOverYears>::fields),
-                     std::tuple{Field{"trend", &DrawnQuantity::trend, ""},
-                                Field{"marks", known(&DrawnQuantity::marks), "years in which it steps"},
-                                Field{"lower", known(&DrawnQuantity::lower), "tolerance"},
-                                Field{"upper", known(&DrawnQuantity::upper), ""}});
-};
+inline constexpr auto kResult<DrawnQuantity> = ResultType{
+    "HistoryQuantity", "A quantity over the tests with a date.",
+    std::tuple_cat(std::tuple{Field{"name", &DrawnQuantity::name, ""}, Field{"unit", &DrawnQuantity::unit, ""}},
+                   fields_through(&DrawnQuantity::tests, kResult<CurveOverYears>.fields),
+                   std::tuple{Field{"trend", &DrawnQuantity::trend, ""},
+                              Field{"marks", known(&DrawnQuantity::marks), "years in which it steps"},
+                              Field{"lower", known(&DrawnQuantity::lower), "tolerance"},
+                              Field{"upper", known(&DrawnQuantity::upper), ""}})};
 
 struct DrawnGroup {
   std::string label, first;
@@ -55,16 +49,12 @@ struct DrawnGroup {
 };
 
 template <>
-struct ResultType<DrawnGroup> {
-  static constexpr std::string_view name = "HistoryGroup";
-  static constexpr std::string_view meaning = "Tests that can be compared.";
-  static constexpr std::tuple fields{Field{"label", &DrawnGroup::label, "XY, 100 mm, 1000 mm/min, 360 deg"},
-                                     Field{"first", &DrawnGroup::first, "quantity to look at first"},
-                                     Field{"plane", &DrawnGroup::plane, "XY, YZ, ZX"},
-                                     Field{"quantities", &DrawnGroup::quantities, ""},
-                                     Field{"heading", &DrawnGroup::heading, "of the table"},
-                                     Field{"rows", &DrawnGroup::rows, ""}};
-};
+inline constexpr auto kResult<DrawnGroup> = ResultType{
+    "HistoryGroup", "Tests that can be compared.",
+    std::tuple{Field{"label", &DrawnGroup::label, "XY, 100 mm, 1000 mm/min, 360 deg"},
+               Field{"first", &DrawnGroup::first, "quantity to look at first"},
+               Field{"plane", &DrawnGroup::plane, "XY, YZ, ZX"}, Field{"quantities", &DrawnGroup::quantities, ""},
+               Field{"heading", &DrawnGroup::heading, "of the table"}, Field{"rows", &DrawnGroup::rows, ""}}};
 
 // A test as a row of the list.
 struct DrawnTest {
@@ -74,15 +64,12 @@ struct DrawnTest {
 };
 
 template <>
-struct ResultType<DrawnTest> {
-  static constexpr std::string_view name = "DrawnTest";
-  static constexpr std::string_view meaning = "A test in the list of a machine's.";
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&DrawnTest::test, ResultType<MachineTest>::made_with),
-                     std::tuple{Field{"circularity_um", &DrawnTest::circularity_um, "null: not stored"},
-                                Field{"circularity_sigma_um", &DrawnTest::circularity_sigma_um, "null: not known"},
-                                Field{"first_to_mend", &DrawnTest::first_to_mend, "empty: none"}});
-};
+inline constexpr auto kResult<DrawnTest> = ResultType{
+    "DrawnTest", "A test in the list of a machine's.",
+    std::tuple_cat(fields_through(&DrawnTest::test, kMachineTestMadeWith),
+                   std::tuple{Field{"circularity_um", &DrawnTest::circularity_um, "null: not stored"},
+                              Field{"circularity_sigma_um", &DrawnTest::circularity_sigma_um, "null: not known"},
+                              Field{"first_to_mend", &DrawnTest::first_to_mend, "empty: none"}})};
 
 struct HistoryPart {
   std::vector<DrawnGroup> groups;
@@ -93,14 +80,11 @@ struct HistoryPart {
 };
 
 template <>
-struct ResultType<HistoryPart> {
-  static constexpr std::string_view name = "HistoryPart";
-  static constexpr std::string_view meaning = "A machine over its tests, as it is drawn.";
-  static constexpr std::tuple fields{
-      Field{"groups", &HistoryPart::groups, ""}, Field{"geometry", &HistoryPart::geometry, "sentences"},
-      Field{"geometry_rows", &HistoryPart::geometry_rows, "what, um/m, from"},
-      Field{"skipped", &HistoryPart::skipped, "sentences"}, Field{"tests", &HistoryPart::tests, "by date"}};
-};
+inline constexpr auto kResult<HistoryPart> = ResultType{
+    "HistoryPart", "A machine over its tests, as it is drawn.",
+    std::tuple{Field{"groups", &HistoryPart::groups, ""}, Field{"geometry", &HistoryPart::geometry, "sentences"},
+               Field{"geometry_rows", &HistoryPart::geometry_rows, "what, um/m, from"},
+               Field{"skipped", &HistoryPart::skipped, "sentences"}, Field{"tests", &HistoryPart::tests, "by date"}}};
 
 struct DrawnMachine {
   std::string label, reason;
@@ -110,15 +94,13 @@ struct DrawnMachine {
 };
 
 template <>
-struct ResultType<DrawnMachine> {
-  static constexpr std::string_view name = "DrawnMachine";
-  static constexpr std::string_view meaning = "A machine that needs something, as it is drawn.";
-  static constexpr std::tuple fields{Field{"label", &DrawnMachine::label, "its name"},
-                                     Field{"reason", &DrawnMachine::reason, "why it is called"},
-                                     Field{"findings", &DrawnMachine::findings, "what was found and what to do"},
-                                     Field{"first", &DrawnMachine::first, "quantity to look at first"},
-                                     Field{"quantities", &DrawnMachine::quantities, "with the curve that was found"}};
-};
+inline constexpr auto kResult<DrawnMachine> =
+    ResultType{"DrawnMachine", "A machine that needs something, as it is drawn.",
+               std::tuple{Field{"label", &DrawnMachine::label, "its name"},
+                          Field{"reason", &DrawnMachine::reason, "why it is called"},
+                          Field{"findings", &DrawnMachine::findings, "what was found and what to do"},
+                          Field{"first", &DrawnMachine::first, "quantity to look at first"},
+                          Field{"quantities", &DrawnMachine::quantities, "with the curve that was found"}}};
 
 struct FleetPart {
   std::vector<std::string> heading;
@@ -127,13 +109,10 @@ struct FleetPart {
 };
 
 template <>
-struct ResultType<FleetPart> {
-  static constexpr std::string_view name = "FleetPart";
-  static constexpr std::string_view meaning = "Many machines over their tests, as they are drawn.";
-  static constexpr std::tuple fields{Field{"heading", &FleetPart::heading, "of the ranking"},
-                                     Field{"rows", &FleetPart::rows, ""},
-                                     Field{"machines", &FleetPart::machines, "that need something"}};
-};
+inline constexpr auto kResult<FleetPart> =
+    ResultType{"FleetPart", "Many machines over their tests, as they are drawn.",
+               std::tuple{Field{"heading", &FleetPart::heading, "of the ranking"}, Field{"rows", &FleetPart::rows, ""},
+                          Field{"machines", &FleetPart::machines, "that need something"}}};
 
 // A page with one of both.
 struct HistoryReport {
@@ -146,21 +125,15 @@ struct FleetReport {
 };
 
 template <>
-struct ResultType<HistoryReport> {
-  static constexpr std::string_view name = "HistoryReport";
-  static constexpr std::string_view meaning = "The data of a page of a machine over its tests.";
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&HistoryReport::head, ResultType<ReportHead>::fields),
-                     std::tuple{Field{"history", &HistoryReport::history, ""}});
-};
+inline constexpr auto kResult<HistoryReport> =
+    ResultType{"HistoryReport", "The data of a page of a machine over its tests.",
+               std::tuple_cat(fields_through(&HistoryReport::head, kResult<ReportHead>.fields),
+                              std::tuple{Field{"history", &HistoryReport::history, ""}})};
 
 template <>
-struct ResultType<FleetReport> {
-  static constexpr std::string_view name = "FleetReport";
-  static constexpr std::string_view meaning = "The data of a page of many machines.";
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&FleetReport::head, ResultType<ReportHead>::fields),
-                     std::tuple{Field{"fleet", &FleetReport::fleet, ""}});
-};
+inline constexpr auto kResult<FleetReport> =
+    ResultType{"FleetReport", "The data of a page of many machines.",
+               std::tuple_cat(fields_through(&FleetReport::head, kResult<ReportHead>.fields),
+                              std::tuple{Field{"fleet", &FleetReport::fleet, ""}})};
 
 }  // namespace ballbar

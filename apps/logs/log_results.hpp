@@ -23,32 +23,25 @@ constexpr auto if_taken(Type LogColumn::*member, bool taken = true) {
 }
 
 template <>
-struct ResultType<LogColumn> {
-  static constexpr std::string_view name = "LogColumn";
-  static constexpr std::string_view meaning = "A column of a log, and its interpretation.";
-  static constexpr std::tuple fields{
-      Field{"source", &LogColumn::source, "its header in the log"},
-      Field{"found_unit",
-            [](const LogColumn& of) {
-              return MayLack<std::string>{of.found_unit.empty() ? std::nullopt : std::optional(of.found_unit)};
-            },
-            "as the log writes it"},
-      Field{"left_out", if_taken(&LogColumn::why, false), "why it is not in the series; then nothing else is there"},
-      Field{"name", if_taken(&LogColumn::name), "in the series"},
-      Field{"unit", if_taken(&LogColumn::unit), ""},
-      Field{"role", if_taken(&LogColumn::role), ""},
-      Field{"why", if_taken(&LogColumn::why), "what tells the role"},
-      Field{"gaps", if_taken(&LogColumn::gaps), "cells without a value"},
-      Field{"first", if_taken(&LogColumn::first), "its first values, at most five"}};
-};
+inline constexpr auto kResult<LogColumn> = ResultType{
+    "LogColumn", "A column of a log, and its interpretation.",
+    std::tuple{
+        Field{"source", &LogColumn::source, "its header in the log"},
+        Field{"found_unit",
+              [](const LogColumn& of) {
+                return MayLack<std::string>{of.found_unit.empty() ? std::nullopt : std::optional(of.found_unit)};
+              },
+              "as the log writes it"},
+        Field{"left_out", if_taken(&LogColumn::why, false), "why it is not in the series; then nothing else is there"},
+        Field{"name", if_taken(&LogColumn::name), "in the series"}, Field{"unit", if_taken(&LogColumn::unit), ""},
+        Field{"role", if_taken(&LogColumn::role), ""}, Field{"why", if_taken(&LogColumn::why), "what tells the role"},
+        Field{"gaps", if_taken(&LogColumn::gaps), "cells without a value"},
+        Field{"first", if_taken(&LogColumn::first), "its first values, at most five"}}};
 
 template <>
-struct ResultType<ColumnFault> {
-  static constexpr std::string_view name = "ColumnFault";
-  static constexpr std::string_view meaning = "What looks wrong with a column.";
-  static constexpr std::tuple fields{Field{"column", &ColumnFault::column, "empty: the time"},
-                                     Field{"what", &ColumnFault::what, ""}};
-};
+inline constexpr auto kResult<ColumnFault> = ResultType{
+    "ColumnFault", "What looks wrong with a column.",
+    std::tuple{Field{"column", &ColumnFault::column, "empty: the time"}, Field{"what", &ColumnFault::what, ""}}};
 
 inline std::vector<double> first_times_s(const Log& log) {
   const std::span<const double> all = log.series.time_s, first = all.first(std::min(kShownRows, all.size()));
@@ -70,39 +63,34 @@ struct ImportedLog {
 };
 
 template <>
-struct ResultType<ImportedLog> {
-  using Of = const ImportedLog&;
-  static constexpr std::string_view name = "Imported";
-  static constexpr std::string_view meaning = "The interpretation of a log.";
-  static constexpr std::tuple fields{
+inline constexpr auto kResult<ImportedLog> = ResultType{"Imported", "The interpretation of a log.", std::tuple{
       Field{"file", &ImportedLog::file, ""},
-      Field{"shape", [](Of of) { return of.log.shape; }, "how the values stand"},
-      Field{"time", [](Of of) { return of.log.time; }, "where the time is"},
-      Field{"started", [](Of of) { return MayLack<std::string>{of.log.series.started}; }, "wall clock of time 0"},
-      Field{"rows", [](Of of) { return of.log.series.time_s.size(); }, "how many"},
-      Field{"first_row_line", [](Of of) { return of.log.first_row_line; }, ""},
-      Field{"clock", [](Of of) { return of.log.series.has_clock; }, "false: the rows are numbered"},
-      Field{"first_times_s", [](Of of) { return first_times_s(of.log); }, "of the first rows, at most five"},
+      Field{"shape", [](const ImportedLog& of) { return of.log.shape; }, "how the values stand"},
+      Field{"time", [](const ImportedLog& of) { return of.log.time; }, "where the time is"},
+      Field{"started", [](const ImportedLog& of) { return MayLack<std::string>{of.log.series.started}; }, "wall clock of time 0"},
+      Field{"rows", [](const ImportedLog& of) { return of.log.series.time_s.size(); }, "how many"},
+      Field{"first_row_line", [](const ImportedLog& of) { return of.log.first_row_line; }, ""},
+      Field{"clock", [](const ImportedLog& of) { return of.log.series.has_clock; }, "false: the rows are numbered"},
+      Field{"first_times_s", [](const ImportedLog& of) { return first_times_s(of.log); }, "of the first rows, at most five"},
       Field{"sheet",
-            [](Of of) {
+            [](const ImportedLog& of) {
               return MayLack<std::string>{of.log.recipe.sheet.empty() ? std::nullopt
                                                                       : std::optional(of.log.recipe.sheet)};
             },
             "of the workbook"},
       Field{"sheets",
-            [](Of of) {
+            [](const ImportedLog& of) {
               return MayLack<std::vector<std::string>>{of.log.sheets.empty() ? std::nullopt
                                                                              : std::optional(of.log.sheets)};
             },
             "of the workbook, all"},
-      Field{"columns", [](Of of) { return of.log.columns; }, "of the log, that of the time left out"},
-      Field{"targets", [](Of of) { return targets(of.log); }, "columns that are measured"},
-      Field{"unclear", [](Of of) { return of.log.unclear; }, "what a user should state"},
-      Field{"skipped_lines", [](Of of) { return of.log.skipped_lines; },
+      Field{"columns", [](const ImportedLog& of) { return of.log.columns; }, "of the log, that of the time left out"},
+      Field{"targets", [](const ImportedLog& of) { return targets(of.log); }, "columns that are measured"},
+      Field{"unclear", [](const ImportedLog& of) { return of.log.unclear; }, "what a user should state"},
+      Field{"skipped_lines", [](const ImportedLog& of) { return of.log.skipped_lines; },
             "numbers of the lines that are no rows of numbers"},
-      Field{"remarks", [](Of of) { return of.log.remarks; }, "what looks broken, what was mended, what was assumed"},
-      Field{"faults", &ImportedLog::faults, "of columns"}};
-};
+      Field{"remarks", [](const ImportedLog& of) { return of.log.remarks; }, "what looks broken, what was mended, what was assumed"},
+      Field{"faults", &ImportedLog::faults, "of columns"}}};
 
 struct MergedPart {
   std::string file;
@@ -118,23 +106,19 @@ constexpr auto of_lag(double ClockLag::*member) {
 }
 
 template <>
-struct ResultType<MergedPart> {
-  static constexpr std::string_view name = "MergedPart";
-  static constexpr std::string_view meaning = "A log, and how its clock was set.";
-  static constexpr std::tuple fields{
-      Field{"file", &MergedPart::file, ""},
-      Field{"moved_s", &MergedPart::moved_s, "what was added to its times"},
-      Field{"by_date_s", [](const MergedPart& of) { return MayLack<double>{of.by_date_s}; }, "by the dates alone"},
-      Field{"lag_s", of_lag(&ClockLag::lag_s), "by what both logs show"},
-      Field{"lag_sigma_s", of_lag(&ClockLag::sigma_s), ""},
-      Field{"correlation", of_lag(&ClockLag::correlation), ""},
-      Field{"compared",
-            [](const MergedPart& of) {
-              return MayLack<std::vector<std::string>>{
-                  of.lag ? std::optional(std::vector{of.lag->column, of.lag->other}) : std::nullopt};
-            },
-            "columns of the first log and of this one"}};
-};
+inline constexpr auto kResult<MergedPart> = ResultType{
+    "MergedPart", "A log, and how its clock was set.",
+    std::tuple{
+        Field{"file", &MergedPart::file, ""}, Field{"moved_s", &MergedPart::moved_s, "what was added to its times"},
+        Field{"by_date_s", [](const MergedPart& of) { return MayLack<double>{of.by_date_s}; }, "by the dates alone"},
+        Field{"lag_s", of_lag(&ClockLag::lag_s), "by what both logs show"},
+        Field{"lag_sigma_s", of_lag(&ClockLag::sigma_s), ""}, Field{"correlation", of_lag(&ClockLag::correlation), ""},
+        Field{"compared",
+              [](const MergedPart& of) {
+                return MayLack<std::vector<std::string>>{
+                    of.lag ? std::optional(std::vector{of.lag->column, of.lag->other}) : std::nullopt};
+              },
+              "columns of the first log and of this one"}}};
 
 struct MergedSeries {
   Series series;
@@ -142,13 +126,10 @@ struct MergedSeries {
 };
 
 template <>
-struct ResultType<MergedSeries> {
-  static constexpr std::string_view name = "Merged";
-  static constexpr std::string_view meaning = "Logs made one series.";
-  static constexpr std::tuple fields{
-      Field{"rows", [](const MergedSeries& of) { return of.series.time_s.size(); }, "how many"},
-      Field{"columns", [](const MergedSeries& of) { return of.series.columns.size(); }, "how many"},
-      Field{"parts", &MergedSeries::parts, "the logs"}};
-};
+inline constexpr auto kResult<MergedSeries> =
+    ResultType{"Merged", "Logs made one series.",
+               std::tuple{Field{"rows", [](const MergedSeries& of) { return of.series.time_s.size(); }, "how many"},
+                          Field{"columns", [](const MergedSeries& of) { return of.series.columns.size(); }, "how many"},
+                          Field{"parts", &MergedSeries::parts, "the logs"}}};
 
 }  // namespace ballbar

@@ -14,12 +14,9 @@ struct DriftOfSession {
 };
 
 template <>
-struct ResultType<DriftOfSession> {
-  static constexpr std::string_view name = "Drift";
-  static constexpr std::string_view meaning = "The drift of the spindle.";
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&DriftOfSession::drift, ResultType<DriftSeries>::fields),
-                     std::tuple{Field{"skipped", &DriftOfSession::skipped, "files that could not be read"}});
-};
+inline constexpr auto kResult<DriftOfSession> =
+    ResultType{"Drift", "The drift of the spindle.",
+               std::tuple_cat(fields_through(&DriftOfSession::drift, kResult<DriftSeries>.fields),
+                              std::tuple{Field{"skipped", &DriftOfSession::skipped, "files that could not be read"}})};
 
 }  // namespace ballbar

@@ -22,43 +22,35 @@ constexpr auto if_testable(Type Detectability::*member, bool testable = true) {
 }
 
 template <>
-struct ResultType<Detectability> {
-  static constexpr std::string_view name = "Detectability";
-  static constexpr std::string_view meaning = "What data could show of an effect.";
-  static constexpr std::tuple fields{
-      Field{"effect", [](const Detectability& of) { return of.effect->name; }, "as `ballbar effects` lists it"},
-      Field{"testability", &Detectability::testability,
-            "testable, input missing, input constant, absorbed by the model, in the model, other motion"},
-      Field{"columns", &Detectability::columns, "that suit it best"},
-      Field{"bindings", &Detectability::bindings, "choices of columns that the data offer"},
-      Field{"surviving_share", if_testable(&Detectability::surviving_share), "what of it the model cannot make"},
-      Field{"detectable_um", if_testable(&Detectability::detectable_um), "range from which it is seen"},
-      Field{"identifiable_um", if_testable(&Detectability::identifiable_um), "range from which it is named"},
-      Field{"inseparable_from", if_testable(&Detectability::inseparable_from),
-            "effects that these data do not tell from it"},
-      Field{"why", if_testable(&Detectability::why, false), "it is not testable"}};
-};
+inline constexpr auto kResult<Detectability> = ResultType{
+    "Detectability", "What data could show of an effect.",
+    std::tuple{
+        Field{"effect", [](const Detectability& of) { return of.effect->name; }, "as `ballbar effects` lists it"},
+        Field{"testability", &Detectability::testability,
+              "testable, input missing, input constant, absorbed by the model, in the model, other motion"},
+        Field{"columns", &Detectability::columns, "that suit it best"},
+        Field{"bindings", &Detectability::bindings, "choices of columns that the data offer"},
+        Field{"surviving_share", if_testable(&Detectability::surviving_share), "what of it the model cannot make"},
+        Field{"detectable_um", if_testable(&Detectability::detectable_um), "range from which it is seen"},
+        Field{"identifiable_um", if_testable(&Detectability::identifiable_um), "range from which it is named"},
+        Field{"inseparable_from", if_testable(&Detectability::inseparable_from),
+              "effects that these data do not tell from it"},
+        Field{"why", if_testable(&Detectability::why, false), "it is not testable"}}};
 
 template <>
-struct ResultType<Preflight> {
-  static constexpr std::string_view name = "Preflight";
-  static constexpr std::string_view meaning = "What data could show, before any residual.";
-  static constexpr std::tuple fields{Field{"target", &Preflight::target, "column that is explained"},
-                                     Field{"n", &Preflight::n, "readings"},
-                                     Field{"noise_source", &Preflight::noise_source, "where the noise is from"},
-                                     Field{"effects", &Preflight::detectability, "of the catalogue"}};
-};
+inline constexpr auto kResult<Preflight> = ResultType{
+    "Preflight", "What data could show, before any residual.",
+    std::tuple{Field{"target", &Preflight::target, "column that is explained"}, Field{"n", &Preflight::n, "readings"},
+               Field{"noise_source", &Preflight::noise_source, "where the noise is from"},
+               Field{"effects", &Preflight::detectability, "of the catalogue"}}};
 
 struct PreflightTargets {
   std::vector<Preflight> targets;
 };
 
 template <>
-struct ResultType<PreflightTargets> {
-  static constexpr std::string_view name = "PreflightTargets";
-  static constexpr std::string_view meaning = "What data could show of several targets.";
-  static constexpr std::tuple fields{
-      Field{"targets", &PreflightTargets::targets, "of several targets, each as of one"}};
-};
+inline constexpr auto kResult<PreflightTargets> =
+    ResultType{"PreflightTargets", "What data could show of several targets.",
+               std::tuple{Field{"targets", &PreflightTargets::targets, "of several targets, each as of one"}}};
 
 }  // namespace ballbar

@@ -36,45 +36,45 @@ int decimals_of(double rmse_um);
 std::optional<double> floor_um(const ResidualReport& report);
 
 // What `check --json` prints of one target.
+inline constexpr auto kResidualReportFigures =
+    std::tuple{Field{"target", [](const ResidualReport& of) { return of.fit.target; }, "column that is explained"},
+               Field{"target_unit", [](const ResidualReport& of) { return std::string(unit_of(of.fit.target)); },
+                     "for which um stands in the other keys; empty: the column states none"},
+               Field{"rmse_um", [](const ResidualReport& of) { return of.fit.rmse_um; }, "of the residual"},
+               Field{"floor_um", &floor_um, "the noise, which no model explains; null: not known"},
+               Field{"floor_source", [](const ResidualReport& of) { return of.fit.floor.source; },
+                     "where the noise is taken from"},
+               Field{"n", [](const ResidualReport& of) { return of.fit.residual_um.size(); }, "readings"},
+               Field{"n_effective", [](const ResidualReport& of) { return of.fit.n_effective; },
+                     "independent readings that they are worth"},
+               Field{"adequate", [](const ResidualReport& of) { return is_adequate(of.fit, of.whiteness); },
+                     "whether the model leaves noise alone"}};
+inline constexpr auto kResidualReportDetails =
+    std::tuple{Field{"where", &ResidualReport::where, "where it fails"},
+               Field{"parameters", [](const ResidualReport& of) { return of.fit.parameters; }, ""},
+               Field{"correlation", [](const ResidualReport& of) { return correlation_of(of.fit); },
+                     "of the parameters, row by row"},
+               Field{"noise", [](const ResidualReport& of) { return of.fit.noise; }, "of the residual"},
+               Field{"whiteness", &ResidualReport::whiteness, ""},
+               Field{"sentences", [](const ResidualReport& of) { return sentences(of.fit, of.where, of.whiteness); },
+                     "error against noise, where worst, what the residual is"}};
+inline constexpr auto kResidualReportEnd =
+    std::tuple{Field{"converged", [](const ResidualReport& of) { return of.fit.converged; },
+                     "whether the fit came to an kResidualReportEnd"}};
+
 template <>
-struct ResultType<ResidualReport> {
-  using Report = const ResidualReport&;
-  static constexpr std::string_view name = "Checked";
-  static constexpr std::string_view meaning = "A model fitted, and where it fails.";
-  static constexpr std::tuple figures{
-      Field{"target", [](Report of) { return of.fit.target; }, "column that is explained"},
-      Field{"target_unit", [](Report of) { return std::string(unit_of(of.fit.target)); },
-            "for which um stands in the other keys; empty: the column states none"},
-      Field{"rmse_um", [](Report of) { return of.fit.rmse_um; }, "of the residual"},
-      Field{"floor_um", &floor_um, "the noise, which no model explains; null: not known"},
-      Field{"floor_source", [](Report of) { return of.fit.floor.source; }, "where the noise is taken from"},
-      Field{"n", [](Report of) { return of.fit.residual_um.size(); }, "readings"},
-      Field{"n_effective", [](Report of) { return of.fit.n_effective; }, "independent readings that they are worth"},
-      Field{"adequate", [](Report of) { return is_adequate(of.fit, of.whiteness); },
-            "whether the model leaves noise alone"}};
-  static constexpr std::tuple details{
-      Field{"where", &ResidualReport::where, "where it fails"},
-      Field{"parameters", [](Report of) { return of.fit.parameters; }, ""},
-      Field{"correlation", [](Report of) { return correlation_of(of.fit); }, "of the parameters, row by row"},
-      Field{"noise", [](Report of) { return of.fit.noise; }, "of the residual"},
-      Field{"whiteness", &ResidualReport::whiteness, ""},
-      Field{"sentences", [](Report of) { return sentences(of.fit, of.where, of.whiteness); },
-            "error against noise, where worst, what the residual is"}};
-  static constexpr std::tuple end{
-      Field{"converged", [](Report of) { return of.fit.converged; }, "whether the fit came to an end"}};
-  static constexpr std::tuple fields =
-      std::tuple_cat(figures, details, end, std::tuple{Field{"remarks", [](Report of) { return of.fit.remarks; }, ""}});
-};
+inline constexpr auto kResult<ResidualReport> = ResultType{
+    "Checked", "A model fitted, and where it fails.",
+    std::tuple_cat(kResidualReportFigures, kResidualReportDetails, kResidualReportEnd,
+                   std::tuple{Field{"remarks", [](const ResidualReport& of) { return of.fit.remarks; }, ""}})};
 
 struct CheckedTargets {
   std::vector<ResidualReport> targets;
 };
 
 template <>
-struct ResultType<CheckedTargets> {
-  static constexpr std::string_view name = "CheckedTargets";
-  static constexpr std::string_view meaning = "A model of several targets fitted, and where it fails.";
-  static constexpr std::tuple fields{Field{"targets", &CheckedTargets::targets, "of several targets, each as of one"}};
-};
+inline constexpr auto kResult<CheckedTargets> =
+    ResultType{"CheckedTargets", "A model of several targets fitted, and where it fails.",
+               std::tuple{Field{"targets", &CheckedTargets::targets, "of several targets, each as of one"}}};
 
 }  // namespace ballbar

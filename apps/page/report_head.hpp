@@ -17,14 +17,11 @@ struct PageColumn {
 };
 
 template <>
-struct ResultType<PageColumn> {
-  static constexpr std::string_view name = "Column";
-  static constexpr std::string_view meaning = "A column on the clock of its series.";
-  static constexpr std::tuple fields{
-      Field{"name", &PageColumn::name, "with its unit"},
-      Field{"role", &PageColumn::role, "as in a series file: structure, ambient, speed, measured, ..."},
-      Field{"unit", &PageColumn::unit, ""}, Field{"values", &PageColumn::values, ""}};
-};
+inline constexpr auto kResult<PageColumn> = ResultType{
+    "Column", "A column on the clock of its series.",
+    std::tuple{Field{"name", &PageColumn::name, "with its unit"},
+               Field{"role", &PageColumn::role, "as in a series file: structure, ambient, speed, measured, ..."},
+               Field{"unit", &PageColumn::unit, ""}, Field{"values", &PageColumn::values, ""}}};
 
 struct SignalsPart {
   std::string source;
@@ -34,14 +31,11 @@ struct SignalsPart {
 };
 
 template <>
-struct ResultType<SignalsPart> {
-  static constexpr std::string_view name = "SeriesBlock";
-  static constexpr std::string_view meaning = "Columns on one clock.";
-  static constexpr std::tuple fields{Field{"source", &SignalsPart::source, "the file"},
-                                     Field{"time_s", known(&SignalsPart::time_s), ""},
-                                     Field{"columns", &SignalsPart::columns, ""},
-                                     Field{"rows", &SignalsPart::rows, "of the file, where not all are here"}};
-};
+inline constexpr auto kResult<SignalsPart> =
+    ResultType{"SeriesBlock", "Columns on one clock.",
+               std::tuple{Field{"source", &SignalsPart::source, "the file"},
+                          Field{"time_s", known(&SignalsPart::time_s), ""}, Field{"columns", &SignalsPart::columns, ""},
+                          Field{"rows", &SignalsPart::rows, "of the file, where not all are here"}}};
 
 struct ReportHead {
   std::string format, title, made_by, made_on;
@@ -52,17 +46,12 @@ struct ReportHead {
 ReportHead report_head(const std::string& title);
 
 template <>
-struct ResultType<ReportHead> {
-  static constexpr std::string_view name = "ReportHead";
-  static constexpr std::string_view meaning = "What every page has.";
-  static constexpr std::tuple fields{
-      Field{"format", &ReportHead::format, "ballbar-report 1"},
-      Field{"title", &ReportHead::title, ""},
-      Field{"made_by", &ReportHead::made_by, "the program with its version"},
-      Field{"made_on", &ReportHead::made_on, "date"},
-      Field{"files", &ReportHead::files, "that it is made of"},
-      Field{"summary", &ReportHead::summary, "the conclusions, whole sentences, first to be read"},
-      Field{"signals", &ReportHead::signals, "temperatures, speed and the like, each file on its own clock"}};
-};
+inline constexpr auto kResult<ReportHead> = ResultType{
+    "ReportHead", "What every page has.",
+    std::tuple{Field{"format", &ReportHead::format, "ballbar-report 1"}, Field{"title", &ReportHead::title, ""},
+               Field{"made_by", &ReportHead::made_by, "the program with its version"},
+               Field{"made_on", &ReportHead::made_on, "date"}, Field{"files", &ReportHead::files, "that it is made of"},
+               Field{"summary", &ReportHead::summary, "the conclusions, whole sentences, first to be read"},
+               Field{"signals", &ReportHead::signals, "temperatures, speed and the like, each file on its own clock"}}};
 
 }  // namespace ballbar

@@ -12,54 +12,41 @@
 namespace ballbar {
 
 template <>
-struct ResultType<Dwell> {
-  static constexpr std::string_view name = "Dwell";
-  static constexpr std::string_view meaning = "A part of a run in which nothing changes.";
-  static constexpr std::tuple fields{
-      Field{"duration_min", [](const Dwell& of) { return min_from_s(of.duration_s); }, ""},
-      Field{"speed_rpm", &Dwell::speed_rpm, ""},
-      Field{"load", &Dwell::load, "times the load that the data had at this speed"},
-      Field{"room_K", &Dwell::room_K, "warmer than in the data"},
-      Field{"coolant_K", &Dwell::coolant_K, "warmer than in the data"}};
-};
+inline constexpr auto kResult<Dwell> =
+    ResultType{"Dwell", "A part of a run in which nothing changes.",
+               std::tuple{Field{"duration_min", [](const Dwell& of) { return min_from_s(of.duration_s); }, ""},
+                          Field{"speed_rpm", &Dwell::speed_rpm, ""},
+                          Field{"load", &Dwell::load, "times the load that the data had at this speed"},
+                          Field{"room_K", &Dwell::room_K, "warmer than in the data"},
+                          Field{"coolant_K", &Dwell::coolant_K, "warmer than in the data"}}};
 
 template <>
-struct ResultType<Schedule> {
-  static constexpr std::string_view name = "Schedule";
-  static constexpr std::string_view meaning = "A run of the machine.";
-  static constexpr std::tuple fields{Field{"reading_s", &Schedule::reading_s, "from reading to reading"},
-                                     Field{"dwells", &Schedule::dwells, "one after the other"}};
-};
+inline constexpr auto kResult<Schedule> =
+    ResultType{"Schedule", "A run of the machine.",
+               std::tuple{Field{"reading_s", &Schedule::reading_s, "from reading to reading"},
+                          Field{"dwells", &Schedule::dwells, "one after the other"}}};
 
 template <>
-struct ResultType<ExpectedTest> {
-  static constexpr std::string_view name = "ExpectedTest";
-  static constexpr std::string_view meaning = "A run that was weighed.";
-  static constexpr std::tuple fields{
-      Field{"test", &ExpectedTest::kind, "random speeds, ..."},
-      Field{"hours", &ExpectedTest::hours, ""},
-      Field{"p_right", &ExpectedTest::p_right, "that all that is missing is named and nothing else"},
-      Field{"p_right_sigma", &ExpectedTest::p_right_sigma, ""},
-      Field{"p_part", &ExpectedTest::p_part, "that some of it is named that is not named now, and nothing else"},
-      Field{"p_wrong", &ExpectedTest::p_wrong, "that another effect is named"},
-      Field{"truths", &ExpectedTest::truths, "cases that were simulated"}};
-};
+inline constexpr auto kResult<ExpectedTest> = ResultType{
+    "ExpectedTest", "A run that was weighed.",
+    std::tuple{
+        Field{"test", &ExpectedTest::kind, "random speeds, ..."}, Field{"hours", &ExpectedTest::hours, ""},
+        Field{"p_right", &ExpectedTest::p_right, "that all that is missing is named and nothing else"},
+        Field{"p_right_sigma", &ExpectedTest::p_right_sigma, ""},
+        Field{"p_part", &ExpectedTest::p_part, "that some of it is named that is not named now, and nothing else"},
+        Field{"p_wrong", &ExpectedTest::p_wrong, "that another effect is named"},
+        Field{"truths", &ExpectedTest::truths, "cases that were simulated"}}};
 
 template <>
-struct ResultType<SensorToAdd> {
-  static constexpr std::string_view name = "SensorToAdd";
-  static constexpr std::string_view meaning = "A sensor that would help.";
-  static constexpr std::tuple fields{Field{"place", &SensorToAdd::place, ""},
-                                     Field{"p_right", &SensorToAdd::p_right, "of the best run, with it"}};
-};
+inline constexpr auto kResult<SensorToAdd> =
+    ResultType{"SensorToAdd", "A sensor that would help.",
+               std::tuple{Field{"place", &SensorToAdd::place, ""},
+                          Field{"p_right", &SensorToAdd::p_right, "of the best run, with it"}}};
 
 template <>
-struct ResultType<ExpectedCurve> {
-  static constexpr std::string_view name = "ExpectedCurve";
-  static constexpr std::string_view meaning = "What may be missing.";
-  static constexpr std::tuple fields{Field{"effects", &ExpectedCurve::label, ""},
-                                     Field{"p", &ExpectedCurve::p, "of it now"}};
-};
+inline constexpr auto kResult<ExpectedCurve> =
+    ResultType{"ExpectedCurve", "What may be missing.",
+               std::tuple{Field{"effects", &ExpectedCurve::label, ""}, Field{"p", &ExpectedCurve::p, "of it now"}}};
 
 // Labels of effects that no test tells apart.
 inline std::vector<std::vector<std::string>> inseparable_of(const TestPlan& plan) {
@@ -72,21 +59,19 @@ inline std::vector<std::vector<std::string>> inseparable_of(const TestPlan& plan
 }
 
 template <>
-struct ResultType<TestPlan> {
-  static constexpr std::string_view name = "Plan";
-  static constexpr std::string_view meaning = "The run of the machine that would decide what is missing.";
-  static constexpr std::tuple fields{
-      Field{"sentence", &TestPlan::sentence, "what it says in plain words"},
-      Field{"verdict", &TestPlan::verdict, "of the data at hand"},
-      Field{"decided", &TestPlan::is_decided, "whether they decide it"},
-      Field{"tests", &TestPlan::tests, "runs that were weighed, the best first"},
-      Field{
-          "schedule",
-          [](const TestPlan& of) { return of.tests.empty() ? std::nullopt : std::optional(of.tests.front().schedule); },
-          "of the best one; null: none is proposed"},
-      Field{"inseparable", &inseparable_of, "sets of effects that no run tells apart"},
-      Field{"sensors", &TestPlan::sensors, "that are lacking"},
-      Field{"curves", &TestPlan::curves, "what may be missing, the most probable first"}};
-};
+inline constexpr auto kResult<TestPlan> =
+    ResultType{"Plan", "The run of the machine that would decide what is missing.",
+               std::tuple{Field{"sentence", &TestPlan::sentence, "what it says in plain words"},
+                          Field{"verdict", &TestPlan::verdict, "of the data at hand"},
+                          Field{"decided", &TestPlan::is_decided, "whether they decide it"},
+                          Field{"tests", &TestPlan::tests, "runs that were weighed, the best first"},
+                          Field{"schedule",
+                                [](const TestPlan& of) {
+                                  return of.tests.empty() ? std::nullopt : std::optional(of.tests.front().schedule);
+                                },
+                                "of the best one; null: none is proposed"},
+                          Field{"inseparable", &inseparable_of, "sets of effects that no run tells apart"},
+                          Field{"sensors", &TestPlan::sensors, "that are lacking"},
+                          Field{"curves", &TestPlan::curves, "what may be missing, the most probable first"}}};
 
 }  // namespace ballbar

@@ -14,39 +14,31 @@
 namespace ballbar {
 
 template <>
-struct ResultType<DriverShare> {
-  static constexpr std::string_view name = "DriverShare";
-  static constexpr std::string_view meaning = "How much of what is predicted goes with a column.";
-  static constexpr std::tuple fields{Field{"column", &DriverShare::column, ""},
-                                     Field{"role", &DriverShare::role, "as of a series"},
-                                     Field{"share_um", &DriverShare::share_um, "of the range of what is predicted"}};
-};
+inline constexpr auto kResult<DriverShare> = ResultType{
+    "DriverShare", "How much of what is predicted goes with a column.",
+    std::tuple{Field{"column", &DriverShare::column, ""}, Field{"role", &DriverShare::role, "as of a series"},
+               Field{"share_um", &DriverShare::share_um, "of the range of what is predicted"}}};
 
 template <>
-struct ResultType<Series> {
-  static constexpr std::string_view name = "Predicted";
-  static constexpr std::string_view meaning = "A model's series.";
-  static constexpr std::tuple fields{
-      Field{"time_s", &Series::time_s, "of each row"},
-      Field{"COLUMN",
-            [](const Series& of) {
-              KeysOf<std::vector<double>> columns;
-              for (const Column& column : of.columns) columns.values.emplace_back(column.name, column.values);
-              return columns;
-            },
-            "TARGET_model_um, the target, TARGET_residual_um, and what each effect adds"}};
-};
+inline constexpr auto kResult<Series> =
+    ResultType{"Predicted", "A model's series.",
+               std::tuple{Field{"time_s", &Series::time_s, "of each row"},
+                          Field{"COLUMN",
+                                [](const Series& of) {
+                                  KeysOf<std::vector<double>> columns;
+                                  for (const Column& column : of.columns)
+                                    columns.values.emplace_back(column.name, column.values);
+                                  return columns;
+                                },
+                                "TARGET_model_um, the target, TARGET_residual_um, and what each effect adds"}}};
 
 template <>
-struct ResultType<PredictionError> {
-  static constexpr std::string_view name = "PredictionError";
-  static constexpr std::string_view meaning = "Measured less predicted, of rows that are new.";
-  static constexpr std::tuple fields{
-      Field{"rows", &PredictionError::rows, "how many"},
-      Field{"mean_um", &PredictionError::mean_um, "mean of the absolute error"},
-      Field{"rmse_um", &PredictionError::rmse_um, ""},
-      Field{"within_share", &PredictionError::within_share, "within the interval of 95 %"}};
-};
+inline constexpr auto kResult<PredictionError> =
+    ResultType{"PredictionError", "Measured less predicted, of rows that are new.",
+               std::tuple{Field{"rows", &PredictionError::rows, "how many"},
+                          Field{"mean_um", &PredictionError::mean_um, "mean of the absolute error"},
+                          Field{"rmse_um", &PredictionError::rmse_um, ""},
+                          Field{"within_share", &PredictionError::within_share, "within the interval of 95 %"}}};
 
 struct PredictedTarget {
   Series predicted;
@@ -58,18 +50,16 @@ struct PredictedTarget {
 };
 
 template <>
-struct ResultType<PredictedTarget> {
-  static constexpr std::string_view name = "PredictedTarget";
-  static constexpr std::string_view meaning = "A target predicted by a regression.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&PredictedTarget::predicted, ResultType<Series>::fields),
-      std::tuple{
-          Field{"goes_on", &PredictedTarget::goes_on, "by effects: from the end of training, or an earlier prediction"},
-          Field{"holds_training", &PredictedTarget::holds, "by effects: whether it begins with the training rows"},
-          Field{"drivers", &PredictedTarget::drivers, "by effects: the largest share first"},
-          Field{"error", &PredictedTarget::error, "null: the target is not measured"},
-          Field{"broken", &PredictedTarget::broken, "by temperatures: sensors that look so"},
-          Field{"warnings", &PredictedTarget::warnings, ""}});
-};
+inline constexpr auto kResult<PredictedTarget> = ResultType{
+    "PredictedTarget", "A target predicted by a regression.",
+    std::tuple_cat(fields_through(&PredictedTarget::predicted, kResult<Series>.fields),
+                   std::tuple{Field{"goes_on", &PredictedTarget::goes_on,
+                                    "by effects: from the end of training, or an earlier prediction"},
+                              Field{"holds_training", &PredictedTarget::holds,
+                                    "by effects: whether it begins with the training rows"},
+                              Field{"drivers", &PredictedTarget::drivers, "by effects: the largest share first"},
+                              Field{"error", &PredictedTarget::error, "null: the target is not measured"},
+                              Field{"broken", &PredictedTarget::broken, "by temperatures: sensors that look so"},
+                              Field{"warnings", &PredictedTarget::warnings, ""}})};
 
 }  // namespace ballbar

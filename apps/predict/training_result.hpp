@@ -22,26 +22,20 @@ inline constexpr std::tuple kContenderErrors{
     Field{"worst_batch", &Contender::worst, ""}, Field{"rmse_um", &Contender::rmse_um, "of all batches, trained on"}};
 
 template <>
-struct ResultType<Contender> {
-  static constexpr std::string_view name = "TrainedMethod";
-  static constexpr std::string_view meaning = "A method of regression.";
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&Contender::settings, kRegressionSettings), kContenderErrors,
-                     std::tuple{Field{"taken", &Contender::taken, "whether it is written"}});
-};
+inline constexpr auto kResult<Contender> =
+    ResultType{"TrainedMethod", "A method of regression.",
+               std::tuple_cat(fields_through(&Contender::settings, kRegressionSettings), kContenderErrors,
+                              std::tuple{Field{"taken", &Contender::taken, "whether it is written"}})};
 
 struct ComparedModel {
   Contender contender;
 };
 
 template <>
-struct ResultType<ComparedModel> {
-  static constexpr std::string_view name = "ComparedModel";
-  static constexpr std::string_view meaning = "A model of effects in the same contest.";
-  static constexpr std::tuple fields =
-      fields_through(&ComparedModel::contender,
-                     std::tuple_cat(std::tuple{Field{"model", &Contender::label, "file"}}, kContenderErrors));
-};
+inline constexpr auto kResult<ComparedModel> =
+    ResultType{"ComparedModel", "A model of effects in the same contest.",
+               fields_through(&ComparedModel::contender,
+                              std::tuple_cat(std::tuple{Field{"model", &Contender::label, "file"}}, kContenderErrors))};
 
 struct TrainedOnTemperatures {
   std::string target;
@@ -53,19 +47,16 @@ struct TrainedOnTemperatures {
 };
 
 template <>
-struct ResultType<TrainedOnTemperatures> {
-  using Of = TrainedOnTemperatures;
-  static constexpr std::string_view name = "Trained";
-  static constexpr std::string_view meaning = "A regression on temperatures over batches.";
-  static constexpr std::tuple fields{
-      Field{"target", &Of::target, "column that is predicted"},
-      Field{"batches", &Of::batches, "how many"},
-      Field{"held_out_um", &Of::held_out_um, "RMSE on what was left out"},
-      Field{"half_width_um", &Of::half_width_um, "of the interval of 95 %"},
-      Field{"methods", &Of::methods, "that were compared"},
-      Field{"effects", &Of::effects, "with --model: a model of effects in the same contest"},
-      Field{"remarks", &Of::remarks, ""}};
-};
+inline constexpr auto kResult<TrainedOnTemperatures> =
+    ResultType{"Trained", "A regression on temperatures over batches.",
+               std::tuple{Field{"target", &TrainedOnTemperatures::target, "column that is predicted"},
+                          Field{"batches", &TrainedOnTemperatures::batches, "how many"},
+                          Field{"held_out_um", &TrainedOnTemperatures::held_out_um, "RMSE on what was left out"},
+                          Field{"half_width_um", &TrainedOnTemperatures::half_width_um, "of the interval of 95 %"},
+                          Field{"methods", &TrainedOnTemperatures::methods, "that were compared"},
+                          Field{"effects", &TrainedOnTemperatures::effects,
+                                "with --model: a model of effects in the same contest"},
+                          Field{"remarks", &TrainedOnTemperatures::remarks, ""}}};
 
 struct RankedBatch {
   std::string name;
@@ -73,13 +64,10 @@ struct RankedBatch {
 };
 
 template <>
-struct ResultType<RankedBatch> {
-  static constexpr std::string_view name = "RankedBatch";
-  static constexpr std::string_view meaning = "A batch, and how like the job it is.";
-  static constexpr std::tuple fields{Field{"batch", &RankedBatch::name, ""},
-                                     Field{"distance", &RankedBatch::distance, "how unlike it is"},
-                                     Field{"weight", &RankedBatch::weight, ""}};
-};
+inline constexpr auto kResult<RankedBatch> = ResultType{
+    "RankedBatch", "A batch, and how like the job it is.",
+    std::tuple{Field{"batch", &RankedBatch::name, ""}, Field{"distance", &RankedBatch::distance, "how unlike it is"},
+               Field{"weight", &RankedBatch::weight, ""}}};
 
 struct BatchChoice {
   std::string name;
@@ -89,15 +77,13 @@ struct BatchChoice {
 };
 
 template <>
-struct ResultType<BatchChoice> {
-  static constexpr std::string_view name = "BatchChoice";
-  static constexpr std::string_view meaning = "A way to choose batches.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      std::tuple{Field{"choice", &BatchChoice::name, "weights, all"},
-                 Field{"batches", &BatchChoice::batches, "as many as these alike"}},
-      fields_through(&BatchChoice::settings, kRegressionSettings),
-      std::tuple{Field{"predicted_rmse_um", &BatchChoice::predicted_rmse_um, "of the job; null: not measured"}});
-};
+inline constexpr auto kResult<BatchChoice> = ResultType{
+    "BatchChoice", "A way to choose batches.",
+    std::tuple_cat(
+        std::tuple{Field{"choice", &BatchChoice::name, "weights, all"},
+                   Field{"batches", &BatchChoice::batches, "as many as these alike"}},
+        fields_through(&BatchChoice::settings, kRegressionSettings),
+        std::tuple{Field{"predicted_rmse_um", &BatchChoice::predicted_rmse_um, "of the job; null: not measured"}})};
 
 struct TrainedForJob {
   std::string target;
@@ -108,14 +94,12 @@ struct TrainedForJob {
 };
 
 template <>
-struct ResultType<TrainedForJob> {
-  static constexpr std::string_view name = "Selected";
-  static constexpr std::string_view meaning = "Batches to train on for a job.";
-  static constexpr std::tuple fields{Field{"target", &TrainedForJob::target, "column that is predicted"},
-                                     Field{"room_degC", &TrainedForJob::room_degC, "as the job begins"},
-                                     Field{"ranked", &TrainedForJob::ranked, "batches, the most like the job first"},
-                                     Field{"choices", &TrainedForJob::choices, "with what came of each"},
-                                     Field{"remarks", &TrainedForJob::remarks, ""}};
-};
+inline constexpr auto kResult<TrainedForJob> =
+    ResultType{"Selected", "Batches to train on for a job.",
+               std::tuple{Field{"target", &TrainedForJob::target, "column that is predicted"},
+                          Field{"room_degC", &TrainedForJob::room_degC, "as the job begins"},
+                          Field{"ranked", &TrainedForJob::ranked, "batches, the most like the job first"},
+                          Field{"choices", &TrainedForJob::choices, "with what came of each"},
+                          Field{"remarks", &TrainedForJob::remarks, ""}}};
 
 }  // namespace ballbar

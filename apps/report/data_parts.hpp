@@ -21,12 +21,10 @@ struct EffectCurve {
 };
 
 template <>
-struct ResultType<EffectCurve> {
-  static constexpr std::string_view name = "EffectCurve";
-  static constexpr std::string_view meaning = "What an effect adds.";
-  static constexpr std::tuple fields{Field{"effect", &EffectCurve::effect, "with its columns"},
-                                     Field{"values_um", &EffectCurve::values_um, ""}};
-};
+inline constexpr auto kResult<EffectCurve> =
+    ResultType{"EffectCurve", "What an effect adds.",
+               std::tuple{Field{"effect", &EffectCurve::effect, "with its columns"},
+                          Field{"values_um", &EffectCurve::values_um, ""}}};
 
 // The curves of a recording.
 struct Trace {
@@ -36,17 +34,14 @@ struct Trace {
 };
 
 template <>
-struct ResultType<Trace> {
-  static constexpr std::string_view name = "Trace";
-  static constexpr std::string_view meaning = "The readings of a recording, and what was fitted.";
-  static constexpr std::tuple fields{
-      Field{"angle_deg", known(&Trace::angle_deg), "of a circle"},
-      Field{"deviation_um", known(&Trace::deviation_um), "measured length less nominal"},
-      Field{"residual_um", known(&Trace::residual_um), "reading less what was fitted"},
-      Field{"fitted_um", known(&Trace::fitted_um), "deviation of what was fitted, at the same readings"},
-      Field{"effects", &Trace::effects, "what each effect of a model adds"},
-      Field{"time_s", known(&Trace::time_s), "of an axial one"}};
-};
+inline constexpr auto kResult<Trace> = ResultType{
+    "Trace", "The readings of a recording, and what was fitted.",
+    std::tuple{Field{"angle_deg", known(&Trace::angle_deg), "of a circle"},
+               Field{"deviation_um", known(&Trace::deviation_um), "measured length less nominal"},
+               Field{"residual_um", known(&Trace::residual_um), "reading less what was fitted"},
+               Field{"fitted_um", known(&Trace::fitted_um), "deviation of what was fitted, at the same readings"},
+               Field{"effects", &Trace::effects, "what each effect of a model adds"},
+               Field{"time_s", known(&Trace::time_s), "of an axial one"}}};
 
 struct PageRecording {
   FittedRecording fitted;
@@ -56,35 +51,29 @@ struct PageRecording {
 };
 
 template <>
-struct ResultType<PageRecording> {
-  static constexpr std::string_view name = "PageRecording";
-  static constexpr std::string_view meaning = "A recording with its curves.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&PageRecording::fitted, ResultType<FittedRecording>::fields),
-      std::tuple{Field{"time_s", &PageRecording::time_s, "of the test in its session; null: of none"},
-                 Field{"test", &PageRecording::test, "64 min, or the file"},
-                 Field{"label", &PageRecording::label, "64 min, XY CCW"}, Field{"trace", &PageRecording::trace, ""}});
-};
+inline constexpr auto kResult<PageRecording> = ResultType{
+    "PageRecording", "A recording with its curves.",
+    std::tuple_cat(fields_through(&PageRecording::fitted, kResult<FittedRecording>.fields),
+                   std::tuple{Field{"time_s", &PageRecording::time_s, "of the test in its session; null: of none"},
+                              Field{"test", &PageRecording::test, "64 min, or the file"},
+                              Field{"label", &PageRecording::label, "64 min, XY CCW"},
+                              Field{"trace", &PageRecording::trace, ""}})};
 
 template <>
-struct ResultType<Compared> {
-  static constexpr std::string_view name = "ResultRow";
-  static constexpr std::string_view meaning = "A result, ours beside what the file stores.";
-  static constexpr std::tuple fields{
-      Field{"key", &Compared::key, "g_ccw_um, d_um, ...; empty: of no number of ISO 230-4"},
-      Field{"label", &Compared::label, ""},
-      Field{"decimals", &Compared::decimals, "to show"},
-      Field{"ours", &Compared::ours, ""},
-      Field{"stored", &Compared::stored, ""},
-      Field{"limits",
-            [](const Compared& of) {
-              using Limits = std::vector<std::optional<double>>;
-              return MayLack<Limits>{of.judgement ? std::optional(Limits{of.limits.lower, of.limits.upper})
-                                                  : std::nullopt};
-            },
-            "of the file, lower and upper"},
-      Field{"judgement", [](const Compared& of) { return MayLack<Judgement>{of.judgement}; }, "of ours by these"}};
-};
+inline constexpr auto kResult<Compared> = ResultType{
+    "ResultRow", "A result, ours beside what the file stores.",
+    std::tuple{
+        Field{"key", &Compared::key, "g_ccw_um, d_um, ...; empty: of no number of ISO 230-4"},
+        Field{"label", &Compared::label, ""}, Field{"decimals", &Compared::decimals, "to show"},
+        Field{"ours", &Compared::ours, ""}, Field{"stored", &Compared::stored, ""},
+        Field{"limits",
+              [](const Compared& of) {
+                using Limits = std::vector<std::optional<double>>;
+                return MayLack<Limits>{of.judgement ? std::optional(Limits{of.limits.lower, of.limits.upper})
+                                                    : std::nullopt};
+              },
+              "of the file, lower and upper"},
+        Field{"judgement", [](const Compared& of) { return MayLack<Judgement>{of.judgement}; }, "of ours by these"}}};
 
 struct ResultTable {
   std::string of;
@@ -92,11 +81,9 @@ struct ResultTable {
 };
 
 template <>
-struct ResultType<ResultTable> {
-  static constexpr std::string_view name = "ResultTable";
-  static constexpr std::string_view meaning = "The results of a recording or a pair.";
-  static constexpr std::tuple fields{Field{"of", &ResultTable::of, ""}, Field{"rows", &ResultTable::rows, ""}};
-};
+inline constexpr auto kResult<ResultTable> =
+    ResultType{"ResultTable", "The results of a recording or a pair.",
+               std::tuple{Field{"of", &ResultTable::of, ""}, Field{"rows", &ResultTable::rows, ""}}};
 
 struct FitPart {
   std::vector<PageRecording> recordings;
@@ -108,17 +95,14 @@ struct FitPart {
 };
 
 template <>
-struct ResultType<FitPart> {
-  static constexpr std::string_view name = "FitPart";
-  static constexpr std::string_view meaning = "Recordings and their circles.";
-  static constexpr std::tuple fields =
-      std::tuple_cat(std::tuple{Field{"recordings", &FitPart::recordings, ""},
-                                Field{"results", &FitPart::results, "tables, one a recording and one a pair"},
-                                Field{"remarks", &FitPart::remarks, ""},
-                                Field{"pairs", &FitPart::pairs, "CCW and CW of one test, as places in recordings"},
-                                Field{"stored_alone", &FitPart::stored_alone, "files without readings"}},
-                     fields_through(&FitPart::iso230_4, kPairFields));
-};
+inline constexpr auto kResult<FitPart> = ResultType{
+    "FitPart", "Recordings and their circles.",
+    std::tuple_cat(std::tuple{Field{"recordings", &FitPart::recordings, ""},
+                              Field{"results", &FitPart::results, "tables, one a recording and one a pair"},
+                              Field{"remarks", &FitPart::remarks, ""},
+                              Field{"pairs", &FitPart::pairs, "CCW and CW of one test, as places in recordings"},
+                              Field{"stored_alone", &FitPart::stored_alone, "files without readings"}},
+                   fields_through(&FitPart::iso230_4, kPairFields))};
 
 // What the catalogue says of an error, with the machine's axes.
 struct ErrorPage {
@@ -127,20 +111,18 @@ struct ErrorPage {
 };
 
 template <>
-struct ResultType<ErrorPage> {
-  using Page = const ErrorPage&;
-  static constexpr std::string_view name = "ErrorPage";
-  static constexpr std::string_view meaning = "What the catalogue says of an error, with the machine's axes.";
-  static constexpr std::tuple fields{
-      Field{"effect", [](Page of) { return of.effect->name; }, ""},
-      Field{"summary", [](Page of) { return with_axes(of.effect->explanation.summary, of.plane); }, "in a line"},
-      Field{"cause", [](Page of) { return of.effect->explanation.cause; }, ""},
-      Field{"signature", [](Page of) { return of.effect->explanation.signature; }, "how it looks"},
-      Field{"confused_with", [](Page of) { return of.effect->explanation.confused_with; }, "other effects"},
-      Field{"separated_by", [](Page of) { return of.effect->explanation.separated_by; },
-            "the test that tells them apart"},
-      Field{"remedy", [](Page of) { return of.effect->explanation.remedy; }, "in the workshop"}};
-};
+inline constexpr auto kResult<ErrorPage> = ResultType{
+    "ErrorPage", "What the catalogue says of an error, with the machine's axes.",
+    std::tuple{Field{"effect", [](const ErrorPage& of) { return of.effect->name; }, ""},
+               Field{"summary", [](const ErrorPage& of) { return with_axes(of.effect->explanation.summary, of.plane); },
+                     "in a line"},
+               Field{"cause", [](const ErrorPage& of) { return of.effect->explanation.cause; }, ""},
+               Field{"signature", [](const ErrorPage& of) { return of.effect->explanation.signature; }, "how it looks"},
+               Field{"confused_with", [](const ErrorPage& of) { return of.effect->explanation.confused_with; },
+                     "other effects"},
+               Field{"separated_by", [](const ErrorPage& of) { return of.effect->explanation.separated_by; },
+                     "the test that tells them apart"},
+               Field{"remedy", [](const ErrorPage& of) { return of.effect->explanation.remedy; }, "in the workshop"}}};
 
 // The errors of a machine from one test.
 struct MachineErrorsOfTest {
@@ -153,20 +135,17 @@ struct MachineErrorsOfTest {
 };
 
 template <>
-struct ResultType<MachineErrorsOfTest> {
-  using Report = ResultType<ErrorsReport>;
-  static constexpr std::string_view name = "MachineErrorsPart";
-  static constexpr std::string_view meaning = "The errors of a machine from one test, with their curves.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      std::tuple{Field{"files", &MachineErrorsOfTest::files, ""}},
-      fields_through(&MachineErrorsOfTest::report, Report::driven),
-      std::tuple{Field{"recordings", &MachineErrorsOfTest::recordings, "places in the recordings of the page"}},
-      fields_through(&MachineErrorsOfTest::report, Report::rest),
-      std::tuple{Field{"circle_um", &MachineErrorsOfTest::circle_um,
-                       "at the readings of each recording: centre and scale of all together"},
-                 Field{"curves", &MachineErrorsOfTest::curves, "by effect: what it adds"},
-                 Field{"pages", &MachineErrorsOfTest::pages, "of the errors that are ranked"}});
-};
+inline constexpr auto kResult<MachineErrorsOfTest> = ResultType{
+    "MachineErrorsPart", "The errors of a machine from one test, with their curves.",
+    std::tuple_cat(
+        std::tuple{Field{"files", &MachineErrorsOfTest::files, ""}},
+        fields_through(&MachineErrorsOfTest::report, kErrorsReportDriven),
+        std::tuple{Field{"recordings", &MachineErrorsOfTest::recordings, "places in the recordings of the page"}},
+        fields_through(&MachineErrorsOfTest::report, kErrorsReportRest),
+        std::tuple{Field{"circle_um", &MachineErrorsOfTest::circle_um,
+                         "at the readings of each recording: centre and scale of all together"},
+                   Field{"curves", &MachineErrorsOfTest::curves, "by effect: what it adds"},
+                   Field{"pages", &MachineErrorsOfTest::pages, "of the errors that are ranked"}})};
 
 // Of each row.
 Bulk sigmas_of(const DriftAxis& axis);
@@ -174,55 +153,43 @@ Bulk sigmas_of(const DriftAxis& axis);
 std::vector<double> at_rows(const std::vector<double>& values, const std::vector<std::size_t>& rows);
 
 template <>
-struct ResultType<DriftAxis> {
-  static constexpr std::string_view name = "ProbesAxis";
-  static constexpr std::string_view meaning = "An axis as five probes have it.";
-  static constexpr std::tuple fields{Field{"name", &DriftAxis::name, ""}, Field{"unit", &DriftAxis::unit, ""},
-                                     Field{"values", [](const DriftAxis& of) { return Bulk{of.value}; }, ""},
-                                     Field{"sigma", &sigmas_of, ""}};
-};
+inline constexpr auto kResult<DriftAxis> =
+    ResultType{"ProbesAxis", "An axis as five probes have it.",
+               std::tuple{Field{"name", &DriftAxis::name, ""}, Field{"unit", &DriftAxis::unit, ""},
+                          Field{"values", [](const DriftAxis& of) { return Bulk{of.value}; }, ""},
+                          Field{"sigma", &sigmas_of, ""}}};
 
 template <>
-struct ResultType<MeasuredDrift> {
-  static constexpr std::string_view name = "ProbesPart";
-  static constexpr std::string_view meaning = "Five probes: axes as columns, because there may be a million rows.";
-  static constexpr std::tuple fields{
-      Field{"what", &MeasuredDrift::what, "the file"}, Field{"reference_s", known(&MeasuredDrift::reference_s), ""},
-      Field{"time_s", [](const MeasuredDrift& of) { return Known<Bulk>{{of.time_s}}; }, ""},
-      Field{"axes", &MeasuredDrift::axes, ""}, Field{"remarks", &MeasuredDrift::remarks, ""}};
-};
+inline constexpr auto kResult<MeasuredDrift> =
+    ResultType{"ProbesPart", "Five probes: axes as columns, because there may be a million rows.",
+               std::tuple{Field{"what", &MeasuredDrift::what, "the file"},
+                          Field{"reference_s", known(&MeasuredDrift::reference_s), ""},
+                          Field{"time_s", [](const MeasuredDrift& of) { return Known<Bulk>{{of.time_s}}; }, ""},
+                          Field{"axes", &MeasuredDrift::axes, ""}, Field{"remarks", &MeasuredDrift::remarks, ""}}};
 
 template <>
-struct ResultType<TrainedBatch> {
-  static constexpr std::string_view name = "WeighedBatch";
-  static constexpr std::string_view meaning = "A batch that a regression was trained on.";
-  static constexpr std::tuple fields{Field{"name", &TrainedBatch::name, ""},
-                                     Field{"weight", known(&TrainedBatch::weight), ""}};
-};
+inline constexpr auto kResult<TrainedBatch> =
+    ResultType{"WeighedBatch", "A batch that a regression was trained on.",
+               std::tuple{Field{"name", &TrainedBatch::name, ""}, Field{"weight", known(&TrainedBatch::weight), ""}}};
 
 template <>
-struct ResultType<BatchJob> {
-  using Of = const BatchJob&;
-  static constexpr std::string_view name = "BatchPart";
-  static constexpr std::string_view meaning = "A regression over batches, and what it predicts for the job.";
-  static constexpr std::tuple fields{
-      Field{"target", [](Of of) { return of.job.target; }, ""},
-      Field{"method", [](Of of) { return label_of(of.model.settings); }, "pcr, 7 components"},
-      Field{"batches", [](Of of) { return of.model.batches; }, ""},
-      Field{"time_s", [](Of of) { return Known<Bulk>{{of.job.data.time_s}}; }, ""},
-      Field{"predicted_um", [](Of of) { return Bulk{of.job.prediction.predicted_um}; }, ""},
-      Field{"half_width_um", [](Of of) { return Bulk{of.job.prediction.half_width_um}; }, "of the interval of 95 %"},
+inline constexpr auto kResult<BatchJob> = ResultType{"BatchPart", "A regression over batches, and what it predicts for the job.", std::tuple{
+      Field{"target", [](const BatchJob& of) { return of.job.target; }, ""},
+      Field{"method", [](const BatchJob& of) { return label_of(of.model.settings); }, "pcr, 7 components"},
+      Field{"batches", [](const BatchJob& of) { return of.model.batches; }, ""},
+      Field{"time_s", [](const BatchJob& of) { return Known<Bulk>{{of.job.data.time_s}}; }, ""},
+      Field{"predicted_um", [](const BatchJob& of) { return Bulk{of.job.prediction.predicted_um}; }, ""},
+      Field{"half_width_um", [](const BatchJob& of) { return Bulk{of.job.prediction.half_width_um}; }, "of the interval of 95 %"},
       Field{"measured_um",
-            [](Of of) {
+            [](const BatchJob& of) {
               const Column* const measured = find_column(of.job.data, of.job.target);
               return MayLack<Bulk>{measured == nullptr ? std::nullopt : std::optional(Bulk{measured->values})};
             },
             ""},
-      Field{"T2_of_largest", [](Of of) { return Bulk{of.job.prediction.T2_of_largest}; },
+      Field{"T2_of_largest", [](const BatchJob& of) { return Bulk{of.job.prediction.T2_of_largest}; },
             "share of the largest trained on"},
-      Field{"Q_of_largest", [](Of of) { return Bulk{of.job.prediction.Q_of_largest}; }, ""},
-      Field{"broken", [](Of of) { return of.job.prediction.broken; }, "sensors that look so"},
-      Field{"warnings", [](Of of) { return of.job.warnings; }, ""}};
-};
+      Field{"Q_of_largest", [](const BatchJob& of) { return Bulk{of.job.prediction.Q_of_largest}; }, ""},
+      Field{"broken", [](const BatchJob& of) { return of.job.prediction.broken; }, "sensors that look so"},
+      Field{"warnings", [](const BatchJob& of) { return of.job.warnings; }, ""}}};
 
 }  // namespace ballbar

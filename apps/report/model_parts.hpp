@@ -13,13 +13,10 @@
 namespace ballbar {
 
 template <>
-struct ResultType<RegimeStretch> {
-  static constexpr std::string_view name = "RegimeStretch";
-  static constexpr std::string_view meaning = "A stretch of time with one regime of the speed.";
-  static constexpr std::tuple fields{Field{"regime", &RegimeStretch::regime, ""},
-                                     Field{"from_s", known(&RegimeStretch::from_s), ""},
-                                     Field{"to_s", known(&RegimeStretch::to_s), ""}};
-};
+inline constexpr auto kResult<RegimeStretch> = ResultType{
+    "RegimeStretch", "A stretch of time with one regime of the speed.",
+    std::tuple{Field{"regime", &RegimeStretch::regime, ""}, Field{"from_s", known(&RegimeStretch::from_s), ""},
+               Field{"to_s", known(&RegimeStretch::to_s), ""}}};
 
 struct CheckedSeries {
   Bulk time_s, measured_um, predicted_um, residual_um;
@@ -30,31 +27,25 @@ struct CheckedSeries {
 };
 
 template <>
-struct ResultType<CheckedSeries> {
-  static constexpr std::string_view name = "CheckedSeries";
-  static constexpr std::string_view meaning = "The rows of a fit.";
-  static constexpr std::tuple fields{Field{"time_s", known(&CheckedSeries::time_s), ""},
-                                     Field{"measured_um", &CheckedSeries::measured_um, ""},
-                                     Field{"predicted_um", &CheckedSeries::predicted_um, ""},
-                                     Field{"residual_um", &CheckedSeries::residual_um, ""},
-                                     Field{"sigma_um", &CheckedSeries::sigma_um, "where readings state it"},
-                                     Field{"contributions", &CheckedSeries::contributions, "of each effect"},
-                                     Field{"inputs", &CheckedSeries::inputs,
-                                           "at the same rows: signals, or angle_deg, direction, recording; and cycle"},
-                                     Field{"regimes", &CheckedSeries::regimes, "of the speed, where it is known"}};
-};
+inline constexpr auto kResult<CheckedSeries> = ResultType{
+    "CheckedSeries", "The rows of a fit.",
+    std::tuple{
+        Field{"time_s", known(&CheckedSeries::time_s), ""}, Field{"measured_um", &CheckedSeries::measured_um, ""},
+        Field{"predicted_um", &CheckedSeries::predicted_um, ""}, Field{"residual_um", &CheckedSeries::residual_um, ""},
+        Field{"sigma_um", &CheckedSeries::sigma_um, "where readings state it"},
+        Field{"contributions", &CheckedSeries::contributions, "of each effect"},
+        Field{"inputs", &CheckedSeries::inputs,
+              "at the same rows: signals, or angle_deg, direction, recording; and cycle"},
+        Field{"regimes", &CheckedSeries::regimes, "of the speed, where it is known"}}};
 
 struct ModelCurve {
   Bulk time_s, predicted_um;
 };
 
 template <>
-struct ResultType<ModelCurve> {
-  static constexpr std::string_view name = "ModelCurve";
-  static constexpr std::string_view meaning = "A model over time.";
-  static constexpr std::tuple fields{Field{"time_s", known(&ModelCurve::time_s), ""},
-                                     Field{"predicted_um", &ModelCurve::predicted_um, ""}};
-};
+inline constexpr auto kResult<ModelCurve> = ResultType{
+    "ModelCurve", "A model over time.",
+    std::tuple{Field{"time_s", known(&ModelCurve::time_s), ""}, Field{"predicted_um", &ModelCurve::predicted_um, ""}}};
 
 struct EffectStep {
   std::string effect, input;
@@ -64,18 +55,12 @@ struct EffectStep {
 };
 
 template <>
-struct ResultType<EffectStep> {
-  static constexpr std::string_view name = "EffectStep";
-  static constexpr std::string_view meaning =
-      "What an effect answers to a step of its input from the least to the largest value in the data.";
-  static constexpr std::tuple fields{Field{"effect", &EffectStep::effect, ""},
-                                     Field{"input", &EffectStep::input, ""},
-                                     Field{"from", known(&EffectStep::from), ""},
-                                     Field{"to", known(&EffectStep::to), ""},
-                                     Field{"unit", &EffectStep::unit, ""},
-                                     Field{"time_s", known(&EffectStep::time_s), ""},
-                                     Field{"response_um", &EffectStep::response_um, ""}};
-};
+inline constexpr auto kResult<EffectStep> = ResultType{
+    "EffectStep", "What an effect answers to a step of its input from the least to the largest value in the data.",
+    std::tuple{Field{"effect", &EffectStep::effect, ""}, Field{"input", &EffectStep::input, ""},
+               Field{"from", known(&EffectStep::from), ""}, Field{"to", known(&EffectStep::to), ""},
+               Field{"unit", &EffectStep::unit, ""}, Field{"time_s", known(&EffectStep::time_s), ""},
+               Field{"response_um", &EffectStep::response_um, ""}}};
 
 struct CheckPart {
   ResidualReport report;
@@ -86,29 +71,25 @@ struct CheckPart {
 };
 
 template <>
-struct ResultType<CheckPart> {
-  static constexpr std::string_view name = "CheckPart";
-  static constexpr std::string_view meaning = "A model fitted, with its curves.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&CheckPart::report, ResultType<ResidualReport>::fields),
-      std::tuple{Field{"level", &CheckPart::level, "series, recording"},
-                 Field{"floor_text", &CheckPart::floor_text, ""}, Field{"series", &CheckPart::series, ""},
-                 Field{"curve", &CheckPart::curve, "the model between the rows too, where signals go on there"},
-                 Field{"steps", &CheckPart::steps, "of a drift series only"}});
-};
+inline constexpr auto kResult<CheckPart> = ResultType{
+    "CheckPart", "A model fitted, with its curves.",
+    std::tuple_cat(
+        fields_through(&CheckPart::report, kResult<ResidualReport>.fields),
+        std::tuple{Field{"level", &CheckPart::level, "series, recording"},
+                   Field{"floor_text", &CheckPart::floor_text, ""}, Field{"series", &CheckPart::series, ""},
+                   Field{"curve", &CheckPart::curve, "the model between the rows too, where signals go on there"},
+                   Field{"steps", &CheckPart::steps, "of a drift series only"}})};
 
 struct PageEffect {
   EffectProbability probability;
 };
 
 template <>
-struct ResultType<PageEffect> {
-  static constexpr std::string_view name = "LabelledEffect";
-  static constexpr std::string_view meaning = "An effect, and the probability that it is missing, with its label.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&PageEffect::probability, ResultType<EffectProbability>::fields),
-      std::tuple{Field{"label", [](const PageEffect& of) { return label_of(of.probability.bound); }, ""}});
-};
+inline constexpr auto kResult<PageEffect> = ResultType{
+    "LabelledEffect", "An effect, and the probability that it is missing, with its label.",
+    std::tuple_cat(
+        fields_through(&PageEffect::probability, kResult<EffectProbability>.fields),
+        std::tuple{Field{"label", [](const PageEffect& of) { return label_of(of.probability.bound); }, ""}})};
 
 struct PageCandidate {
   Candidate candidate;
@@ -116,32 +97,26 @@ struct PageCandidate {
 };
 
 template <>
-struct ResultType<PageCandidate> {
-  static constexpr std::string_view name = "DrawnCandidate";
-  static constexpr std::string_view meaning = "An effect that may be missing, with its curve.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&PageCandidate::candidate, ResultType<Candidate>::fields),
-      std::tuple{Field{"label", [](const PageCandidate& of) { return label_of(of.candidate.bound); },
-                       "lagged_expansion(T_room_degC)"},
-                 Field{"curve_um", &PageCandidate::curve_um,
-                       "what it adds that the model cannot make itself, at the rows of the checked series"}});
-};
+inline constexpr auto kResult<PageCandidate> = ResultType{
+    "DrawnCandidate", "An effect that may be missing, with its curve.",
+    std::tuple_cat(
+        fields_through(&PageCandidate::candidate, kResult<Candidate>.fields),
+        std::tuple{Field{"label", [](const PageCandidate& of) { return label_of(of.candidate.bound); },
+                         "lagged_expansion(T_room_degC)"},
+                   Field{"curve_um", &PageCandidate::curve_um,
+                         "what it adds that the model cannot make itself, at the rows of the checked series"}})};
 
 struct Coherence {
   std::vector<std::string> effects;
   std::vector<std::vector<double>> values;
 };
 
+// |cos| between what survives of both beside the model, the median over the shapes of the row, each with the shape of
+// the column that is most like it. Not symmetric: one with more shapes imitates more.
 template <>
-struct ResultType<Coherence> {
-  static constexpr std::string_view name = "Coherence";
-  // |cos| between what survives of both beside the model, the median over the shapes of the row, each with the shape of
-  // the column that is most like it. Not symmetric: one with more shapes imitates more.
-  static constexpr std::string_view meaning =
-      "Which effect (column) could be confused with one that might be there (row): possible above 0.95.";
-  static constexpr std::tuple fields{Field{"effects", &Coherence::effects, ""},
-                                     Field{"values", &Coherence::values, ""}};
-};
+inline constexpr auto kResult<Coherence> = ResultType{
+    "Coherence", "Which effect (column) could be confused with one that might be there (row): possible above 0.95.",
+    std::tuple{Field{"effects", &Coherence::effects, ""}, Field{"values", &Coherence::values, ""}}};
 
 struct DiagnosisPart {
   DiagnosisReport report;
@@ -151,51 +126,43 @@ struct DiagnosisPart {
   std::optional<Coherence> coherence;
 };
 
+inline constexpr auto kDiagnosisPartOfCheck =
+    fields_through(&DiagnosisReport::residual_report, std::tuple_cat(kResidualReportFigures, kResidualReportEnd));
+
 template <>
-struct ResultType<DiagnosisPart> {
-  using Of = const DiagnosisPart&;
-  using Report = ResultType<DiagnosisReport>;
-  using Checked = ResultType<ResidualReport>;
-  static constexpr std::string_view name = "DiagnosisPart";
-  static constexpr std::string_view meaning =
-      "Which effect a model lacks, with curves; what the check has is there alone.";
-  static constexpr std::tuple of_check =
-      fields_through(&DiagnosisReport::residual_report, std::tuple_cat(Checked::figures, Checked::end));
-  static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&DiagnosisPart::report, std::tuple_cat(of_check, Report::verdict_fields)),
-      std::tuple{Field{"effects", &DiagnosisPart::effects, Report::kEffects}},
-      fields_through(&DiagnosisPart::report, fields_through(&DiagnosisReport::diagnosis, Report::probabilities)),
-      std::tuple{Field{"candidates", &DiagnosisPart::candidates, Report::kCandidates}},
-      fields_through(&DiagnosisPart::report, Report::open),
-      std::tuple{Field{"rmse_after_um", [](Of of) { return of.report.diagnosis.rmse_after_um; }, "with the best set"},
-                 Field{"next_test_text", [](Of of) { return next_text(of.report); },
-                       "as the terminal has it; empty: none is needed"},
-                 Field{"hint", [](Of of) { return of.report.hint; }, "what no command does; empty: nothing"},
-                 Field{"refit_um", &DiagnosisPart::refit_um,
-                       "by what the model's own parameters give way beside what is missing, at the same rows"},
-                 Field{"coherence", &DiagnosisPart::coherence, "null: nothing to compare"}});
-};
+inline constexpr auto kResult<DiagnosisPart> = ResultType{
+    "DiagnosisPart", "Which effect a model lacks, with curves; what the check has is there alone.",
+    std::tuple_cat(
+        fields_through(&DiagnosisPart::report, std::tuple_cat(kDiagnosisPartOfCheck, kDiagnosisReportVerdictFields)),
+        std::tuple{Field{"effects", &DiagnosisPart::effects, kDiagnosisReportEffects}},
+        fields_through(&DiagnosisPart::report,
+                       fields_through(&DiagnosisReport::diagnosis, kDiagnosisReportProbabilities)),
+        std::tuple{Field{"candidates", &DiagnosisPart::candidates, kDiagnosisReportCandidates}},
+        fields_through(&DiagnosisPart::report, kDiagnosisReportOpen),
+        std::tuple{Field{"rmse_after_um", [](const DiagnosisPart& of) { return of.report.diagnosis.rmse_after_um; },
+                         "with the best set"},
+                   Field{"next_test_text", [](const DiagnosisPart& of) { return next_text(of.report); },
+                         "as the terminal has it; empty: none is needed"},
+                   Field{"hint", [](const DiagnosisPart& of) { return of.report.hint; },
+                         "what no command does; empty: nothing"},
+                   Field{"refit_um", &DiagnosisPart::refit_um,
+                         "by what the model's own parameters give way beside what is missing, at the same rows"},
+                   Field{"coherence", &DiagnosisPart::coherence, "null: nothing to compare"}})};
 
 struct CheckParts {
   std::vector<CheckPart> targets;
 };
 
 template <>
-struct ResultType<CheckParts> {
-  static constexpr std::string_view name = "CheckParts";
-  static constexpr std::string_view meaning = "A model fitted to each target.";
-  static constexpr std::tuple fields{Field{"targets", &CheckParts::targets, ""}};
-};
+inline constexpr auto kResult<CheckParts> =
+    ResultType{"CheckParts", "A model fitted to each target.", std::tuple{Field{"targets", &CheckParts::targets, ""}}};
 
 struct DiagnosisParts {
   std::vector<std::variant<DiagnosisPart, NotDiagnosed>> targets;
 };
 
 template <>
-struct ResultType<DiagnosisParts> {
-  static constexpr std::string_view name = "DiagnosisParts";
-  static constexpr std::string_view meaning = "What a model of each target lacks.";
-  static constexpr std::tuple fields{Field{"targets", &DiagnosisParts::targets, ""}};
-};
+inline constexpr auto kResult<DiagnosisParts> = ResultType{"DiagnosisParts", "What a model of each target lacks.",
+                                                           std::tuple{Field{"targets", &DiagnosisParts::targets, ""}}};
 
 }  // namespace ballbar

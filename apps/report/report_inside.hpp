@@ -14,12 +14,10 @@ struct PageFile {
 };
 
 template <>
-struct ResultType<PageFile> {
-  static constexpr std::string_view name = "CarriedFile";
-  static constexpr std::string_view meaning = "A file inside a page.";
-  static constexpr std::tuple fields{Field{"path", &PageFile::path, "below the common folder of all"},
-                                     Field{"base64", &PageFile::base64, "its bytes"}};
-};
+inline constexpr auto kResult<PageFile> =
+    ResultType{"CarriedFile", "A file inside a page.",
+               std::tuple{Field{"path", &PageFile::path, "below the common folder of all"},
+                          Field{"base64", &PageFile::base64, "its bytes"}}};
 
 struct PageFiles {
   std::vector<PageFile> files;
@@ -28,13 +26,10 @@ struct PageFiles {
 };
 
 template <>
-struct ResultType<PageFiles> {
-  static constexpr std::string_view name = "CarriedFiles";
-  static constexpr std::string_view meaning = "The files that a page was made of, inside it.";
-  static constexpr std::tuple fields{Field{"files", &PageFiles::files, ""},
-                                     Field{"data", &PageFiles::data, "the words for DATA"},
-                                     Field{"model", &PageFiles::model, "where there is one"}};
-};
+inline constexpr auto kResult<PageFiles> =
+    ResultType{"CarriedFiles", "The files that a page was made of, inside it.",
+               std::tuple{Field{"files", &PageFiles::files, ""}, Field{"data", &PageFiles::data, "the words for DATA"},
+                          Field{"model", &PageFiles::model, "where there is one"}}};
 
 inline constexpr std::size_t kMostInside = std::size_t{8} << 20;  // bytes of all files: a page is mailed
 

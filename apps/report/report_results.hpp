@@ -24,19 +24,17 @@ struct ModelPart {
   MayLack<Ledger> ledger;
 };
 
+inline constexpr auto kModelPartDrawn = std::tuple{Field{"check", &ModelPart::check, "how it fits"},
+                                                   Field{"diagnose", &ModelPart::diagnose, "what it lacks"},
+                                                   Field{"ledger", &ModelPart::ledger, "of the model"}};
+
 template <>
-struct ResultType<ModelPart> {
-  static constexpr std::string_view name = "ModelPart";
-  static constexpr std::string_view meaning = "What of a page changes with the model.";
-  static constexpr std::tuple drawn{Field{"check", &ModelPart::check, "how it fits"},
-                                    Field{"diagnose", &ModelPart::diagnose, "what it lacks"},
-                                    Field{"ledger", &ModelPart::ledger, "of the model"}};
-  static constexpr std::tuple fields =
-      std::tuple_cat(std::tuple{Field{"files", &ModelPart::files, "that the page is made of"},
-                                Field{"summary", &ModelPart::summary, "the conclusions"},
-                                Field{"fit", &ModelPart::fit, "of recordings, with what each effect adds"}},
-                     drawn);
-};
+inline constexpr auto kResult<ModelPart> =
+    ResultType{"ModelPart", "What of a page changes with the model.",
+               std::tuple_cat(std::tuple{Field{"files", &ModelPart::files, "that the page is made of"},
+                                         Field{"summary", &ModelPart::summary, "the conclusions"},
+                                         Field{"fit", &ModelPart::fit, "of recordings, with what each effect adds"}},
+                              kModelPartDrawn)};
 
 // Two tests, before and after; of the errors of each the place in machine_errors.
 struct ComparedTests {
@@ -45,14 +43,12 @@ struct ComparedTests {
 };
 
 template <>
-struct ResultType<ComparedTests> {
-  static constexpr std::string_view name = "ComparedTests";
-  static constexpr std::string_view meaning = "Two tests of a plane, before and after, with their errors.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&ComparedTests::comparison, ResultType<TestComparison>::fields),
-      std::tuple{Field{"before_place", &ComparedTests::before_place, "in machine_errors; null: only stored results"},
-                 Field{"after_place", &ComparedTests::after_place, ""}});
-};
+inline constexpr auto kResult<ComparedTests> = ResultType{
+    "ComparedTests", "Two tests of a plane, before and after, with their errors.",
+    std::tuple_cat(
+        fields_through(&ComparedTests::comparison, kResult<TestComparison>.fields),
+        std::tuple{Field{"before_place", &ComparedTests::before_place, "in machine_errors; null: only stored results"},
+                   Field{"after_place", &ComparedTests::after_place, ""}})};
 
 struct PageReport {
   ReportHead head;
@@ -68,20 +64,18 @@ struct PageReport {
 };
 
 template <>
-struct ResultType<PageReport> {
-  static constexpr std::string_view name = "Report";
-  static constexpr std::string_view meaning = "The data of a page.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&PageReport::head, ResultType<ReportHead>::fields),
-      std::tuple{Field{"fit", &PageReport::fit, "of recordings"},
-                 Field{"machine_errors", &PageReport::machine_errors, "one a test"},
-                 Field{"test_comparisons", &PageReport::test_comparisons, "one a plane"},
-                 Field{"skipped", &PageReport::skipped, "files that cannot be read, by their names"},
-                 Field{"drift", &PageReport::drift, "of a session"}, Field{"five_probe", &PageReport::five_probe, ""},
-                 Field{"compare", &PageReport::compare, "of two drifts"}},
-      fields_through(&PageReport::model, ResultType<ModelPart>::drawn),
-      std::tuple{Field{"batch", &PageReport::batch, "with a model of train"}});
-};
+inline constexpr auto kResult<PageReport> = ResultType{
+    "Report", "The data of a page.",
+    std::tuple_cat(
+        fields_through(&PageReport::head, kResult<ReportHead>.fields),
+        std::tuple{Field{"fit", &PageReport::fit, "of recordings"},
+                   Field{"machine_errors", &PageReport::machine_errors, "one a test"},
+                   Field{"test_comparisons", &PageReport::test_comparisons, "one a plane"},
+                   Field{"skipped", &PageReport::skipped, "files that cannot be read, by their names"},
+                   Field{"drift", &PageReport::drift, "of a session"}, Field{"five_probe", &PageReport::five_probe, ""},
+                   Field{"compare", &PageReport::compare, "of two drifts"}},
+        fields_through(&PageReport::model, kModelPartDrawn),
+        std::tuple{Field{"batch", &PageReport::batch, "with a model of train"}})};
 
 // Results of the steps that a page requests.
 struct HeldPart {
@@ -89,22 +83,17 @@ struct HeldPart {
 };
 
 template <>
-struct ResultType<HeldPart> {
-  static constexpr std::string_view name = "HeldPart";
-  static constexpr std::string_view meaning = "A model with values held.";
-  static constexpr std::tuple fields{Field{"check", &HeldPart::check, "how it fits"}};
-};
+inline constexpr auto kResult<HeldPart> =
+    ResultType{"HeldPart", "A model with values held.", std::tuple{Field{"check", &HeldPart::check, "how it fits"}}};
 
 struct WithPart {
   double rmse_um = 0.0;
 };
 
 template <>
-struct ResultType<WithPart> {
-  static constexpr std::string_view name = "WithPart";
-  static constexpr std::string_view meaning = "What a model would leave with more effects.";
-  static constexpr std::tuple fields{Field{"rmse_um", &WithPart::rmse_um, "that `add` leaves"}};
-};
+inline constexpr auto kResult<WithPart> =
+    ResultType{"WithPart", "What a model would leave with more effects.",
+               std::tuple{Field{"rmse_um", &WithPart::rmse_um, "that `add` leaves"}}};
 
 struct RevisedPart {
   std::string sentence;
@@ -113,14 +102,12 @@ struct RevisedPart {
 };
 
 template <>
-struct ResultType<RevisedPart> {
-  static constexpr std::string_view name = "RevisedPart";
-  static constexpr std::string_view meaning = "A new revision of a model.";
-  static constexpr std::tuple fields{Field{"sentence", &RevisedPart::sentence, "what it says in plain words"},
-                                     Field{"supported", &RevisedPart::supported, "whether the data support it"},
-                                     Field{"kept", &RevisedPart::kept, "whether the model has it now"},
-                                     Field{"ledger", &RevisedPart::ledger, ""}};
-};
+inline constexpr auto kResult<RevisedPart> =
+    ResultType{"RevisedPart", "A new revision of a model.",
+               std::tuple{Field{"sentence", &RevisedPart::sentence, "what it says in plain words"},
+                          Field{"supported", &RevisedPart::supported, "whether the data support it"},
+                          Field{"kept", &RevisedPart::kept, "whether the model has it now"},
+                          Field{"ledger", &RevisedPart::ledger, ""}}};
 
 // An effect that can be added to a model, with each choice of columns.
 struct EffectChoice {
@@ -129,37 +116,33 @@ struct EffectChoice {
 };
 
 template <>
-struct ResultType<EffectChoice> {
-  static constexpr std::string_view name = "EffectChoice";
-  static constexpr std::string_view meaning = "An effect that may be added to a model, with the columns that suit.";
-  static constexpr std::tuple fields{
-      Field{"effect", &EffectChoice::name, ""},
-      Field{"columns",
-            [](const EffectChoice& of) {
-              std::vector<std::vector<std::string>> columns;
-              for (const BoundEffect& one : of.choices) columns.push_back(one.columns);
-              return columns;
-            },
-            "each choice, in the order of the effect's inputs; on recordings, and of time alone, an empty one"},
-      Field{"labels",
-            [](const EffectChoice& of) {
-              std::vector<std::string> labels;
-              for (const BoundEffect& one : of.choices) labels.push_back(label_of(one));
-              return labels;
-            },
-            "as add takes them, choice by choice"}};
-};
+inline constexpr auto kResult<EffectChoice> = ResultType{
+    "EffectChoice", "An effect that may be added to a model, with the columns that suit.",
+    std::tuple{
+        Field{"effect", &EffectChoice::name, ""},
+        Field{"columns",
+              [](const EffectChoice& of) {
+                std::vector<std::vector<std::string>> columns;
+                for (const BoundEffect& one : of.choices) columns.push_back(one.columns);
+                return columns;
+              },
+              "each choice, in the order of the effect's inputs; on recordings, and of time alone, an empty one"},
+        Field{"labels",
+              [](const EffectChoice& of) {
+                std::vector<std::string> labels;
+                for (const BoundEffect& one : of.choices) labels.push_back(label_of(one));
+                return labels;
+              },
+              "as add takes them, choice by choice"}}};
 
 struct EffectChoices {
   std::vector<EffectChoice> effects;
 };
 
 template <>
-struct ResultType<EffectChoices> {
-  static constexpr std::string_view name = "EffectChoices";
-  static constexpr std::string_view meaning = "What may be added to a model.";
-  static constexpr std::tuple fields{Field{"effects", &EffectChoices::effects, "of the catalogue"}};
-};
+inline constexpr auto kResult<EffectChoices> =
+    ResultType{"EffectChoices", "What may be added to a model.",
+               std::tuple{Field{"effects", &EffectChoices::effects, "of the catalogue"}}};
 
 // The fit of a model with possibly missing effects.
 struct FittedHypothesis {
@@ -169,14 +152,11 @@ struct FittedHypothesis {
 };
 
 template <>
-struct ResultType<FittedHypothesis> {
-  static constexpr std::string_view name = "FittedHypothesis";
-  static constexpr std::string_view meaning = "A model with effects that might be missing.";
-  static constexpr std::tuple fields{
-      Field{"effects", &FittedHypothesis::effects, "that are added; none: the model as it is"},
-      Field{"check", &FittedHypothesis::check, "how it fits"},
-      Field{"row", &FittedHypothesis::row, "as the ledger would have it"}};
-};
+inline constexpr auto kResult<FittedHypothesis> =
+    ResultType{"FittedHypothesis", "A model with effects that might be missing.",
+               std::tuple{Field{"effects", &FittedHypothesis::effects, "that are added; none: the model as it is"},
+                          Field{"check", &FittedHypothesis::check, "how it fits"},
+                          Field{"row", &FittedHypothesis::row, "as the ledger would have it"}}};
 
 struct Hypotheses {
   std::vector<FittedHypothesis> hypotheses;
@@ -184,23 +164,18 @@ struct Hypotheses {
 };
 
 template <>
-struct ResultType<Hypotheses> {
-  static constexpr std::string_view name = "Hypotheses";
-  static constexpr std::string_view meaning = "Models side by side.";
-  static constexpr std::tuple fields{
-      Field{"hypotheses", &Hypotheses::hypotheses, ""},
-      Field{"p", &Hypotheses::p, "of each against the others, alike before the readings; null: not known"}};
-};
+inline constexpr auto kResult<Hypotheses> = ResultType{
+    "Hypotheses", "Models side by side.",
+    std::tuple{Field{"hypotheses", &Hypotheses::hypotheses, ""},
+               Field{"p", &Hypotheses::p, "of each against the others, alike before the readings; null: not known"}}};
 
 struct ModelText {
   std::string text;
 };
 
 template <>
-struct ResultType<ModelText> {
-  static constexpr std::string_view name = "ModelText";
-  static constexpr std::string_view meaning = "The file of a model.";
-  static constexpr std::tuple fields{Field{"text", &ModelText::text, "with fitted values to start from"}};
-};
+inline constexpr auto kResult<ModelText> =
+    ResultType{"ModelText", "The file of a model.",
+               std::tuple{Field{"text", &ModelText::text, "with fitted values to start from"}}};
 
 }  // namespace ballbar

@@ -20,17 +20,14 @@ struct SimulatedRun {
 };
 
 template <>
-struct ResultType<SimulatedRun> {
-  static constexpr std::string_view name = "Simulated";
-  static constexpr std::string_view meaning = "What was simulated.";
-  static constexpr std::tuple fields{Field{"method", &SimulatedRun::method, "of the session; series: of a series"},
-                                     Field{"rows", &SimulatedRun::rows, "of a series"},
-                                     Field{"tests", &SimulatedRun::tests, "of a session"},
-                                     Field{"seed", &SimulatedRun::seed, "of the noise"},
-                                     Field{"folder", &SimulatedRun::folder, "that was written"},
-                                     Field{"files", &SimulatedRun::files, "in it"},
-                                     Field{"truth", &SimulatedRun::truth, "file of the truth, beside the folder"}};
-};
+inline constexpr auto kResult<SimulatedRun> = ResultType{
+    "Simulated", "What was simulated.",
+    std::tuple{Field{"method", &SimulatedRun::method, "of the session; series: of a series"},
+               Field{"rows", &SimulatedRun::rows, "of a series"}, Field{"tests", &SimulatedRun::tests, "of a session"},
+               Field{"seed", &SimulatedRun::seed, "of the noise"},
+               Field{"folder", &SimulatedRun::folder, "that was written"},
+               Field{"files", &SimulatedRun::files, "in it"},
+               Field{"truth", &SimulatedRun::truth, "file of the truth, beside the folder"}}};
 
 struct SimulatedFleet {
   std::size_t machines = 0, months = 0;
@@ -41,16 +38,14 @@ struct SimulatedFleet {
 };
 
 template <>
-struct ResultType<SimulatedFleet> {
-  static constexpr std::string_view name = "SimulatedFleet";
-  static constexpr std::string_view meaning = "A plant that was simulated.";
-  static constexpr std::tuple fields{Field{"machines", &SimulatedFleet::machines, "how many"},
-                                     Field{"months", &SimulatedFleet::months, "how many"},
-                                     Field{"seed", &SimulatedFleet::seed, "of all that is drawn"},
-                                     Field{"folder", &SimulatedFleet::folder, "that was written"},
-                                     Field{"files", &SimulatedFleet::files, "how many"},
-                                     Field{"truth", &SimulatedFleet::truth, "file of the truth, beside the folder"}};
-};
+inline constexpr auto kResult<SimulatedFleet> =
+    ResultType{"SimulatedFleet", "A plant that was simulated.",
+               std::tuple{Field{"machines", &SimulatedFleet::machines, "how many"},
+                          Field{"months", &SimulatedFleet::months, "how many"},
+                          Field{"seed", &SimulatedFleet::seed, "of all that is drawn"},
+                          Field{"folder", &SimulatedFleet::folder, "that was written"},
+                          Field{"files", &SimulatedFleet::files, "how many"},
+                          Field{"truth", &SimulatedFleet::truth, "file of the truth, beside the folder"}}};
 
 struct MadeSets {
   std::string folder;
@@ -59,13 +54,10 @@ struct MadeSets {
 };
 
 template <>
-struct ResultType<MadeSets> {
-  static constexpr std::string_view name = "BlindMade";
-  static constexpr std::string_view meaning = "Data sets in which effects may be hidden.";
-  static constexpr std::tuple fields{Field{"folder", &MadeSets::folder, "of the sets"},
-                                     Field{"sets", &MadeSets::sets, "how many"},
-                                     Field{"answers", &MadeSets::answers, "file"}};
-};
+inline constexpr auto kResult<MadeSets> =
+    ResultType{"BlindMade", "Data sets in which effects may be hidden.",
+               std::tuple{Field{"folder", &MadeSets::folder, "of the sets"}, Field{"sets", &MadeSets::sets, "how many"},
+                          Field{"answers", &MadeSets::answers, "file"}}};
 
 struct ScoredSet {
   std::string name;
@@ -74,43 +66,38 @@ struct ScoredSet {
   BlindOutcome outcome = BlindOutcome::right;
 };
 
-template <>
-struct ResultType<ScoredSet> {
-  static constexpr std::string_view name = "ScoredSet";
-  static constexpr std::string_view meaning = "A set, its answer and what was said of it.";
-  static constexpr std::tuple answered{
-      Field{"kind", &BlindAnswer::kind, "nothing, one, two, outside, inseparable, spindle"},
-      Field{"truth", &BlindAnswer::what, ""},
-      Field{"hidden", &BlindAnswer::hidden, "effects; no columns: on any"},
-      Field{"match", &BlindAnswer::match, "of a spindle: each of them is right"},
-      Field{"d", &BlindAnswer::d, "of each hidden signal"},
-      Field{"amplitude_um", &BlindAnswer::amplitude_um, "largest less smallest of each"}};
-  static constexpr std::tuple judged{Field{"verdict", &BlindVerdict::verdict, ""},
-                                     Field{"named", &BlindVerdict::named, ""},
-                                     Field{"reported", &BlindVerdict::reported, "any of these"}};
-  static constexpr std::tuple fields =
-      std::tuple_cat(std::tuple{Field{"set", &ScoredSet::name, ""}}, fields_through(&ScoredSet::answer, answered),
-                     fields_through(&ScoredSet::verdict, judged),
-                     std::tuple{Field{"outcome", &ScoredSet::outcome, "right, in the set, missed, wrong"}});
-};
+inline constexpr auto kScoredSetAnswered =
+    std::tuple{Field{"kind", &BlindAnswer::kind, "nothing, one, two, outside, inseparable, spindle"},
+               Field{"truth", &BlindAnswer::what, ""},
+               Field{"hidden", &BlindAnswer::hidden, "effects; no columns: on any"},
+               Field{"match", &BlindAnswer::match, "of a spindle: each of them is right"},
+               Field{"d", &BlindAnswer::d, "of each hidden signal"},
+               Field{"amplitude_um", &BlindAnswer::amplitude_um, "largest less smallest of each"}};
+inline constexpr auto kScoredSetJudged =
+    std::tuple{Field{"verdict", &BlindVerdict::verdict, ""}, Field{"named", &BlindVerdict::named, ""},
+               Field{"reported", &BlindVerdict::reported, "any of these"}};
 
 template <>
-struct ResultType<Share> {
-  static constexpr std::string_view name = "Share";
-  static constexpr std::string_view meaning = "So many of so many, with the interval of 95 % of their share.";
-  static constexpr std::tuple fields{Field{"count", &Share::count, ""}, Field{"of", &Share::of, ""},
-                                     Field{"low", &Share::low, ""}, Field{"high", &Share::high, ""}};
-};
+inline constexpr auto kResult<ScoredSet> =
+    ResultType{"ScoredSet", "A set, its answer and what was said of it.",
+               std::tuple_cat(std::tuple{Field{"set", &ScoredSet::name, ""}},
+                              fields_through(&ScoredSet::answer, kScoredSetAnswered),
+                              fields_through(&ScoredSet::verdict, kScoredSetJudged),
+                              std::tuple{Field{"outcome", &ScoredSet::outcome, "right, in the set, missed, wrong"}})};
 
 template <>
-struct ResultType<Scores> {
-  static constexpr std::string_view name = "Scores";
-  static constexpr std::string_view meaning = "How often diagnoses of hidden effects are right.";
-  static constexpr std::tuple fields{Field{"false_calls", &Scores::false_calls, "wrong, of sets with nothing"},
-                                     Field{"right", &Scores::right, "of all"}, Field{"wrong", &Scores::wrong, "of all"},
-                                     Field{"in_set", &Scores::in_set, "right or in the set, of effects that are there"},
-                                     Field{"false_names", &Scores::false_names, "wrong, of what no effect explains"}};
-};
+inline constexpr auto kResult<Share> =
+    ResultType{"Share", "So many of so many, with the interval of 95 % of their share.",
+               std::tuple{Field{"count", &Share::count, ""}, Field{"of", &Share::of, ""}, Field{"low", &Share::low, ""},
+                          Field{"high", &Share::high, ""}}};
+
+template <>
+inline constexpr auto kResult<Scores> =
+    ResultType{"Scores", "How often diagnoses of hidden effects are right.",
+               std::tuple{Field{"false_calls", &Scores::false_calls, "wrong, of sets with nothing"},
+                          Field{"right", &Scores::right, "of all"}, Field{"wrong", &Scores::wrong, "of all"},
+                          Field{"in_set", &Scores::in_set, "right or in the set, of effects that are there"},
+                          Field{"false_names", &Scores::false_names, "wrong, of what no effect explains"}}};
 
 struct ScoredSets {
   std::vector<ScoredSet> sets;
@@ -118,10 +105,8 @@ struct ScoredSets {
 };
 
 template <>
-struct ResultType<ScoredSets> {
-  static constexpr std::string_view name = "BlindScore";
-  static constexpr std::string_view meaning = "Diagnoses of sets, scored.";
-  static constexpr std::tuple fields{Field{"sets", &ScoredSets::sets, ""}, Field{"scores", &ScoredSets::scores, ""}};
-};
+inline constexpr auto kResult<ScoredSets> =
+    ResultType{"BlindScore", "Diagnoses of sets, scored.",
+               std::tuple{Field{"sets", &ScoredSets::sets, ""}, Field{"scores", &ScoredSets::scores, ""}}};
 
 }  // namespace ballbar

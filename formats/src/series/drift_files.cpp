@@ -65,7 +65,7 @@ FiveProbeDrift result_of(const MeasuredDrift& drift, const std::vector<SpeedStep
 }
 
 void write_rows(std::ostream& out, const Series& series) {
-  constexpr std::string_view kTime = std::get<0>(ResultType<SeriesRow>::fields).name;
+  constexpr std::string_view kTime = std::get<0>(kResult<SeriesRow>.fields).name;
   out << '[';
   for (std::size_t row = 0; row < series.time_s.size(); ++row) {
     std::string line = fmt::format("{}\n    {{\"{}\": {}", row == 0 ? "" : ",", kTime, series.time_s[row]);
@@ -97,7 +97,7 @@ void write_json(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps,
     out << std::exchange(before, ",") << "\n  \"" << field.name << "\": ";
     write_value(out, std::invoke(field.get, result));
   };
-  std::apply([&](const auto&... field) { (write(field), ...); }, ResultType<FiveProbeDrift>::fields);
+  std::apply([&](const auto&... field) { (write(field), ...); }, kResult<FiveProbeDrift>.fields);
   out << "\n}\n";
 }
 
@@ -128,16 +128,15 @@ void write_by_extension(const std::filesystem::path& path, Columns columns, Writ
 }  // namespace
 
 Series series_of(const DriftSeries& drift) {
-  using Point = ResultType<DriftPoint>;
   Series series;
   for (const DriftPoint& point : drift.points) series.time_s.push_back(point.time_s);
   [&]<std::size_t... Place>(std::index_sequence<Place...>) {
-    ((add_column(series, drift, std::get<Place>(Point::values)),
-      add_column(series, drift, std::get<Place>(Point::sigmas))),
+    ((add_column(series, drift, std::get<Place>(kDriftPointValues)),
+      add_column(series, drift, std::get<Place>(kDriftPointSigmas))),
      ...);
   }
-  (std::make_index_sequence<std::tuple_size_v<decltype(Point::values)>>());
-  add_column(series, drift, Point::elongation);
+  (std::make_index_sequence<std::tuple_size_v<decltype(kDriftPointValues)>>());
+  add_column(series, drift, kDriftPointElongation);
   return series;
 }
 

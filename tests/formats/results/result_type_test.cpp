@@ -27,30 +27,24 @@ struct Outer {
 };
 
 template <>
-struct ResultType<Inner> {
-  static constexpr std::string_view name = "Inner";
-  static constexpr std::string_view meaning = "A length.";
-  static constexpr std::tuple fields{Field{"length_mm", &Inner::length_mm, "of it"}};
-};
+inline constexpr auto kResult<Inner> =
+    ResultType{"Inner", "A length.", std::tuple{Field{"length_mm", &Inner::length_mm, "of it"}}};
 template <>
-struct ResultType<Outer> {
-  static constexpr std::string_view name = "Outer";
-  static constexpr std::string_view meaning = "All kinds of values.";
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&Outer::inner, ResultType<Inner>::fields),
-                     std::tuple{
-                         Field{"rows", &Outer::rows, ""}, Field{"known", &Outer::known, ""},
-                         Field{"colour", &Outer::colour, ""}, Field{"n", &Outer::n, "as many"},
-                         Field{"twice", [](const Outer& of) { return 2.0 * static_cast<double>(of.n); }, ""},
-                         Field{"note", &Outer::note, ""},
-                         Field{
-                             "table",
-                             [](const Outer& of) {
-                               return TableOf<std::string>{{"b", "2"}, {"a", std::to_string(of.n)}};
-                             },
-                             ""},
-                         Field{"again", &Outer::again, ""}});
-};
+inline constexpr auto kResult<Outer> = ResultType{
+    "Outer", "All kinds of values.",
+    std::tuple_cat(fields_through(&Outer::inner, kResult<Inner>.fields),
+                   std::tuple{
+                       Field{"rows", &Outer::rows, ""}, Field{"known", &Outer::known, ""},
+                       Field{"colour", &Outer::colour, ""}, Field{"n", &Outer::n, "as many"},
+                       Field{"twice", [](const Outer& of) { return 2.0 * static_cast<double>(of.n); }, ""},
+                       Field{"note", &Outer::note, ""},
+                       Field{
+                           "table",
+                           [](const Outer& of) {
+                             return TableOf<std::string>{{"b", "2"}, {"a", std::to_string(of.n)}};
+                           },
+                           ""},
+                       Field{"again", &Outer::again, ""}})};
 
 struct Keys {
   OfUnit<double> rmse;
@@ -60,21 +54,14 @@ struct Keys {
   std::variant<Inner, Outer> one;
 };
 template <>
-struct ResultType<Keys> {
-  static constexpr std::string_view name = "Keys";
-  static constexpr std::string_view meaning = "Keys of all kinds.";
-  static constexpr std::tuple fields{Field{"rmse", &Keys::rmse, ""}, Field{"AXIS", &Keys::axes, ""},
-                                     Field{"column", &Keys::column, ""}, Field{"sure", known(&Keys::sure), ""},
-                                     Field{"one", &Keys::one, ""}};
-};
+inline constexpr auto kResult<Keys> = ResultType{
+    "Keys", "Keys of all kinds.",
+    std::tuple{Field{"rmse", &Keys::rmse, ""}, Field{"AXIS", &Keys::axes, ""}, Field{"column", &Keys::column, ""},
+               Field{"sure", known(&Keys::sure), ""}, Field{"one", &Keys::one, ""}}};
 
 struct OtherInner {};
 template <>
-struct ResultType<OtherInner> {
-  static constexpr std::string_view name = "Inner";
-  static constexpr std::string_view meaning = "Another one.";
-  static constexpr std::tuple<> fields{};
-};
+inline constexpr auto kResult<OtherInner> = ResultType{"Inner", "Another one.", std::tuple<>{}};
 
 namespace {
 
@@ -111,7 +98,7 @@ template <Described Type>
 Written written(const Type& result) {
   std::vector<ResultSchema> all;
   add_schema<Type>(all);
-  const std::string name(ResultType<Type>::name);
+  const std::string name(kResult<Type>.name);
   return {json_of(result).dump(), typescript_of(all), python_of({{name, "fit", {name}}}, all),
           markdown_of(all.front())};
 }

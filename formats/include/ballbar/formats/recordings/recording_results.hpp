@@ -7,11 +7,9 @@
 namespace ballbar {
 
 template <>
-struct ResultType<SkippedFile> {
-  static constexpr std::string_view name = "SkippedFile";
-  static constexpr std::string_view meaning = "A file that could not be read.";
-  static constexpr std::tuple fields{Field{"file", &SkippedFile::file, ""},
-                                     Field{"why", &SkippedFile::why, "a sentence with the file's name"}};
-};
+inline constexpr auto kResult<SkippedFile> =
+    ResultType{"SkippedFile", "A file that could not be read.",
+               std::tuple{Field{"file", &SkippedFile::file, ""},
+                          Field{"why", &SkippedFile::why, "a sentence with the file's name"}}};
 
 }  // namespace ballbar

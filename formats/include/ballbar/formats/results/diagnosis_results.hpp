@@ -10,13 +10,11 @@ namespace ballbar {
 TableOf<std::string> columns_of(const BoundEffect& bound);
 
 template <>
-struct ResultType<BoundEffect> {
-  static constexpr std::string_view name = "Bound";
-  static constexpr std::string_view meaning = "An effect on columns of the data.";
-  static constexpr std::tuple fields{
-      Field{"effect", [](const BoundEffect& bound) { return bound.effect->name; }, "as `ballbar effects` lists it"},
-      Field{"columns", &columns_of, "by role"}};
-};
+inline constexpr auto kResult<BoundEffect> =
+    ResultType{"Bound", "An effect on columns of the data.",
+               std::tuple{Field{"effect", [](const BoundEffect& bound) { return bound.effect->name; },
+                                "as `ballbar effects` lists it"},
+                          Field{"columns", &columns_of, "by role"}}};
 
 // A parameter of a candidate, with its interval of 95 %.
 struct CandidateParameter {
@@ -26,72 +24,57 @@ struct CandidateParameter {
 std::vector<CandidateParameter> parameters_of(const Candidate& candidate);
 
 template <>
-struct ResultType<CandidateParameter> {
-  using Parameter = const CandidateParameter&;
-  static constexpr std::string_view name = "CandidateParameter";
-  static constexpr std::string_view meaning = "A parameter of a candidate.";
-  static constexpr std::tuple fields{
-      Field{"name", [](Parameter of) { return of.parameter.name; }, "with its unit"},
-      Field{"value", [](Parameter of) { return of.parameter.value; }, ""},
-      Field{"sigma", [](Parameter of) { return of.parameter.sigma; }, "null: not determined"},
-      Field{"low", [](Parameter of) { return of.interval.low; }, "of the interval of 95 %"},
-      Field{"high", [](Parameter of) { return of.interval.high; }, ""},
-      Field{"unit", [](Parameter of) { return of.parameter.unit; }, ""}};
-};
+inline constexpr auto kResult<CandidateParameter> = ResultType{
+    "CandidateParameter", "A parameter of a candidate.",
+    std::tuple{Field{"name", [](const CandidateParameter& of) { return of.parameter.name; }, "with its unit"},
+               Field{"value", [](const CandidateParameter& of) { return of.parameter.value; }, ""},
+               Field{"sigma", [](const CandidateParameter& of) { return of.parameter.sigma; }, "null: not determined"},
+               Field{"low", [](const CandidateParameter& of) { return of.interval.low; }, "of the interval of 95 %"},
+               Field{"high", [](const CandidateParameter& of) { return of.interval.high; }, ""},
+               Field{"unit", [](const CandidateParameter& of) { return of.parameter.unit; }, ""}}};
 
 template <>
-struct ResultType<Candidate> {
-  static constexpr std::string_view name = "Candidate";
-  static constexpr std::string_view meaning = "An effect that may be missing, beside the rest of its likeliest set.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&Candidate::bound, ResultType<BoundEffect>::fields),
-      std::tuple{
-          Field{"p", &Candidate::p, "probability that it is missing"},
-          Field{"likelihood_ratio", &Candidate::likelihood_ratio,
-                "2 ln of how much likelier the readings are with it than without"},
-          Field{"amplitude_um", &Candidate::amplitude_um, "largest less smallest of what it adds"},
-          Field{"amplitude_sigma_um", &Candidate::amplitude_sigma_um, "null: not determined"},
-          Field{"rmse_after_um", &Candidate::rmse_after_um, "that the model leaves with it alone, as `add` fits it"},
-          Field{"held_out_before_um", &Candidate::held_out_before_um, "error in cycles left out, without it"},
-          Field{"held_out_after_um", &Candidate::held_out_after_um, "error in cycles left out, with it"},
-          Field{"p_same_gain", &Candidate::p_same_gain, "of gains as different from cycle to cycle, by chance"},
-          Field{"in_best_set", &Candidate::in_best_set, "whether it is of the likeliest set"},
-          Field{"minor", &Candidate::minor, "whether it is too small to matter"},
-          Field{"doubts", &Candidate::doubts, "why it is not named"},
-          Field{"inseparable_from", &Candidate::inseparable_from, "effects that these data do not tell from it"},
-          Field{"parameters", &parameters_of, ""}});
-};
+inline constexpr auto kResult<Candidate> = ResultType{
+    "Candidate", "An effect that may be missing, beside the rest of its likeliest set.",
+    std::tuple_cat(
+        fields_through(&Candidate::bound, kResult<BoundEffect>.fields),
+        std::tuple{
+            Field{"p", &Candidate::p, "probability that it is missing"},
+            Field{"likelihood_ratio", &Candidate::likelihood_ratio,
+                  "2 ln of how much likelier the readings are with it than without"},
+            Field{"amplitude_um", &Candidate::amplitude_um, "largest less smallest of what it adds"},
+            Field{"amplitude_sigma_um", &Candidate::amplitude_sigma_um, "null: not determined"},
+            Field{"rmse_after_um", &Candidate::rmse_after_um, "that the model leaves with it alone, as `add` fits it"},
+            Field{"held_out_before_um", &Candidate::held_out_before_um, "error in cycles left out, without it"},
+            Field{"held_out_after_um", &Candidate::held_out_after_um, "error in cycles left out, with it"},
+            Field{"p_same_gain", &Candidate::p_same_gain, "of gains as different from cycle to cycle, by chance"},
+            Field{"in_best_set", &Candidate::in_best_set, "whether it is of the likeliest set"},
+            Field{"minor", &Candidate::minor, "whether it is too small to matter"},
+            Field{"doubts", &Candidate::doubts, "why it is not named"},
+            Field{"inseparable_from", &Candidate::inseparable_from, "effects that these data do not tell from it"},
+            Field{"parameters", &parameters_of, ""}})};
 
 template <>
-struct ResultType<Driver> {
-  static constexpr std::string_view name = "Driver";
-  static constexpr std::string_view meaning = "A column that drives what is missing, whatever its form.";
-  static constexpr std::tuple fields{Field{"column", &Driver::column, ""}, Field{"p", &Driver::p, "probability"}};
-};
+inline constexpr auto kResult<Driver> =
+    ResultType{"Driver", "A column that drives what is missing, whatever its form.",
+               std::tuple{Field{"column", &Driver::column, ""}, Field{"p", &Driver::p, "probability"}}};
 
 template <>
-struct ResultType<OwnValue> {
-  static constexpr std::string_view name = "OwnValue";
-  static constexpr std::string_view meaning = "A value that the model holds, and that may be another one.";
-  static constexpr std::tuple fields{
-      Field{"effect", &OwnValue::effect, "of the model, with its columns"},
-      Field{"parameter", &OwnValue::parameter, ""},
-      Field{"unit", &OwnValue::unit, ""},
-      Field{"held", &OwnValue::held, "as the model has it"},
-      Field{"fitted", &OwnValue::fitted, "as the data have it"},
-      Field{"low", [](const OwnValue& own) { return own.interval.low; }, "of the interval of 95 %"},
-      Field{"high", [](const OwnValue& own) { return own.interval.high; }, ""},
-      Field{"p", &OwnValue::p, "probability that it is another one"}};
-};
+inline constexpr auto kResult<OwnValue> =
+    ResultType{"OwnValue", "A value that the model holds, and that may be another one.",
+               std::tuple{Field{"effect", &OwnValue::effect, "of the model, with its columns"},
+                          Field{"parameter", &OwnValue::parameter, ""}, Field{"unit", &OwnValue::unit, ""},
+                          Field{"held", &OwnValue::held, "as the model has it"},
+                          Field{"fitted", &OwnValue::fitted, "as the data have it"},
+                          Field{"low", [](const OwnValue& own) { return own.interval.low; }, "of the interval of 95 %"},
+                          Field{"high", [](const OwnValue& own) { return own.interval.high; }, ""},
+                          Field{"p", &OwnValue::p, "probability that it is another one"}}};
 
 template <>
-struct ResultType<EffectProbability> {
-  static constexpr std::string_view name = "EffectProbability";
-  static constexpr std::string_view meaning = "An effect, and the probability that it is missing.";
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&EffectProbability::bound, ResultType<BoundEffect>::fields),
-                     std::tuple{Field{"p", &EffectProbability::p, "probability"}});
-};
+inline constexpr auto kResult<EffectProbability> =
+    ResultType{"EffectProbability", "An effect, and the probability that it is missing.",
+               std::tuple_cat(fields_through(&EffectProbability::bound, kResult<BoundEffect>.fields),
+                              std::tuple{Field{"p", &EffectProbability::p, "probability"}})};
 
 // An effect that these data cannot show.
 struct Untestable {
@@ -100,11 +83,9 @@ struct Untestable {
 std::vector<Untestable> untestable_of(const Diagnosis& found);
 
 template <>
-struct ResultType<Untestable> {
-  static constexpr std::string_view name = "Untestable";
-  static constexpr std::string_view meaning = "An effect that these data cannot show.";
-  static constexpr std::tuple fields{Field{"effect", &Untestable::effect, ""}, Field{"why", &Untestable::why, ""}};
-};
+inline constexpr auto kResult<Untestable> =
+    ResultType{"Untestable", "An effect that these data cannot show.",
+               std::tuple{Field{"effect", &Untestable::effect, ""}, Field{"why", &Untestable::why, ""}}};
 
 // An effect with more choices of columns than were searched.
 struct NotSearched {
@@ -114,13 +95,11 @@ struct NotSearched {
 std::vector<NotSearched> not_searched_of(const Diagnosis& found);
 
 template <>
-struct ResultType<NotSearched> {
-  static constexpr std::string_view name = "NotSearched";
-  static constexpr std::string_view meaning = "An effect with more choices of columns than were searched.";
-  static constexpr std::tuple fields{Field{"effect", &NotSearched::effect, ""},
-                                     Field{"choices_of_columns", &NotSearched::choices_of_columns, ""},
-                                     Field{"searched", &NotSearched::searched, "of these"}};
-};
+inline constexpr auto kResult<NotSearched> =
+    ResultType{"NotSearched", "An effect with more choices of columns than were searched.",
+               std::tuple{Field{"effect", &NotSearched::effect, ""},
+                          Field{"choices_of_columns", &NotSearched::choices_of_columns, ""},
+                          Field{"searched", &NotSearched::searched, "of these"}}};
 
 // A gain in one run.
 struct GainOfRun {
@@ -129,20 +108,16 @@ struct GainOfRun {
 std::vector<GainOfRun> runs_of(const GainByRun& gain);
 
 template <>
-struct ResultType<GainOfRun> {
-  static constexpr std::string_view name = "GainOfRun";
-  static constexpr std::string_view meaning = "A gain in one run.";
-  static constexpr std::tuple fields{Field{"gain", &GainOfRun::gain, ""}, Field{"sigma", &GainOfRun::sigma, ""}};
-};
+inline constexpr auto kResult<GainOfRun> =
+    ResultType{"GainOfRun", "A gain in one run.",
+               std::tuple{Field{"gain", &GainOfRun::gain, ""}, Field{"sigma", &GainOfRun::sigma, ""}}};
 
 template <>
-struct ResultType<GainByRun> {
-  static constexpr std::string_view name = "GainByRun";
-  static constexpr std::string_view meaning = "A gain that is another one from run to run.";
-  static constexpr std::tuple fields{
-      Field{"effect", &GainByRun::effect, "with its columns"}, Field{"parameter", &GainByRun::parameter, ""},
-      Field{"unit", &GainByRun::unit, ""}, Field{"p", &GainByRun::p, "of gains as different, were it one gain"},
-      Field{"runs", [](const GainByRun& gain) { return runs_of(gain); }, "the gain in each"}};
-};
+inline constexpr auto kResult<GainByRun> =
+    ResultType{"GainByRun", "A gain that is another one from run to run.",
+               std::tuple{Field{"effect", &GainByRun::effect, "with its columns"},
+                          Field{"parameter", &GainByRun::parameter, ""}, Field{"unit", &GainByRun::unit, ""},
+                          Field{"p", &GainByRun::p, "of gains as different, were it one gain"},
+                          Field{"runs", [](const GainByRun& gain) { return runs_of(gain); }, "the gain in each"}}};
 
 }  // namespace ballbar

@@ -26,73 +26,64 @@ constexpr auto sigma_um(std::optional<Estimate> Type::*member) {
   };
 }
 
-template <>
-struct ResultType<DriftPoint> {
-  static constexpr std::string_view name = "DriftPoint";
-  static constexpr std::string_view meaning = "What a test says of the drift, as far as its method tells it.";
-  static constexpr std::tuple values{
-      Field{"x_um", value_um(&DriftPoint::x), ""},
-      Field{"y_um", value_um(&DriftPoint::y), ""},
-      Field{"z_um", value_um(&DriftPoint::z), ""},
-      Field{"radial_um", value_um(&DriftPoint::radial), ""},
-      Field{"axial_um", value_um(&DriftPoint::axial), ""},
-      Field{"shift_a_um", value_um(&DriftPoint::shift_a), "of the radial one, in the frame that turns"},
-      Field{"shift_b_um", value_um(&DriftPoint::shift_b), ""},
-      Field{"radius_change_um", value_um(&DriftPoint::radius_change), "of the circle, or the path about C"},
-      Field{"radius_change_a_um", value_um(&DriftPoint::radius_change_a), "of the path about A"}};
-  static constexpr std::tuple sigmas{Field{"x_sigma_um", sigma_um(&DriftPoint::x), ""},
-                                     Field{"y_sigma_um", sigma_um(&DriftPoint::y), ""},
-                                     Field{"z_sigma_um", sigma_um(&DriftPoint::z), ""},
-                                     Field{"radial_sigma_um", sigma_um(&DriftPoint::radial), ""},
-                                     Field{"axial_sigma_um", sigma_um(&DriftPoint::axial), ""},
-                                     Field{"shift_a_sigma_um", sigma_um(&DriftPoint::shift_a), ""},
-                                     Field{"shift_b_sigma_um", sigma_um(&DriftPoint::shift_b), ""},
-                                     Field{"radius_change_sigma_um", sigma_um(&DriftPoint::radius_change), ""},
-                                     Field{"radius_change_a_sigma_um", sigma_um(&DriftPoint::radius_change_a), ""}};
-  static constexpr Field elongation{"elongation_correction_um",
-                                    [](const DriftPoint& of) { return MayLack<double>{of.elongation_correction_um}; },
-                                    "taken off the radial test"};
-  static constexpr std::tuple fields = std::tuple_cat(
-      std::tuple{Field{"time_s", known(&DriftPoint::time_s), "of the test"}}, values, sigmas,
-      std::tuple{elongation,
-                 Field{"correlation_y_z", [](const DriftPoint& of) { return MayLack<double>{of.correlation_y_z}; },
-                       "of the test's own y and z"}});
-};
+inline constexpr auto kDriftPointValues =
+    std::tuple{Field{"x_um", value_um(&DriftPoint::x), ""},
+               Field{"y_um", value_um(&DriftPoint::y), ""},
+               Field{"z_um", value_um(&DriftPoint::z), ""},
+               Field{"radial_um", value_um(&DriftPoint::radial), ""},
+               Field{"axial_um", value_um(&DriftPoint::axial), ""},
+               Field{"shift_a_um", value_um(&DriftPoint::shift_a), "of the radial one, in the frame that turns"},
+               Field{"shift_b_um", value_um(&DriftPoint::shift_b), ""},
+               Field{"radius_change_um", value_um(&DriftPoint::radius_change), "of the circle, or the path about C"},
+               Field{"radius_change_a_um", value_um(&DriftPoint::radius_change_a), "of the path about A"}};
+inline constexpr auto kDriftPointSigmas =
+    std::tuple{Field{"x_sigma_um", sigma_um(&DriftPoint::x), ""},
+               Field{"y_sigma_um", sigma_um(&DriftPoint::y), ""},
+               Field{"z_sigma_um", sigma_um(&DriftPoint::z), ""},
+               Field{"radial_sigma_um", sigma_um(&DriftPoint::radial), ""},
+               Field{"axial_sigma_um", sigma_um(&DriftPoint::axial), ""},
+               Field{"shift_a_sigma_um", sigma_um(&DriftPoint::shift_a), ""},
+               Field{"shift_b_sigma_um", sigma_um(&DriftPoint::shift_b), ""},
+               Field{"radius_change_sigma_um", sigma_um(&DriftPoint::radius_change), ""},
+               Field{"radius_change_a_sigma_um", sigma_um(&DriftPoint::radius_change_a), ""}};
+inline constexpr auto kDriftPointElongation =
+    Field{"elongation_correction_um", [](const DriftPoint& of) { return MayLack<double>{of.elongation_correction_um}; },
+          "taken off the radial test"};
 
 template <>
-struct ResultType<Position> {
-  static constexpr std::string_view name = "Position";
-  static constexpr std::string_view meaning =
-      "Where a test found the ball of the spindle, errors of the set-up included.";
-  static constexpr std::tuple fields{
-      Field{"time_s", known(&Position::time_s), "of the test"},
-      Field{"x_um", value_um(&Position::x), "from the point where the axes meet"},
-      Field{"x_sigma_um", sigma_um(&Position::x), ""},
-      Field{"y_um", value_um(&Position::y), ""},
-      Field{"y_sigma_um", sigma_um(&Position::y), ""},
-      Field{"z_um", value_um(&Position::z), ""},
-      Field{"z_sigma_um", sigma_um(&Position::z), ""},
-      Field{"centre_a_um", value_um(&Position::centre_a), "of the circle"},
-      Field{"centre_a_sigma_um", sigma_um(&Position::centre_a), ""},
-      Field{"centre_b_um", value_um(&Position::centre_b), ""},
-      Field{"centre_b_sigma_um", sigma_um(&Position::centre_b), ""},
-      Field{"length_mm", [](const Position& of) { return MayLack<double>{of.length_mm}; }, "axial"},
-      Field{"radius_mm", &Position::radius_mm, ""},
-      Field{"converged", &Position::converged, "whether the fit came to an end"},
-      Field{"discounted", &Position::discounted, "readings, with --robust"}};
-};
+inline constexpr auto kResult<DriftPoint> = ResultType{
+    "DriftPoint", "What a test says of the drift, as far as its method tells it.",
+    std::tuple_cat(
+        std::tuple{Field{"time_s", known(&DriftPoint::time_s), "of the test"}}, kDriftPointValues, kDriftPointSigmas,
+        std::tuple{kDriftPointElongation,
+                   Field{"correlation_y_z", [](const DriftPoint& of) { return MayLack<double>{of.correlation_y_z}; },
+                         "of the test's own y and z"}})};
 
 template <>
-struct ResultType<DriftSeries> {
-  static constexpr std::string_view name = "DriftOfTests";
-  static constexpr std::string_view meaning = "The drift of the spindle from tests.";
-  static constexpr std::tuple fields{
-      Field{"method", &DriftSeries::method, "spindle_rotation, two_arcs, circles; of five probes five_probe"},
-      Field{"reference_s", known(&DriftSeries::reference_s), "time of the test that drift is taken to"},
-      Field{"points", &DriftSeries::points, "one row per test"},
-      Field{"positions", &DriftSeries::positions, "the same before the reference is taken off"},
-      Field{"not_cancelled", &DriftSeries::not_cancelled, "what of the set-up remains"}};
-};
+inline constexpr auto kResult<Position> =
+    ResultType{"Position", "Where a test found the ball of the spindle, errors of the set-up included.",
+               std::tuple{Field{"time_s", known(&Position::time_s), "of the test"},
+                          Field{"x_um", value_um(&Position::x), "from the point where the axes meet"},
+                          Field{"x_sigma_um", sigma_um(&Position::x), ""}, Field{"y_um", value_um(&Position::y), ""},
+                          Field{"y_sigma_um", sigma_um(&Position::y), ""}, Field{"z_um", value_um(&Position::z), ""},
+                          Field{"z_sigma_um", sigma_um(&Position::z), ""},
+                          Field{"centre_a_um", value_um(&Position::centre_a), "of the circle"},
+                          Field{"centre_a_sigma_um", sigma_um(&Position::centre_a), ""},
+                          Field{"centre_b_um", value_um(&Position::centre_b), ""},
+                          Field{"centre_b_sigma_um", sigma_um(&Position::centre_b), ""},
+                          Field{"length_mm", [](const Position& of) { return MayLack<double>{of.length_mm}; }, "axial"},
+                          Field{"radius_mm", &Position::radius_mm, ""},
+                          Field{"converged", &Position::converged, "whether the fit came to an end"},
+                          Field{"discounted", &Position::discounted, "readings, with --robust"}}};
+
+template <>
+inline constexpr auto kResult<DriftSeries> = ResultType{
+    "DriftOfTests", "The drift of the spindle from tests.",
+    std::tuple{Field{"method", &DriftSeries::method, "spindle_rotation, two_arcs, circles; of five probes five_probe"},
+               Field{"reference_s", known(&DriftSeries::reference_s), "time of the test that drift is taken to"},
+               Field{"points", &DriftSeries::points, "one row per test"},
+               Field{"positions", &DriftSeries::positions, "the same before the reference is taken off"},
+               Field{"not_cancelled", &DriftSeries::not_cancelled, "what of the set-up remains"}}};
 
 // Changes of an axis over a stretch of time.
 struct AxisRange {
@@ -107,19 +98,16 @@ constexpr auto range_value(std::optional<Estimate> DriftRange::*member, double E
 }
 
 template <>
-struct ResultType<AxisRange> {
-  static constexpr std::string_view name = "AxisRange";
-  static constexpr std::string_view meaning = "Largest less smallest of an axis over a stretch of time.";
-  static constexpr std::tuple fields{
-      Field{"first_60_min", range_value(&DriftRange::first_60_min, &Estimate::value_um), ""},
-      Field{"first_60_min_sigma", range_value(&DriftRange::first_60_min, &Estimate::sigma_um), ""},
-      Field{"after_60_min", range_value(&DriftRange::after_60_min, &Estimate::value_um), ""},
-      Field{"after_60_min_sigma", range_value(&DriftRange::after_60_min, &Estimate::sigma_um), ""},
-      Field{"total", range_value(&DriftRange::total, &Estimate::value_um), ""},
-      Field{"total_sigma", range_value(&DriftRange::total, &Estimate::sigma_um), ""},
-      Field{"first_to_last", range_value(&DriftRange::at_end, &Estimate::value_um), "the last less the first"},
-      Field{"first_to_last_sigma", range_value(&DriftRange::at_end, &Estimate::sigma_um), ""}};
-};
+inline constexpr auto kResult<AxisRange> = ResultType{
+    "AxisRange", "Largest less smallest of an axis over a stretch of time.",
+    std::tuple{Field{"first_60_min", range_value(&DriftRange::first_60_min, &Estimate::value_um), ""},
+               Field{"first_60_min_sigma", range_value(&DriftRange::first_60_min, &Estimate::sigma_um), ""},
+               Field{"after_60_min", range_value(&DriftRange::after_60_min, &Estimate::value_um), ""},
+               Field{"after_60_min_sigma", range_value(&DriftRange::after_60_min, &Estimate::sigma_um), ""},
+               Field{"total", range_value(&DriftRange::total, &Estimate::value_um), ""},
+               Field{"total_sigma", range_value(&DriftRange::total, &Estimate::sigma_um), ""},
+               Field{"first_to_last", range_value(&DriftRange::at_end, &Estimate::value_um), "the last less the first"},
+               Field{"first_to_last_sigma", range_value(&DriftRange::at_end, &Estimate::sigma_um), ""}}};
 
 // A step of the speed.
 struct StepRange {
@@ -128,13 +116,10 @@ struct StepRange {
 };
 
 template <>
-struct ResultType<StepRange> {
-  static constexpr std::string_view name = "SpeedStep";
-  static constexpr std::string_view meaning = "A stretch of one speed.";
-  static constexpr std::tuple fields{Field{"from_s", &StepRange::from_s, ""}, Field{"to_s", &StepRange::to_s, ""},
-                                     Field{"speed_rpm", &StepRange::speed_rpm, ""},
-                                     Field{"ranges", &StepRange::ranges, "by axis"}};
-};
+inline constexpr auto kResult<StepRange> = ResultType{
+    "SpeedStep", "A stretch of one speed.",
+    std::tuple{Field{"from_s", &StepRange::from_s, ""}, Field{"to_s", &StepRange::to_s, ""},
+               Field{"speed_rpm", &StepRange::speed_rpm, ""}, Field{"ranges", &StepRange::ranges, "by axis"}}};
 
 struct FiveProbeDrift {
   double reference_s = 0.0;
@@ -150,28 +135,22 @@ struct SeriesRow {
   KeysOf<double> values;
 };
 template <>
-struct ResultType<SeriesRow> {
-  static constexpr std::string_view name = "SeriesRow";
-  static constexpr std::string_view meaning = "A row of a series.";
-  static constexpr std::tuple fields{Field{"time_s", known(&SeriesRow::time_s), ""},
-                                     Field{"COLUMN", &SeriesRow::values, "a key a column"}};
-};
+inline constexpr auto kResult<SeriesRow> = ResultType{
+    "SeriesRow", "A row of a series.",
+    std::tuple{Field{"time_s", known(&SeriesRow::time_s), ""}, Field{"COLUMN", &SeriesRow::values, "a key a column"}}};
 template <>
 struct SchemaOf<Series> {
   static ValueSchema of(std::vector<ResultSchema>& all) { return SchemaOf<std::vector<SeriesRow>>::of(all); }
 };
 
 template <>
-struct ResultType<FiveProbeDrift> {
-  static constexpr std::string_view name = "DriftOfProbes";
-  static constexpr std::string_view meaning = "The drift of the spindle from five probes.";
-  static constexpr std::tuple fields{
-      Field{"method", [](const FiveProbeDrift&) { return std::string_view("five_probe"); }, "five_probe"},
-      Field{"reference_s", known(&FiveProbeDrift::reference_s), "time that drift is taken to"},
-      Field{"points", &FiveProbeDrift::points, "one row per time, AXIS_um or AXIS_urad with sigma"},
-      Field{"ranges", &FiveProbeDrift::ranges, "by axis"},
-      Field{"steps", &FiveProbeDrift::steps, "changes of the speed"},
-      Field{"remarks", &FiveProbeDrift::remarks, ""}};
-};
+inline constexpr auto kResult<FiveProbeDrift> = ResultType{
+    "DriftOfProbes", "The drift of the spindle from five probes.",
+    std::tuple{Field{"method", [](const FiveProbeDrift&) { return std::string_view("five_probe"); }, "five_probe"},
+               Field{"reference_s", known(&FiveProbeDrift::reference_s), "time that drift is taken to"},
+               Field{"points", &FiveProbeDrift::points, "one row per time, AXIS_um or AXIS_urad with sigma"},
+               Field{"ranges", &FiveProbeDrift::ranges, "by axis"},
+               Field{"steps", &FiveProbeDrift::steps, "changes of the speed"},
+               Field{"remarks", &FiveProbeDrift::remarks, ""}}};
 
 }  // namespace ballbar

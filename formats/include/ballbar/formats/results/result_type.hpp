@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -73,10 +74,17 @@ constexpr auto known(MayLack<Value> Type::*member) {
   };
 }
 
-// Specialised for each type of result: `name` for TypeScript and Python, `meaning`, and `fields`, a tuple of Field in
-// the order of the JSON. A type includes the fields of another by std::tuple_cat and fields_through().
+// What describes a type of result: its name for TypeScript and Python, and its fields in the order of the JSON. A type
+// includes the fields of another by std::tuple_cat and fields_through().
+template <class... Gets>
+struct ResultType {
+  std::string_view name, meaning;
+  std::tuple<Field<Gets>...> fields;
+};
+
+// Specialised for each type of result.
 template <class Type>
-struct ResultType;
+inline constexpr std::nullptr_t kResult = nullptr;
 
 // The fields of a part of a result, as fields of the result.
 template <class Part, class... Gets>
@@ -92,9 +100,7 @@ constexpr auto fields_through(Part part, const std::tuple<Field<Gets>...>& field
 }
 
 template <class Type>
-concept Described = requires {
-  ResultType<Type>::name;
-};
+concept Described = !std::is_same_v<decltype(kResult<Type>), const std::nullptr_t>;
 
 template <class Type>
 concept Named = std::is_enum_v<Type> && requires(Type value) {
@@ -188,7 +194,7 @@ template <Described Type>
 nlohmann::ordered_json json_of(const Type& result) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   std::apply([&](const auto&... field) { (add_value(json, field.name, std::invoke(field.get, result)), ...); },
-             ResultType<Type>::fields);
+             kResult<Type>.fields);
   return json;
 }
 

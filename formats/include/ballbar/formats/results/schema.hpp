@@ -65,7 +65,7 @@ struct SchemaOf {
       return {ValueKind::number};
     } else if constexpr (Described<Value>) {
       add_schema<Value>(all);
-      return {ValueKind::result, false, std::string(ResultType<Value>::name)};
+      return {ValueKind::result, false, std::string(kResult<Value>.name)};
     } else if constexpr (std::same_as<Value, Eigen::MatrixXd>) {
       return {ValueKind::list, false, "", {{ValueKind::list, false, "", {{ValueKind::number}}}}};
     } else {
@@ -137,20 +137,20 @@ struct KeyOf<KeysOf<Value>> {
 
 template <Described Type>
 void add_schema(std::vector<ResultSchema>& all) {
-  const void* const of = &ResultType<Type>::fields;
+  const void* const of = &kResult<Type>.fields;
   for (const ResultSchema& one : all) {
     if (one.of == of) return;
-    if (one.name == ResultType<Type>::name) throw Error(one.name + ": expected one type of that name, found two.");
+    if (one.name == kResult<Type>.name) throw Error(one.name + ": expected one type of that name, found two.");
   }
   const std::size_t place = all.size();  // at once: a field may be of the type itself
-  all.push_back({std::string(ResultType<Type>::name), std::string(ResultType<Type>::meaning), {}, of});
+  all.push_back({std::string(kResult<Type>.name), std::string(kResult<Type>.meaning), {}, of});
   std::vector<FieldSchema> fields;
   const auto add = [&](const auto& field) {
     using Value = std::remove_cvref_t<std::invoke_result_t<decltype(field.get), const Type&>>;
     fields.push_back({std::string(field.name), std::string(field.meaning),
                       SchemaOf<typename KeyOf<Value>::Type>::of(all), KeyOf<Value>::kind});
   };
-  std::apply([&](const auto&... field) { (add(field), ...); }, ResultType<Type>::fields);
+  std::apply([&](const auto&... field) { (add(field), ...); }, kResult<Type>.fields);
   all[place].fields = std::move(fields);
 }
 
