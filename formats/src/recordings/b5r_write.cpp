@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ballbar/error.hpp"
@@ -34,24 +35,16 @@ double sample_rate_Hz(const Recording& run, double arc_deg) {
 
 // Text as it stands in XML.
 std::string escaped(std::string_view text) {
+  constexpr std::pair<char, std::string_view> kEntities[] = {
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
   std::string result;
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        // XML 1.0 has no other control characters, not even escaped.
-        result += static_cast<unsigned char>(c) < 0x20 && c != '\t' ? ' ' : c;
+    const auto* entity =
+        std::find_if(std::begin(kEntities), std::end(kEntities), [&](const auto& one) { return one.first == c; });
+    if (entity != std::end(kEntities)) {
+      result += entity->second;
+    } else {  // XML 1.0 has no other control characters, not even escaped.
+      result += static_cast<unsigned char>(c) < 0x20 && c != '\t' ? ' ' : c;
     }
   }
   return result;
