@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <set>
 #include <system_error>
@@ -20,6 +18,7 @@
 #include "ballbar/numerics/order_statistic.hpp"
 #include "logs/log_clock.hpp"
 #include "logs/log_columns.hpp"
+#include "logs/log_join.hpp"
 #include "logs/log_plan.hpp"
 #include "logs/log_roles.hpp"
 #include "logs/log_shape.hpp"
@@ -27,6 +26,7 @@
 #include "logs/log_table.hpp"
 #include "logs/log_temperatures.hpp"
 #include "logs/log_units.hpp"
+#include "logs/missing_values.hpp"
 #include "text/head.hpp"
 #include "text/readers.hpp"
 
@@ -172,53 +172,6 @@ void take_burst_means(Series& series, const std::string& name) {
   for (Column& column : series.columns) column.values = means(column.values);
 }
 
-constexpr double kNoReading = 9e36;  // 9.9E37 and 1E38 stand for overload
-
-// Numbers that loggers write where there is no value; only where they stand far outside all others.
-constexpr double kSentinels[] = {-999.0,  -9999.0, -99999.0, -999.9,   -999.99, -9999.9, -99.9,
-                                 -99.99,  -273.15, 999.9,    9999.0,   9999.9,  99999.0, 32767.0,
-                                 65535.0, 3276.7,  6553.5,   -32768.0, -1e6,    1e6,     -3276.8};
-
-// Turns numbers that loggers write where there is no value into gaps where they lie far outside all other values;
-// returns the numbers and how often each was found, or nothing.
-std::string take_missing_values(std::vector<double>& values) {
-  std::string found;
-  const auto take_out = [&](auto is_none) {
-    std::size_t count = 0;
-    double example = 0.0;
-    for (double& value : values) {
-      if (!is_none(value)) continue;
-      example = value;
-      value = kGap;
-      ++count;
-    }
-    if (count > 0) found += fmt::format("{}{} times {:g}", found.empty() ? "" : ", ", count, example);
-  };
-  for (int side = 0; side < 4; ++side) {
-    const Extremes all = extremes_of(values);
-    if (std::abs(all.least) >= kNoReading || std::abs(all.most) >= kNoReading) {
-      take_out([](double v) { return std::abs(v) >= kNoReading; });
-      continue;
-    }
-    const auto is_known = [](double v) {
-      return std::find(std::begin(kSentinels), std::end(kSentinels), v) != std::end(kSentinels);
-    };
-    const bool low = is_known(all.least), high = is_known(all.most);
-    if (!low && !high) break;
-    bool any = false;
-    for (const double one : {low ? all.least : kGap, high ? all.most : kGap}) {
-      if (std::isnan(one)) continue;
-      const Extremes rest = extremes_of(values, one);
-      const double far = 3.0 * (rest.most - rest.least) + 50.0;
-      if (!(one < rest.least - far || one > rest.most + far)) continue;
-      take_out([&](double v) { return v == one; });
-      any = true;
-    }
-    if (!any) break;
-  }
-  return found;
-}
-
 // `joined`: columns that the recipe names may be in another file.
 Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   const std::string& name = source.name();
@@ -313,55 +266,6 @@ Log beside_of(const Log& log, const Source& source, const std::string& file, con
   if (std::filesystem::equivalent(file, source.path(), absent))
     throw Error(fmt::format("{}: expected another file for --join, found the same.", file));
   return one_log(file, other, true);
-}
-
-void expect_rows_alone(const Log& log, const std::string& name) {
-  const std::size_t others = log.without_row + (log.series.has_clock ? log.skipped_lines.size() : 0);
-  if (others == 0) return;
-  throw Error(
-      fmt::format("{}: expected only rows of numbers, because the files are joined row by row, found {} other {} "
-                  "between the first and the last row.",
-                  name, others, others == 1 ? "line" : "lines"));
-}
-
-// Adds the columns of `beside` to the log. `name` and `file`: theirs, for messages. Throws Error where either has lines
-// without a row of numbers, or the numbers of rows differ by more than a tenth.
-void join(Log& log, const std::string& name, Log beside, const std::string& file) {
-  expect_rows_alone(log, name);
-  expect_rows_alone(beside, file);
-  Series& series = log.series;
-  const std::size_t rows = series.time_s.size(), others = beside.series.time_s.size(), both = std::min(rows, others);
-  if (both * 10 < std::max(rows, others) * 9) {
-    throw Error(fmt::format("{}: expected about as many rows as in {}, {}, found {}.", file, name, rows, others));
-  }
-  if (rows != others) {
-    const std::size_t more = std::max(rows, others) - both;
-    log.remarks.push_back(fmt::format("{} rows here and {} in {}: the last {} omitted.", rows, others, file,
-                                      more == 1 ? "row is" : fmt::format("{} rows are", more)));
-  }
-  log.recipe.columns.insert(log.recipe.columns.end(), beside.recipe.columns.begin(), beside.recipe.columns.end());
-  std::set<std::string> taken;
-  for (const Column& column : series.columns) taken.insert(column.name);
-  std::size_t k = 0;
-  for (LogColumn& column : beside.columns) {
-    const bool is_time = !column.name.empty() && is_time_name(name_and_unit(column.source).name);
-    if (is_time) {
-      beside.series.columns.erase(beside.series.columns.begin() + static_cast<std::ptrdiff_t>(k));
-      column.name.clear();
-      column.why = "another time";
-    }
-    if (!column.name.empty()) {
-      Column& values = beside.series.columns[k++];
-      values.name = column.name = free_name(values.name, taken);
-      series.columns.push_back(std::move(values));
-    }
-    log.columns.push_back(std::move(column));
-  }
-  series.time_s.resize(both);
-  for (Column& column : series.columns) column.values.resize(both);
-  log.remarks.push_back(
-      fmt::format("Joined row by row: {} of {}.", k == 1 ? "1 column" : fmt::format("{} columns", k), file));
-  std::move(beside.remarks.begin(), beside.remarks.end(), std::back_inserter(log.remarks));
 }
 
 void expect_joined_columns(const Log& log, const std::string& name, const LogRecipe& recipe) {

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "ballbar/error.hpp"
+#include "fit/fit_uncertainty.hpp"
 #include "fit/inlier_rows.hpp"
 #include "fit/irls_and_gls.hpp"
 #include "fit/machine_error_fit.hpp"
@@ -24,10 +23,6 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kFewestForNoise = 30;  // below, the residual is taken as white
-
-// Smallest number of values beyond the free parameters for an estimate of the variance (with 1, half of the estimates
-// would be below 0.45 of the true value).
-constexpr std::size_t kFewestLeft = 2;
 
 Bounds bounds_of(const Model& model, const ModelRows& rows) {
   const Eigen::Index count = rows.parameters();
@@ -100,158 +95,6 @@ Eigen::VectorXd values_of(const std::vector<FittedParameter>& parameters) {
   Eigen::VectorXd values(static_cast<Eigen::Index>(parameters.size()));
   for (std::size_t k = 0; k < parameters.size(); ++k) values[static_cast<Eigen::Index>(k)] = parameters[k].value;
   return values;
-}
-
-constexpr double kNoInformation = 1e-11;  // eigenvalue of the scaled information, of the largest
-
-bool on_bound(double value, double bound, double start) {
-  return std::isfinite(bound) && std::abs(value - bound) <= 1e-6 * std::max({std::abs(bound), std::abs(start), 1e-6});
-}
-
-// W C W x for the covariance C of the noise and weights W: the exponential part by two recursions, O(n).
-Eigen::MatrixXd noise_times(const Fit& result, const Eigen::VectorXd& weights, const Eigen::MatrixXd& columns) {
-  const Eigen::Index n = columns.rows();
-  const Noise& noise = result.noise;
-  Eigen::MatrixXd x = weights.asDiagonal() * columns;
-  Eigen::MatrixXd out(n, columns.cols());
-  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(columns.cols());
-  const auto decay = [&](Eigen::Index i) {
-    const auto row = static_cast<std::size_t>(i);
-    const double step_s = result.time_s[row] - result.time_s[row - 1];
-    return step_s < 0.0 ? 0.0 : std::exp(-step_s / noise.correlation_time_s);  // another run
-  };
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if (i > 0) sum = decay(i) * (sum + x.row(i - 1));
-    out.row(i) = sum + x.row(i);
-  }
-  sum.setZero();
-  for (Eigen::Index i = n - 1; i >= 0; --i) {
-    if (i + 1 < n) sum = decay(i + 1) * (sum + x.row(i + 1));
-    out.row(i) += sum;
-  }
-  out *= noise.correlated_um * noise.correlated_um;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double sigma = result.sigma_um.empty() ? 0.0 : result.sigma_um[static_cast<std::size_t>(i)];
-    out.row(i) += (noise.white_um * noise.white_um + sigma * sigma) * x.row(i);
-  }
-  return weights.asDiagonal() * out;
-}
-
-// `weights` null: the rows are whitened.
-void add(Fit& result, const Eigen::MatrixXd& jacobian, const Bounds& bounds, double variance,
-         const Eigen::VectorXd* weights) {
-  std::vector<Eigen::Index> used;
-  for (std::size_t k = 0; k < result.parameters.size(); ++k) {
-    FittedParameter& parameter = result.parameters[k];
-    const auto index = static_cast<Eigen::Index>(k);
-    parameter.sigma = kUnknown;
-    if (bounds.held[k]) {
-      parameter.state = ParameterState::held;
-    } else if (on_bound(parameter.value, bounds.lower[index], parameter.value)) {
-      parameter.state = ParameterState::on_lower_bound;
-    } else if (on_bound(parameter.value, bounds.upper[index], parameter.value)) {
-      parameter.state = ParameterState::on_upper_bound;
-    } else {
-      used.push_back(index);
-    }
-  }
-  const auto count = static_cast<Eigen::Index>(result.parameters.size());
-  result.covariance = Eigen::MatrixXd::Zero(count, count);
-  if (used.empty()) return;
-  const auto m = static_cast<Eigen::Index>(used.size());
-  Eigen::MatrixXd columns(jacobian.rows(), m);
-  for (Eigen::Index j = 0; j < m; ++j) columns.col(j) = jacobian.col(used[static_cast<std::size_t>(j)]);
-  const Eigen::VectorXd scale = columns.colwise().norm();
-  const double largest = scale.maxCoeff();
-  for (Eigen::Index j = 0; j < m; ++j) columns.col(j) /= scale[j] > 1e-14 * largest ? scale[j] : kInfinite;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(Eigen::MatrixXd(columns.transpose() * columns));
-  Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(m, m);
-  Eigen::VectorXd lost = Eigen::VectorXd::Zero(m);  // share of each parameter in directions without information
-  for (Eigen::Index i = 0; i < m; ++i) {
-    const Eigen::VectorXd direction = eigen.eigenvectors().col(i);
-    if (eigen.eigenvalues()[i] > kNoInformation * eigen.eigenvalues()[m - 1]) {
-      inverse += direction * direction.transpose() / eigen.eigenvalues()[i];
-    } else {
-      lost += direction.cwiseAbs2();
-    }
-  }
-  if (weights != nullptr) inverse = inverse * (columns.transpose() * noise_times(result, *weights, columns)) * inverse;
-  for (Eigen::Index j = 0; j < m; ++j) {
-    const Eigen::Index row = used[static_cast<std::size_t>(j)];
-    FittedParameter& parameter = result.parameters[static_cast<std::size_t>(row)];
-    if (lost[j] > 1e-6) {
-      parameter.state = ParameterState::undetermined;
-      parameter.sigma = kInfinite;
-      continue;
-    }
-    for (Eigen::Index i = 0; i < m; ++i) {
-      if (lost[i] > 1e-6) continue;
-      const Eigen::Index column = used[static_cast<std::size_t>(i)];
-      result.covariance(row, column) = variance * inverse(j, i) / (scale[j] * scale[i]);
-    }
-    parameter.sigma = std::sqrt(result.covariance(row, row));
-  }
-}
-
-void widen_onsets(Fit& result) {
-  if (!std::is_sorted(result.time_s.begin(), result.time_s.end())) return;  // of several runs: in each
-  for (FittedParameter& parameter : result.parameters) {
-    if (parameter.shape_of != ShapeOf::onset || parameter.state == ParameterState::held) continue;
-    const auto after = std::lower_bound(result.time_s.begin(), result.time_s.end(), parameter.value);
-    if (after == result.time_s.begin() || after == result.time_s.end()) continue;
-    const double between_s = *after - *(after - 1);
-    if (parameter.state == ParameterState::free && std::isnan(parameter.sigma)) continue;
-    if (parameter.state == ParameterState::undetermined) parameter.sigma = 0.0;
-    parameter.state = ParameterState::free;
-    parameter.sigma = std::max(std::isnan(parameter.sigma) ? 0.0 : parameter.sigma, between_s / std::sqrt(3.0));
-  }
-}
-
-// From the weighted Jacobian J at the minimum: covariance = variance (J'J)^-1, sigma from its diagonal; NaN if the
-// variance is NaN. A parameter that takes part in a direction without information is undetermined. The sigma of an
-// onset is at least that of a uniform distribution over one row.
-void add_uncertainty(Fit& result, const Eigen::MatrixXd& jacobian, const Bounds& bounds, double variance) {
-  add(result, jacobian, bounds, variance, nullptr);
-  widen_onsets(result);
-}
-
-// The same for least squares with `weights` (one per row), for noise with the covariance C:
-//   (J'J)^-1 J' W C W J (J'J)^-1
-void add_uncertainty_under_noise(Fit& result, const Eigen::MatrixXd& jacobian, const Bounds& bounds,
-                                 const Eigen::VectorXd& weights) {
-  add(result, jacobian, bounds, 1.0, &weights);
-  widen_onsets(result);
-}
-
-// Remarks on parameters that are undetermined or on a bound, and on too many parameters for the number of values.
-void add_remarks(Fit& result, std::size_t free) {
-  for (const FittedParameter& parameter : result.parameters) {
-    const std::string name = fmt::format("{} of {}", parameter.name, parameter.effect);
-    if (parameter.state == ParameterState::undetermined) {
-      result.remarks.push_back(fmt::format("The data do not determine {}.", name));
-    } else if (parameter.state == ParameterState::on_lower_bound || parameter.state == ParameterState::on_upper_bound) {
-      result.remarks.push_back(fmt::format("{} came to rest on its {} bound {:g} {}: its sigma is not known.", name,
-                                           parameter.state == ParameterState::on_lower_bound ? "lower" : "upper",
-                                           parameter.value, parameter.unit));
-    }
-  }
-  const std::size_t kept = result.residual_um.size() - result.discounted.size();
-  if (result.sigma_um.empty() && kept < free + kFewestLeft) {
-    result.remarks.push_back(
-        fmt::format("{} values for {} free parameters leave too little to tell sigma: it is not known.", kept, free));
-  }
-  if (static_cast<double>(free) > result.n_effective) {
-    result.remarks.push_back(
-        fmt::format("{} free parameters for {:.1f} independent samples (of {}): too many for these data.", free,
-                    result.n_effective, kept));
-  }
-  if (3 * free > kept && static_cast<double>(free) <= result.n_effective) {
-    result.remarks.push_back(
-        fmt::format("{} free parameters for {} values: fewer than three values for each, so that much "
-                    "is fitted that is not there.",
-                    free, kept));
-  }
-  if (!result.converged) result.remarks.emplace_back("The fit did not converge; its parameters are the best it found.");
 }
 
 }  // namespace
