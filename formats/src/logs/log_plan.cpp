@@ -18,13 +18,6 @@
 namespace ballbar {
 namespace {
 
-// Of ASCII, so that a name is found in capitals or not.
-std::string small(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return lower;
-}
-
 bool is_pattern(std::string_view text) { return text.find_first_of("*?") != std::string_view::npos; }
 
 // Whether the text has the form of the pattern: * any signs, ? one.

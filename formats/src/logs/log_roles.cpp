@@ -17,16 +17,14 @@ constexpr double kTravel_um = 5000.0;  // what moves further is an axis, no prob
 constexpr double kFarFromZero_um = 20000.0;
 
 // Folded. Of five letters and more anywhere in a name, since German joins words; shorter ones as words alone.
-constexpr std::string_view kSpeed[] = {
-    "speed",     "drehzahl",  "rpm",   "spindeldrehzahl", "vitesse", "rotation", "regime", "velocita", "giri",
-    "velocidad", "umdrehung", "转速",  "主轴转速",        "回転数",  "回転速度", "速度",   "n ist",    "n soll",
-    "s actual",  "nist",      "nsoll", "spindle s",       "revs"};
+constexpr std::string_view kSpeed[] = {"speed",  "drehzahl",  "rpm",       "vitesse", "rotation",  "regime", "velocita",
+                                       "giri",   "velocidad", "umdrehung", "转速",    "回転数",    "速度",   "n ist",
+                                       "n soll", "s actual",  "nist",      "nsoll",   "spindle s", "revs"};
 constexpr std::string_view kLoad[] = {
-    "load",      "last",     "auslastung", "spindellast", "belastung",    "charge",      "carico",  "carga",
-    "power",     "leistung", "puissance",  "potenza",     "potencia",     "torque",      "moment",  "drehmoment",
-    "couple",    "coppia",   "par",        "current",     "strom",        "motorstrom",  "courant", "corrente",
-    "corriente", "负载",     "负荷",       "負荷",        "功率",         "电流",        "電流",    "扭矩",
-    "トルク",    "電力",     "ロード",     "utilization", "wirkleistung", "spindellast", "lmdat"};
+    "load",     "last",      "auslastung", "spindellast", "belastung", "charge", "carico",      "carga",  "power",
+    "leistung", "puissance", "potenza",    "potencia",    "torque",    "moment", "couple",      "coppia", "par",
+    "current",  "strom",     "courant",    "corrente",    "corriente", "负载",   "负荷",        "負荷",   "功率",
+    "电流",     "電流",      "扭矩",       "トルク",      "電力",      "ロード", "utilization", "lmdat"};
 constexpr std::string_view kAmbient[] = {"ambient",     "amb",
                                          "raumluft",    "umg",
                                          "room",        "umgebung",
@@ -89,22 +87,17 @@ constexpr std::string_view kBearing[] = {"bearing",    "lager",       "palier", 
 constexpr std::string_view kHousing[] = {"housing",       "gehause",  "spindelgehause", "carter", "carcasa",
                                          "alloggiamento", "carcassa", "壳体",           "主轴箱", "ハウジング",
                                          "spindelkasten", "gehaeuse", "boitier",        "机壳",   "主軸台"};
-constexpr std::string_view kMeasured[] = {"probe",       "taster",       "messtaster", "sensor x",   "displacement",
-                                          "verlagerung", "verschiebung", "weg",        "drift",      "deplacement",
-                                          "palpeur",     "spostamento",  "sonda",      "tastatore",  "desplazamiento",
-                                          "error",       "abweichung",   "位移",       "変位",       "palpador",
-                                          "capteur",     "测头",         "プローブ",   "误差",       "gap",
-                                          "abstand",     "tir",          "gauge",      "delta l",    "deviation",
-                                          "ecart",       "wegsensor",    "elongation", "längung",    "laengung",
-                                          "err",         "fehler",       "disp",       "displ",      "dilatation",
-                                          "dehnung",     "growth",       "dl",         "verformung", "lvdt",
-                                          "length",      "deformation",  "伸长",       "热误差",     "变形",
-                                          "熱変位",      "伸び",         "偏差",       "erreur",     "errore",
-                                          "desviacion"};
-constexpr std::string_view kTemperature[] = {
-    "temp",          "temperature", "temperatur", "temperatura", "temperatures", "tmp",    "thermo", "thermocouple",
-    "thermoelement", "termocoppia", "termopar",   "pt",          "pt100",        "pt1000", "tc",     "rtd",
-    "ntc",           "thermistor",  "温度",       "温",          "热电偶",       "測温",   "测温"};
+constexpr std::string_view kMeasured[] = {
+    "probe",    "taster",      "sensor x",  "verlagerung", "verschiebung",   "weg",        "drift",      "deplacement",
+    "palpeur",  "spostamento", "sonda",     "tastatore",   "desplazamiento", "error",      "abweichung", "位移",
+    "変位",     "palpador",    "capteur",   "测头",        "プローブ",       "误差",       "gap",        "abstand",
+    "tir",      "gauge",       "delta l",   "deviation",   "ecart",          "wegsensor",  "elongation", "längung",
+    "laengung", "err",         "fehler",    "disp",        "displ",          "dilatation", "dehnung",    "growth",
+    "dl",       "verformung",  "lvdt",      "length",      "deformation",    "伸长",       "变形",       "伸び",
+    "偏差",     "erreur",      "desviacion"};
+constexpr std::string_view kTemperature[] = {"temp",     "temperatur", "tmp",   "thermo", "termocoppia",
+                                             "termopar", "pt",         "pt100", "tc",     "rtd",
+                                             "ntc",      "thermistor", "温",    "热电偶"};
 // Parts that the roles above do not name.
 constexpr std::string_view kSpindle[] = {"spindle", "spindel", "mandrino", "husillo",
                                          "broche",  "主轴",    "主軸",     "スピンドル"};
@@ -133,14 +126,14 @@ constexpr std::string_view kSetPoint[] = {"soll",    "sollwert", "set",      "se
                                           "command", "consigne", "consigna", "setp",     "sp",     "设定",    "設定"};
 // Of what is no temperature, whatever part it is of.
 constexpr std::string_view kOtherQuantity[] = {
-    "id",        "no",       "nr",       "number",   "index",    "quality",  "flow",      "durchfluss", "debit",
-    "portata",   "caudal",   "流量",     "pressure", "druck",    "pression", "pressione", "presion",    "压力",
-    "圧力",      "voltage",  "spannung", "tension",  "电压",     "電圧",     "volt",      "pos",        "position",
-    "posizione", "posicion", "位置",     "axis",     "achse",    "feed",     "vib",       "rms",        "freq",
-    "frequency", "state",    "status",   "alarm",    "code",     "count",    "counter",   "zahler",     "adc",
-    "raw",       "bit",      "day",      "month",    "hour",     "minute",   "tag",       "week",       "power",
-    "target",    "setpoint", "set",      "soll",     "sollwert", "pwm",      "fan",       "bat",        "tool",
-    "program",   "cycle",    "step",     "gain",     "angle",    "winkel"};
+    "id",       "no",       "nr",       "number",   "index", "quality",  "flow",    "durchfluss", "debit",
+    "portata",  "caudal",   "流量",     "pressure", "druck", "pression", "presion", "压力",       "圧力",
+    "voltage",  "spannung", "tension",  "电压",     "電圧",  "volt",     "pos",     "position",   "posizione",
+    "posicion", "位置",     "axis",     "achse",    "feed",  "vib",      "rms",     "freq",       "frequency",
+    "state",    "status",   "alarm",    "code",     "count", "zahler",   "adc",     "raw",        "bit",
+    "day",      "month",    "hour",     "minute",   "tag",   "week",     "power",   "target",     "setpoint",
+    "set",      "soll",     "sollwert", "pwm",      "fan",   "bat",      "tool",    "program",    "cycle",
+    "step",     "gain",     "angle",    "winkel"};
 
 template <std::size_t kSize>
 bool says(const std::string& key, const std::string_view (&words)[kSize]) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "ballbar/error.hpp"
@@ -19,142 +20,78 @@ namespace {
 constexpr double kInch_um = 25400.0;
 
 struct Known {
-  std::string_view text;  // folded, blanks and ends of "[...]" taken off
+  std::string_view texts[20];  // folded, blanks and ends of "[...]" taken off; the rest empty
   LogUnit unit;
 };
 
 constexpr Known kUnits[] = {
     // lengths
-    {"um", {"um"}},
-    {"mum", {"um"}},
-    {"micron", {"um"}},
-    {"microns", {"um"}},
-    {"micrometer", {"um"}},
-    {"micrometre", {"um"}},
-    {"micrometers", {"um"}},
-    {"mikrometer", {"um"}},
-    {"微米", {"um"}},
-    {"ミクロン", {"um"}},
-    {"nm", {"um", 1e-3}},
-    {"mm", {"um", 1e3}},
-    {"millimeter", {"um", 1e3}},
-    {"毫米", {"um", 1e3}},
-    {"in", {"um", kInch_um}},
-    {"inch", {"um", kInch_um}},
-    {"inches", {"um", kInch_um}},
-    {"zoll", {"um", kInch_um}},
-    {"uin", {"um", kInch_um * 1e-6}},
-    {"microinch", {"um", kInch_um * 1e-6}},
-    {"mil", {"um", kInch_um * 1e-3}},
-    {"thou", {"um", kInch_um * 1e-3}},
-    {"cm", {"um", 1e4}},
-    {"urad", {"urad"}},
-    {"um/m", {"urad"}},
-    {"mrad", {"urad", 1e3}},
+    {{"um", "mum", "micron", "microns", "micrometer", "micrometre", "micrometers", "mikrometer", "微米", "ミクロン"},
+     {"um"}},
+    {{"nm"}, {"um", 1e-3}},
+    {{"mm", "millimeter", "毫米"}, {"um", 1e3}},
+    {{"in", "inch", "inches", "zoll"}, {"um", kInch_um}},
+    {{"uin", "microinch"}, {"um", kInch_um * 1e-6}},
+    {{"mil", "thou"}, {"um", kInch_um * 1e-3}},
+    {{"cm"}, {"um", 1e4}},
+    {{"urad", "um/m"}, {"urad"}},
+    {{"mrad"}, {"urad", 1e3}},
     // temperatures
-    {"degc", {"degC"}},
-    {"deg c", {"degC"}},
-    {"grad c", {"degC"}},
-    {"c", {"degC"}},
-    {"celsius", {"degC"}},
-    {"degcelsius", {"degC"}},
-    {"deg celsius", {"degC"}},
-    {"grad celsius", {"degC"}},
-    {"摄氏度", {"degC"}},
-    {"度", {"degC"}},
-    {"degf", {"degC", 5.0 / 9.0, -32.0 * 5.0 / 9.0}},
-    {"deg f", {"degC", 5.0 / 9.0, -32.0 * 5.0 / 9.0}},
-    {"f", {"degC", 5.0 / 9.0, -32.0 * 5.0 / 9.0}},
-    {"fahrenheit", {"degC", 5.0 / 9.0, -32.0 * 5.0 / 9.0}},
-    {"k", {"K"}},
-    {"kelvin", {"K"}},
-    {"degk", {"K"}},
-    {"mk", {"K", 1e-3}},
+    {{"degc", "deg c", "grad c", "c", "celsius", "degcelsius", "deg celsius", "grad celsius", "摄氏度", "度"},
+     {"degC"}},
+    {{"degf", "deg f", "f", "fahrenheit"}, {"degC", 5.0 / 9.0, -32.0 * 5.0 / 9.0}},
+    {{"k", "kelvin", "degk"}, {"K"}},
+    {{"mk"}, {"K", 1e-3}},
     // speeds of a spindle
-    {"rpm", {"rpm"}},
-    {"r/min", {"rpm"}},
-    {"rev/min", {"rpm"}},
-    {"revs/min", {"rpm"}},
-    {"1/min", {"rpm"}},
-    {"/min", {"rpm"}},
-    {"min-1", {"rpm"}},
-    {"min^-1", {"rpm"}},
-    {"min**-1", {"rpm"}},
-    {"u/min", {"rpm"}},
-    {"upm", {"rpm"}},
-    {"umdr/min", {"rpm"}},
-    {"tr/min", {"rpm"}},
-    {"tours/min", {"rpm"}},
-    {"giri/min", {"rpm"}},
-    {"g/min", {"rpm"}},
-    {"rev/s", {"rpm", 60.0}},
-    {"1/s", {"rpm", 60.0}},
-    {"转/分", {"rpm"}},
-    {"转/分钟", {"rpm"}},
-    {"r/分", {"rpm"}},
-    {"回転/分", {"rpm"}},
-    {"krpm", {"rpm", 1e3}},
-    {"rad/s", {"rpm", 9.549296585513721}},  // 30 / pi
+    {{"rpm", "r/min",    "rev/min", "revs/min",  "1/min",    "/min",  "min-1", "min^-1",  "min**-1", "u/min",
+      "upm", "umdr/min", "tr/min",  "tours/min", "giri/min", "g/min", "转/分", "转/分钟", "r/分",    "回転/分"},
+     {"rpm"}},
+    {{"rev/s", "1/s"}, {"rpm", 60.0}},
+    {{"krpm"}, {"rpm", 1e3}},
+    {{"rad/s"}, {"rpm", 9.549296585513721}},  // 30 / pi
     // load
-    {"a", {"A"}},
-    {"amp", {"A"}},
-    {"amps", {"A"}},
-    {"ampere", {"A"}},
-    {"ma", {"A", 1e-3}},
-    {"w", {"W"}},
-    {"watt", {"W"}},
-    {"watts", {"W"}},
-    {"kw", {"W", 1e3}},
-    {"n.m", {"Nm"}},
-    {"n*m", {"Nm"}},
-    {"n m", {"Nm"}},
-    {"newtonmeter", {"Nm"}},
-    {"%", {"percent"}},
-    {"percent", {"percent"}},
-    {"pct", {"percent"}},
-    {"prozent", {"percent"}},
-    {"percentage", {"percent"}},
+    {{"a", "amp", "amps", "ampere"}, {"A"}},
+    {{"ma"}, {"A", 1e-3}},
+    {{"w", "watt", "watts"}, {"W"}},
+    {{"kw"}, {"W", 1e3}},
+    {{"n.m", "n*m", "n m", "newtonmeter"}, {"Nm"}},
+    {{"%", "percent", "pct", "prozent", "percentage"}, {"percent"}},
     // the rest
-    {"bar", {"bar"}},
-    {"mbar", {"bar", 1e-3}},
-    {"hpa", {"bar", 1e-3}},
-    {"kpa", {"bar", 1e-2}},
-    {"mpa", {"bar", 10.0}},
-    {"pa", {"bar", 1e-5}},
-    {"psi", {"bar", 0.0689475729317831}},
-    {"l/min", {"l_per_min"}},
-    {"l_per_min", {"l_per_min"}},
-    {"lpm", {"l_per_min"}},
-    {"ltr/min", {"l_per_min"}},
-    {"liter/min", {"l_per_min"}},
-    {"l/h", {"l_per_min", 1.0 / 60.0}},
-    {"mm/min", {"mm_per_min"}},
-    {"mm_per_min", {"mm_per_min"}},
-    {"m/min", {"mm_per_min", 1e3}},
-    {"mm/s", {"mm_per_min", 60.0}},
-    {"in/min", {"mm_per_min", 25.4}},
-    {"ipm", {"mm_per_min", 25.4}},
-    {"v", {"V"}},
-    {"volt", {"V"}},
-    {"volts", {"V"}},
-    {"vdc", {"V"}},
-    {"mv", {"V", 1e-3}},
+    {{"bar"}, {"bar"}},
+    {{"mbar", "hpa"}, {"bar", 1e-3}},
+    {{"kpa"}, {"bar", 1e-2}},
+    {{"mpa"}, {"bar", 10.0}},
+    {{"pa"}, {"bar", 1e-5}},
+    {{"psi"}, {"bar", 0.0689475729317831}},
+    {{"l/min", "l_per_min", "lpm", "ltr/min", "liter/min"}, {"l_per_min"}},
+    {{"l/h"}, {"l_per_min", 1.0 / 60.0}},
+    {{"mm/min", "mm_per_min"}, {"mm_per_min"}},
+    {{"m/min"}, {"mm_per_min", 1e3}},
+    {{"mm/s"}, {"mm_per_min", 60.0}},
+    {{"in/min", "ipm"}, {"mm_per_min", 25.4}},
+    {{"v", "volt", "volts", "vdc"}, {"V"}},
+    {{"mv"}, {"V", 1e-3}},
 };
 
-constexpr std::pair<std::string_view, double> kTimes[] = {
-    {"s", 1.0},          {"sec", 1.0},       {"secs", 1.0},     {"second", 1.0},
-    {"seconds", 1.0},    {"sek", 1.0},       {"sekunden", 1.0}, {"sekunde", 1.0},
-    {"secondes", 1.0},   {"segundos", 1.0},  {"secondi", 1.0},  {"秒", 1.0},
-    {"ms", 1e-3},        {"msec", 1e-3},     {"millis", 1e-3},  {"milliseconds", 1e-3},
-    {"毫秒", 1e-3},      {"ミリ秒", 1e-3},   {"us", 1e-6},      {"usec", 1e-6},
-    {"ns", 1e-9},        {"min", 60.0},      {"mins", 60.0},    {"minute", 60.0},
-    {"minutes", 60.0},   {"minuten", 60.0},  {"minuti", 60.0},  {"minutos", 60.0},
-    {"分", 60.0},        {"分钟", 60.0},     {"h", 3600.0},     {"hr", 3600.0},
-    {"hrs", 3600.0},     {"hour", 3600.0},   {"hours", 3600.0}, {"std", 3600.0},
-    {"stunden", 3600.0}, {"heures", 3600.0}, {"horas", 3600.0}, {"ore", 3600.0},
-    {"小时", 3600.0},    {"時間", 3600.0},   {"d", 86400.0},    {"day", 86400.0},
-    {"days", 86400.0},   {"tage", 86400.0},
+struct KnownTime {
+  std::string_view texts[12];
+  double seconds;
 };
+
+constexpr KnownTime kTimes[] = {
+    {{"s", "sec", "secs", "second", "seconds", "sek", "sekunden", "sekunde", "secondes", "segundos", "secondi", "秒"},
+     1.0},
+    {{"ms", "msec", "millis", "milliseconds", "毫秒", "ミリ秒"}, 1e-3},
+    {{"us", "usec"}, 1e-6},
+    {{"ns"}, 1e-9},
+    {{"min", "mins", "minute", "minutes", "minuten", "minuti", "minutos", "分", "分钟"}, 60.0},
+    {{"h", "hr", "hrs", "hour", "hours", "std", "stunden", "heures", "horas", "ore", "小时", "時間"}, 3600.0},
+    {{"d", "day", "days", "tage"}, 86400.0},
+};
+
+bool is_one_of(std::span<const std::string_view> texts, std::string_view key) {
+  return !key.empty() && std::find(texts.begin(), texts.end(), key) != texts.end();
+}
 
 // Line ends too: a cell in quotes may hold them.
 std::string_view bare(std::string_view text) { return trimmed(text, " \t\r\n"); }
@@ -200,9 +137,10 @@ std::optional<LogUnit> log_unit(std::string_view text) {
   if (text == "MPa") return LogUnit{"bar", 10.0};
   if (text == "mPa") return std::nullopt;
   const std::string key = folded_unit(text);
-  const auto* found = std::find_if(std::begin(kUnits), std::end(kUnits), [&](const Known& k) { return k.text == key; });
-  if (found == std::end(kUnits)) return std::nullopt;
-  return found->unit;
+  for (const auto& [texts, unit] : kUnits) {
+    if (is_one_of(texts, key)) return unit;
+  }
+  return std::nullopt;
 }
 
 LogUnit stated_unit(std::string_view text, std::string_view place) {
@@ -222,9 +160,10 @@ LogUnit stated_unit(std::string_view text, std::string_view place) {
 std::optional<double> time_unit_s(std::string_view text) {
   std::string key = folded_unit(without_brackets(text));
   if (key.ends_with('.')) key.pop_back();  // "min.", "sek."
-  const auto* found = std::find_if(std::begin(kTimes), std::end(kTimes), [&](const auto& k) { return k.first == key; });
-  if (found == std::end(kTimes)) return std::nullopt;
-  return found->second;
+  for (const auto& [texts, seconds] : kTimes) {
+    if (is_one_of(texts, key)) return seconds;
+  }
+  return std::nullopt;
 }
 
 bool is_time_name(std::string_view name) {
@@ -239,7 +178,7 @@ bool is_time_name(std::string_view name) {
       "clock",        "zeitachse",  "relative time", "time elapsed", "duration",   "dauer",         "采集时间",
       "日期 时间",    "日付 時刻",  "millis",        "micros"};
   const std::string key = folded(name);
-  return std::find(std::begin(kNames), std::end(kNames), key) != std::end(kNames);
+  return is_one_of(kNames, key);
 }
 
 NameAndUnit name_and_unit(std::string_view header) {

@@ -46,6 +46,12 @@ bool is_letter_or_digit(char c) {
 
 }  // namespace
 
+std::string small(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = small(c);
+  return lower;
+}
+
 std::string folded_unit(std::string_view text) {
   std::string out;
   while (!text.empty()) {
@@ -56,8 +62,7 @@ std::string folded_unit(std::string_view text) {
       text.remove_prefix(to->from.size());
       continue;
     }
-    const char c = text.front();
-    out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    out += small(text.front());
     text.remove_prefix(1);
   }
   return out;

@@ -8,6 +8,10 @@ namespace ballbar {
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }  // of ASCII, whatever the locale
 
+// Of ASCII too, so that a name is found in capitals or not.
+constexpr char small(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+std::string small(std::string_view text);
+
 // UTF-8 in, UTF-8 out. "Kühlmittel-Temp. [°C]" -> "kuhlmittel temp c". The degree sign, both micro signs, full-width
 // forms and unbreakable blanks become what a keyboard has (blank, u, ASCII, blank); letters of other scripts stay.
 std::string folded(std::string_view text);

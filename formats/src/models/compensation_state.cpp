@@ -1,10 +1,12 @@
 #include "ballbar/formats/models/compensation_state.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <vector>
 
-#include "models/live_state_json.hpp"
+#include "ballbar/formats/models/prediction_state.hpp"
 #include "text/json_source.hpp"
 
 namespace ballbar {
@@ -13,6 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kCompensationFormat = "ballbar-compensation 1";
+constexpr std::string_view kPredictionFormat = "ballbar-prediction 1";
+constexpr std::size_t kMostNumbers = 1'000'000;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Json or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -27,6 +31,33 @@ std::uint64_t unsigned_at(const JsonValue& value) {
 bool truth(const JsonValue& value) {
   if (!value.value->is_boolean()) fail(value, "true or false");
   return value.value->get<bool>();
+}
+
+std::vector<double> numbers_of(const JsonValue& value) {
+  const std::size_t count = size_of_array(value);
+  if (count > kMostNumbers) fail(value, "at most a million numbers");
+  std::vector<double> read;
+  read.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) read.push_back(number(element(value, i)));
+  return read;
+}
+
+// LiveModel::State as JSON.
+Json json_of(const LiveModel::State& live) {
+  return {{"rows", live.rows}, {"time_s", live.time_s}, {"inputs", live.inputs}, {"kept", live.kept}};
+}
+
+// Throws Error for anything but what json_of made; whether it suits a model is for LiveModel::resume.
+LiveModel::State live_state_at(const JsonValue& value) {
+  expect_keys(value, {"rows", "time_s", "inputs", "kept"});
+  LiveModel::State live;
+  live.rows = whole(member(value, "rows"), 0, live.time_s.size());
+  const std::vector<double> time_s = numbers_of(member(value, "time_s"));
+  if (time_s.size() != live.time_s.size()) fail(member(value, "time_s"), "3 numbers");
+  std::copy(time_s.begin(), time_s.end(), live.time_s.begin());
+  live.inputs = numbers_of(member(value, "inputs"));
+  live.kept = numbers_of(member(value, "kept"));
+  return live;
 }
 
 Json json_of(const StoredAxis& axis) {
@@ -119,6 +150,22 @@ StoredCompensation read_compensation(std::string_view bytes, std::string_view na
                            live_state_at(member(value, "live"))});
   }
   return stored;
+}
+
+std::string write_prediction_state(const StoredPrediction& stored) {
+  const Json json{{"format", kPredictionFormat},
+                  {"model", stored.model},
+                  {"since_end", stored.since_end},
+                  {"live", json_of(stored.live)}};
+  return json.dump(1, ' ', true, Json::error_handler_t::replace) + '\n';
+}
+
+StoredPrediction read_prediction_state(std::string_view bytes, std::string_view name) {
+  const JsonSource source = parse_json(bytes, name);
+  const JsonValue root = root_of(source);
+  expect_keys(root, {"format", "model", "since_end", "live"});
+  choice_index(member(root, "format"), {kPredictionFormat});
+  return {text(member(root, "model")), truth(member(root, "since_end")), live_state_at(member(root, "live"))};
 }
 
 }  // namespace ballbar

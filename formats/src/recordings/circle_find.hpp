@@ -1,4 +1,4 @@
-// Finds the columns of a table that form a circle.
+// Finds the columns of a table that form a circle, and the runs of one direction among its readings.
 #pragma once
 
 #include <cstddef>
@@ -30,5 +30,17 @@ struct PolarCircle {
 // `cut_off`: of a longer file, so that the circle need not be whole, but must be named.
 std::optional<CoordinateCircle> coordinate_circle(const ColumnTable& table, bool cut_off);
 std::optional<PolarCircle> polar_circle(const ColumnTable& table, bool cut_off);
+
+// The angles of `angle_rad`, each within half a turn of the one before.
+std::vector<double> unwrapped(std::vector<double> angle_rad);
+
+struct CircleRun {
+  std::size_t first = 0, last = 0;  // readings, both of the run
+  double travel_rad = 0.0;          // above 0: from the first axis towards the second
+};
+
+// A run ends where the angle comes back by more than 5 deg. Readings that stand still at its ends are left out, and
+// runs of less than 30 deg beside longer ones.
+std::vector<CircleRun> runs_of(const std::vector<double>& unwrapped_rad);
 
 }  // namespace ballbar

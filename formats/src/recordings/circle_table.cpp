@@ -12,7 +12,6 @@
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/units.hpp"
 #include "recordings/circle_find.hpp"
-#include "recordings/circle_runs.hpp"
 #include "recordings/circle_words.hpp"
 #include "recordings/column_table.hpp"
 #include "text/head.hpp"

@@ -32,7 +32,7 @@ constexpr std::string_view kDiameter[] = {"diameter", "durchmesser", "diametre",
 constexpr std::string_view kMeasured[] = {"best",   "actual",   "act",  "ist",       "fit",
                                           "fitted", "measured", "mean", "calculated"};
 constexpr std::string_view kFeed[] = {"feedrate", "feed", "vorschub", "avance", "avanzamento", "进给"};
-constexpr std::size_t kMostLines = 200;  // of a header that are looked at
+constexpr std::size_t kMostLines = 200, kLongestLine = 400;  // of a header that are looked at
 
 bool is_in(Words words, std::string_view word) { return std::find(words.begin(), words.end(), word) != words.end(); }
 
@@ -69,12 +69,6 @@ std::optional<NumberInText> number_after(std::string_view line, std::size_t at) 
   const std::optional<double> value = cell_number(digits, decimal);
   if (!value || !std::isfinite(*value)) return std::nullopt;
   return NumberInText{*value, line.substr(first + digits.size())};
-}
-
-std::string small(std::string_view text) {
-  std::string lower(text.substr(0, 400));
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return lower;
 }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -122,7 +116,7 @@ struct UnitWords {
 template <class Found>
 auto first_of(const std::vector<std::string>& lines, Found found) -> decltype(found(std::string())) {
   for (std::size_t i = 0; i < std::min(lines.size(), kMostLines); ++i) {
-    if (auto value = found(small(lines[i]))) return value;
+    if (auto value = found(small(lines[i].substr(0, kLongestLine)))) return value;
   }
   return std::nullopt;
 }

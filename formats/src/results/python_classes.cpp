@@ -151,10 +151,6 @@ bool is_attribute(const FieldSchema& field) {
          std::find(kWordsOfPython.begin(), kWordsOfPython.end(), field.name) == kWordsOfPython.end();
 }
 
-}  // namespace
-
-namespace {
-
 // Classes for the parts of results too, each once, before those that have them.
 void add_parts(const ValueSchema& value, const std::vector<ResultSchema>& schemas, std::vector<PythonClass>& classes) {
   for (const ValueSchema& of : value.of) add_parts(of, schemas, classes);

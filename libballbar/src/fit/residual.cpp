@@ -18,23 +18,24 @@ constexpr std::size_t kFewest = 3;
 constexpr std::size_t kParts = 5;  // of a signal's values
 
 // Rows of the fit that belong together.
-struct Group {
-  std::string what, from, to;
-  std::vector<std::size_t> rows;
-};
-
 class Groups {
  public:
   explicit Groups(const Fit& fit) : fit_(fit) {
     for (const double r : fit.residual_um) squares_ += r * r;
   }
 
-  void add(const Group& group) {
-    if (group.rows.size() < kFewest) return;
-    Misfit misfit{group.what, group.from, group.to, group.rows.size()};
+  // Those of the fit's rows, by their number from 0, of which `is_in` says so.
+  template <class IsIn>
+  void add(const std::string& what, const std::string& from, const std::string& to, IsIn is_in) {
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < fit_.row.size(); ++i) {
+      if (is_in(i)) rows.push_back(i);
+    }
+    if (rows.size() < kFewest) return;
+    Misfit misfit{what, from, to, rows.size()};
     std::vector<double> time_s, sigma_um;
     double squares = 0.0;
-    for (const std::size_t row : group.rows) {
+    for (const std::size_t row : rows) {
       const double r = fit_.residual_um[row];
       misfit.bias_um += r / static_cast<double>(misfit.n);
       squares += r * r;
@@ -63,11 +64,8 @@ void by_regime(const Fit& fit, const Series& data, Groups& groups) {
   if (regime.empty()) return;
   for (const Regime each :
        {Regime::standstill, Regime::after_change, Regime::warming, Regime::steady, Regime::cooling}) {
-    Group group{"regime", std::string(name_of(each)), std::string(name_of(each)), {}};
-    for (std::size_t i = 0; i < fit.row.size(); ++i) {
-      if (regime[fit.row[i]] == each) group.rows.push_back(i);
-    }
-    groups.add(group);
+    const std::string name(name_of(each));
+    groups.add("regime", name, name, [&](std::size_t i) { return regime[fit.row[i]] == each; });
   }
 }
 
@@ -83,12 +81,9 @@ std::string printed_time(double time_s, double whole_s) {
 void by_run(const Fit& fit, const Series& data, const std::vector<RowRange>& runs, Groups& groups) {
   for (std::size_t run = 0; run < runs.size(); ++run) {
     const std::string name = run < data.runs.size() ? data.runs[run].name : std::string();
-    Group group{"run", fmt::format("{}{}{}", run + 1, name.empty() ? "" : " ", name), {}, {}};
-    group.to = group.from;
-    for (std::size_t i = 0; i < fit.row.size(); ++i) {
-      if (fit.row[i] >= runs[run].begin && fit.row[i] < runs[run].end) group.rows.push_back(i);
-    }
-    groups.add(group);
+    const std::string number = fmt::format("{}{}{}", run + 1, name.empty() ? "" : " ", name);
+    groups.add("run", number, number,
+               [&](std::size_t i) { return fit.row[i] >= runs[run].begin && fit.row[i] < runs[run].end; });
   }
 }
 
@@ -99,12 +94,10 @@ void by_time(const Fit& fit, const Series& data, Groups& groups) {
   const double begin_s = fit.time_s.front(), whole_s = fit.time_s.back() - begin_s;
   const auto at = [&](std::size_t tenth) { return begin_s + whole_s * static_cast<double>(tenth) / kTenths; };
   for (std::size_t tenth = 0; tenth < kTenths; ++tenth) {
-    Group group{"time", printed_time(at(tenth), whole_s), printed_time(at(tenth + 1), whole_s), {}};
-    for (std::size_t i = 0; i < fit.time_s.size(); ++i) {
+    groups.add("time", printed_time(at(tenth), whole_s), printed_time(at(tenth + 1), whole_s), [&](std::size_t i) {
       const bool last = tenth + 1 == kTenths;
-      if (fit.time_s[i] >= at(tenth) && (last || fit.time_s[i] < at(tenth + 1))) group.rows.push_back(i);
-    }
-    groups.add(group);
+      return fit.time_s[i] >= at(tenth) && (last || fit.time_s[i] < at(tenth + 1));
+    });
   }
 }
 
@@ -127,13 +120,11 @@ void by_signal(const Fit& fit, const Column& column, Groups& groups) {
   }
   for (std::size_t k = 0; k + (by_value ? 0 : 1) < bounds.size(); ++k) {
     const double low = bounds[k], high = by_value ? low : bounds[k + 1];
-    Group group{column.name, printed(low), printed(high), {}};
     const bool end = by_value || k + 2 == bounds.size();
-    for (std::size_t i = 0; i < fit.row.size(); ++i) {
+    groups.add(column.name, printed(low), printed(high), [&](std::size_t i) {
       const double value = column.values[fit.row[i]];
-      if (value >= low && (value < high || (end && value == high))) group.rows.push_back(i);
-    }
-    groups.add(group);
+      return value >= low && (value < high || (end && value == high));
+    });
   }
 }
 
@@ -144,15 +135,13 @@ void by_angle(const Fit& fit, const Series& data, const Column& angle, Groups& g
     for (const double way : ways) {
       const std::string name = way == 0.0 ? std::string(what) : fmt::format("{}, {}", what, way > 0.0 ? "CCW" : "CW");
       for (int low = 0; low < 360; low += width_deg) {
-        Group group{name, fmt::format("{} deg", low), fmt::format("{} deg", low + width_deg), {}};
-        for (std::size_t i = 0; i < fit.row.size(); ++i) {
+        groups.add(name, fmt::format("{} deg", low), fmt::format("{} deg", low + width_deg), [&](std::size_t i) {
           const std::size_t row = fit.row[i];
-          if (way != 0.0 && direction->values[row] != way) continue;
+          if (way != 0.0 && direction->values[row] != way) return false;
           const double deg = deg_from_rad(angle.values[row]);
           const double turned = deg - 360.0 * std::floor(deg / 360.0);
-          if (turned >= low && turned < low + width_deg) group.rows.push_back(i);
-        }
-        groups.add(group);
+          return turned >= low && turned < low + width_deg;
+        });
       }
     }
   }
