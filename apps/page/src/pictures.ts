@@ -31,6 +31,13 @@ const choose = (picture: Picture, state: State, assignment: string): State | Ans
   return { ...state, chosen, hidden: new Set(off.map((toggle) => toggle.key)) };
 };
 
+// As it is at first, with these choices.
+const state_with = (picture: Picture, width_px: number, choices: readonly string[]): State | Answer =>
+  choices.reduce<State | Answer>(
+    (state, assignment) => ("look" in state ? choose(picture, state, assignment) : state),
+    initial_state(picture, false, width_px),
+  );
+
 const pictures_of = (report: Report): Picture[] => sections_of(report).flatMap(({ pictures = [] }) => pictures);
 
 // The pictures of these names, all where there is none; `choices` are for each of them. Where one is not there, what is.
@@ -42,11 +49,8 @@ const draw = (report: Report, names: readonly string[], choices: readonly string
   }
   const drawn: Drawn[] = [];
   for (const picture of all.filter(({ name }) => names.length === 0 || names.includes(name))) {
-    let state: State | Answer = initial_state(picture, false, width_px);
-    for (const assignment of choices) {
-      state = choose(picture, state, assignment);
-      if (!("look" in state)) return state;
-    }
+    const state = state_with(picture, width_px, choices);
+    if (!("look" in state)) return state;
     const svg = svg_file(picture, state, width_px, picture.height_px + kCaption_px);
     drawn.push({ name: picture.name, title: picture.title, svg });
   }
@@ -63,11 +67,8 @@ const draw_sheet = (report: Report, width_px: number): Answer => {
 const draw_handover = (report: Report, choices: readonly string[]): Answer => {
   const picture = pictures_of(report).find(({ name }) => name === kErrors_picture);
   if (!picture) return { drawn: [] };
-  let state: State | Answer = initial_state(picture, false, kSheet_px.width);
-  for (const assignment of choices) {
-    state = choose(picture, state, assignment);
-    if (!("look" in state)) return state;
-  }
+  const state = state_with(picture, kSheet_px.width, choices);
+  if (!("look" in state)) return state;
   const svg = handover_sheet(report, state.chosen["error"]);
   return { drawn: svg === null ? [] : [{ name: "handover", title: report.title, svg }] };
 };

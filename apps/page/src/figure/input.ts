@@ -14,6 +14,9 @@ interface Drag {
   spread_px: number; // two fingers, then
 }
 
+const wheel_factor = ({ deltaMode, deltaY }: WheelEvent): number =>
+  Math.exp(-Math.max(-200, Math.min(200, deltaY * (deltaMode === 1 ? 16 : 1))) * 0.003);
+
 export const listen_to_pointer = (view: View): void => {
   const { box } = view;
   const down = new Map<number, number>(); // pointers that are down, from the left of the box
@@ -84,9 +87,7 @@ export const listen_to_pointer = (view: View): void => {
       // All is seen already: a focused chart gives the wheel back to the page.
       if (!view.window() && event.deltaY > 0 && !event.ctrlKey && !event.metaKey) return;
       event.preventDefault();
-      const lines = event.deltaMode === 1 ? 16 : 1;
-      const factor = Math.exp(-Math.max(-200, Math.min(200, event.deltaY * lines)) * 0.003);
-      view.see(zoomed(view.window(), whole, view.x_at(x_px(event)), factor));
+      view.see(zoomed(view.window(), whole, view.x_at(x_px(event)), wheel_factor(event)));
     },
     { passive: false },
   );
@@ -100,8 +101,7 @@ export const magnify_by = (box: HTMLElement, magnify: (factor: number | null) =>
     (event) => {
       if (!event.ctrlKey && !event.metaKey && document.activeElement !== box) return;
       event.preventDefault();
-      const lines = event.deltaMode === 1 ? 16 : 1;
-      magnify(Math.exp(-Math.max(-200, Math.min(200, event.deltaY * lines)) * 0.003));
+      magnify(wheel_factor(event));
     },
     { passive: false },
   );

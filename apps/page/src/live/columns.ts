@@ -206,7 +206,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
   };
 
   const table = ({ columns, first_times_s: times = [], clock }: Understood): HTMLElement => {
-    const asked = [t.live_columns_target, t.live_columns_role, t.live_columns_unit, t.live_columns_scale, t.live_columns_left_out];
+    const asked = [t.live_columns_target, t.live_columns_role, t.unit, t.live_columns_scale, t.live_columns_left_out];
     const when = (time_s: Num, k: number): string => (clock === false ? t.live_columns_row({ row: k + 1 }) : `${shown(time_s)} s`);
     return table_of({
       title: t.live_columns_table,

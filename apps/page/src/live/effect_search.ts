@@ -27,7 +27,7 @@ const words_of_effect = ({ name, summary, inputs }: CatalogueEntry): string =>
     name.replaceAll("_", " "),
     summary,
     ...inputs.flatMap(({ role, meaning }) => [role, meaning]),
-    ...in_all_languages((t) => `${named(t.effects, name)} ${named(t.hands_words, name)}`),
+    ...in_all_languages((t) => `${named(t.effects, name)} ${named(t.hands_words, name.replace(/_[ab]$/, ""))}`),
   ]
     .join(" ")
     .toLowerCase();

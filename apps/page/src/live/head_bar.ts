@@ -35,11 +35,14 @@ export interface HeadBar {
   show(head: Head | null): void;
 }
 
-const choice = (label: string, values: readonly (readonly [string, string])[], now: string, choose: (value: string) => void): HTMLElement => {
-  const made = select_of(label, values.map(([value, shown]) => [value, plain(shown, 60)]), choose);
+// `none`: what "" is called.
+const choice = (label: string, none: string, values: readonly (readonly [string, string])[], now: string, choose: (value: string) => void): HTMLElement => {
+  const made = select_of(label, [["", none] as const, ...values].map(([value, shown]) => [value, plain(shown, 60)]), choose);
   made.select.value = now;
   return made.label;
 };
+
+const by_first = ({ data, title }: Group): readonly [string, string] => [data[0] ?? "", title];
 
 export const head_bar = ({ take, close, saves, columns, work, message }: HeadOf): HeadBar => {
   const shelf = element("div");
@@ -74,33 +77,32 @@ export const head_bar = ({ take, close, saves, columns, work, message }: HeadOf)
       const own = subject.model !== "" && !models.some(({ path }) => path === subject.model) ? [subject.model] : [];
       const paths = [...models.map(({ path }) => path), ...own];
       if (paths.length > 0) {
-        const values = [["", t.live_no_model] as const, ...paths.map((path) => [path, last_part(path)] as const)];
-        choices.append(choice(t.live_model_of, values, subject.model, (model) => choose({ model })));
+        const values = paths.map((path) => [path, last_part(path)] as const);
+        choices.append(choice(t.live_model_of, t.live_no_model, values, subject.model, (model) => choose({ model })));
       }
       const alone_before = { compared: [], history: false, model: "" };
       const one = tests.length > 1 ? tests.find((test) => files_of(test).join("\n") === subject.data.join("\n")) : undefined;
       if (folder !== "" || (tests.length > 1 && is_history(tests))) {
         const as_session = subject.data[0] === folder;
         const values = [
-          ["", t.live_as_tests] as const,
           ...(folder === "" ? [] : [[folder, t.live_as_session] as const]),
           ...(is_history(tests) ? [[kHistory, t.change_history] as const] : []),
         ];
         choices.append(
-          choice(t.live_view, values, subject.history ? kHistory : as_session ? folder : "", (value) =>
+          choice(t.live_view, t.live_as_tests, values, subject.history ? kHistory : as_session ? folder : "", (value) =>
             choose({ ...alone_before, data: value === "" || value === kHistory ? subject.group.data : [value], history: value === kHistory }),
           ),
         );
       }
       if (tests.length > 1) {
-        const values = [["", t.change_all_tests] as const, ...by_date(tests).map((test) => [files_of(test).join("\n"), test_label(test, tests)] as const)];
+        const values = by_date(tests).map((test) => [files_of(test).join("\n"), test_label(test, tests)] as const);
         const now = one ? files_of(one).join("\n") : "";
-        choices.append(choice(t.change_test_label, values, now, (value) => choose({ ...alone_before, data: value === "" ? subject.group.data : value.split("\n") })));
+        choices.append(choice(t.errors_test, t.change_all_tests, values, now, (value) => choose({ ...alone_before, data: value === "" ? subject.group.data : value.split("\n") })));
       }
       if (other_tests.length > 0) {
-        const values = [["", t.live_nothing] as const, ...other_tests.map(({ words, label }) => [words.join("\n"), label] as const)];
+        const values = other_tests.map(({ words, label }) => [words.join("\n"), label] as const);
         choices.append(
-          choice(t.live_compare_with, values, subject.compared.join("\n"), (value) => {
+          choice(t.live_compare_with, t.live_nothing, values, subject.compared.join("\n"), (value) => {
             const other = other_tests.find(({ words }) => words.join("\n") === value);
             const words = other?.words ?? [];
             choose({ model: "", ...(other?.older ? { data: words, compared: subject.data } : { compared: words }) });
@@ -110,12 +112,10 @@ export const head_bar = ({ take, close, saves, columns, work, message }: HeadOf)
       const [alone, ...others] = subject.data;
       const runs = compared.filter((group) => group.kind === "series" && subject.group.kind === "series");
       if (runs.length > 0 && alone !== undefined) {
-        const values = [["", t.live_nothing] as const, ...runs.map(({ data, title }) => [data[0] ?? "", title] as const)];
-        choices.append(choice(t.live_together_with, values, others[0] ?? "", (value) => choose({ data: value === "" ? [alone] : [alone, value], compared: [] })));
+        choices.append(choice(t.live_together_with, t.live_nothing, runs.map(by_first), others[0] ?? "", (value) => choose({ data: value === "" ? [alone] : [alone, value], compared: [] })));
       }
       if (compared.length > 0 && others.length === 0 && (subject.group.kind === "session" || subject.group.kind === "series")) {
-        const values = [["", t.live_nothing] as const, ...compared.map(({ data, title }) => [data[0] ?? "", title] as const)];
-        choices.append(choice(t.live_compare_with, values, subject.compared[0] ?? "", (value) => choose({ compared: value === "" ? [] : [value] })));
+        choices.append(choice(t.live_compare_with, t.live_nothing, compared.map(by_first), subject.compared[0] ?? "", (value) => choose({ compared: value === "" ? [] : [value] })));
       }
     },
   };

@@ -143,18 +143,13 @@ export const model_list = ({ catalogue, begin, changed, ...of }: ModelListOf): M
     settings() {
       const checked = fitted;
       if (!checked) return [];
-      const unscaled = [...sliders.values()].some(
-        ({ one, slider }) => slider.value() !== one.value && !is_scaled(checked, one, this.gains()),
-      );
-      if (!unscaled) return [];
+      const all = [...sliders.values()];
+      const gains = this.gains();
+      if (!all.some(({ one, slider }) => slider.value() !== one.value && !is_scaled(checked, one, gains))) return [];
       // One stays free, for a fit has to have something to fit; its curve is then scaled as well.
-      const free = [...sliders.values()].find(({ one }) => one.state !== "held" && is_scaled(checked, one, this.gains()));
-      const held = [...sliders.values()].filter((each) => each !== free);
-      return held.map(({ one, slider }) => ({
-        effect: one.effect ?? "",
-        parameter: one.name,
-        value: slider.value(),
-      }));
+      const free = all.find(({ one }) => one.state !== "held" && is_scaled(checked, one, gains));
+      const held = all.filter((each) => each !== free);
+      return held.map(({ one, slider }) => ({ effect: one.effect ?? "", parameter: one.name, value: slider.value() }));
     },
     moved,
     moved_values: () =>

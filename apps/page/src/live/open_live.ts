@@ -93,13 +93,16 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
   const kept_may_go = async (): Promise<boolean> =>
     !kept?.state.unsaved || (await asked(t.live_ask_kept({ title: plain(kept.state.title, 80) }), [["delete", t.live_ask_delete], ["stay", t.live_ask_stay]])) === "delete";
 
+  const forget_kept = (): void => {
+    kept = null;
+    start.querySelector(".kept")?.remove();
+  };
   // What was kept is of other files: either it is gone on with, or it goes. false: it is to stay.
   const anew = async (): Promise<boolean> => {
     leave_tour();
     if (intake.held().length > 0) return true;
     if (!(await kept_may_go())) return false;
-    kept = null;
-    start.querySelector(".kept")?.remove();
+    forget_kept();
     await store?.clear().catch(() => undefined);
     return true;
   };
@@ -132,15 +135,13 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
       "div",
       { class: "kept buttons" },
       button(t.live_continue_with({ files: of.files.length, ago: ago_spoken(Date.now() - of.state.when) }), "", () => {
-        kept = null;
-        start.querySelector(".kept")?.remove();
+        forget_kept();
         void opened.again(of);
       }),
       button(t.live_delete_kept, t.live_delete_title, () =>
         void attempt(async () => {
           if (!(await kept_may_go())) return;
-          kept = null;
-          start.querySelector(".kept")?.remove();
+          forget_kept();
           await store?.clear();
           tell(t.live_deleted);
         }),
