@@ -5,9 +5,12 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/units.hpp"
+#include "effects/evaluate.hpp"
 #include "effects/grids.hpp"
 
 namespace ballbar {
@@ -27,6 +30,14 @@ struct Cycle {
 // As many as the length of the rows can resolve.
 inline std::vector<double> cycle_periods(const EffectRows& rows, double lower, double upper, std::size_t most) {
   return wave_lengths(lower, upper, range_in(rows.time_s), most);
+}
+
+inline std::vector<Parameter> cycle_parameters(double period_s, double lower_s, double upper_s,
+                                               std::vector<double> grid_s, const char* meaning, bool held) {
+  return {gain_within("cosine_um", "um", 1000.0, "cosine amplitude, largest at the first row"),
+          gain_within("sine_um", "um", 1000.0, "sine amplitude, 0 at the first row and rising"),
+          {"period_s", "s", ParameterKind::shape, period_s, lower_s, upper_s, std::move(grid_s), meaning, held,
+           ShapeOf::period, cycle_periods}};
 }
 
 }  // namespace ballbar

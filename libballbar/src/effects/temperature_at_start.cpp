@@ -16,16 +16,16 @@ struct TemperatureAtStart {
 }  // namespace
 
 const std::shared_ptr<const Effect>& temperature_at_start() {
-  static const auto effect = std::make_shared<const Effect>(Effect{
-      "start",
-      Level::series,
-      {.summary = "Temperature of the machine at the start of a run.", .formula = "gain T0"},
-      {{"temperature", {"degC", "K"}, "temperature in the first row"}},
-      {{"gain_um_per_K", "um/K", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "error for each kelvin at the start"}},
-      by_row<1>(TemperatureAtStart{}),
-      false,
-      {},
-      {.predictor = {{PredictorKind::start, {}}}}});
+  static const auto effect = std::make_shared<const Effect>(
+      Effect{"start",
+             Level::series,
+             {.summary = "Temperature of the machine at the start of a run.", .formula = "gain T0"},
+             {{"temperature", {"degC", "K"}, "temperature in the first row"}},
+             {gain_within("gain_um_per_K", "um/K", 1000.0, "error for each kelvin at the start")},
+             by_row<1>(TemperatureAtStart{}),
+             false,
+             {},
+             {.predictor = {{PredictorKind::start, {}}}}});
   return effect;
 }
 
