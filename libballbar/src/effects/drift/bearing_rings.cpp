@@ -1,5 +1,5 @@
+#include "effects/drift_rows.hpp"
 #include "effects/evaluate.hpp"
-#include "effects/inside.hpp"
 
 namespace ballbar::catalogue {
 namespace {

@@ -1,6 +1,6 @@
+#include "effects/drift_rows.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/low_pass.hpp"
-#include "effects/speed.hpp"
 
 namespace ballbar::catalogue {
 namespace {

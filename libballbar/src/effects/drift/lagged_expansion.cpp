@@ -1,5 +1,5 @@
+#include "effects/drift_rows.hpp"
 #include "effects/evaluate.hpp"
-#include "effects/expansion_causes.hpp"
 #include "effects/low_pass.hpp"
 
 namespace ballbar::catalogue {

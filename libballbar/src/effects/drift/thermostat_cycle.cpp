@@ -1,4 +1,5 @@
-#include "effects/cycle.hpp"
+#include "effects/drift_rows.hpp"
+#include "effects/evaluate.hpp"
 
 namespace ballbar::catalogue {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "effects/drift_rows.hpp"
 #include "effects/evaluate.hpp"
-#include "effects/inside.hpp"
 #include "effects/low_pass.hpp"
 
 namespace ballbar::catalogue {

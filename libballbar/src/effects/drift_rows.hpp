@@ -1,4 +1,4 @@
-// A sine of unknown phase, for cycles without a logged input.
+// Common parts of the effects on a drift series.
 #pragma once
 
 #include <ceres/jet.h>
@@ -15,6 +15,27 @@
 
 namespace ballbar {
 
+// Whether a column can be the temperature of a part inside the spindle.
+inline bool is_inside(const Column& column) { return column.role != Role::ambient && column.role != Role::coolant; }
+
+// The causes of a finite-volume spindle that thermal expansion of a body explains.
+inline std::vector<ExplainedCause> expansion_causes() {
+  return {{SpindleCause::rings, true},
+          {SpindleCause::housing, true},
+          {SpindleCause::structure, true},
+          {SpindleCause::bending, true}};
+}
+
+// n^a with n in krpm; 0 at rest, whatever the exponent. The sign of the speed (its direction) does not matter.
+template <class T>
+T power_of_speed(double speed_rpm, const T& exponent) {
+  using std::exp;
+  const double krpm = std::abs(speed_rpm) / 1000.0;
+  if (krpm < 1e-9) return T(0.0);
+  return exp(exponent * std::log(krpm));
+}
+
+// A sine of unknown phase, for cycles without a logged input:
 // a cos 2 pi t / P + b sin 2 pi t / P, t since the first row; parameters a, b, P.
 struct Cycle {
   template <class T>
