@@ -90,13 +90,18 @@ Part extra_part(const std::vector<const Effect*>& effects, const ErrorRows& rows
   return part_of(own, rows);
 }
 
+Indices columns_of(const FittedEffect& effect, Eigen::Index first) {
+  Indices columns;
+  columns.reserve(effect.columns.size());
+  for (const std::size_t k : effect.columns) columns.push_back(first + static_cast<Eigen::Index>(k));
+  return columns;
+}
+
 // Which of the extra errors are clear beside all others: then they are in the fit.
 void choose(std::vector<FittedEffect>& effects, const Eigen::VectorXd& gains, const Eigen::MatrixXd& covariance,
             Eigen::Index first) {
   for (FittedEffect& effect : effects) {
-    Indices own;
-    own.reserve(effect.columns.size());
-    for (const std::size_t k : effect.columns) own.push_back(first + static_cast<Eigen::Index>(k));
+    const Indices own = columns_of(effect, first);
     effect.in_the_fit = effect.searched * effect.looked_at * p_of(gains(own), covariance(own, own)) < kFalseErrors;
   }
 }
@@ -137,13 +142,6 @@ Eigen::VectorXd left_by(const Stages& stages, const ErrorRows& rows) {
   return without_cyclic - columns * stages.first.solve(without_cyclic);
 }
 
-Indices columns_of(const FittedEffect& effect) {
-  Indices columns;
-  columns.reserve(effect.columns.size());
-  for (const std::size_t k : effect.columns) columns.push_back(static_cast<Eigen::Index>(k));
-  return columns;
-}
-
 // All gains with their covariance: those together with the extra ones that are clear, then the spikes. `damping`: on an
 // arc, where curves are drawn with it, since two errors that the arc hardly tells apart would be large ones against
 // each other; and an error must show with it too.
@@ -170,7 +168,7 @@ void fit_all(JointErrorFit& fitted, Stages& stages, const Eigen::VectorXd& far, 
   Indices chosen = range_of(0, p);
   for (const FittedEffect& effect : stages.extra.effects) {
     if (!effect.in_the_fit) continue;
-    for (const std::size_t k : effect.columns) chosen.push_back(p + static_cast<Eigen::Index>(k));
+    for (const Eigen::Index k : columns_of(effect, p)) chosen.push_back(k);
   }
   const GainMap map = maps.joined(whole, chosen, maps.of(chosen, nothing));
   fitted.gains = map.t * z_data;
@@ -197,7 +195,7 @@ void fit_all(JointErrorFit& fitted, Stages& stages, const Eigen::VectorXd& far, 
   fitted.curve_gains = gains;
   fitted.map = damped.t;
   for (FittedEffect& effect : fitted.effects) {
-    const Indices own = columns_of(effect);
+    const Indices own = columns_of(effect, 0);
     effect.p_damped = p_of(gains(own), spread(own, own));
   }
 }

@@ -44,7 +44,7 @@ struct JointErrorFit {
 
   // Fine rows of the curve of one effect; nullptr: the circles.
   Eigen::VectorXd fine_curve(const Effect* effect) const;
-  // Of each column.
+  // Whether each column is in the fit.
   std::vector<bool> in_the_fit() const;
   // Per row: deviation minus the fit.
   Eigen::VectorXd residual() const;
