@@ -55,21 +55,8 @@ double largest_gap_rad(const std::vector<double>& angle_rad) {
 }  // namespace
 
 std::array<int, 2> axes_of(Plane plane) {
-  switch (plane) {
-    case Plane::XY:
-      return {0, 1};
-    case Plane::YZ:
-      return {1, 2};
-    case Plane::ZX:
-      return {2, 0};
-    case Plane::YX:
-      return {1, 0};
-    case Plane::ZY:
-      return {2, 1};
-    case Plane::XZ:
-      break;
-  }
-  return {0, 2};
+  constexpr std::array<std::array<int, 2>, kPlanes.size()> kAxes{{{0, 1}, {1, 2}, {2, 0}, {1, 0}, {2, 1}, {0, 2}}};
+  return kAxes[static_cast<std::size_t>(plane)];
 }
 
 double arc_rad(const Recording& recording) {
@@ -97,33 +84,13 @@ bool same_angles(const Recording& first, const Recording& second) {
 std::string_view name_of(Kind kind) { return kind == Kind::circle ? "circle" : "axial"; }
 
 std::string_view name_of(Motion motion) {
-  switch (motion) {
-    case Motion::linear_axes:
-      return "linear_axes";
-    case Motion::rotary_axis:
-      return "rotary_axis";
-    case Motion::spindle:
-      break;
-  }
-  return "spindle";
+  constexpr std::array<std::string_view, 3> kNames{"linear_axes", "rotary_axis", "spindle"};
+  return kNames[static_cast<std::size_t>(motion)];
 }
 
 std::string_view name_of(Plane plane) {
-  switch (plane) {
-    case Plane::XY:
-      return "XY";
-    case Plane::YZ:
-      return "YZ";
-    case Plane::ZX:
-      return "ZX";
-    case Plane::YX:
-      return "YX";
-    case Plane::ZY:
-      return "ZY";
-    case Plane::XZ:
-      break;
-  }
-  return "XZ";
+  constexpr std::array<std::string_view, kPlanes.size()> kNames{"XY", "YZ", "ZX", "YX", "ZY", "XZ"};
+  return kNames[static_cast<std::size_t>(plane)];
 }
 
 std::string_view name_of(MovingBall moving_ball) { return moving_ball == MovingBall::spindle ? "spindle" : "table"; }

@@ -1,5 +1,7 @@
 #include "ballbar/drift/drift.hpp"
 
+#include <array>
+
 #include "ballbar/error.hpp"
 #include "drift/drift_methods.hpp"
 
@@ -29,15 +31,8 @@ DriftSeries drift_of(const Session& session, const DriftOptions& options) {
 }
 
 std::string_view name_of(Method method) {
-  switch (method) {
-    case Method::two_arcs:
-      return "two_arcs";
-    case Method::spindle_rotation:
-      return "spindle_rotation";
-    case Method::circles:
-      return "circles";
-  }
-  return "";
+  constexpr std::array<std::string_view, 3> kMethods{"two_arcs", "spindle_rotation", "circles"};
+  return kMethods[static_cast<std::size_t>(method)];
 }
 
 }  // namespace ballbar

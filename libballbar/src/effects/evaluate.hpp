@@ -1,10 +1,8 @@
 // Makes values and exact derivatives from the template of an effect, which is instantiated for double and for
-// ceres::Jet over all parameters of the effect. A functor has one of two forms:
+// ceres::Jet over all parameters of the effect. The functor returns the value at row i, from rows 0, i - 1 and i and a
+// memory of kKept numbers, so that it can run live:
 //
-//   of rows    template <class T> T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const
-//              the value at row i, from rows 0, i - 1 and i and a memory of kKept numbers; can run live
-//   of all     template <class T> void operator()(const EffectRows& rows, const T* p, T* out) const
-//              writes n values
+//   template <class T> T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const
 #pragma once
 
 #include <ceres/jet.h>
@@ -12,11 +10,16 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <vector>
 
 #include "ballbar/effects/effect.hpp"
 
 namespace ballbar {
+
+// A gain from -bound to bound; `row`: of an error of the machine, its row in the table of errors.
+inline Parameter gain_within(const char* name, const char* unit, double bound, const char* meaning,
+                             const char* row = "") {
+  return {name, unit, ParameterKind::gain, 0.0, -bound, bound, {}, meaning, false, ShapeOf::curve, {}, {}, row};
+}
 
 template <int kParameters, int kKept = 0, class Functor>
 Evaluate by_row(Functor functor) {
@@ -53,25 +56,10 @@ Evaluate by_row(Functor functor) {
   return {all, some, static_cast<std::size_t>(kKept), static_cast<std::size_t>(kParameters)};
 }
 
+// The same for an effect that does not run live; it may read any row.
 template <int kParameters, class Functor>
-Evaluate evaluated_by(Functor functor) {
-  const auto all = [functor](const EffectRows& rows, const double* parameters, double* values, double* derivatives) {
-    if (derivatives == nullptr) {
-      functor(rows, parameters, values);
-      return;
-    }
-    using Jet = ceres::Jet<double, kParameters>;
-    std::array<Jet, kParameters> p;
-    for (int k = 0; k < kParameters; ++k) p[static_cast<std::size_t>(k)] = Jet(parameters[k], k);
-    const std::size_t n = rows.time_s.size();
-    std::vector<Jet> out(n);
-    functor(rows, p.data(), out.data());
-    for (std::size_t i = 0; i < n; ++i) {
-      values[i] = out[i].a;
-      for (int k = 0; k < kParameters; ++k) derivatives[i * kParameters + static_cast<std::size_t>(k)] = out[i].v[k];
-    }
-  };
-  return {all, {}, 0, static_cast<std::size_t>(kParameters)};
+Evaluate by_reading(Functor functor) {
+  return {by_row<kParameters>(functor).all, {}, 0, static_cast<std::size_t>(kParameters)};
 }
 
 }  // namespace ballbar

@@ -18,8 +18,9 @@
 namespace ballbar {
 
 // Time constants from 10 s to 56 h.
-inline Parameter time_constant(std::vector<double> grid, const char* meaning) {
-  return {"time_constant_s", "s", ParameterKind::shape, 1800.0, 10.0, 200000.0, std::move(grid), meaning};
+inline Parameter time_constant(std::vector<double> grid, const char* meaning, const char* name = "time_constant_s",
+                               double start_s = 1800.0) {
+  return {name, "s", ParameterKind::shape, start_s, 10.0, 200000.0, std::move(grid), meaning};
 }
 
 template <class T>

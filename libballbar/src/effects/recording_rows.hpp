@@ -18,11 +18,6 @@ inline Input sweep_input() { return {"sweep", {"s"}, "time since the middle of t
 inline Input recording_input() { return {"recording", {"1"}, "number of the recording: 0, 1 ..."}; }
 inline Input bar_input() { return {"bar", {"degC"}, "temperature of the bar"}; }
 
-// A parameter for the play at one reversal of an axis; `row`: its row in the table of errors.
-inline Parameter play_at_end(const char* name, const char* row, const char* meaning) {
-  return {name, "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, meaning, false, ShapeOf::curve, {}, {}, row};
-}
-
 inline Parameter recording_parameter() {
   return {
       "recording",       "1", ParameterKind::shape, -1.0, -1.0, 1e6, {}, "which recording it belongs to; -1: all", true,

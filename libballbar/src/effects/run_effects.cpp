@@ -33,6 +33,14 @@ struct StartOfRun {
   }
 };
 
+// k T_0
+struct TemperatureAtStart {
+  template <class T>
+  T operator()(const EffectRows& rows, std::size_t, const T* p, T*) const {
+    return T(rows.inputs[0][0]) * p[0];
+  }
+};
+
 Parameter number_of_run() {
   return {"run", "1", ParameterKind::shape, 0.0, 0.0, 1e6, {}, "number of the run: 0, 1 ...", true, ShapeOf::recording};
 }
@@ -45,8 +53,7 @@ const std::shared_ptr<const Effect>& offset_of_run() {
              Level::series,
              {.summary = "Zero of a run: no two set-ups are equal.", .formula = "gain"},
              {},
-             {{"gain_um", "um", ParameterKind::gain, 0.0, -1e6, 1e6, {}, "zero of the run minus that of the first run"},
-              number_of_run()},
+             {gain_within("gain_um", "um", 1e6, "zero of the run minus that of the first run"), number_of_run()},
              by_row<2>(OffsetOfRun{}),
              true,
              {},
@@ -60,7 +67,7 @@ const std::shared_ptr<const Effect>& start_of_run() {
              Level::series,
              {.summary = "Remaining heat from before the run.", .formula = "gain exp(-t / tau)"},
              {},
-             {{"gain_um", "um", ParameterKind::gain, 0.0, -1e4, 1e4, {}, "in the first row"},
+             {gain_within("gain_um", "um", 1e4, "in the first row"),
               {"time_constant_s",
                "s",
                ParameterKind::shape,
@@ -74,6 +81,20 @@ const std::shared_ptr<const Effect>& start_of_run() {
              true,
              {},
              {.is_base = true, .of_set_up = true}});
+  return effect;
+}
+
+const std::shared_ptr<const Effect>& temperature_at_start() {
+  static const auto effect = std::make_shared<const Effect>(
+      Effect{"start",
+             Level::series,
+             {.summary = "Temperature of the machine at the start of a run.", .formula = "gain T0"},
+             {{"temperature", {"degC", "K"}, "temperature in the first row"}},
+             {gain_within("gain_um_per_K", "um/K", 1000.0, "error for each kelvin at the start")},
+             by_row<1>(TemperatureAtStart{}),
+             false,
+             {},
+             {.predictor = {{PredictorKind::start, {}}}}});
   return effect;
 }
 

@@ -24,15 +24,17 @@ std::string label_of(const AllSeries& all, const Call& call) {
   return ballbar::label_of(series_of(all, call).name, series_of(all, call).plane);
 }
 
-// "squareness XY by +26.9 ± 1.0 um/m, ... and 3 more"; `with`: between name and number.
-std::string list_of(const AllSeries& all, const Event& event, std::string_view with) {
+// "squareness XY +26.9 ± 1.0 um/m, ... and 3 more"; `with`: between name and number.
+std::string list_of(const AllSeries& all, const Event& event, std::string_view with, bool is_signed) {
   std::string text;
   const std::size_t named = std::min(kMostNamed, event.calls.size());
   for (std::size_t i = 0; i < named; ++i) {
     const Call& call = *event.calls[i];
     const std::string_view unit = series_of(all, call).unit;
-    text += fmt::format("{}{}{}{} ± {:.{}f} {}", i == 0 ? "" : ", ", label_of(all, call), with,
-                        signed_number(call.size, unit), call.sigma, decimals_in(unit), unit);
+    text += fmt::format(
+        "{}{}{}{}", i == 0 ? "" : ", ", label_of(all, call), with,
+        is_signed ? fmt::format("{} ± {:.{}f} {}", signed_number(call.size, unit), call.sigma, decimals_in(unit), unit)
+                  : amount_text(call.size, call.sigma, unit));
   }
   if (event.calls.size() > named) text += fmt::format(" and {} more", event.calls.size() - named);
   return text;
@@ -76,7 +78,7 @@ EventTexts step_texts(const AllSeries& all, const Event& event) {
   const bool several = event.calls.size() > 1;
   std::string sentence =
       fmt::format("{} stepped {}{}: {}{}.", several ? fmt::format("{} quantities", event.calls.size()) : "One quantity",
-                  several ? "together " : "", between(event), list_of(all, event, " "),
+                  several ? "together " : "", between(event), list_of(all, event, " ", true),
                   event.to_the_worse ? ", as after a collision" : "");
   const std::string remedy = remedy_of(all, event, "Check what was done to the machine on these days, and test again.");
   if (!event.to_the_worse) return {std::move(sentence), remedy};
@@ -87,9 +89,9 @@ EventTexts step_texts(const AllSeries& all, const Event& event) {
 EventTexts trend_texts(const AllSeries& all, const Event& event) {
   const Call& call = *event.calls.front();
   const bool grows = call.after == 0.0 ? call.size > 0.0 : call.size * call.after > 0.0;
-  return {
-      fmt::format("{} {}: {} per year.", label_of(all, call), grows ? "grows" : "goes back", list_of(all, event, " ")),
-      remedy_of(all, event, "Find which error makes it grow: ballbar history shows them one by one.")};
+  return {fmt::format("{} {}: {} per year.", label_of(all, call), grows ? "grows" : "goes back",
+                      list_of(all, event, " ", true)),
+          remedy_of(all, event, "Find which error makes it grow: ballbar history shows them one by one.")};
 }
 
 EventTexts season_texts(const AllSeries& all, const Event& event) {
@@ -97,17 +99,9 @@ EventTexts season_texts(const AllSeries& all, const Event& event) {
                                "July",    "August",   "September", "October", "November", "December"};
   const Call& call = *event.calls.front();
   const auto month = static_cast<std::size_t>(call.peak_year * 12.0) % kMonths.size();
-  std::string text;
-  const std::size_t named = std::min(kMostNamed, event.calls.size());
-  for (std::size_t i = 0; i < named; ++i) {
-    const Call& one = *event.calls[i];
-    text += fmt::format("{}{} by {}", i == 0 ? "" : ", ", label_of(all, one),
-                        amount_text(one.size, one.sigma, series_of(all, one).unit));
-  }
-  if (event.calls.size() > named) text += fmt::format(" and {} more", event.calls.size() - named);
   return {
       fmt::format("Follows the season, highest in {}, to either side of the mean: {}. This is neither wear nor a step.",
-                  kMonths[month], text),
+                  kMonths[month], list_of(all, event, " by ", false)),
       "No repair is needed. Keep the hall's temperature steady, or compare with tests of the same month."};
 }
 
@@ -135,7 +129,7 @@ EventTexts texts_of(const AllSeries& all, const Event& event) {
           "Do not adjust the machine. Calibrate both bars on one calibrator and correct the scales by the difference."};
     case FindingKind::replaced_part:
       return {fmt::format("Errors of {} decreased together {}: {}. A part of that axis was replaced or adjusted.",
-                          letter_of(*event.axis), between(event), list_of(all, event, " ")),
+                          letter_of(*event.axis), between(event), list_of(all, event, " ", true)),
               fmt::format(
                   "Record the repair and check the pitch compensation of {}. Later tests show the machine's new state.",
                   letter_of(*event.axis))};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -91,7 +92,12 @@ class MachineAssembly {
     }
     QuantityHistory one = history_of_series(place, own);
     if (options_.every_quantity || (tolerance != nullptr && trend != nullptr)) one.trend = trend_since(series, first);
-    if (trend != nullptr && !scatter_.series[place].of_machines) set_rate(*trend, trend_since(series, first));
+    if (trend != nullptr && !scatter_.series[place].of_machines) {
+      if (const std::optional<Trend> line = trend_since(series, first)) {
+        trend->size = line->rate_per_year;
+        trend->sigma = line->sigma_per_year;
+      }
+    }
     place_of_[place] = machine_.series.size();
     machine_.series.push_back(std::move(one));
     if (tolerance != nullptr) add_tolerance(*tolerance, trend != nullptr);
@@ -115,12 +121,6 @@ class MachineAssembly {
     one.scatter = scatter_.series[place].s;
     one.significant = series.significant && std::abs(one.value.back()) > kSignificantSigmas * one.sigma.back();
     return one;
-  }
-
-  static void set_rate(Call& call, const std::optional<Trend>& trend) {
-    if (!trend) return;
-    call.size = trend->rate_per_year;
-    call.sigma = trend->sigma_per_year;
   }
 
   void add_tolerance(const Tolerance& tolerance, bool has_trend) {
@@ -165,19 +165,8 @@ class MachineAssembly {
 }  // namespace
 
 std::string_view name_of(FindingKind kind) {
-  switch (kind) {
-    case FindingKind::step:
-      return "step";
-    case FindingKind::replaced_part:
-      return "replaced_part";
-    case FindingKind::instrument:
-      return "instrument";
-    case FindingKind::trend:
-      return "trend";
-    case FindingKind::season:
-      return "season";
-  }
-  return "";
+  constexpr std::array<std::string_view, 5> kNames{"step", "replaced_part", "instrument", "trend", "season"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 History history_of(std::span<const MachineTest> tests, const HistoryOptions& options) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -66,17 +67,8 @@ Urgency urgency_of(const MachineHistory& machine) {
 }  // namespace
 
 std::string_view name_of(Need need) {
-  switch (need) {
-    case Need::beyond:
-      return "beyond";
-    case Need::expected:
-      return "expected";
-    case Need::finding:
-      return "finding";
-    case Need::nothing:
-      return "nothing";
-  }
-  return "";
+  constexpr std::array<std::string_view, 4> kNames{"beyond", "expected", "finding", "nothing"};
+  return kNames[static_cast<std::size_t>(need)];
 }
 
 void say_need(MachineHistory& machine) {

@@ -40,12 +40,9 @@ RobustFit robust_fit(const FitColumns& columns, std::span<const double> values, 
 
 FitColumns trend_columns(std::span<const double> time_s) {
   const double middle_s = 0.5 * (time_s.front() + time_s.back());
-  FitColumns columns(static_cast<Eigen::Index>(time_s.size()), 2);
-  for (std::size_t i = 0; i < time_s.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    columns(row, 0) = 1.0;
-    columns(row, 1) = (time_s[i] - middle_s) / kYear_s;
-  }
+  const auto n = static_cast<Eigen::Index>(time_s.size());
+  FitColumns columns = FitColumns::Ones(n, 2);
+  columns.col(1) = (Eigen::Map<const Eigen::ArrayXd>(time_s.data(), n) - middle_s) / kYear_s;
   return columns;
 }
 

@@ -50,36 +50,12 @@ void free_of_second_order(JointErrorFit& fitted, const ErrorColumns& circle, dou
   }
 }
 
-// What the catalogue has, by where it is fitted.
-struct ErrorKinds {
-  std::vector<const Effect*> together, along_the_travel, where_they_show, at_reversals;
-};
-
-ErrorKinds error_kinds(double arc_rad, std::vector<std::string>& left_out) {
-  ErrorKinds kinds;
+std::vector<const Effect*> effects_fitted(ErrorFit where) {
+  std::vector<const Effect*> effects;
   for (const auto& effect : built_in_catalogue()) {
-    switch (effect->rules.error_fit) {
-      case ErrorFit::together:
-        kinds.together.push_back(effect.get());
-        break;
-      case ErrorFit::along_the_travel:
-        kinds.along_the_travel.push_back(effect.get());
-        break;
-      case ErrorFit::where_it_shows:
-        if (arc_rad < kFullTurn_rad) {
-          left_out.push_back(effect->name + ", for which a full turn is needed");
-          break;
-        }
-        kinds.where_they_show.push_back(effect.get());
-        break;
-      case ErrorFit::at_reversals:
-        kinds.at_reversals.push_back(effect.get());
-        break;
-      case ErrorFit::none:
-        break;
-    }
+    if (effect->rules.error_fit == where) effects.push_back(effect.get());
   }
-  return kinds;
+  return effects;
 }
 
 // The circles, without an effect, and the errors that are fitted together.
@@ -114,13 +90,18 @@ Part extra_part(const std::vector<const Effect*>& effects, const ErrorRows& rows
   return part_of(own, rows);
 }
 
+Indices columns_of(const FittedEffect& effect, Eigen::Index first) {
+  Indices columns;
+  columns.reserve(effect.columns.size());
+  for (const std::size_t k : effect.columns) columns.push_back(first + static_cast<Eigen::Index>(k));
+  return columns;
+}
+
 // Which of the extra errors are clear beside all others: then they are in the fit.
 void choose(std::vector<FittedEffect>& effects, const Eigen::VectorXd& gains, const Eigen::MatrixXd& covariance,
             Eigen::Index first) {
   for (FittedEffect& effect : effects) {
-    Indices own;
-    own.reserve(effect.columns.size());
-    for (const std::size_t k : effect.columns) own.push_back(first + static_cast<Eigen::Index>(k));
+    const Indices own = columns_of(effect, first);
     effect.in_the_fit = effect.searched * effect.looked_at * p_of(gains(own), covariance(own, own)) < kFalseErrors;
   }
 }
@@ -161,13 +142,6 @@ Eigen::VectorXd left_by(const Stages& stages, const ErrorRows& rows) {
   return without_cyclic - columns * stages.first.solve(without_cyclic);
 }
 
-Indices columns_of(const FittedEffect& effect) {
-  Indices columns;
-  columns.reserve(effect.columns.size());
-  for (const std::size_t k : effect.columns) columns.push_back(static_cast<Eigen::Index>(k));
-  return columns;
-}
-
 // All gains with their covariance: those together with the extra ones that are clear, then the spikes. `damping`: on an
 // arc, where curves are drawn with it, since two errors that the arc hardly tells apart would be large ones against
 // each other; and an error must show with it too.
@@ -194,7 +168,7 @@ void fit_all(JointErrorFit& fitted, Stages& stages, const Eigen::VectorXd& far, 
   Indices chosen = range_of(0, p);
   for (const FittedEffect& effect : stages.extra.effects) {
     if (!effect.in_the_fit) continue;
-    for (const std::size_t k : effect.columns) chosen.push_back(p + static_cast<Eigen::Index>(k));
+    for (const Eigen::Index k : columns_of(effect, p)) chosen.push_back(k);
   }
   const GainMap map = maps.joined(whole, chosen, maps.of(chosen, nothing));
   fitted.gains = map.t * z_data;
@@ -221,7 +195,7 @@ void fit_all(JointErrorFit& fitted, Stages& stages, const Eigen::VectorXd& far, 
   fitted.curve_gains = gains;
   fitted.map = damped.t;
   for (FittedEffect& effect : fitted.effects) {
-    const Indices own = columns_of(effect);
+    const Indices own = columns_of(effect, 0);
     effect.p_damped = p_of(gains(own), spread(own, own));
   }
 }
@@ -246,15 +220,20 @@ Eigen::VectorXd JointErrorFit::fine_curve(const Effect* effect) const {
   return curve;
 }
 
+std::vector<bool> JointErrorFit::in_the_fit() const {
+  std::vector<bool> in(columns.columns.size(), true);
+  for (const FittedEffect& effect : effects) {
+    for (const std::size_t k : effect.columns) in[k] = effect.in_the_fit;
+  }
+  return in;
+}
+
 Eigen::VectorXd JointErrorFit::residual() const {
   Eigen::VectorXd left = rows.deviation_um;
-  std::vector<bool> out(columns.columns.size(), false);
-  for (const FittedEffect& effect : effects) {
-    for (const std::size_t k : effect.columns) out[k] = !effect.in_the_fit;
-  }
-  for (std::size_t k = 0; k < out.size(); ++k) {
+  const std::vector<bool> in = in_the_fit();
+  for (std::size_t k = 0; k < in.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    if (!out[k]) left -= curve_gains[column] * columns.values.col(column);
+    if (in[k]) left -= curve_gains[column] * columns.values.col(column);
   }
   return left;
 }
@@ -271,13 +250,22 @@ JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options
   const Eigen::VectorXd measured = of.deviation_um;
   const ErrorColumns circle = circle_columns(of);
   free_of_second_order(fitted, circle, set_up.length_mm, set_up.height_mm);
-  const ErrorKinds kinds = error_kinds(set_up.arc_rad, fitted.undetermined);
-  Stages stages{together_part(circle, kinds.together, of), {}, {}, {}, {}};
+  const bool is_full = set_up.arc_rad >= kFullTurn_rad;
+  const std::vector<const Effect*> jointly = effects_fitted(ErrorFit::together);
+  const std::vector<const Effect*> along_the_travel = effects_fitted(ErrorFit::along_the_travel);
+  const std::vector<const Effect*> at_reversals = effects_fitted(ErrorFit::at_reversals);
+  std::vector<const Effect*> where_they_show = effects_fitted(ErrorFit::where_it_shows);
+  if (!is_full) {
+    for (const Effect* effect : where_they_show) {
+      fitted.undetermined.push_back(effect->name + ", for which a full turn is needed");
+    }
+    where_they_show.clear();
+  }
+  Stages stages{together_part(circle, jointly, of), {}, {}, {}, {}};
   const Eigen::MatrixXd& columns = stages.together.columns.values;
   const std::vector<PriorStatement> prior = prior_of(
       stages.together.columns, of.count.sum() / static_cast<double>(of.recordings), set_up.arc_rad, set_up.middle_rad);
   const Eigen::MatrixXd usual = precision_of(prior, columns.cols());
-  const bool is_full = set_up.arc_rad >= kFullTurn_rad;
   fitted.prior = prior;
   const Eigen::MatrixXd* const damping = is_full || !options.prior ? nullptr : &usual;
 
@@ -287,7 +275,7 @@ JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options
   const Eigen::MatrixXd nothing = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
   stages.first = block_of(columns, far, nothing);
   const Eigen::VectorXd first_left = of.deviation_um - columns * stages.first.solve(of.deviation_um);
-  stages.cyclic = cyclic_part(kinds.along_the_travel, of, set_up, columns, stages.first, first_left);
+  stages.cyclic = cyclic_part(along_the_travel, of, set_up, columns, stages.first, first_left);
 
   // As the instrument: with its prior, and the cyclic errors taken off first.
   const Block damped{stages.first.weighted, inverse_of(stages.first.normal, usual)};
@@ -296,7 +284,7 @@ JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options
   const Eigen::VectorXd gains = damped.solve(measured - stages.cyclic.part.columns.values * waves);
 
   const Eigen::VectorXd left = left_by(stages, of);
-  stages.extra = extra_part(kinds.where_they_show, of, {&columns, &stages.first}, left, far);
+  stages.extra = extra_part(where_they_show, of, {&columns, &stages.first}, left, far);
   Eigen::MatrixXd smooth(of.size(), columns.cols() + waves.size() + stages.extra.columns.size());
   smooth.leftCols(columns.cols()) = columns;
   smooth.middleCols(columns.cols(), waves.size()) = stages.cyclic.part.columns.values;
@@ -311,9 +299,8 @@ JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options
   const QuietRows quiet = quiet_rows(of, smooth);
   fitted.noise = error_noise(quiet.rows, quiet.columns);
   fitted.slow_variance_um2 = slow_variance_um2(of, fitted.noise);
-  stages.spikes = spikes_in(kinds.at_reversals, of, left, fitted.noise.front().noise);
-  const auto errors =
-      static_cast<double>(kinds.together.size() + kinds.along_the_travel.size() + kinds.where_they_show.size());
+  stages.spikes = spikes_in(at_reversals, of, left, fitted.noise.front().noise);
+  const auto errors = static_cast<double>(jointly.size() + along_the_travel.size() + where_they_show.size());
   for (Part* part : {&stages.together, &stages.cyclic.part, &stages.extra}) {
     for (FittedEffect& effect : part->effects) effect.looked_at = errors;
   }
@@ -329,7 +316,7 @@ JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options
   }
   if (beyond != far) {
     refit(stages, beyond, nothing);
-    stages.spikes = spikes_in(kinds.at_reversals, of, left_by(stages, of), fitted.noise.front().noise);
+    stages.spikes = spikes_in(at_reversals, of, left_by(stages, of), fitted.noise.front().noise);
     fit_all(fitted, stages, beyond, damping);
   }
   std::vector<ErrorColumn> names = stages.together.columns.columns;

@@ -44,6 +44,8 @@ struct JointErrorFit {
 
   // Fine rows of the curve of one effect; nullptr: the circles.
   Eigen::VectorXd fine_curve(const Effect* effect) const;
+  // Whether each column is in the fit.
+  std::vector<bool> in_the_fit() const;
   // Per row: deviation minus the fit.
   Eigen::VectorXd residual() const;
   // RMS of the readings for this residual of the rows.

@@ -272,11 +272,8 @@ double held_out_rms_um(const JointErrorFit& fitted, const std::set<const Effect*
 
 double rms_with_um(const JointErrorFit& fitted, const std::set<const Effect*>& effects) {
   Eigen::VectorXd left = fitted.rows.deviation_um - fitted_curve(fitted, effects);
-  Eigen::Index circles = 0;
-  while (circles < fitted.columns.size() &&
-         fitted.columns.columns[static_cast<std::size_t>(circles)].effect == nullptr) {
-    ++circles;
-  }
+  const auto circles = std::count_if(fitted.columns.columns.begin(), fitted.columns.columns.end(),
+                                     [](const ErrorColumn& column) { return column.effect == nullptr; });
   const Eigen::MatrixXd columns = fitted.columns.values.leftCols(circles);
   const Eigen::MatrixXd weighted = fitted.rows.count.asDiagonal() * columns;
   Eigen::MatrixXd normal = columns.transpose() * weighted;

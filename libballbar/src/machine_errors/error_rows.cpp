@@ -203,17 +203,12 @@ Eigen::MatrixXd unit_curves(const Effect& effect, const Series& fine, double sha
     const bool is_recording = parameter.shape_of == ShapeOf::recording;
     parameters.push_back(parameter.kind == ParameterKind::gain ? 0.0 : is_recording ? kOfAll : shape);
   }
-  const std::vector<std::size_t> gains = gains_of(effect);
   const auto n = static_cast<Eigen::Index>(fine.time_s.size());
   const auto all = static_cast<Eigen::Index>(parameters.size());
   std::vector<double> values(fine.time_s.size());
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> derivatives(n, all);
   effect.evaluate(rows, parameters.data(), values.data(), derivatives.data());
-  Eigen::MatrixXd curves(n, static_cast<Eigen::Index>(gains.size()));
-  for (std::size_t k = 0; k < gains.size(); ++k) {
-    curves.col(static_cast<Eigen::Index>(k)) = derivatives.col(static_cast<Eigen::Index>(gains[k]));
-  }
-  return curves;
+  return derivatives(Eigen::all, gains_of(effect));
 }
 
 UnitCurves::UnitCurves(const Effect& effect, const Series& fine) : effect_(effect), fine_(fine) {

@@ -70,12 +70,9 @@ std::vector<double> freed_of_centre(const JointErrorFit& fitted, const Series& t
 // What the fit leaves of readings beyond what it leaves of their rows.
 double within_rows_um2(const JointErrorFit& fitted) {
   Eigen::VectorXd rest = Eigen::VectorXd::Zero(fitted.columns.fine.rows());
-  std::vector<bool> out(fitted.columns.columns.size(), false);
-  for (const FittedEffect& effect : fitted.effects) {
-    for (const std::size_t k : effect.columns) out[k] = !effect.in_the_fit;
-  }
-  for (std::size_t k = 0; k < out.size(); ++k) {
-    if (!out[k] && !is_centre(fitted.columns.columns[k])) {
+  const std::vector<bool> in = fitted.in_the_fit();
+  for (std::size_t k = 0; k < in.size(); ++k) {
+    if (in[k] && !is_centre(fitted.columns.columns[k])) {
       rest += fitted.curve_gains[static_cast<Eigen::Index>(k)] * fitted.columns.fine.col(static_cast<Eigen::Index>(k));
     }
   }

@@ -1,11 +1,13 @@
 #include "ballbar/machine_errors/next_measurement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
+#include <utility>
 #include <vector>
 
 #include "ballbar/circle/trace.hpp"
+#include "machine_errors/cyclic_fit.hpp"
 #include "machine_errors/error_blocks.hpp"
 #include "machine_errors/error_fit.hpp"
 
@@ -26,15 +28,15 @@ struct SeparatedErrors {
 
 SeparatedErrors separated_errors(const Series& trace, std::span<const ShapedEffect> effects) {
   const ErrorRows rows = error_rows(trace);
-  std::vector<ErrorColumns> parts{circle_columns(rows)};
-  for (const ShapedEffect& one : effects) parts.push_back(effect_columns(*one.effect, one.shape, rows, false));
-  std::vector<const ErrorColumns*> all;
-  for (const ErrorColumns& part : parts) all.push_back(&part);
-  const ErrorColumns together = joined(all, rows);
+  std::vector<std::pair<FittedEffect, ErrorColumns>> own{{FittedEffect{}, circle_columns(rows)}};
+  for (const ShapedEffect& one : effects) {
+    own.emplace_back(FittedEffect{one.effect}, effect_columns(*one.effect, one.shape, rows, false));
+  }
+  const ErrorColumns together = part_of(own, rows).columns;
   const Eigen::VectorXd far = rows.count.array() * (rows.from_reversal_deg.array() > kAtReversal_deg).cast<double>();
   // What depends on an input that is not stated is not in the readings.
   const Block block = block_of(together.values.array().isNaN().select(0.0, together.values), far, {});
-  SeparatedErrors found{{}, block.inverse, {}, parts.front().size()};
+  SeparatedErrors found{{}, block.inverse, {}, own.front().second.size()};
   found.own = (block.normal.diagonal().array() * block.inverse.diagonal().array()).inverse();
   for (const ErrorColumn& one : together.columns) {
     found.names.push_back(one.effect == nullptr ? one.name : one.effect->name);
@@ -48,7 +50,7 @@ bool is_new(Measurement measurement, const Series& trace) {
   if (measurement == Measurement::full_circle) return arc_rad >= kShortestArc_rad && arc_rad < kFullTurn_rad;
   if (measurement == Measurement::another_feed) return true;
   const std::vector<double>& direction = find_column(trace, trace_column("direction"))->values;
-  return std::adjacent_find(direction.begin(), direction.end(), std::not_equal_to<>()) == direction.end();
+  return std::ranges::min(direction) == std::ranges::max(direction);
 }
 
 // The trace with each of its recordings once more, as this measurement has it. What is measured stays as it is.
@@ -86,9 +88,8 @@ Series with_measurement(Measurement measurement, const Series& trace) {
 }  // namespace
 
 std::string_view name_of(Measurement measurement) {
-  return measurement == Measurement::other_direction ? "other_direction"
-         : measurement == Measurement::full_circle   ? "full_circle"
-                                                     : "another_feed";
+  constexpr std::array<std::string_view, 3> kNames{"other_direction", "full_circle", "another_feed"};
+  return kNames[static_cast<std::size_t>(measurement)];
 }
 
 std::optional<NextMeasurement> next_measurement(const Series& trace, std::span<const ShapedEffect> effects) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ballbar/units.hpp"
+#include "machine_errors/cyclic_fit.hpp"
 #include "machine_errors/error_blocks.hpp"
 
 namespace ballbar {
@@ -97,9 +98,8 @@ std::vector<Eigen::Index> joined_row_of(const ErrorRows& rows) {
 Spikes spikes_in(const std::vector<const Effect*>& effects, const ErrorRows& rows, const Eigen::VectorXd& left,
                  const Noise& noise) {
   Spikes spikes;
-  std::vector<ErrorColumns> own;
+  std::vector<std::pair<FittedEffect, ErrorColumns>> own;
   std::vector<Eigen::MatrixXd> filters;
-  std::size_t at = 0;
   for (const Effect* effect : effects) {
     const std::vector<Window> windows = windows_of(rows, effect->rules.reversal_deg, noise);
     Indices near;
@@ -113,16 +113,13 @@ Spikes spikes_in(const std::vector<const Effect*>& effects, const ErrorRows& row
     Eigen::MatrixXd filter = Eigen::MatrixXd::Zero(rows.size(), columns.size());
     const Eigen::MatrixXd filtered = filters_of(columns.values(near, Eigen::all), windows);
     filter(near, Eigen::all) = filtered;
-    spikes.effects.push_back({effect, width_deg, {}, kIndependentWidths, kSpikes, false});
-    for (Eigen::Index k = 0; k < columns.size(); ++k) spikes.effects.back().columns.push_back(at++);
-    own.push_back(std::move(columns));
+    own.emplace_back(FittedEffect{effect, width_deg, {}, kIndependentWidths, kSpikes, false}, std::move(columns));
     filters.push_back(std::move(filter));
   }
-  std::vector<const ErrorColumns*> parts;
-  parts.reserve(own.size());
-  for (const ErrorColumns& one : own) parts.push_back(&one);
-  spikes.columns = joined(parts, rows);
-  spikes.filters.resize(rows.size(), static_cast<Eigen::Index>(at));
+  Part part = part_of(own, rows);
+  spikes.effects = std::move(part.effects);
+  spikes.columns = std::move(part.columns);
+  spikes.filters.resize(rows.size(), spikes.columns.size());
   Eigen::Index column = 0;
   for (const Eigen::MatrixXd& filter : filters) {
     spikes.filters.middleCols(column, filter.cols()) = filter;

@@ -16,7 +16,7 @@
 #include "ballbar/numerics/parallel.hpp"
 #include "ballbar/predict/effect_regression.hpp"
 #include "ballbar/predict/held_out.hpp"
-#include "effects/temperature_at_start.hpp"
+#include "effects/run_effects.hpp"
 #include "model/bindings.hpp"
 
 namespace ballbar {

@@ -27,7 +27,7 @@ extern const Effect kAxialCrosstalk{
      .validity = "Constant inclination during the run; gains above 0.05 have another cause.",
      .source = "Projection of the elongation on the radial direction; not from a paper."},
     {{"axial", {"um"}, "axial drift of the spindle"}},
-    {{"gain_um_per_um", "um/um", ParameterKind::gain, 0.0, -10.0, 10.0, {}, "inclination of the growth, rad"}},
+    {gain_within("gain_um_per_um", "um/um", 10.0, "inclination of the growth, rad")},
     by_row<1>(AxialCrosstalk{}),
 };
 

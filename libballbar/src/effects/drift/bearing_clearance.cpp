@@ -56,7 +56,7 @@ extern const Effect kBearingClearance{
                  "arcsin has no value the contact angle stays at ±90°.",
      .source = "Huang, Li, Zhao 2022, eq. 29 to 32; the paper's table 2 does not follow from them."},
     {{"axial", {"um"}, "axial drift of the spindle, elongation positive"}},
-    {{"gain", "1", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "1 is the formula"},
+    {gain_within("gain", "1", 1000.0, "1 is the formula"),
      {"ball_diameter_mm", "mm", ParameterKind::shape, 10.319, 1.0, 100.0, {}, "D_w", true},
      {"groove_factor", "1", ParameterKind::shape, 0.53, 0.505, 0.6, {}, "f, groove radius over ball diameter", true}},
     by_row<3>(BearingClearance{}),

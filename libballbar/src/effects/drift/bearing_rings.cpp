@@ -1,5 +1,5 @@
+#include "effects/drift_rows.hpp"
 #include "effects/evaluate.hpp"
-#include "effects/inside.hpp"
 
 namespace ballbar::catalogue {
 namespace {
@@ -38,7 +38,7 @@ extern const Effect kBearingRings{
                "expansion are those of the paper's bearing."},
     {{"inner", {"degC", "K"}, "temperature of the inner ring", is_inside},
      {"outer", {"degC", "K"}, "temperature of the outer ring", is_inside}},
-    {{"gain", "1", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "1 is the formula"},
+    {gain_within("gain", "1", 1000.0, "1 is the formula"),
      {"inner_radius_mm", "mm", ParameterKind::shape, 27.34, 1.0, 1000.0, {}, "r_B, raceway of the inner ring", true},
      {"outer_radius_mm", "mm", ParameterKind::shape, 37.66, 1.0, 1000.0, {}, "r_C, raceway of the outer ring", true},
      {"expansion_ppm_per_K", "ppm/K", ParameterKind::shape, 13.6, 1.0, 30.0, {}, "alpha of the rings", true}},

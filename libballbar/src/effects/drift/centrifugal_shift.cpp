@@ -1,5 +1,5 @@
+#include "effects/drift_rows.hpp"
 #include "effects/evaluate.hpp"
-#include "effects/speed.hpp"
 
 namespace ballbar::catalogue {
 namespace {
@@ -27,7 +27,7 @@ extern const Effect kCentrifugalShift{
      .validity = "Shift within the bearing clearance; the bearing does not change as it warms.",
      .source = "Huang, Li, Zhao 2022, section 3.4: the lift was measured to go roughly with the square of the speed."},
     {{"speed", {"rpm"}, "speed of the spindle"}},
-    {{"gain_um_per_krpm_p", "um/krpm^p", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "shift at 1000 rpm"},
+    {gain_within("gain_um_per_krpm_p", "um/krpm^p", 1000.0, "shift at 1000 rpm"),
      {"exponent", "1", ParameterKind::shape, 2.0, 1.0, 3.0, {1.0, 1.5, 2.0, 2.5, 3.0}, "p, of the speed", true}},
     by_row<2>(CentrifugalShift{}),
     false,

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "effects/evaluate.hpp"
 
 namespace ballbar::catalogue {
@@ -6,22 +8,20 @@ namespace {
 // k (u(t - delta) - u(t)), u a straight line between the rows and constant before the first and after the last.
 struct ClockOffset {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> time_s = rows.time_s;
     const std::span<const double> signal = rows.inputs[0];
-    const std::size_t n = signal.size();
-    std::size_t j = 0;  // t - delta rises from row to row, so j only moves on
-    for (std::size_t i = 0; i < n; ++i) {
-      const T at_s = time_s[i] - p[1];
-      T shifted(signal[0]);
-      if (at_s >= T(time_s[n - 1])) {
-        shifted = T(signal[n - 1]);
-      } else if (at_s > T(time_s[0])) {
-        while (at_s >= T(time_s[j + 1])) ++j;
-        shifted = signal[j] + (signal[j + 1] - signal[j]) / (time_s[j + 1] - time_s[j]) * (at_s - time_s[j]);
-      }
-      out[i] = p[0] * (shifted - signal[i]);
+    const T at_s = time_s[i] - p[1];
+    const auto next =
+        std::upper_bound(time_s.begin(), time_s.end(), at_s, [](const T& at, double row_s) { return at < T(row_s); });
+    T shifted(signal[0]);
+    if (next == time_s.end()) {
+      shifted = T(signal.back());
+    } else if (at_s > T(time_s[0])) {
+      const auto j = static_cast<std::size_t>(next - time_s.begin()) - 1;
+      shifted = signal[j] + (signal[j + 1] - signal[j]) / (time_s[j + 1] - time_s[j]) * (at_s - time_s[j]);
     }
+    return p[0] * (shifted - signal[i]);
   }
 };
 
@@ -48,14 +48,8 @@ extern const Effect kClockOffset{
       {},
       true,
       "the model reads no signal whose clock could be off"}},
-    {{"gain_um_per_unit",
-      "um/unit",
-      ParameterKind::gain,
-      0.0,
-      -1000.0,
-      1000.0,
-      {},
-      "drift for each unit of the signal: that of the effect that uses it"},
+    {gain_within("gain_um_per_unit", "um/unit", 1000.0,
+                 "drift for each unit of the signal: that of the effect that uses it"),
      {"offset_s",
       "s",
       ParameterKind::shape,
@@ -64,7 +58,7 @@ extern const Effect kClockOffset{
       7200.0,
       {-3600.0, -1200.0, -600.0, -180.0, -60.0, 60.0, 180.0, 600.0, 1200.0, 3600.0},
       "how late the signal takes effect by the clock of the data"}},
-    evaluated_by<2>(ClockOffset{}),
+    by_reading<2>(ClockOffset{}),
 };
 
 }  // namespace ballbar::catalogue

@@ -1,6 +1,6 @@
+#include "effects/drift_rows.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/low_pass.hpp"
-#include "effects/speed.hpp"
 
 namespace ballbar::catalogue {
 namespace {
@@ -35,23 +35,11 @@ extern const Effect kCoolingAsymmetry{
      .validity = "Lumped body; the same end value for the same speed; two states, turning and at rest.",
      .source = "Heat balance of a lumped body whose heat transfer has two values; not from a paper."},
     {{"speed", {"rpm"}, "speed of the spindle"}},
-    {{"gain_um_per_krpm_a", "um/krpm^a", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "final drift at 1000 rpm"},
-     {"time_constant_turning_s",
-      "s",
-      ParameterKind::shape,
-      1800.0,
-      10.0,
-      200000.0,
-      {180.0, 600.0, 1800.0, 5400.0, 16000.0},
-      "time constant while the spindle turns"},
-     {"time_constant_at_rest_s",
-      "s",
-      ParameterKind::shape,
-      3600.0,
-      10.0,
-      200000.0,
-      {180.0, 600.0, 1800.0, 5400.0, 16000.0, 50000.0},
-      "time constant at rest"},
+    {gain_within("gain_um_per_krpm_a", "um/krpm^a", 1000.0, "final drift at 1000 rpm"),
+     time_constant({180.0, 600.0, 1800.0, 5400.0, 16000.0}, "time constant while the spindle turns",
+                   "time_constant_turning_s"),
+     time_constant({180.0, 600.0, 1800.0, 5400.0, 16000.0, 50000.0}, "time constant at rest", "time_constant_at_rest_s",
+                   3600.0),
      {"exponent", "1", ParameterKind::shape, 5.0 / 3.0, 0.5, 3.0, {1.0, 5.0 / 3.0, 2.0}, "a, of the speed", true}},
     by_row<4, kLowPassKept + 1>(CoolingAsymmetry{}),
     false,

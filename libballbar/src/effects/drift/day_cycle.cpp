@@ -1,4 +1,4 @@
-#include "effects/cycle.hpp"
+#include "effects/drift_rows.hpp"
 #include "effects/evaluate.hpp"
 
 namespace ballbar::catalogue {
@@ -16,19 +16,7 @@ extern const Effect kDayCycle{
      .validity = "Equal days; in a run shorter than half a day it looks like a drift.",
      .source = "First harmonic of the day; not from a paper."},
     {},
-    {{"cosine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "cosine amplitude, largest at the first row"},
-     {"sine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "sine amplitude, 0 at the first row and rising"},
-     {"period_s",
-      "s",
-      ParameterKind::shape,
-      86400.0,
-      43200.0,
-      172800.0,
-      {},
-      "24 h",
-      true,
-      ShapeOf::period,
-      cycle_periods}},
+    cycle_parameters(86400.0, 43200.0, 172800.0, {}, "24 h", true),
     by_row<3>(Cycle{}),
     true,
 };

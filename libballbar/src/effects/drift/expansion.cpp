@@ -1,5 +1,5 @@
+#include "effects/drift_rows.hpp"
 #include "effects/evaluate.hpp"
-#include "effects/expansion_causes.hpp"
 
 namespace ballbar::catalogue {
 namespace {
@@ -31,7 +31,7 @@ extern const Effect kExpansion{
          "One body of uniform temperature, free to expand; bearing steel and aluminium are linear over tens of K.",
      .source = "Huang, Li, Zhao 2022, eq. 21: dL = alpha L (T(xi) - T0)."},
     {{"temperature", {"degC", "K"}, "temperature of the body"}},
-    {{"gain_um_per_K", "um/K", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "growth for each kelvin: alpha L"}},
+    {gain_within("gain_um_per_K", "um/K", 1000.0, "growth for each kelvin: alpha L")},
     by_row<1>(Expansion{}),
     false,
     {},

@@ -33,7 +33,7 @@ extern const Effect kGradientBending{
                "difference; not from a paper."},
     {{"hot", {"degC", "K"}, "temperature of the side that is warmer"},
      {"cold", {"degC", "K"}, "temperature of the other side"}},
-    {{"gain_um_per_K", "um/K", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "shift for each kelvin of difference"},
+    {gain_within("gain_um_per_K", "um/K", 1000.0, "shift for each kelvin of difference"),
      {"time_constant_s",
       "s",
       ParameterKind::shape,

@@ -1,5 +1,5 @@
+#include "effects/drift_rows.hpp"
 #include "effects/evaluate.hpp"
-#include "effects/expansion_causes.hpp"
 #include "effects/low_pass.hpp"
 
 namespace ballbar::catalogue {
@@ -31,7 +31,7 @@ extern const Effect kLaggedExpansion{
      .validity = "One dominant time constant; a thick wall has several.",
      .source = "Heat balance of a lumped body; not from a paper."},
     {{"temperature", {"degC", "K"}, "temperature that the body follows"}},
-    {{"gain_um_per_K", "um/K", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "final growth for each kelvin"},
+    {gain_within("gain_um_per_K", "um/K", 1000.0, "final growth for each kelvin"),
      time_constant({60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0, 50000.0}, "time constant of the body")},
     by_row<2, kLowPassKept>(LaggedExpansion{}),
     false,

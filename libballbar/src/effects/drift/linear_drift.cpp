@@ -27,7 +27,7 @@ extern const Effect kLinearDrift{
      .validity = "Rate constant over the run.",
      .source = "First order of any slow drift; not from a paper."},
     {},
-    {{"rate_um_per_h", "um/h", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "drift in an hour"}},
+    {gain_within("rate_um_per_h", "um/h", 1000.0, "drift in an hour")},
     by_row<1>(LinearDrift{}),
     true,
 };

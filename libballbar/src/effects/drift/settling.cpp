@@ -30,7 +30,7 @@ extern const Effect kSettling{
      .validity = "One time constant; nothing moved since the first row.",
      .source = "Exponential creep; not from a paper."},
     {},
-    {{"gain_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "final shift"},
+    {gain_within("gain_um", "um", 1000.0, "final shift"),
      time_constant({60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0}, "time constant of the settling")},
     by_row<2>(Settling{}),
     true,

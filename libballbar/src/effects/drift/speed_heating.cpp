@@ -1,6 +1,6 @@
+#include "effects/drift_rows.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/low_pass.hpp"
-#include "effects/speed.hpp"
 
 namespace ballbar::catalogue {
 namespace {
@@ -30,7 +30,7 @@ extern const Effect kSpeedHeating{
      .validity = "Lumped body; friction that does not change as the lubricant warms.",
      .source = "Heat balance of a lumped body with bearing friction after Palmgren (exponents); not from a paper."},
     {{"speed", {"rpm"}, "speed of the spindle"}},
-    {{"gain_um_per_krpm_a", "um/krpm^a", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "final drift at 1000 rpm"},
+    {gain_within("gain_um_per_krpm_a", "um/krpm^a", 1000.0, "final drift at 1000 rpm"),
      time_constant({60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0}, "time constant of the warmed body"),
      {"exponent", "1", ParameterKind::shape, 5.0 / 3.0, 0.5, 3.0, {1.0, 5.0 / 3.0, 2.0}, "of the speed", true}},
     by_row<3, kLowPassKept>(SpeedHeating{}),

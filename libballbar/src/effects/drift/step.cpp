@@ -21,7 +21,7 @@ extern const Effect kStep{
      .validity = "One jump; its time is known to the interval between two measured rows at best.",
      .source = "Shift of the set-up; not from a paper."},
     {},
-    {{"gain_um", "um", ParameterKind::gain, 0.0, -10000.0, 10000.0, {}, "height of the jump"},
+    {gain_within("gain_um", "um", 10000.0, "height of the jump"),
      {"onset_s",
       "s",
       ParameterKind::shape,

@@ -1,4 +1,4 @@
-#include "effects/cycle.hpp"
+#include "effects/drift_rows.hpp"
 #include "effects/evaluate.hpp"
 
 namespace ballbar::catalogue {
@@ -18,19 +18,9 @@ extern const Effect kThermostatCycle{
      .validity = "One steady period; the harmonics of the on-off shape remain in the residual.",
      .source = "First harmonic of an on-off control; not from a paper."},
     {},
-    {{"cosine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "cosine amplitude, largest at the first row"},
-     {"sine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "sine amplitude, 0 at the first row and rising"},
-     {"period_s",
-      "s",
-      ParameterKind::shape,
-      900.0,
-      180.0,
-      3600.0,
-      {180.0, 236.0, 310.0, 407.0, 535.0, 702.0, 922.0, 1211.0, 1590.0, 2088.0, 2742.0, 3600.0},
-      "of the thermostat",
-      false,
-      ShapeOf::period,
-      cycle_periods}},
+    cycle_parameters(900.0, 180.0, 3600.0,
+                     {180.0, 236.0, 310.0, 407.0, 535.0, 702.0, 922.0, 1211.0, 1590.0, 2088.0, 2742.0, 3600.0},
+                     "of the thermostat", false),
     by_row<3>(Cycle{}),
     true,
     {},

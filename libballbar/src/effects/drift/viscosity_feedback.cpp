@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "effects/drift_rows.hpp"
 #include "effects/evaluate.hpp"
-#include "effects/inside.hpp"
 #include "effects/low_pass.hpp"
 
 namespace ballbar::catalogue {
@@ -35,14 +35,7 @@ extern const Effect kViscosityFeedback{
      .source = "Heat balance of a lumped body with a lubricant whose viscosity falls exponentially; not from a paper."},
     {{"speed", {"rpm"}, "speed of the spindle"},
      {"temperature", {"degC", "K"}, "temperature of the bearing", is_inside}},
-    {{"gain_um_per_krpm",
-      "um/krpm",
-      ParameterKind::gain,
-      0.0,
-      -1000.0,
-      1000.0,
-      {},
-      "final drift at 1000 rpm, lubricant at T0"},
+    {gain_within("gain_um_per_krpm", "um/krpm", 1000.0, "final drift at 1000 rpm, lubricant at T0"),
      time_constant({180.0, 600.0, 1800.0, 5400.0, 16000.0}, "time constant of the warmed body"),
      {"viscosity_loss_per_K",
       "1/K",

@@ -11,13 +11,11 @@ struct Backlash {
   Axis axis;
 
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> angle_rad = rows.inputs[0], direction = rows.inputs[1];
-    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      const AxisState state = state_of(axis, angle_rad[i], direction[i]);
-      const double step = -0.5 * state.velocity_sign * state.position;
-      out[i] = p[0] * (0.5 * (1.0 + state.position) * step) + p[1] * (0.5 * (1.0 - state.position) * step);
-    }
+    const AxisState state = state_of(axis, angle_rad[i], direction[i]);
+    const double step = -0.5 * state.velocity_sign * state.position;
+    return p[0] * (0.5 * (1.0 + state.position) * step) + p[1] * (0.5 * (1.0 - state.position) * step);
   }
 };
 
@@ -43,9 +41,9 @@ Effect backlash(Axis axis) {
        .validity = "Linear axes; play that changes linearly along the travel.",
        .source = "Kinematics of lost motion; sign and size as AF_BACKLASH of measured .b5r files."},
       {angle_input(), direction_input()},
-      {play_at_end("play_pos_um", "pos", "step outwards at the reversal on the + end"),
-       play_at_end("play_neg_um", "neg", "step outwards at the reversal on the - end")},
-      evaluated_by<2>(Backlash{axis}),
+      {gain_within("play_pos_um", "um", 1000.0, "step outwards at the reversal on the + end", "pos"),
+       gain_within("play_neg_um", "um", 1000.0, "step outwards at the reversal on the - end", "neg")},
+      by_reading<2>(Backlash{axis}),
       false,
       {Motion::linear_axes},
       {.error_fit = ErrorFit::together,

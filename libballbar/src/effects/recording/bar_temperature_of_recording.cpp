@@ -7,9 +7,9 @@ namespace {
 // - L alpha (T_bar - 20 degC); ppm of mm are nm
 struct BarTemperatureOfRecording {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> radius_mm = rows.inputs[0], bar_degC = rows.inputs[1];
-    for (std::size_t i = 0; i < radius_mm.size(); ++i) out[i] = p[0] * (-1e-3 * radius_mm[i] * (bar_degC[i] - 20.0));
+    return p[0] * (-1e-3 * radius_mm[i] * (bar_degC[i] - 20.0));
   }
 };
 
@@ -31,8 +31,8 @@ extern const Effect kBarTemperatureOfRecording{
                  "bar's own value.",
      .source = "Free expansion; not from a paper."},
     {radius_input(), bar_input()},
-    {{"expansion_ppm_per_K", "ppm/K", ParameterKind::gain, 0.0, -100.0, 100.0, {}, "expansion coefficient of the bar"}},
-    evaluated_by<1>(BarTemperatureOfRecording{}),
+    {gain_within("expansion_ppm_per_K", "ppm/K", 100.0, "expansion coefficient of the bar")},
+    by_reading<1>(BarTemperatureOfRecording{}),
 };
 
 }  // namespace ballbar::catalogue

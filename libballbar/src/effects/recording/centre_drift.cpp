@@ -10,11 +10,9 @@ namespace {
 // t (k_a cos theta + k_b sin theta)
 struct CentreDrift {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> angle_rad = rows.inputs[0], sweep_s = rows.inputs[1];
-    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      out[i] = min_from_s(sweep_s[i]) * (p[0] * std::cos(angle_rad[i]) + p[1] * std::sin(angle_rad[i]));
-    }
+    return min_from_s(sweep_s[i]) * (p[0] * std::cos(angle_rad[i]) + p[1] * std::sin(angle_rad[i]));
   }
 };
 
@@ -34,9 +32,9 @@ extern const Effect kCentreDrift{
      .validity = "Equal rate in all sweeps, small compared with the radius.",
      .source = "Length equation with c = c0 + k t, first order."},
     {angle_input(), sweep_input()},
-    {{"rate_a_um_per_min", "um/min", ParameterKind::gain, 0.0, -10000.0, 10000.0, {}, "of the centre along A"},
-     {"rate_b_um_per_min", "um/min", ParameterKind::gain, 0.0, -10000.0, 10000.0, {}, "of the centre along B"}},
-    evaluated_by<2>(CentreDrift{}),
+    {gain_within("rate_a_um_per_min", "um/min", 10000.0, "of the centre along A"),
+     gain_within("rate_b_um_per_min", "um/min", 10000.0, "of the centre along B")},
+    by_reading<2>(CentreDrift{}),
 };
 
 }  // namespace ballbar::catalogue

@@ -9,20 +9,17 @@ namespace {
 // 1000 (|c + R (cos theta, sin theta) + h n| - L_0), R = L_0 + radius: the length equation of recording.hpp
 struct Circle {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     using std::sqrt;
     const std::span<const double> angle_rad = rows.inputs[0], radius_mm = rows.inputs[1], height_mm = rows.inputs[2];
     const std::span<const double> recording = rows.inputs[3];
-    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      out[i] = T(0.0);
-      if (!belongs_to(p[3], recording[i])) continue;
-      const T path_mm = radius_mm[i] + 1e-3 * p[2];
-      const T a_mm = 1e-3 * p[0] + path_mm * std::cos(angle_rad[i]);
-      const T b_mm = 1e-3 * p[1] + path_mm * std::sin(angle_rad[i]);
-      const T square = a_mm * a_mm + b_mm * b_mm + height_mm[i] * height_mm[i];
-      // sqrt(square) - L_0 without the loss of digits
-      out[i] = 1e3 * (square - radius_mm[i] * radius_mm[i]) / (sqrt(square) + radius_mm[i]);
-    }
+    if (!belongs_to(p[3], recording[i])) return T(0.0);
+    const T path_mm = radius_mm[i] + 1e-3 * p[2];
+    const T a_mm = 1e-3 * p[0] + path_mm * std::cos(angle_rad[i]);
+    const T b_mm = 1e-3 * p[1] + path_mm * std::sin(angle_rad[i]);
+    const T square = a_mm * a_mm + b_mm * b_mm + height_mm[i] * height_mm[i];
+    // sqrt(square) - L_0 without the loss of digits
+    return 1e3 * (square - radius_mm[i] * radius_mm[i]) / (sqrt(square) + radius_mm[i]);
   }
 };
 
@@ -44,11 +41,10 @@ extern const Effect kCircle{
      .validity = "Exact for any offset and height; `recording` says which recording it belongs to, -1 all of them.",
      .source = "Length equation, exact; recording.hpp."},
     {angle_input(), radius_input(), height_input(), recording_input()},
-    {{"centre_a_um", "um", ParameterKind::gain, 0.0, -5000.0, 5000.0, {}, "from the fixed ball to the path's centre"},
-     {"centre_b_um", "um", ParameterKind::gain, 0.0, -5000.0, 5000.0, {}, "the same along B"},
-     {"radius_um", "um", ParameterKind::gain, 0.0, -5000.0, 5000.0, {}, "path's radius less the nominal length"},
-     recording_parameter()},
-    evaluated_by<4>(Circle{}),
+    {gain_within("centre_a_um", "um", 5000.0, "from the fixed ball to the path's centre"),
+     gain_within("centre_b_um", "um", 5000.0, "the same along B"),
+     gain_within("radius_um", "um", 5000.0, "path's radius less the nominal length"), recording_parameter()},
+    by_reading<4>(Circle{}),
     false,
     {},
     {.is_base = true, .one_for_all = {"radius_um"}},

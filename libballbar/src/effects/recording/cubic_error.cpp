@@ -15,17 +15,11 @@ namespace {
 // and squareness and is left to them; the fourth is the sum of both axes'.
 struct CubicError {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> angle_rad = rows.inputs[0];
-    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      out[i] = p[0] * (0.5 * std::cos(4.0 * angle_rad[i])) + p[1] * (0.5 * std::sin(4.0 * angle_rad[i]));
-    }
+    return p[0] * (0.5 * std::cos(4.0 * angle_rad[i])) + p[1] * (0.5 * std::sin(4.0 * angle_rad[i]));
   }
 };
-
-Parameter sum(const char* name, const char* row, const char* meaning) {
-  return {name, "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, meaning, false, ShapeOf::curve, {}, {}, row};
-}
 
 }  // namespace
 
@@ -44,9 +38,9 @@ extern const Effect kCubicError{
      .validity = "Linear axes; the sum of both, that of each over half its travel from end to end.",
      .source = "Kinematics as written; found as a residual of measured .b5r files, equal in both directions."},
     {angle_input()},
-    {sum("along_um", "along", "peak to peak of the errors along both axes"),
-     sum("across_um", "across", "peak to peak of the errors across them")},
-    evaluated_by<2>(CubicError{}),
+    {gain_within("along_um", "um", 1000.0, "peak to peak of the errors along both axes", "along"),
+     gain_within("across_um", "um", 1000.0, "peak to peak of the errors across them", "across")},
+    by_reading<2>(CubicError{}),
     false,
     {Motion::linear_axes},
     {.error_fit = ErrorFit::where_it_shows},

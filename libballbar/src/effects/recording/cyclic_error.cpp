@@ -16,15 +16,13 @@ struct CyclicError {
   Axis axis;
 
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     using std::cos, std::sin;
     const std::span<const double> angle_rad = rows.inputs[0], radius_mm = rows.inputs[1], direction = rows.inputs[2];
-    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      const AxisState state = state_of(axis, angle_rad[i], direction[i]);
-      const T* wave = state.velocity_sign < 0.0 ? p + 2 : p;
-      const T phase_rad = 2.0 * kPi * radius_mm[i] * state.position / p[4];
-      out[i] = 0.5 * state.position * (wave[0] * sin(phase_rad) + wave[1] * cos(phase_rad));
-    }
+    const AxisState state = state_of(axis, angle_rad[i], direction[i]);
+    const T* wave = state.velocity_sign < 0.0 ? p + 2 : p;
+    const T phase_rad = 2.0 * kPi * radius_mm[i] * state.position / p[4];
+    return 0.5 * state.position * (wave[0] * sin(phase_rad) + wave[1] * cos(phase_rad));
   }
 };
 
@@ -72,7 +70,7 @@ UnitCurvesAt unit_curves(Axis axis, const EffectRows& rows) {
 }
 
 Evaluate evaluated(Axis axis) {
-  Evaluate evaluate = evaluated_by<5>(CyclicError{axis});
+  Evaluate evaluate = by_reading<5>(CyclicError{axis});
   evaluate.unit_curves = [axis](const EffectRows& rows) { return unit_curves(axis, rows); };
   return evaluate;
 }
@@ -84,10 +82,6 @@ std::vector<double> pitches(const EffectRows& rows, double lower, double upper, 
   const std::span<const double> radius_mm = rows.inputs[1];
   const double travel_mm = 2.0 * *std::max_element(radius_mm.begin(), radius_mm.end());
   return wave_lengths(std::max(lower, kFinest_mm), upper, travel_mm, most);
-}
-
-Parameter wave(const char* name, const char* row, const char* meaning) {
-  return {name, "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, meaning, false, ShapeOf::curve, {}, {}, row};
 }
 
 Effect cyclic_error(Axis axis) {
@@ -111,10 +105,10 @@ Effect cyclic_error(Axis axis) {
        .source = "Periodic error along the axis; pitch and phase as AF_CYCLIC_PITCH and AF_CYCLIC_PHASE of measured "
                  ".b5r files."},
       {angle_input(), radius_input(), direction_input()},
-      {wave("sine_fwd_um", "fwd", "sine part while it moves towards +, peak to peak"),
-       wave("cosine_fwd_um", "fwd", "cosine part of it"),
-       wave("sine_rev_um", "rev", "sine part while it moves towards -, peak to peak"),
-       wave("cosine_rev_um", "rev", "cosine part of it"),
+      {gain_within("sine_fwd_um", "um", 1000.0, "sine part while it moves towards +, peak to peak", "fwd"),
+       gain_within("cosine_fwd_um", "um", 1000.0, "cosine part of it", "fwd"),
+       gain_within("sine_rev_um", "um", 1000.0, "sine part while it moves towards -, peak to peak", "rev"),
+       gain_within("cosine_rev_um", "um", 1000.0, "cosine part of it", "rev"),
        {"pitch_mm",
         "mm",
         ParameterKind::shape,

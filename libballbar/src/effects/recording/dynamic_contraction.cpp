@@ -7,9 +7,9 @@ namespace {
 // - c V^2, V in m/min
 struct DynamicContraction {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> feed = rows.inputs[0];
-    for (std::size_t i = 0; i < feed.size(); ++i) out[i] = p[0] * (-1e-6 * feed[i] * feed[i]);
+    return p[0] * (-1e-6 * feed[i] * feed[i]);
   }
 };
 
@@ -31,15 +31,8 @@ extern const Effect kDynamicContraction{
                  "acceleration is limited.",
      .source = "Amplitude of a first-order lag at the frequency of the circle, first term; not from a paper."},
     {feed_input()},
-    {{"contraction_um_per_m2_min2",
-      "um/(m/min)^2",
-      ParameterKind::gain,
-      0.0,
-      -1000.0,
-      1000.0,
-      {},
-      "loss of radius at 1 m/min"}},
-    evaluated_by<1>(DynamicContraction{}),
+    {gain_within("contraction_um_per_m2_min2", "um/(m/min)^2", 1000.0, "loss of radius at 1 m/min")},
+    by_reading<1>(DynamicContraction{}),
     false,
     {Motion::linear_axes},
 };

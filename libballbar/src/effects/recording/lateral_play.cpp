@@ -11,13 +11,11 @@ struct LateralPlay {
   Axis axis;
 
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> angle_rad = rows.inputs[0], direction = rows.inputs[1];
-    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      const AxisState state = state_of(axis, angle_rad[i], direction[i]);
-      const double push = 0.5 * state.velocity_sign * state.across;
-      out[i] = p[0] * (0.5 * (1.0 + state.position) * push) + p[1] * (0.5 * (1.0 - state.position) * push);
-    }
+    const AxisState state = state_of(axis, angle_rad[i], direction[i]);
+    const double push = 0.5 * state.velocity_sign * state.across;
+    return p[0] * (0.5 * (1.0 + state.position) * push) + p[1] * (0.5 * (1.0 - state.position) * push);
   }
 };
 
@@ -44,9 +42,9 @@ Effect lateral_play(Axis axis) {
                    "only the kink identifies it.",
        .source = "Kinematics of a slide between two flanks; size as AF_LATERAL_PLAY of measured .b5r files."},
       {angle_input(), direction_input()},
-      {play_at_end("play_pos_um", "pos", "whole sideways movement when it reverses on the + end"),
-       play_at_end("play_neg_um", "neg", "whole sideways movement when it reverses on the - end")},
-      evaluated_by<2>(LateralPlay{axis}),
+      {gain_within("play_pos_um", "um", 1000.0, "whole sideways movement when it reverses on the + end", "pos"),
+       gain_within("play_neg_um", "um", 1000.0, "whole sideways movement when it reverses on the - end", "neg")},
+      by_reading<2>(LateralPlay{axis}),
       false,
       {Motion::linear_axes},
       {.error_fit = ErrorFit::together,

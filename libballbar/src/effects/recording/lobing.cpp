@@ -9,13 +9,11 @@ namespace {
 // c cos k theta + s sin k theta
 struct Lobing {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     using std::cos, std::sin;
     const std::span<const double> angle_rad = rows.inputs[0];
-    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      const T phase_rad = p[2] * angle_rad[i];
-      out[i] = p[0] * cos(phase_rad) + p[1] * sin(phase_rad);
-    }
+    const T phase_rad = p[2] * angle_rad[i];
+    return p[0] * cos(phase_rad) + p[1] * sin(phase_rad);
   }
 };
 
@@ -36,15 +34,8 @@ extern const Effect kLobing{
      .validity = "3 to 15 lobes; one and two lobes are the circle and the oval.",
      .source = "Harmonic of the radius; not from a paper."},
     {angle_input()},
-    {{"cosine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "amplitude of the part with a lobe along +A"},
-     {"sine_um",
-      "um",
-      ParameterKind::gain,
-      0.0,
-      -1000.0,
-      1000.0,
-      {},
-      "amplitude of the part with no deviation along +A"},
+    {gain_within("cosine_um", "um", 1000.0, "amplitude of the part with a lobe along +A"),
+     gain_within("sine_um", "um", 1000.0, "amplitude of the part with no deviation along +A"),
      {"lobes",
       "1",
       ParameterKind::shape,
@@ -54,7 +45,7 @@ extern const Effect kLobing{
       {3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0},
       "lobes per turn, a whole number",
       true}},
-    evaluated_by<3>(Lobing{}),
+    by_reading<3>(Lobing{}),
 };
 
 }  // namespace ballbar::catalogue

@@ -18,7 +18,7 @@ extern const Effect kMountingSlip{
      .validity = "One step, along the bar. A slip across the bar is a shift of the centre.",
      .source = "Unit step; not from a paper."},
     {},
-    {{"step_um", "um", ParameterKind::gain, 0.0, -10000.0, 10000.0, {}, "length after minus length before"},
+    {gain_within("step_um", "um", 10000.0, "length after minus length before"),
      {"onset_s", "s", ParameterKind::shape, 0.0, 0.0, 1e7, {}, "time of the slip", false, ShapeOf::onset}},
     by_row<2>(Step{}),
     true,

@@ -9,11 +9,9 @@ namespace {
 // c cos 2 theta + s sin 2 theta
 struct Oval {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> angle_rad = rows.inputs[0];
-    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      out[i] = p[0] * std::cos(2.0 * angle_rad[i]) + p[1] * std::sin(2.0 * angle_rad[i]);
-    }
+    return p[0] * std::cos(2.0 * angle_rad[i]) + p[1] * std::sin(2.0 * angle_rad[i]);
   }
 };
 
@@ -34,9 +32,9 @@ extern const Effect kOval{
                  "this form.",
      .source = "Second harmonic of the radius; not from a paper."},
     {angle_input()},
-    {{"cosine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "half the difference in length along A and B"},
-     {"sine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "the same along the diagonals"}},
-    evaluated_by<2>(Oval{}),
+    {gain_within("cosine_um", "um", 1000.0, "half the difference in length along A and B"),
+     gain_within("sine_um", "um", 1000.0, "the same along the diagonals")},
+    by_reading<2>(Oval{}),
     false,
     {Motion::rotary_axis, Motion::spindle},
 };

@@ -13,22 +13,16 @@ struct ReversalSpike {
   Axis axis;
 
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     using std::exp;
     const std::span<const double> angle_rad = rows.inputs[0], direction = rows.inputs[1];
-    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      const double phi_rad = angle_rad[i] - (axis == Axis::A ? 0.0 : kPi / 2.0);
-      const double half_turns = std::floor(direction[i] * phi_rad / kPi);
-      const double since_deg = deg_from_rad(direction[i] * phi_rad - half_turns * kPi);
-      const bool positive_end = std::fmod(std::abs(half_turns), 2.0) < 0.5;
-      out[i] = (positive_end ? p[0] : p[1]) * exp(-since_deg / p[2]);
-    }
+    const double phi_rad = angle_rad[i] - (axis == Axis::A ? 0.0 : kPi / 2.0);
+    const double half_turns = std::floor(direction[i] * phi_rad / kPi);
+    const double since_deg = deg_from_rad(direction[i] * phi_rad - half_turns * kPi);
+    const bool positive_end = std::fmod(std::abs(half_turns), 2.0) < 0.5;
+    return (positive_end ? p[0] : p[1]) * exp(-since_deg / p[2]);
   }
 };
-
-Parameter peak(const char* name, const char* row, const char* meaning) {
-  return {name, "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, meaning, false, ShapeOf::curve, {}, {}, row};
-}
 
 Effect reversal_spike(Axis axis) {
   const bool a = axis == Axis::A;
@@ -51,8 +45,8 @@ Effect reversal_spike(Axis axis) {
        .source =
            "Description of the form, not from a paper; heights as AF_REVERSAL_SPIKES_POS and _NEG, outwards positive."},
       {angle_input(), direction_input()},
-      {peak("height_pos_um", "pos", "height after the reversal at the + end"),
-       peak("height_neg_um", "neg", "height after the reversal at the - end"),
+      {gain_within("height_pos_um", "um", 1000.0, "height after the reversal at the + end", "pos"),
+       gain_within("height_neg_um", "um", 1000.0, "height after the reversal at the - end", "neg"),
        {"width_deg",
         "deg",
         ParameterKind::shape,
@@ -61,7 +55,7 @@ Effect reversal_spike(Axis axis) {
         9.0,
         {0.5, 1.0, 2.0, 4.0},
         "angle over which it decays to 37 %"}},
-      evaluated_by<3>(ReversalSpike{axis}),
+      by_reading<3>(ReversalSpike{axis}),
       false,
       {Motion::linear_axes},
       {.error_fit = ErrorFit::at_reversals, .reversal_deg = a ? 0.0 : 90.0},

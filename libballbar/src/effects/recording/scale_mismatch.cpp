@@ -9,11 +9,9 @@ namespace {
 // (m / 4) cos 2 theta, m = 2 R (s_a - s_b)
 struct ScaleMismatch {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> angle_rad = rows.inputs[0];
-    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      out[i] = p[0] * (0.25 * std::cos(2.0 * angle_rad[i]));
-    }
+    return p[0] * (0.25 * std::cos(2.0 * angle_rad[i]));
   }
 };
 
@@ -38,15 +36,8 @@ extern const Effect kScaleMismatch{
      .source = "Kinematics: a (1 + s_a), b (1 + s_b) in the length equation; sign and size as AF_SCALE_MISMATCH of "
                "measured .b5r files."},
     {angle_input()},
-    {{"mismatch_um",
-      "um",
-      ParameterKind::gain,
-      0.0,
-      -1000.0,
-      1000.0,
-      {},
-      "length of A minus length of B over a diameter"}},
-    evaluated_by<1>(ScaleMismatch{}),
+    {gain_within("mismatch_um", "um", 1000.0, "length of A minus length of B over a diameter")},
+    by_reading<1>(ScaleMismatch{}),
     false,
     {Motion::linear_axes},
     {.error_fit = ErrorFit::together,

@@ -9,12 +9,10 @@ namespace {
 // dir (V / 2) dt sin 2 theta, V in mm/s = um/ms
 struct ServoMismatch {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> angle_rad = rows.inputs[0], direction = rows.inputs[1], feed = rows.inputs[2];
-    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      const double feed_um_per_ms = feed[i] / 60.0;
-      out[i] = p[0] * (direction[i] * feed_um_per_ms / 2.0 * std::sin(2.0 * angle_rad[i]));
-    }
+    const double feed_um_per_ms = feed[i] / 60.0;
+    return p[0] * (direction[i] * feed_um_per_ms / 2.0 * std::sin(2.0 * angle_rad[i]));
   }
 };
 
@@ -34,8 +32,8 @@ extern const Effect kServoMismatch{
      .validity = "Linear axes; a delay that is small compared with the time of a turn.",
      .source = "Kinematics: a at t - t_a, b at t - t_b; sign and size as AF_SERVO_MISMATCH of measured .b5r files."},
     {angle_input(), direction_input(), feed_input()},
-    {{"delay_ms", "ms", ParameterKind::gain, 0.0, -100.0, 100.0, {}, "delay of A minus delay of B"}},
-    evaluated_by<1>(ServoMismatch{}),
+    {gain_within("delay_ms", "ms", 100.0, "delay of A minus delay of B")},
+    by_reading<1>(ServoMismatch{}),
     false,
     {Motion::linear_axes},
     {.error_fit = ErrorFit::together},

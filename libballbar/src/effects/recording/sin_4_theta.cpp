@@ -9,11 +9,9 @@ namespace {
 // dir (s / 2) sin 4 theta
 struct Sin4Theta {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> angle_rad = rows.inputs[0], direction = rows.inputs[1];
-    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      out[i] = p[0] * (0.5 * direction[i] * std::sin(4.0 * angle_rad[i]));
-    }
+    return p[0] * (0.5 * direction[i] * std::sin(4.0 * angle_rad[i]));
   }
 };
 
@@ -34,8 +32,8 @@ extern const Effect kSin4Theta{
      .validity = "Linear axes. Describes a form that occurs beside the other errors; it is not a cause.",
      .source = "Form, sign and size as AF_SIN_4_THETA of measured .b5r files."},
     {angle_input(), direction_input()},
-    {{"size_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "peak to peak in one direction"}},
-    evaluated_by<1>(Sin4Theta{}),
+    {gain_within("size_um", "um", 1000.0, "peak to peak in one direction")},
+    by_reading<1>(Sin4Theta{}),
     false,
     {Motion::linear_axes},
     {.error_fit = ErrorFit::together, .ranked_by_instrument = RankedByInstrument::never},

@@ -9,11 +9,9 @@ namespace {
 // - (R / 2) g sin 2 theta, g the angle between +A and +B less a right angle; um/m of mm are nm
 struct Squareness {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> angle_rad = rows.inputs[0], radius_mm = rows.inputs[1];
-    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      out[i] = p[0] * (-1e-3 * radius_mm[i] / 2.0 * std::sin(2.0 * angle_rad[i]));
-    }
+    return p[0] * (-1e-3 * radius_mm[i] / 2.0 * std::sin(2.0 * angle_rad[i]));
   }
 };
 
@@ -33,15 +31,8 @@ extern const Effect kSquareness{
      .validity = "Linear axes, only in the area of the test; bent guideways have another angle elsewhere.",
      .source = "Kinematics: b moves A by - g b; sign and size as AF_SQUARENESS of measured .b5r files."},
     {angle_input(), radius_input()},
-    {{"squareness_um_per_m",
-      "um/m",
-      ParameterKind::gain,
-      0.0,
-      -10000.0,
-      10000.0,
-      {},
-      "angle from +A to +B minus a right angle"}},
-    evaluated_by<1>(Squareness{}),
+    {gain_within("squareness_um_per_m", "um/m", 10000.0, "angle from +A to +B minus a right angle")},
+    by_reading<1>(Squareness{}),
     false,
     {Motion::linear_axes},
     {.error_fit = ErrorFit::together,

@@ -16,12 +16,10 @@ struct Straightness {
   Axis axis;
 
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> angle_rad = rows.inputs[0];
-    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      const double lobes = axis == Axis::A ? std::sin(3.0 * angle_rad[i]) : -std::cos(3.0 * angle_rad[i]);
-      out[i] = p[0] * (0.25 * lobes);
-    }
+    const double lobes = axis == Axis::A ? std::sin(3.0 * angle_rad[i]) : -std::cos(3.0 * angle_rad[i]);
+    return p[0] * (0.25 * lobes);
   }
 };
 
@@ -41,15 +39,8 @@ Effect straightness(Axis axis) {
        .validity = "Linear axes; a bow of one curvature over the circle.",
        .source = "Kinematics as written; sign and size as AF_STRAIGHTNESS of measured .b5r files."},
       {angle_input()},
-      {{"bow_um",
-        "um",
-        ParameterKind::gain,
-        0.0,
-        -1000.0,
-        1000.0,
-        {},
-        "height of the ends of the travel above its middle"}},
-      evaluated_by<1>(Straightness{axis}),
+      {gain_within("bow_um", "um", 1000.0, "height of the ends of the travel above its middle")},
+      by_reading<1>(Straightness{axis}),
       false,
       {Motion::linear_axes},
       // An arc about +A or -A sees little of cos 3 theta beside the centre, one about B of sin 3 theta.

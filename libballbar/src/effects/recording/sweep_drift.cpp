@@ -8,9 +8,9 @@ namespace {
 // k (t - t_mid)
 struct SweepDrift {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> sweep_s = rows.inputs[0];
-    for (std::size_t i = 0; i < sweep_s.size(); ++i) out[i] = p[0] * min_from_s(sweep_s[i]);
+    return p[0] * min_from_s(sweep_s[i]);
   }
 };
 
@@ -31,8 +31,8 @@ extern const Effect kSweepDrift{
      .validity = "Equal rate in all sweeps. Without times or feed, one reading per second is assumed.",
      .source = "First term of any slow drift; not from a paper."},
     {sweep_input()},
-    {{"rate_um_per_min", "um/min", ParameterKind::gain, 0.0, -10000.0, 10000.0, {}, "growth of the length"}},
-    evaluated_by<1>(SweepDrift{}),
+    {gain_within("rate_um_per_min", "um/min", 10000.0, "growth of the length")},
+    by_reading<1>(SweepDrift{}),
     true,
 };
 

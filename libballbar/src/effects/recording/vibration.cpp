@@ -14,16 +14,13 @@ namespace {
 // at the same phase.
 struct Vibration {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     using std::cos, std::sin;
     const std::span<const double> sweep_s = rows.inputs[0], direction = rows.inputs[1], recording = rows.inputs[2];
-    for (std::size_t i = 0; i < sweep_s.size(); ++i) {
-      out[i] = T(0.0);
-      if (!belongs_to(p[5], recording[i])) continue;
-      const T* gain = direction[i] > 0.0 ? p : p + 2;
-      const T phase_rad = (2.0 * kPi * sweep_s[i]) * p[4];
-      out[i] = gain[0] * sin(phase_rad) + gain[1] * cos(phase_rad);
-    }
+    if (!belongs_to(p[5], recording[i])) return T(0.0);
+    const T* gain = direction[i] > 0.0 ? p : p + 2;
+    const T phase_rad = (2.0 * kPi * sweep_s[i]) * p[4];
+    return gain[0] * sin(phase_rad) + gain[1] * cos(phase_rad);
   }
 };
 
@@ -66,14 +63,14 @@ extern const Effect kVibration{
          "sweeps in one direction have different phases: use one vibration for each and state its `recording`.",
      .source = "Sinusoid in time; not from a paper."},
     {sweep_input(), direction_input(), recording_input()},
-    {{"sine_ccw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "sine part in CCW recordings"},
-     {"cosine_ccw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "cosine part in CCW recordings"},
-     {"sine_cw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "sine part in CW recordings"},
-     {"cosine_cw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "cosine part in CW recordings"},
+    {gain_within("sine_ccw_um", "um", 1000.0, "sine part in CCW recordings"),
+     gain_within("cosine_ccw_um", "um", 1000.0, "cosine part in CCW recordings"),
+     gain_within("sine_cw_um", "um", 1000.0, "sine part in CW recordings"),
+     gain_within("cosine_cw_um", "um", 1000.0, "cosine part in CW recordings"),
      {"frequency_Hz", "Hz", ParameterKind::shape, 5.0, 1.0, 500.0, frequencies_Hz(), "of the vibration", false,
       ShapeOf::curve, searched_Hz},
      recording_parameter()},
-    evaluated_by<6>(Vibration{}),
+    by_reading<6>(Vibration{}),
 };
 
 }  // namespace ballbar::catalogue
