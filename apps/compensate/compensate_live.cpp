@@ -1,5 +1,3 @@
-#include "compensate/compensate_live.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -14,6 +12,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/live_rows.hpp"
+#include "compensate/compensate.hpp"
 #include "compensate/offset_text.hpp"
 #include "compensate/signal_source.hpp"
 #include "terminal/stderr_line.hpp"

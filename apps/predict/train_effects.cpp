@@ -13,7 +13,7 @@
 #include "ballbar/predict/predictability.hpp"
 #include "ballbar/series/runs.hpp"
 #include "model/model_options.hpp"
-#include "predict/effect_training_result.hpp"
+#include "predict/predict_results.hpp"
 #include "predict/train.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/output_guard.hpp"

@@ -1,5 +1,3 @@
-#include "shaft_picture/shaft_states.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +13,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/temperature/mean_point.hpp"
+#include "shaft_picture/shaft_picture.hpp"
 
 namespace ballbar {
 namespace {
