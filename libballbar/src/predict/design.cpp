@@ -192,16 +192,6 @@ std::vector<std::size_t> rows_between(std::size_t first, std::size_t end) {
   return rows;
 }
 
-ColumnScales column_scales(const Eigen::MatrixXd& columns) {
-  ColumnScales scales{columns.colwise().mean(), Eigen::VectorXd(columns.cols())};
-  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
-    const double square = (columns.col(k).array() - scales.mean[k]).square().sum();
-    const double sd = std::sqrt(square / static_cast<double>(columns.rows()));
-    scales.sd[k] = sd > 1e-6 * std::max(1e-3, columns.col(k).cwiseAbs().maxCoeff()) ? sd : 0.0;
-  }
-  return scales;
-}
-
 Design design_of(std::span<const Series> runs, const std::string& target, const Catalogue& catalogue) {
   Design design;
   design.runs = runs.size();

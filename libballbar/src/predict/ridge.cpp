@@ -112,14 +112,13 @@ Eigen::MatrixXd without_constant(const Solved& of) {
 LeftOutRuns left_out(const RidgeProblem& problem, const Solved& of, bool with_sigma) {
   const Eigen::Index n = problem.columns.rows();
   const Eigen::MatrixXd q = without_constant(of);
-  LeftOutRuns result{Eigen::VectorXd(n), Eigen::VectorXd(with_sigma ? n : 0), {}, {}};
+  LeftOutRuns result{Eigen::VectorXd(n), Eigen::VectorXd(with_sigma ? n : 0), {}};
   for (Eigen::Index first = 0; first < n;) {
     Eigen::Index end = first;
     while (end < n && problem.run[static_cast<std::size_t>(end)] == problem.run[static_cast<std::size_t>(first)]) ++end;
     const Eigen::Index size = end - first;
     const auto of_run = q.block(first, first, size, size).ldlt();
     result.error_um.segment(first, size) = of_run.solve(of.of_target.segment(first, size));
-    result.run.push_back(problem.run[static_cast<std::size_t>(first)]);
     result.rmse_um.push_back(std::sqrt(result.error_um.segment(first, size).squaredNorm() / static_cast<double>(size)));
     if (with_sigma) {
       result.sigma_um.segment(first, size) =

@@ -1,5 +1,15 @@
-#include "predict/selection.hpp"
-
+// Predictors chosen one by one, the gains of all of them together.
+//
+//   y = a + sum_j b_j x_j + e,   b_j ~ N(0, s^2 v),   e ~ N(0, s^2 N),   a free      (N: ridge.hpp)
+//
+// A predictor j that joins raises the restricted likelihood by
+//
+//   -(n-1)/2 ln(1 - v q_j^2 / ((1 + v d_j) S)) - 1/2 ln(1 + v d_j),   q_j = z_j'P r,  d_j = z_j'P z_j,  S = r'P r
+//
+// z_j and r whitened and freed of a, P = I - sum w w' v / (1 + v g) over those that have joined (w = P z, g = z'w). The
+// predictor with the largest rise joins, until no more is needed:
+//
+//   P(none) = 1 / (1 + mean over the predictors of exp of that rise) > 0.5
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +20,7 @@
 #include <vector>
 
 #include "ballbar/numerics/parallel.hpp"
+#include "predict/ridge.hpp"
 
 namespace ballbar {
 namespace {
