@@ -71,6 +71,9 @@ inline constexpr double kFreeNamed = 1e4;
 // N, n by n.
 Eigen::MatrixXd discrepancy_of(const std::vector<double>& time_s, const std::vector<std::size_t>& run, double length_s);
 
+// Covariance of the discrepancy at end_s with that of every row, over s^2.
+Eigen::VectorXd discrepancy_at_end(const RidgeProblem& problem, double length_s);
+
 // The share of the discrepancy's variance that is remembered after so long.
 double remembered(double since_s, double length_s);
 

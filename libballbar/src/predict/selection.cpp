@@ -48,13 +48,7 @@ WhitenedColumns whitened(const RidgeProblem& problem, const Eigen::MatrixXd& col
   of.fixed = root.matrixL().solve(Eigen::MatrixXd::Ones(columns.rows(), 1));
   of.columns = root.matrixL().solve(columns);
   of.target = root.matrixL().solve(problem.target_um);
-  Eigen::VectorXd end(problem.target_um.size());
-  for (Eigen::Index i = 0; i < end.size(); ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    const bool same = problem.run[row] == problem.run.back();
-    end[i] = same ? remembered(problem.end_s - problem.time_s[row], length_s) : 0.0;
-  }
-  of.towards_end = root.matrixL().solve(end);
+  of.towards_end = root.matrixL().solve(discrepancy_at_end(problem, length_s));
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> basis(of.fixed);
   const Eigen::MatrixXd q = basis.householderQ() * Eigen::MatrixXd::Identity(of.fixed.rows(), basis.rank());
   const auto freed = [&](const auto& of_what) { return (of_what - q * (q.transpose() * of_what)).eval(); };

@@ -15,7 +15,11 @@
 namespace ballbar {
 namespace {
 
-constexpr double kNothing = 1e-12;  // of the largest eigenvalue: a direction in which the inputs do not move
+constexpr double kFarFromPlane = 4.0;  // times the largest Q in training
+constexpr double kOneSensor = 0.9;     // of the odd rows: otherwise it is the job that is unlike the training
+constexpr double kRounding = 1e-9;
+constexpr std::size_t kFewRows = 3;  // that a sensor must spoil
+constexpr double kNothing = 1e-12;   // of the largest eigenvalue: a direction in which the inputs do not move
 
 // Eigenvalues of the inputs' scatter from the largest down, and the target along each eigenvector.
 struct Principal {
@@ -87,6 +91,42 @@ RangeStatistics range_statistics(const TrainedRange& range, const Eigen::MatrixX
   result.T2 = result.scores.cwiseAbs2() * inverse;
   result.Q_K2 = result.residual.rowwise().squaredNorm();
   return result;
+}
+
+// The largest in training; where the components draw all of the inputs Q is rounding alone.
+double ordinary_Q_K2(const TrainedRange& range) {
+  return std::max({range.largest_Q_K2, kRounding * range.variance_K2.sum(), kRounding});
+}
+
+// Sensors whose reading, replaced by what the others suggest, makes the row ordinary: the fall of Q is
+// e_j' C_jj^-1 e_j with C = I - L L', e = C x (reconstruction-based contribution, Alcala and Qin 2009).
+std::vector<std::string> broken_of(const TemperatureRegression& model, const RangeStatistics& rows) {
+  const auto sensors = static_cast<Eigen::Index>(model.columns.sensors.size());
+  const Eigen::Index m = model.range.mean_degC.size();
+  const Eigen::MatrixXd c = Eigen::MatrixXd::Identity(m, m) - model.range.loadings * model.range.loadings.transpose();
+  const double limit = kFarFromPlane * ordinary_Q_K2(model.range);
+  std::size_t odd = 0;  // rows
+  std::vector<std::size_t> mended(model.columns.sensors.size(), 0);
+  for (Eigen::Index i = 0; i < rows.Q_K2.size(); ++i) {
+    if (!(rows.Q_K2[i] > limit)) continue;
+    ++odd;
+    for (Eigen::Index j = 0; j < sensors; ++j) {
+      std::vector<Eigen::Index> places{j};
+      if (m > sensors) places.push_back(j + sensors);
+      const Eigen::MatrixXd own = c(places, places);
+      if (!(own.diagonal().minCoeff() > 1e-6)) continue;
+      const Eigen::VectorXd e = rows.residual.row(i).transpose()(places);
+      if (rows.Q_K2[i] - e.dot(own.ldlt().solve(e)) <= limit) ++mended[static_cast<std::size_t>(j)];
+    }
+  }
+  std::vector<std::string> broken;
+  if (odd < std::min(kFewRows, static_cast<std::size_t>(rows.Q_K2.size()))) return broken;
+  for (std::size_t j = 0; j < mended.size(); ++j) {
+    if (static_cast<double>(mended[j]) >= kOneSensor * static_cast<double>(odd)) {
+      broken.push_back(model.columns.sensors[j]);
+    }
+  }
+  return broken;
 }
 
 }  // namespace
@@ -246,51 +286,6 @@ TemperatureRegression temperature_regression(std::span<const Batch> batches, std
   }
   return model;
 }
-
-namespace {
-
-constexpr double kFarFromPlane = 4.0;  // times the largest Q in training
-constexpr double kOneSensor = 0.9;     // of the odd rows: otherwise it is the job that is unlike the training
-constexpr double kRounding = 1e-9;
-constexpr std::size_t kFewRows = 3;  // that a sensor must spoil
-
-// The largest in training; where the components draw all of the inputs Q is rounding alone.
-double ordinary_Q_K2(const TrainedRange& range) {
-  return std::max({range.largest_Q_K2, kRounding * range.variance_K2.sum(), kRounding});
-}
-
-// Sensors whose reading, replaced by what the others suggest, makes the row ordinary: the fall of Q is
-// e_j' C_jj^-1 e_j with C = I - L L', e = C x (reconstruction-based contribution, Alcala and Qin 2009).
-std::vector<std::string> broken_of(const TemperatureRegression& model, const RangeStatistics& rows) {
-  const auto sensors = static_cast<Eigen::Index>(model.columns.sensors.size());
-  const Eigen::Index m = model.range.mean_degC.size();
-  const Eigen::MatrixXd c = Eigen::MatrixXd::Identity(m, m) - model.range.loadings * model.range.loadings.transpose();
-  const double limit = kFarFromPlane * ordinary_Q_K2(model.range);
-  std::size_t odd = 0;  // rows
-  std::vector<std::size_t> mended(model.columns.sensors.size(), 0);
-  for (Eigen::Index i = 0; i < rows.Q_K2.size(); ++i) {
-    if (!(rows.Q_K2[i] > limit)) continue;
-    ++odd;
-    for (Eigen::Index j = 0; j < sensors; ++j) {
-      std::vector<Eigen::Index> places{j};
-      if (m > sensors) places.push_back(j + sensors);
-      const Eigen::MatrixXd own = c(places, places);
-      if (!(own.diagonal().minCoeff() > 1e-6)) continue;
-      const Eigen::VectorXd e = rows.residual.row(i).transpose()(places);
-      if (rows.Q_K2[i] - e.dot(own.ldlt().solve(e)) <= limit) ++mended[static_cast<std::size_t>(j)];
-    }
-  }
-  std::vector<std::string> broken;
-  if (odd < std::min(kFewRows, static_cast<std::size_t>(rows.Q_K2.size()))) return broken;
-  for (std::size_t j = 0; j < mended.size(); ++j) {
-    if (static_cast<double>(mended[j]) >= kOneSensor * static_cast<double>(odd)) {
-      broken.push_back(model.columns.sensors[j]);
-    }
-  }
-  return broken;
-}
-
-}  // namespace
 
 double effective_batches(std::span<const double> weights) {
   double sum = 0.0, squares = 0.0;
