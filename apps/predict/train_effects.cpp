@@ -104,12 +104,6 @@ std::string start_text(const Start& start, const std::string& file, const std::s
   return text;
 }
 
-void expect_start(const TrainOptions& options, const EffectRegression& start, const std::string& target) {
-  if (start.model.targets.front() == target) return;
-  throw Error(
-      fmt::format("{}: expected a model of {}, found one of {}.", options.start, target, start.model.targets.front()));
-}
-
 Table driver_table(const DriverReport& report, const std::string& unit) {
   Table table({"column", "role", "contribution " + unit, "range in refits", "stability"});
   double others = 0.0;
@@ -269,7 +263,9 @@ void train_effects(const TrainOptions& options) {
   std::optional<EffectRegression> start;
   if (!options.start.empty()) {
     start = read_effect_regression(read_bytes(options.start, kLargestText), options.start);
-    expect_start(options, *start, target);
+    if (const std::string& of = start->model.targets.front(); of != target) {
+      throw Error(fmt::format("{}: expected a model of {}, found one of {}.", options.start, target, of));
+    }
     how.start = &*start;
   }
   TrainedRegression trained = [&] {

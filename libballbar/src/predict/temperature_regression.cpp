@@ -29,34 +29,13 @@ struct Principal {
   Eigen::Index determined;  // eigenvalues that are more than nothing
 };
 
-auto inputs(const Moments& moments) {
-  const Eigen::Index m = moments.mean.size() - 1;
-  return moments.scatter.topLeftCorner(m, m);
-}
-
 Principal principal(const Moments& moments) {
   const Eigen::Index m = moments.mean.size() - 1;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(inputs(moments));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(moments.scatter.topLeftCorner(m, m));
   Principal result{solver.eigenvalues().reverse(), solver.eigenvectors().rowwise().reverse(), {}, 0};
   result.along = result.vector.transpose() * moments.scatter.col(m).head(m);
   while (result.determined < m && result.value[result.determined] > kNothing * result.value[0]) ++result.determined;
   return result;
-}
-
-Regression with_slope(const Moments& moments, Eigen::VectorXd slope) {
-  const Eigen::Index m = slope.size();
-  const double intercept = moments.mean[m] - slope.dot(moments.mean.head(m));
-  return {std::move(slope), intercept};
-}
-
-Eigen::VectorXd of_components(const Principal& p, Eigen::Index components) {
-  const Eigen::Index used = std::min(components, p.determined);
-  return p.vector.leftCols(used) * (p.along.head(used).array() / p.value.head(used).array()).matrix();
-}
-
-Eigen::VectorXd of_ridge(const Principal& p, double penalty) {
-  const Eigen::Index used = p.determined;  // what else there is, is rounding
-  return p.vector.leftCols(used) * (p.along.head(used).array() / (p.value.head(used).array() + penalty)).matrix();
 }
 
 void expect_possible(const Moments& moments, const RegressionSettings& settings) {
@@ -144,9 +123,13 @@ std::vector<Regression> regress(const Moments& moments, std::span<const Regressi
   result.reserve(settings.size());
   for (const RegressionSettings& one : settings) {
     expect_possible(moments, one);
-    result.push_back(with_slope(moments, one.method == RegressionMethod::pcr
-                                             ? of_components(p, static_cast<Eigen::Index>(one.components))
-                                             : of_ridge(p, moments.weight * one.penalty_K2)));
+    const bool is_pcr = one.method == RegressionMethod::pcr;
+    const Eigen::Index used =  // what else there is, is rounding
+        is_pcr ? std::min(static_cast<Eigen::Index>(one.components), p.determined) : p.determined;
+    const double penalty = is_pcr ? 0.0 : moments.weight * one.penalty_K2;
+    const Eigen::VectorXd slope =
+        p.vector.leftCols(used) * (p.along.head(used).array() / (p.value.head(used).array() + penalty)).matrix();
+    result.push_back({slope, moments.mean[slope.size()] - slope.dot(moments.mean.head(slope.size()))});
   }
   return result;
 }
