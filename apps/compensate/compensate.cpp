@@ -1,5 +1,7 @@
 // `ballbar compensate`: offsets for the axes of a machine from a model and what its sensors say; with --from-picture
 // where one sensor should sit.
+#include "compensate/compensate.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -10,10 +12,6 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "commands.hpp"
-#include "compensate/compensate_live.hpp"
-#include "compensate/compensate_replay.hpp"
-#include "compensate/compensate_write.hpp"
-#include "compensate/compensation_options.hpp"
 #include "shaft_picture/shaft_picture.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/log_options.hpp"

@@ -1,6 +1,7 @@
-#include "compensate/compensate_live.hpp"
-
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,13 +10,15 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/live_rows.hpp"
+#include "compensate/compensate.hpp"
 #include "compensate/offset_text.hpp"
-#include "compensate/signal_source.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -23,6 +26,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kStateAge_s = 1.0;        // of the state's file while counts stay
+constexpr int kPause_ms = 50;              // between looks at a file that may grow
 constexpr std::size_t kMostChanges = 100;  // changes of a hold
 
 volatile std::sig_atomic_t g_stop = 0;
@@ -36,6 +40,108 @@ void stop_at_signals() {
   sigaction(SIGTERM, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);  // said as an error
 }
+
+bool is_file(const struct stat& status) { return S_ISREG(status.st_mode); }
+
+// Bytes of signals as they come: from the standard input, a file, or a file that a logger still writes.
+class SignalSource {
+ public:
+  // "-": the standard input. follow: waits at the end of a file for more. silence_s: how long nothing may come before
+  // that is said. Throws Error where it cannot be opened.
+  SignalSource(const std::string& name, bool follow, double silence_s)
+      : name_(name), follow_(follow), silence_s_(silence_s) {
+    if (name != "-") open_file();
+  }
+  ~SignalSource() {
+    if (descriptor_ > 0) close(descriptor_);
+  }
+  SignalSource(const SignalSource&) = delete;
+  SignalSource& operator=(const SignalSource&) = delete;
+
+  // What has come, until the next call; empty: no more will, or another file has taken the name. Throws Error where
+  // reading fails, or the file became shorter than what was read of it.
+  std::string_view read() {
+    double waited_s = 0.0;
+    while (g_stop == 0) {
+      struct pollfd ready {
+        descriptor_, POLLIN, 0
+      };
+      const int found = poll(&ready, 1, kPause_ms);
+      if (found < 0 && errno != EINTR) throw Error(fmt::format("{}: {}.", name_, std::strerror(errno)));
+      if (found <= 0) {
+        if (found == 0) wait(waited_s);
+        continue;
+      }
+      const ssize_t count = ::read(descriptor_, piece_.data(), piece_.size());
+      if (count > 0) return {piece_.data(), static_cast<std::size_t>(count)};
+      if (count < 0 && errno != EINTR) throw Error(fmt::format("{}: {}.", name_, std::strerror(errno)));
+      if (count != 0) continue;
+      if (!follow_) return {};
+      expect_grows();
+      if (replaced()) {
+        open_file();
+        reopened_ = true;
+        return {};
+      }
+      usleep(kPause_ms * 1000);
+      wait(waited_s);
+    }
+    return {};
+  }
+
+  // With follow: another file has taken the name, as where logs are rotated. Then read() goes on with that.
+  bool reopened() { return std::exchange(reopened_, false); }
+
+  // Which file this is, at 0 bytes; nothing for what is no regular file.
+  std::optional<SignalsPlace> place() const {
+    struct stat now {};
+    if (descriptor_ == 0 || fstat(descriptor_, &now) != 0 || !is_file(now)) return std::nullopt;
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::weakly_canonical(name_, error);
+    return SignalsPlace{error ? name_ : whole.string(), now.st_ino, 0};
+  }
+
+ private:
+  void open_file() {
+    const int opened = open(name_.c_str(), O_RDONLY | O_CLOEXEC);
+    if (opened < 0) throw Error(fmt::format("{}: cannot be opened: {}.", name_, std::strerror(errno)));
+    if (descriptor_ > 0) close(descriptor_);
+    descriptor_ = opened;
+  }
+
+  // Says once when nothing has come for too long.
+  void wait(double& waited_s) const {
+    const double before_s = waited_s;
+    waited_s += 1e-3 * kPause_ms;
+    if (before_s <= silence_s_ && waited_s > silence_s_) {
+      stderr_line(
+          fmt::format("{}: no row for {:g} s; the offsets stay", name_ == "-" ? "standard input" : name_, silence_s_));
+    }
+  }
+
+  bool replaced() const {
+    struct stat ours {
+    }, named{};
+    if (fstat(descriptor_, &ours) != 0 || !is_file(ours) || stat(name_.c_str(), &named) != 0) return false;
+    return is_file(named) && (named.st_ino != ours.st_ino || named.st_dev != ours.st_dev);
+  }
+
+  // One that begins anew would be read from the middle, or never again.
+  void expect_grows() const {
+    struct stat now {};
+    if (fstat(descriptor_, &now) != 0 || !is_file(now)) return;
+    if (now.st_size < lseek(descriptor_, 0, SEEK_CUR)) {
+      throw Error(fmt::format("{}: expected a file that grows, found it shorter than it was.", name_));
+    }
+  }
+
+  std::string name_;
+  bool follow_ = false;
+  double silence_s_ = 0.0;
+  int descriptor_ = 0;
+  bool reopened_ = false;
+  std::array<char, std::size_t{64} << 10> piece_{};
+};
 
 void write_out(fmt::memory_buffer& out) {
   for (std::size_t written = 0; written < out.size();) {
@@ -138,7 +244,7 @@ void compensate_live(const CompensationOptions& options, const LiveOptions& live
   const std::vector<CompensatedAxis> axes = axes_of(options);
   CompensatedAxes machine(axes, limits);
   KeptState state(options.state, axes, machine);
-  SignalSource source(live.signals, live.follow, limits.gap_s, g_stop);
+  SignalSource source(live.signals, live.follow, limits.gap_s);
   const std::string name = live.signals == "-" ? "standard input" : live.signals;
   const std::vector<std::string> columns(machine.columns().begin(), machine.columns().end());
   LiveRows rows(name, columns);

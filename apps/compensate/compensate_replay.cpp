@@ -1,5 +1,3 @@
-#include "compensate/compensate_replay.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,8 +9,9 @@
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "compensate/compensate.hpp"
+#include "compensate/compensation_results.hpp"
 #include "compensate/offset_text.hpp"
-#include "compensate/replay_result.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"

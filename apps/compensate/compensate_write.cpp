@@ -1,5 +1,3 @@
-#include "compensate/compensate_write.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,8 +15,9 @@
 #include "ballbar/predict/batch.hpp"
 #include "ballbar/series/merged_series.hpp"
 #include "ballbar/series/runs.hpp"
+#include "compensate/compensate.hpp"
+#include "compensate/compensation_results.hpp"
 #include "compensate/offset_text.hpp"
-#include "compensate/written_result.hpp"
 #include "model/model_options.hpp"
 #include "predict/train.hpp"
 #include "terminal/caller.hpp"

@@ -18,7 +18,7 @@
 #include "ballbar/series/runs.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
-#include "predict/predict_result.hpp"
+#include "predict/predict_results.hpp"
 #include "predict/predicted_job.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"

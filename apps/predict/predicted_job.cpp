@@ -17,7 +17,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/reader.hpp"
 #include "ballbar/number_text.hpp"
-#include "predict/predict_result.hpp"
+#include "predict/predict_results.hpp"
 #include "predict/train.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/output_guard.hpp"

@@ -15,7 +15,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
-#include "predict/training_result.hpp"
+#include "predict/predict_results.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/details.hpp"

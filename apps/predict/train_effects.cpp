@@ -13,7 +13,7 @@
 #include "ballbar/predict/predictability.hpp"
 #include "ballbar/series/runs.hpp"
 #include "model/model_options.hpp"
-#include "predict/effect_training_result.hpp"
+#include "predict/predict_results.hpp"
 #include "predict/train.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/output_guard.hpp"
@@ -102,12 +102,6 @@ std::string start_text(const Start& start, const std::string& file, const std::s
                         unit, *start.alone_um, unit);
   }
   return text;
-}
-
-void expect_start(const TrainOptions& options, const EffectRegression& start, const std::string& target) {
-  if (start.model.targets.front() == target) return;
-  throw Error(
-      fmt::format("{}: expected a model of {}, found one of {}.", options.start, target, start.model.targets.front()));
 }
 
 Table driver_table(const DriverReport& report, const std::string& unit) {
@@ -269,7 +263,9 @@ void train_effects(const TrainOptions& options) {
   std::optional<EffectRegression> start;
   if (!options.start.empty()) {
     start = read_effect_regression(read_bytes(options.start, kLargestText), options.start);
-    expect_start(options, *start, target);
+    if (const std::string& of = start->model.targets.front(); of != target) {
+      throw Error(fmt::format("{}: expected a model of {}, found one of {}.", options.start, target, of));
+    }
     how.start = &*start;
   }
   TrainedRegression trained = [&] {

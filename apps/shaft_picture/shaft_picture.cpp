@@ -202,9 +202,7 @@ void show_shaft_picture(const ShaftPictureArguments& options) {
     expect_shaft_plot(options.plot);
     outputs.push_back(options.plot);
   }
-  if (!options.out.empty()) {
-    outputs.push_back(options.out);
-  }
+  if (!options.out.empty()) outputs.push_back(options.out);
   expect_no_input(outputs, {options.of.files.begin(), options.of.files.end()});
   std::vector<ShaftState> states = shaft_states(options.of);
   std::vector<NamedProfile> profiles;

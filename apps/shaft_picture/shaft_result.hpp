@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ballbar/formats/results/result_type.hpp"
-#include "shaft_picture/shaft_states.hpp"
+#include "shaft_picture/shaft_picture.hpp"
 
 namespace ballbar {
 

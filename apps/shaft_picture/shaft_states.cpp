@@ -1,5 +1,3 @@
-#include "shaft_picture/shaft_states.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -14,7 +12,8 @@
 #include "ballbar/formats/series/profile_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
-#include "ballbar/temperature/mean_point.hpp"
+#include "model/model_options.hpp"
+#include "shaft_picture/shaft_picture.hpp"
 
 namespace ballbar {
 namespace {
@@ -139,16 +138,14 @@ ShaftState state_of(const ShaftPictureOptions& options, const std::string& path,
   from.vertical = options.vertical;
   from.picture = read_picture(bytes, path);
   const std::vector<Colour> colours = colours_of(options.colours);
-  try {
+  with_source(path, [&] {
     from.scale = colours.empty() ? legend_scale(from.picture, *legend, min, max) : scale_of(colours, min, max);
     ImageOptions how{box_of("--region", options.region), legend, edge_of(options)};
     from.image = temperature_image(from.picture, from.scale, how);
     from.columns =
         image_profile(from.image, from.scale, options.from_mm.value_or(0.0), *options.to_mm, options.vertical);
     from.areas = three_areas(from.picture, from.image, min, max, options.vertical);
-  } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", path, error.what()));
-  }
+  });
   state.profile = from.columns.profile;
   state.sigma_mean_degC = from.columns.sigma_mean_degC;
   measure(state, options, from.scale.step_degC, length_mm(state.profile) / static_cast<double>(from.columns.columns));
@@ -171,12 +168,10 @@ std::vector<ShaftState> states_of_table(const ShaftPictureOptions& options, cons
     ShaftState state;
     state.name = std::move(named.name);
     state.profile = std::move(named.profile);
-    try {
+    with_source(path + ": " + state.name, [&] {
       state.sigma_mean_degC = sigma_of_mean_degC(state.profile);
       measure(state, options, 0.0, 0.0);
-    } catch (const Error& error) {
-      throw Error(fmt::format("{}: {}: {}", path, state.name, error.what()));
-    }
+    });
     states.push_back(std::move(state));
   }
   return states;

@@ -70,13 +70,10 @@ ReplayedAxis measured_axis(const CompensatedAxis& axis, const Series& measured, 
   return replayed;
 }
 
-double size_of(double error_um, ErrorSize size) {
-  return size == ErrorSize::mean_of_sizes ? std::abs(error_um) : error_um * error_um;
-}
-
 double sum_of(std::span<const double> errors_um, ErrorSize size) {
   double sum = 0.0;
-  for (const double error_um : errors_um) sum += size_of(error_um, size);
+  for (const double error_um : errors_um)
+    sum += size == ErrorSize::mean_of_sizes ? std::abs(error_um) : error_um * error_um;
   return sum;
 }
 

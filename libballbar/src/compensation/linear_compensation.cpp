@@ -214,12 +214,11 @@ void append_left(LineResiduals& left, const LineData& all, const LinearCompensat
     left.before_um.push_back(before_um);
     left.model_um.push_back(before_um - (all.predicted_um[row] - all.predicted_um[zero]));
     left.line_um.push_back(before_um - (at(row) - at(zero)));
-    const auto is_beyond = [&](std::size_t k) {
-      const double reading = all.sensors[static_cast<std::size_t>(sensors[k])]->values[row];
-      return reading < line.sensors[k].low || reading > line.sensors[k].high;
-    };
     bool beyond = false;
-    for (std::size_t k = 0; k < sensors.size(); ++k) beyond |= is_beyond(k);
+    for (std::size_t k = 0; k < sensors.size(); ++k) {
+      const double reading = all.sensors[static_cast<std::size_t>(sensors[k])]->values[row];
+      beyond |= reading < line.sensors[k].low || reading > line.sensors[k].high;
+    }
     left.beyond += beyond ? 1 : 0;
   }
 }

@@ -45,12 +45,11 @@ const std::vector<double>& without_gaps(const Series& series, const std::string&
   const auto gap =
       std::find_if(values.begin(), values.end(), [](double value) { return !(std::abs(value) <= kLargest); });
   if (gap == values.end()) return values;
+  const double time_s = series.time_s[static_cast<std::size_t>(gap - values.begin())];
   if (std::isfinite(*gap)) {
-    throw Error(fmt::format("expected values below 1e6 in {}, found {} at {} s.", name, *gap,
-                            series.time_s[static_cast<std::size_t>(gap - values.begin())]));
+    throw Error(fmt::format("expected values below 1e6 in {}, found {} at {} s.", name, *gap, time_s));
   }
-  throw Error(fmt::format("expected a value in every row of {}, found a gap at {} s.", name,
-                          series.time_s[static_cast<std::size_t>(gap - values.begin())]));
+  throw Error(fmt::format("expected a value in every row of {}, found a gap at {} s.", name, time_s));
 }
 
 std::string room_of(const Series& first, const std::vector<std::string>& sensors) {
@@ -117,7 +116,6 @@ std::vector<TargetStep> steps_of(const Series& series, const std::vector<double>
   std::vector<double> change, size;
   for (std::size_t i = 1; i < target.size(); ++i) change.push_back(target[i] - target[i - 1]);
   const double usual = median(change);
-  size.reserve(change.size());
   for (const double one : change) size.push_back(std::abs(one - usual));
   const auto [low, high] = std::minmax_element(target.begin(), target.end());
   const double least =
@@ -171,19 +169,6 @@ BatchStart start_of(const Series& series, const BatchColumns& columns, const Eig
     start.speed_mean_rpm = Eigen::VectorXd::Map(speed.data(), static_cast<Eigen::Index>(speed.size())).mean();
   }
   return with_sensors(start, temperatures.row(0).transpose());
-}
-
-// Places of what stays of a list when `left_out` goes; of inputs in kind `both` each twice.
-std::vector<Eigen::Index> kept_inputs(const BatchColumns& columns, const std::vector<std::string>& left_out) {
-  std::vector<Eigen::Index> kept;
-  const std::size_t times = columns.kind == InputKind::both ? 2 : 1;
-  for (std::size_t t = 0; t < times; ++t) {
-    for (std::size_t j = 0; j < columns.sensors.size(); ++j) {
-      if (std::find(left_out.begin(), left_out.end(), columns.sensors[j]) != left_out.end()) continue;
-      kept.push_back(static_cast<Eigen::Index>(t * columns.sensors.size() + j));
-    }
-  }
-  return kept;
 }
 
 }  // namespace
@@ -272,9 +257,8 @@ Batch batch_of(const std::string& name, const Series& series, const BatchColumns
   batch.sensor_first_degC = temperatures.row(0).transpose();
   batch.sensor_mean_degC = temperatures.colwise().mean().transpose();
   batch.steps = steps_of(series, target);
-  Eigen::MatrixXd rows(temperatures.rows(), 0);
   const Eigen::MatrixXd inputs = inputs_from(temperatures, columns.kind);
-  rows.resize(inputs.rows(), inputs.cols() + 1);
+  Eigen::MatrixXd rows(inputs.rows(), inputs.cols() + 1);
   rows << inputs, Eigen::VectorXd::Map(target.data(), inputs.rows());
   batch.moments.weight = static_cast<double>(batch.rows);
   batch.moments.mean = rows.colwise().mean();
@@ -302,11 +286,12 @@ std::vector<BrokenSensor> broken_sensors(std::span<const Batch> batches, const B
   for (Eigen::Index k = 0; k < count; ++k) {
     means.row(k) = batches[static_cast<std::size_t>(k)].sensor_mean_degC.transpose();
   }
-  std::vector<std::string> sensors = columns.sensors;
+  std::vector<Eigen::Index> sensors(columns.sensors.size());
+  std::iota(sensors.begin(), sensors.end(), Eigen::Index{0});
   std::vector<BrokenSensor> broken;
   // The worst alone: it moves what the others are compared with.
   while (batches.size() >= kFewestBatches && sensors.size() >= kFewestSensors) {
-    const auto [off, heat] = sensor_offsets(means);
+    const auto [off, heat] = sensor_offsets(means(Eigen::all, sensors));
     const Eigen::VectorXd away = off.reshaped().cwiseAbs();
     const double far_K =
         std::max(kLeastOffset_K, kFarOffset * kSigmaOfDeviation * median<double>({away.begin(), away.end()}));
@@ -315,7 +300,7 @@ std::vector<BrokenSensor> broken_sensors(std::span<const Batch> batches, const B
         far_K * heat.unaryExpr([&](double one) { return std::max(1.0, one / usual_heat_K); }).array();
     Eigen::Index batch = 0, worst = 0;
     if (!((off.cwiseAbs().array().colwise() / limit_K).maxCoeff(&batch, &worst) > 1.0)) break;
-    BrokenSensor one{sensors[static_cast<std::size_t>(worst)], {}, 0.0};
+    BrokenSensor one{columns.sensors[static_cast<std::size_t>(sensors[static_cast<std::size_t>(worst)])], {}, 0.0};
     std::vector<double> by;
     for (Eigen::Index k = 0; k < count; ++k) {
       if (!(std::abs(off(k, worst)) > limit_K[k])) continue;
@@ -325,9 +310,6 @@ std::vector<BrokenSensor> broken_sensors(std::span<const Batch> batches, const B
     one.off_K = median(by);
     broken.push_back(std::move(one));
     sensors.erase(sensors.begin() + worst);
-    const Eigen::MatrixXd rest = means.rightCols(means.cols() - worst - 1);
-    means.middleCols(worst, rest.cols()) = rest;
-    means.conservativeResize(Eigen::NoChange, means.cols() - 1);
   }
   return broken;
 }
@@ -348,21 +330,26 @@ std::vector<std::string> constant_sensors(std::span<const Batch> batches, const 
 
 void leave_out_sensors(std::vector<Batch>& batches, BatchColumns& columns, const std::vector<std::string>& sensors) {
   if (sensors.empty()) return;
-  std::vector<Eigen::Index> kept = kept_inputs(columns, sensors);
-  BatchColumns one_each = columns;
-  one_each.kind = InputKind::temperature;
-  const std::vector<Eigen::Index> kept_sensors = kept_inputs(one_each, sensors);
-  std::erase_if(columns.sensors, [&](const std::string& name) {
+  const auto count = static_cast<Eigen::Index>(columns.sensors.size());
+  const auto is_out = [&](const std::string& name) {
     return std::find(sensors.begin(), sensors.end(), name) != sensors.end();
-  });
+  };
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index j = 0; j < count; ++j) {
+    if (!is_out(columns.sensors[static_cast<std::size_t>(j)])) kept.push_back(j);
+  }
+  std::vector<Eigen::Index> places = kept;  // of the inputs: then the rises, then the target
+  if (columns.kind == InputKind::both) {
+    for (const Eigen::Index j : kept) places.push_back(count + j);
+  }
+  places.push_back(columns.kind == InputKind::both ? 2 * count : count);
+  std::erase_if(columns.sensors, is_out);
   if (columns.sensors.empty()) throw Error("expected sensors that are sound and not constant, found none.");
   for (Batch& batch : batches) {
-    std::vector<Eigen::Index> places = kept;
-    places.push_back(batch.moments.mean.size() - 1);
     batch.moments.mean = batch.moments.mean(places).eval();
     batch.moments.scatter = batch.moments.scatter(places, places).eval();
-    batch.sensor_first_degC = batch.sensor_first_degC(kept_sensors).eval();
-    batch.sensor_mean_degC = batch.sensor_mean_degC(kept_sensors).eval();
+    batch.sensor_first_degC = batch.sensor_first_degC(kept).eval();
+    batch.sensor_mean_degC = batch.sensor_mean_degC(kept).eval();
     batch.start = with_sensors(batch.start, batch.sensor_first_degC);
   }
 }

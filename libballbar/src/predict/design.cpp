@@ -24,16 +24,6 @@ namespace {
 
 constexpr std::size_t kFewestValues = 40;
 
-// Rows of a run at which the target is known.
-std::vector<std::size_t> known_rows(const Series& run, const std::string& target) {
-  const Column* column = find_column(run, target);
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < column->values.size(); ++i) {
-    if (std::isfinite(column->values[i])) rows.push_back(i);
-  }
-  return rows;
-}
-
 // Columns that in some run have a gap, and those that stand still in all.
 std::vector<std::string> unusable(std::span<const Series> runs) {
   std::vector<std::string> names;
@@ -192,24 +182,18 @@ std::vector<std::size_t> rows_between(std::size_t first, std::size_t end) {
   return rows;
 }
 
-ColumnScales column_scales(const Eigen::MatrixXd& columns) {
-  ColumnScales scales{columns.colwise().mean(), Eigen::VectorXd(columns.cols())};
-  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
-    const double square = (columns.col(k).array() - scales.mean[k]).square().sum();
-    const double sd = std::sqrt(square / static_cast<double>(columns.rows()));
-    scales.sd[k] = sd > 1e-6 * std::max(1e-3, columns.col(k).cwiseAbs().maxCoeff()) ? sd : 0.0;
-  }
-  return scales;
-}
-
 Design design_of(std::span<const Series> runs, const std::string& target, const Catalogue& catalogue) {
   Design design;
   design.runs = runs.size();
-  std::vector<std::vector<std::size_t>> rows;
+  std::vector<std::vector<std::size_t>> rows;  // of each run, at which the target is known
   std::size_t count = 0;
   for (const Series& run : runs) {
     expect_explainable({target}, run);
-    rows.push_back(known_rows(run, target));
+    const std::vector<double>& values = find_column(run, target)->values;
+    rows.emplace_back();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (std::isfinite(values[i])) rows.back().push_back(i);
+    }
     count += rows.back().size();
   }
   if (count < kFewestValues) {

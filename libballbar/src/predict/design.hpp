@@ -87,12 +87,6 @@ Design with_named(Design design, const Model& held, std::span<const Series> runs
 // in one.
 Design with_start(Design design, const EffectRegression& start, std::span<const Series> runs);
 
-// Mean and standard deviation of each column; the latter 0 where that stands still.
-struct ColumnScales {
-  Eigen::VectorXd mean, sd;
-};
-ColumnScales column_scales(const Eigen::MatrixXd& columns);
-
 // first, first + 1 ... to before end
 std::vector<std::size_t> rows_between(std::size_t first, std::size_t end);
 

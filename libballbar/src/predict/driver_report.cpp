@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
 #include "ballbar/numerics/parallel.hpp"
 #include "ballbar/numerics/range.hpp"
@@ -81,8 +80,7 @@ std::vector<std::size_t> folds_of_rows(const Design& design, const Series& first
 std::vector<std::vector<std::string>> classes_of(const std::vector<DriverColumn>& columns,
                                                  const std::vector<bool>& not_needed, const RidgeProblem& problem,
                                                  const RidgeFit& fit) {
-  std::vector<std::size_t> of(columns.size());
-  std::iota(of.begin(), of.end(), std::size_t{0});
+  std::vector<std::size_t> of = rows_between(0, columns.size());
   // By the first predictor of each: it is nearest to the column itself.
   const auto itself = [&](std::size_t c) {
     return problem.columns.col(static_cast<Eigen::Index>(fit.used[static_cast<std::size_t>(columns[c].used.front())]));
@@ -162,11 +160,8 @@ DriverReport driver_report(const Design& design, const Series& first_run, const 
     if (not_needed.back()) report.not_needed.push_back(columns[c].name);
     if (columns[c].used.empty()) continue;
     const auto at = static_cast<Eigen::Index>(c);
-    DriverStability one{{columns[c].name, find_column(first_run, columns[c].name)->role, share[at]},
-                        share[at],
-                        share[at],
-                        false,
-                        false};
+    DriverStability one{
+        {columns[c].name, find_column(first_run, columns[c].name)->role, share[at]}, share[at], share[at]};
     for (const Eigen::VectorXd& other : refitted) {
       one.low_um = std::min(one.low_um, other[at]);
       one.high_um = std::max(one.high_um, other[at]);

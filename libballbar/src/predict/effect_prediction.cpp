@@ -1,7 +1,6 @@
 // What a regression on effects predicts: row by row, and of a series.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "ballbar/numerics/parallel.hpp"
 #include "ballbar/predict/batch.hpp"
@@ -55,14 +54,12 @@ void add_shares(RegressionPrediction& prediction) {
   const Eigen::VectorXd share = shares_of(known, sum);
   for (std::size_t d = 0; d < prediction.drivers.size(); ++d)
     prediction.drivers[d].share_um = share[static_cast<Eigen::Index>(d)];
-  std::vector<std::size_t> order(prediction.drivers.size());
-  for (std::size_t d = 0; d < order.size(); ++d) order[d] = d;
+  std::vector<std::size_t> order = rows_between(0, prediction.drivers.size());
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return std::abs(prediction.drivers[a].share_um) > std::abs(prediction.drivers[b].share_um);
   });
   Eigen::PermutationMatrix<Eigen::Dynamic> place(static_cast<Eigen::Index>(order.size()));
   std::vector<DriverShare> sorted;
-  sorted.reserve(order.size());
   for (const std::size_t d : order) {
     place.indices()[static_cast<Eigen::Index>(sorted.size())] = static_cast<int>(d);
     sorted.push_back(prediction.drivers[d]);

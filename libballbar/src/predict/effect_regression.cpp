@@ -12,7 +12,6 @@
 #include "ballbar/numerics/order_statistic.hpp"
 #include "predict/driver_report.hpp"
 #include "predict/forecasts.hpp"
-#include "predict/selection.hpp"
 
 namespace ballbar {
 namespace {

@@ -11,7 +11,6 @@
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/series/runs.hpp"
 #include "ballbar/series/speed_steps.hpp"
-#include "predict/selection.hpp"
 
 namespace ballbar {
 namespace {
@@ -47,9 +46,8 @@ std::vector<Series> runs_until(const Design& design, std::span<const Series> run
   return result;
 }
 
-}  // namespace
-
-std::vector<ForecastRows> forecast_rows(const Design& design, const Series& run) {
+// Rows of the design that a forecast is of, from those before.
+std::vector<RowRange> forecast_rows(const Design& design, const Series& run) {
   const std::size_t n = design.row.size();
   if (n < kFewestRows) return {};
   std::vector<std::size_t> changes;
@@ -62,7 +60,7 @@ std::vector<ForecastRows> forecast_rows(const Design& design, const Series& run)
       if (2 * row >= n && row < n && (changes.empty() || changes.back() != row)) changes.push_back(row);
     }
   }
-  std::vector<ForecastRows> result;
+  std::vector<RowRange> result;
   for (std::size_t i = 0; i < changes.size(); ++i) {
     if (10 * changes[i] <= 9 * n) result.push_back({changes[i], i + 2 < changes.size() ? changes[i + 2] : n});
   }
@@ -71,11 +69,13 @@ std::vector<ForecastRows> forecast_rows(const Design& design, const Series& run)
   return {{n * 55 / 100, n}, {n * 70 / 100, n}, {n * 85 / 100, n}};
 }
 
+}  // namespace
+
 std::vector<ForecastFold> forecast_folds(const Design& design, const Series& first_run) {
   std::vector<ForecastFold> folds;
   if (design.runs == 1) {
-    for (const ForecastRows& ahead : forecast_rows(design, first_run)) {
-      folds.push_back({rows_between(0, ahead.first), rows_between(ahead.first, ahead.end), true});
+    for (const RowRange& ahead : forecast_rows(design, first_run)) {
+      folds.push_back({rows_between(0, ahead.begin), rows_between(ahead.begin, ahead.end), true});
     }
     return folds;
   }

@@ -12,22 +12,15 @@
 
 namespace ballbar {
 
-// Where a forecast begins and how far it goes: rows [first, end) of the design are predicted from those before.
-struct ForecastRows {
-  std::size_t first = 0, end = 0;
-};
-
-// Of one run: the last three changes of speed between half and nine tenths of the rows, each as far as the second
-// change after it; without three such at 55, 70 and 85 % of the rows, to the end. None of fewer than 60 rows.
-std::vector<ForecastRows> forecast_rows(const Design& design, const Series& run);
-
 // Rows of the design that are predicted from others; goes_on: they come after them, else they are a run left out.
 struct ForecastFold {
   std::vector<std::size_t> from, rows;
   bool goes_on = false;
 };
 
-// Of one run its forecast_rows, of several each run.
+// Of one run: from the last three changes of speed between half and nine tenths of the rows, each as far as the second
+// change after it; without three such from 55, 70 and 85 % of the rows, to the end; none of fewer than 60 rows. Of
+// several each run.
 std::vector<ForecastFold> forecast_folds(const Design& design, const Series& first_run);
 
 // Of a row that is predicted; held, mean: what is left where the last value, or the mean, of the rows before is taken.

@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -21,7 +22,7 @@ constexpr double kUnknown_um = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInputError = 0.03;  // of a standard deviation
 constexpr double kMostAdded = 0.05;   // of the error of the regression
 constexpr double kChance = 0.05;
-constexpr std::size_t kSizes[] = {1, 2, 3, 5, 8, 12, 18, 27, 40};
+constexpr std::array<std::size_t, 9> kSizes{1, 2, 3, 5, 8, 12, 18, 27, 40};
 
 double rms(const Eigen::VectorXd& errors) {
   return std::sqrt(errors.squaredNorm() / static_cast<double>(errors.size()));
@@ -82,7 +83,7 @@ Projection projection_of(const Eigen::VectorXd& of, const Eigen::MatrixXd& base,
   std::vector<Eigen::Index> chosen(static_cast<std::size_t>(b));
   std::iota(chosen.begin(), chosen.end(), Eigen::Index{0});
   Projection projection;
-  for (const std::size_t most = std::min<std::size_t>(kSizes[std::size(kSizes) - 1], static_cast<std::size_t>(p));;) {
+  for (const std::size_t most = std::min(kSizes.back(), static_cast<std::size_t>(p));;) {
     const Eigen::LDLT<Eigen::MatrixXd> root(gram(chosen, chosen));
     projection.gains.emplace_back(root.solve(with_target(chosen)));
     if (projection.order.size() == most) return projection;
@@ -178,11 +179,7 @@ Term file_term(const Predictor& predictor, double gain, const Catalogue& catalog
 struct ForecastSums {
   std::vector<Eigen::VectorXd> log_rms;  // of each origin, by effects
   double rows = 0.0, of_regression = 0.0;
-  std::vector<double> square, absolute, apart;  // with 0, 1 ... effects, up to as many as there are
-
-  ForecastSums() {
-    for (std::vector<double>* const one : {&square, &absolute, &apart}) one->resize(kSizes[std::size(kSizes) - 1] + 1);
-  }
+  std::array<double, kSizes.back() + 1> square{}, absolute{}, apart{};  // with 0, 1 ... effects, as many as there are
 
   void add(const ProjectedRegression& grown) {
     rows += static_cast<double>(grown.target_um.size());

@@ -1,9 +1,9 @@
 #include "ballbar/predict/held_out.hpp"
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,14 +14,6 @@ namespace {
 
 constexpr double kBetween_s = 864000.0;  // 10 days
 constexpr double kRow_s = 1.0;           // after and before which the machine stands
-
-std::vector<std::string> columns_of(const Model& model) {
-  std::vector<std::string> names = model.targets;
-  for (const Term& term : model.terms) names.insert(names.end(), term.columns.begin(), term.columns.end());
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  return names;
-}
 
 }  // namespace
 
@@ -58,8 +50,10 @@ double rms_without_model_um(std::span<const Batch> batches) {
 }
 
 Series joined_batches(std::span<const Series> batches, const Model& model) {
+  std::set<std::string> names(model.targets.begin(), model.targets.end());
+  for (const Term& term : model.terms) names.insert(term.columns.begin(), term.columns.end());
   Series all;
-  for (const std::string& name : columns_of(model)) {
+  for (const std::string& name : names) {
     const Column& first = column_of(batches.front(), name);
     all.columns.push_back({name, first.role, {}});
   }

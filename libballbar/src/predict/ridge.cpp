@@ -112,14 +112,13 @@ Eigen::MatrixXd without_constant(const Solved& of) {
 LeftOutRuns left_out(const RidgeProblem& problem, const Solved& of, bool with_sigma) {
   const Eigen::Index n = problem.columns.rows();
   const Eigen::MatrixXd q = without_constant(of);
-  LeftOutRuns result{Eigen::VectorXd(n), Eigen::VectorXd(with_sigma ? n : 0), {}, {}};
+  LeftOutRuns result{Eigen::VectorXd(n), Eigen::VectorXd(with_sigma ? n : 0), {}};
   for (Eigen::Index first = 0; first < n;) {
     Eigen::Index end = first;
     while (end < n && problem.run[static_cast<std::size_t>(end)] == problem.run[static_cast<std::size_t>(first)]) ++end;
     const Eigen::Index size = end - first;
     const auto of_run = q.block(first, first, size, size).ldlt();
     result.error_um.segment(first, size) = of_run.solve(of.of_target.segment(first, size));
-    result.run.push_back(problem.run[static_cast<std::size_t>(first)]);
     result.rmse_um.push_back(std::sqrt(result.error_um.segment(first, size).squaredNorm() / static_cast<double>(size)));
     if (with_sigma) {
       result.sigma_um.segment(first, size) =
@@ -144,37 +143,6 @@ double score_of(const RidgeProblem& problem, const Solved& of) {
   for (const double rmse : left_out(problem, of, false).rmse_um) sum += rmse * rmse;
   return std::isfinite(sum) ? -sum : -std::numeric_limits<double>::infinity();
 }
-
-}  // namespace
-
-double remembered(double since_s, double length_s) {
-  return length_s > 0.0 ? kRemembered * std::exp(-since_s / length_s) : 0.0;
-}
-
-Eigen::MatrixXd discrepancy_of(const std::vector<double>& time_s, const std::vector<std::size_t>& run,
-                               double length_s) {
-  const auto n = static_cast<Eigen::Index>(time_s.size());
-  Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(n, n);
-  if (!(length_s > 0.0)) return covariance;
-  for (Eigen::Index j = 0; j < n; ++j) {
-    for (Eigen::Index i = j + 1; i < n; ++i) {
-      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-      if (run[a] == run[b]) {
-        covariance(i, j) = covariance(j, i) = remembered(std::abs(time_s[a] - time_s[b]), length_s);
-      }
-    }
-  }
-  return covariance;
-}
-
-RidgeSetting chosen_setting(const RidgeProblem& problem) {
-  const RidgeSetting without = chosen_setting(problem, 0.0);
-  if (problem.named.empty()) return without;
-  const RidgeSetting with = chosen_setting(problem, kFreeNamed);
-  return score_of(problem, solved(problem, with)) < score_of(problem, solved(problem, without)) ? without : with;
-}
-
-namespace {
 
 RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, double start_scale) {
   struct RatedSetting {
@@ -249,6 +217,42 @@ RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, do
 
 }  // namespace
 
+double remembered(double since_s, double length_s) {
+  return length_s > 0.0 ? kRemembered * std::exp(-since_s / length_s) : 0.0;
+}
+
+Eigen::MatrixXd discrepancy_of(const std::vector<double>& time_s, const std::vector<std::size_t>& run,
+                               double length_s) {
+  const auto n = static_cast<Eigen::Index>(time_s.size());
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(n, n);
+  if (!(length_s > 0.0)) return covariance;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    for (Eigen::Index i = j + 1; i < n; ++i) {
+      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+      if (run[a] == run[b]) {
+        covariance(i, j) = covariance(j, i) = remembered(std::abs(time_s[a] - time_s[b]), length_s);
+      }
+    }
+  }
+  return covariance;
+}
+
+Eigen::VectorXd discrepancy_at_end(const RidgeProblem& problem, double length_s) {
+  Eigen::VectorXd end = Eigen::VectorXd::Zero(problem.columns.rows());
+  for (std::size_t i = 0; i < problem.run.size(); ++i) {
+    if (problem.run[i] != problem.run.back()) continue;
+    end[static_cast<Eigen::Index>(i)] = remembered(problem.end_s - problem.time_s[i], length_s);
+  }
+  return end;
+}
+
+RidgeSetting chosen_setting(const RidgeProblem& problem) {
+  const RidgeSetting without = chosen_setting(problem, 0.0);
+  if (problem.named.empty()) return without;
+  const RidgeSetting with = chosen_setting(problem, kFreeNamed);
+  return score_of(problem, solved(problem, with)) < score_of(problem, solved(problem, without)) ? without : with;
+}
+
 RidgeSetting chosen_setting(const RidgeProblem& problem, double named_variance) {
   const RidgeSetting setting = best_setting(problem, named_variance, 1.0);
   if (problem.start.size() == 0) return setting;
@@ -272,12 +276,7 @@ RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting) {
   const Eigen::MatrixXd prior = of_all(fit.used, fit.used);
   Eigen::MatrixXd with_target(m + 1, n);  // covariance with y, over s^2
   with_target.topRows(m).noalias() = prior * problem.columns(Eigen::all, fit.used).transpose();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    with_target(m, i) = problem.run[row] == problem.run.back()
-                            ? remembered(problem.end_s - problem.time_s[row], setting.length_s)
-                            : 0.0;
-  }
+  with_target.row(m) = discrepancy_at_end(problem, setting.length_s).transpose();
   fit.gains_um.resize(m + 2);
   fit.gains_um[0] = of.intercept_um;
   fit.gains_um.tail(m + 1).noalias() = with_target * of.of_target;

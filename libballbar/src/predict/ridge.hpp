@@ -71,6 +71,9 @@ inline constexpr double kFreeNamed = 1e4;
 // N, n by n.
 Eigen::MatrixXd discrepancy_of(const std::vector<double>& time_s, const std::vector<std::size_t>& run, double length_s);
 
+// Covariance of the discrepancy at end_s with that of every row, over s^2.
+Eigen::VectorXd discrepancy_at_end(const RidgeProblem& problem, double length_s);
+
 // The share of the discrepancy's variance that is remembered after so long.
 double remembered(double since_s, double length_s);
 
@@ -84,6 +87,12 @@ struct RidgeFit {
   Eigen::MatrixXd factor_um;  // L, lower: L L' is their covariance
 };
 RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting);
+
+// A regression on few effects (selection.cpp): the mean of nine such selections. As ridge_fit, over the predictors that
+// any of the nine has chosen, at most 12 each: l = 1800, 7200 and 30 000 s, v = 1, 3 and 10; three with l = 0 where
+// that is likelier. Its covariance is that of the mixture: the mean of theirs and how far their gains are apart. Memory
+// and sigma are those of the likeliest.
+RidgeFit few_effects(const RidgeProblem& problem);
 
 inline constexpr std::size_t kFewestRunsToLeaveOut = 5;
 
@@ -104,8 +113,7 @@ double log_likelihood_without(const RidgeProblem& problem, const RidgeSetting& s
 // What is left of every row when its run is left out, and the sigma that is expected of it.
 struct LeftOutRuns {
   Eigen::VectorXd error_um, sigma_um;  // n
-  std::vector<std::size_t> run;        // that have rows in the problem
-  std::vector<double> rmse_um;         // of each of these
+  std::vector<double> rmse_um;         // of each run that has rows in the problem
 };
 LeftOutRuns left_out_runs(const RidgeProblem& problem, const RidgeSetting& setting);
 

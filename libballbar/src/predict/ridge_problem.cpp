@@ -36,9 +36,13 @@ RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>&
     problem.run.push_back(design.run[row]);
   }
   problem.end_s = design.time_s[rows.back()];
-  const ColumnScales scales = column_scales(problem.columns);
-  problem.mean = scales.mean;
-  problem.sd = scales.sd;
+  problem.mean = problem.columns.colwise().mean();
+  problem.sd.resize(p);
+  for (Eigen::Index k = 0; k < p; ++k) {
+    const auto column = problem.columns.col(k).array();
+    const double sd = std::sqrt((column - problem.mean[k]).square().sum() / static_cast<double>(n));
+    problem.sd[k] = sd > 1e-6 * std::max(1e-3, column.abs().maxCoeff()) ? sd : 0.0;
+  }
   std::vector<std::size_t> still;  // of the prior, which has a gain for it all the same
   if (design.prior) {
     for (std::size_t t = 0; t < design.prior->at.size(); ++t) {

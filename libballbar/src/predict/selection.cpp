@@ -1,5 +1,15 @@
-#include "predict/selection.hpp"
-
+// Predictors chosen one by one, the gains of all of them together.
+//
+//   y = a + sum_j b_j x_j + e,   b_j ~ N(0, s^2 v),   e ~ N(0, s^2 N),   a free      (N: ridge.hpp)
+//
+// A predictor j that joins raises the restricted likelihood by
+//
+//   -(n-1)/2 ln(1 - v q_j^2 / ((1 + v d_j) S)) - 1/2 ln(1 + v d_j),   q_j = z_j'P r,  d_j = z_j'P z_j,  S = r'P r
+//
+// z_j and r whitened and freed of a, P = I - sum w w' v / (1 + v g) over those that have joined (w = P z, g = z'w). The
+// predictor with the largest rise joins, until no more is needed:
+//
+//   P(none) = 1 / (1 + mean over the predictors of exp of that rise) > 0.5
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +20,7 @@
 #include <vector>
 
 #include "ballbar/numerics/parallel.hpp"
+#include "predict/ridge.hpp"
 
 namespace ballbar {
 namespace {
@@ -37,13 +48,7 @@ WhitenedColumns whitened(const RidgeProblem& problem, const Eigen::MatrixXd& col
   of.fixed = root.matrixL().solve(Eigen::MatrixXd::Ones(columns.rows(), 1));
   of.columns = root.matrixL().solve(columns);
   of.target = root.matrixL().solve(problem.target_um);
-  Eigen::VectorXd end(problem.target_um.size());
-  for (Eigen::Index i = 0; i < end.size(); ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    const bool same = problem.run[row] == problem.run.back();
-    end[i] = same ? remembered(problem.end_s - problem.time_s[row], length_s) : 0.0;
-  }
-  of.towards_end = root.matrixL().solve(end);
+  of.towards_end = root.matrixL().solve(discrepancy_at_end(problem, length_s));
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> basis(of.fixed);
   const Eigen::MatrixXd q = basis.householderQ() * Eigen::MatrixXd::Identity(of.fixed.rows(), basis.rank());
   const auto freed = [&](const auto& of_what) { return (of_what - q * (q.transpose() * of_what)).eval(); };

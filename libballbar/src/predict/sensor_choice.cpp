@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
 #include "ballbar/error.hpp"
 #include "ballbar/numerics/parallel.hpp"
@@ -66,8 +65,7 @@ class Sensors {
       : design_(design),
         folds_(forecast_folds(design, first_run)),
         leaves_runs_out_(design.runs >= kFewestRunsToLeaveOut),
-        rows_(design.row.size()) {
-    std::iota(rows_.begin(), rows_.end(), std::size_t{0});
+        rows_(rows_between(0, design.row.size())) {
     for (const Column& column : first_run.columns) {
       const auto reads = [&](const Predictor& one) {
         return std::find(one.columns.begin(), one.columns.end(), column.name) != one.columns.end();
@@ -87,11 +85,7 @@ class Sensors {
     return names;
   }
 
-  Set all() const {
-    Set set(names_.size());
-    std::iota(set.begin(), set.end(), std::size_t{0});
-    return set;
-  }
+  Set all() const { return rows_between(0, names_.size()); }
 
   // For all rows, and for each fold's rows to predict from: how good every set is that was asked for.
   void prepare() {
@@ -287,12 +281,11 @@ std::vector<Set> grown(const std::vector<Set>& sets, Sensors& sensors) {
 // The sensors of the set with what each is worth in it.
 std::vector<ChosenSensor> chosen_sensors(const std::vector<Set>& sets, const Sensors& sensors) {
   const Set& set = sets.front();
+  const std::vector<Set> larger = with_one_more(set, sensors.names().size());
   std::vector<Set> tried{set};
-  std::vector<std::vector<std::size_t>> in_place(set.size());
   for (std::size_t i = 0; i < set.size(); ++i) tried.push_back(without(set, i));
   for (std::size_t i = 0; i < set.size(); ++i) {
-    for (const Set& other : with_one_more(set, sensors.names().size())) {
-      in_place[i].push_back(other.back());
+    for (const Set& other : larger) {
       tried.push_back(without(set, i));
       tried.back().push_back(other.back());
     }
@@ -307,9 +300,9 @@ std::vector<ChosenSensor> chosen_sensors(const std::vector<Set>& sets, const Sen
     for (std::size_t p = 1; p < sets.size(); ++p) {
       if (std::find(sets[p].begin(), sets[p].end(), set[i]) != sets[p].end()) ++one.folds;
     }
-    for (const std::size_t other : in_place[i]) {
+    for (const Set& other : larger) {
       if (!as_good(difference(errors[at++], errors.front()), error_um) || !one.needed) continue;
-      one.substitutes.push_back(sensors.names()[other]);
+      one.substitutes.push_back(sensors.names()[other.back()]);
     }
     chosen.push_back(std::move(one));
   }

@@ -15,7 +15,11 @@
 namespace ballbar {
 namespace {
 
-constexpr double kNothing = 1e-12;  // of the largest eigenvalue: a direction in which the inputs do not move
+constexpr double kFarFromPlane = 4.0;  // times the largest Q in training
+constexpr double kOneSensor = 0.9;     // of the odd rows: otherwise it is the job that is unlike the training
+constexpr double kRounding = 1e-9;
+constexpr std::size_t kFewRows = 3;  // that a sensor must spoil
+constexpr double kNothing = 1e-12;   // of the largest eigenvalue: a direction in which the inputs do not move
 
 // Eigenvalues of the inputs' scatter from the largest down, and the target along each eigenvector.
 struct Principal {
@@ -25,34 +29,13 @@ struct Principal {
   Eigen::Index determined;  // eigenvalues that are more than nothing
 };
 
-auto inputs(const Moments& moments) {
-  const Eigen::Index m = moments.mean.size() - 1;
-  return moments.scatter.topLeftCorner(m, m);
-}
-
 Principal principal(const Moments& moments) {
   const Eigen::Index m = moments.mean.size() - 1;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(inputs(moments));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(moments.scatter.topLeftCorner(m, m));
   Principal result{solver.eigenvalues().reverse(), solver.eigenvectors().rowwise().reverse(), {}, 0};
   result.along = result.vector.transpose() * moments.scatter.col(m).head(m);
   while (result.determined < m && result.value[result.determined] > kNothing * result.value[0]) ++result.determined;
   return result;
-}
-
-Regression with_slope(const Moments& moments, Eigen::VectorXd slope) {
-  const Eigen::Index m = slope.size();
-  const double intercept = moments.mean[m] - slope.dot(moments.mean.head(m));
-  return {std::move(slope), intercept};
-}
-
-Eigen::VectorXd of_components(const Principal& p, Eigen::Index components) {
-  const Eigen::Index used = std::min(components, p.determined);
-  return p.vector.leftCols(used) * (p.along.head(used).array() / p.value.head(used).array()).matrix();
-}
-
-Eigen::VectorXd of_ridge(const Principal& p, double penalty) {
-  const Eigen::Index used = p.determined;  // what else there is, is rounding
-  return p.vector.leftCols(used) * (p.along.head(used).array() / (p.value.head(used).array() + penalty)).matrix();
 }
 
 void expect_possible(const Moments& moments, const RegressionSettings& settings) {
@@ -89,6 +72,42 @@ RangeStatistics range_statistics(const TrainedRange& range, const Eigen::MatrixX
   return result;
 }
 
+// The largest in training; where the components draw all of the inputs Q is rounding alone.
+double ordinary_Q_K2(const TrainedRange& range) {
+  return std::max({range.largest_Q_K2, kRounding * range.variance_K2.sum(), kRounding});
+}
+
+// Sensors whose reading, replaced by what the others suggest, makes the row ordinary: the fall of Q is
+// e_j' C_jj^-1 e_j with C = I - L L', e = C x (reconstruction-based contribution, Alcala and Qin 2009).
+std::vector<std::string> broken_of(const TemperatureRegression& model, const RangeStatistics& rows) {
+  const auto sensors = static_cast<Eigen::Index>(model.columns.sensors.size());
+  const Eigen::Index m = model.range.mean_degC.size();
+  const Eigen::MatrixXd c = Eigen::MatrixXd::Identity(m, m) - model.range.loadings * model.range.loadings.transpose();
+  const double limit = kFarFromPlane * ordinary_Q_K2(model.range);
+  std::size_t odd = 0;  // rows
+  std::vector<std::size_t> mended(model.columns.sensors.size(), 0);
+  for (Eigen::Index i = 0; i < rows.Q_K2.size(); ++i) {
+    if (!(rows.Q_K2[i] > limit)) continue;
+    ++odd;
+    for (Eigen::Index j = 0; j < sensors; ++j) {
+      std::vector<Eigen::Index> places{j};
+      if (m > sensors) places.push_back(j + sensors);
+      const Eigen::MatrixXd own = c(places, places);
+      if (!(own.diagonal().minCoeff() > 1e-6)) continue;
+      const Eigen::VectorXd e = rows.residual.row(i).transpose()(places);
+      if (rows.Q_K2[i] - e.dot(own.ldlt().solve(e)) <= limit) ++mended[static_cast<std::size_t>(j)];
+    }
+  }
+  std::vector<std::string> broken;
+  if (odd < std::min(kFewRows, static_cast<std::size_t>(rows.Q_K2.size()))) return broken;
+  for (std::size_t j = 0; j < mended.size(); ++j) {
+    if (static_cast<double>(mended[j]) >= kOneSensor * static_cast<double>(odd)) {
+      broken.push_back(model.columns.sensors[j]);
+    }
+  }
+  return broken;
+}
+
 }  // namespace
 
 std::string_view name_of(RegressionMethod method) { return method == RegressionMethod::pcr ? "pcr" : "ridge"; }
@@ -104,9 +123,13 @@ std::vector<Regression> regress(const Moments& moments, std::span<const Regressi
   result.reserve(settings.size());
   for (const RegressionSettings& one : settings) {
     expect_possible(moments, one);
-    result.push_back(with_slope(moments, one.method == RegressionMethod::pcr
-                                             ? of_components(p, static_cast<Eigen::Index>(one.components))
-                                             : of_ridge(p, moments.weight * one.penalty_K2)));
+    const bool is_pcr = one.method == RegressionMethod::pcr;
+    const Eigen::Index used =  // what else there is, is rounding
+        is_pcr ? std::min(static_cast<Eigen::Index>(one.components), p.determined) : p.determined;
+    const double penalty = is_pcr ? 0.0 : moments.weight * one.penalty_K2;
+    const Eigen::VectorXd slope =
+        p.vector.leftCols(used) * (p.along.head(used).array() / (p.value.head(used).array() + penalty)).matrix();
+    result.push_back({slope, moments.mean[slope.size()] - slope.dot(moments.mean.head(slope.size()))});
   }
   return result;
 }
@@ -246,51 +269,6 @@ TemperatureRegression temperature_regression(std::span<const Batch> batches, std
   }
   return model;
 }
-
-namespace {
-
-constexpr double kFarFromPlane = 4.0;  // times the largest Q in training
-constexpr double kOneSensor = 0.9;     // of the odd rows: otherwise it is the job that is unlike the training
-constexpr double kRounding = 1e-9;
-constexpr std::size_t kFewRows = 3;  // that a sensor must spoil
-
-// The largest in training; where the components draw all of the inputs Q is rounding alone.
-double ordinary_Q_K2(const TrainedRange& range) {
-  return std::max({range.largest_Q_K2, kRounding * range.variance_K2.sum(), kRounding});
-}
-
-// Sensors whose reading, replaced by what the others suggest, makes the row ordinary: the fall of Q is
-// e_j' C_jj^-1 e_j with C = I - L L', e = C x (reconstruction-based contribution, Alcala and Qin 2009).
-std::vector<std::string> broken_of(const TemperatureRegression& model, const RangeStatistics& rows) {
-  const auto sensors = static_cast<Eigen::Index>(model.columns.sensors.size());
-  const Eigen::Index m = model.range.mean_degC.size();
-  const Eigen::MatrixXd c = Eigen::MatrixXd::Identity(m, m) - model.range.loadings * model.range.loadings.transpose();
-  const double limit = kFarFromPlane * ordinary_Q_K2(model.range);
-  std::size_t odd = 0;  // rows
-  std::vector<std::size_t> mended(model.columns.sensors.size(), 0);
-  for (Eigen::Index i = 0; i < rows.Q_K2.size(); ++i) {
-    if (!(rows.Q_K2[i] > limit)) continue;
-    ++odd;
-    for (Eigen::Index j = 0; j < sensors; ++j) {
-      std::vector<Eigen::Index> places{j};
-      if (m > sensors) places.push_back(j + sensors);
-      const Eigen::MatrixXd own = c(places, places);
-      if (!(own.diagonal().minCoeff() > 1e-6)) continue;
-      const Eigen::VectorXd e = rows.residual.row(i).transpose()(places);
-      if (rows.Q_K2[i] - e.dot(own.ldlt().solve(e)) <= limit) ++mended[static_cast<std::size_t>(j)];
-    }
-  }
-  std::vector<std::string> broken;
-  if (odd < std::min(kFewRows, static_cast<std::size_t>(rows.Q_K2.size()))) return broken;
-  for (std::size_t j = 0; j < mended.size(); ++j) {
-    if (static_cast<double>(mended[j]) >= kOneSensor * static_cast<double>(odd)) {
-      broken.push_back(model.columns.sensors[j]);
-    }
-  }
-  return broken;
-}
-
-}  // namespace
 
 double effective_batches(std::span<const double> weights) {
   double sum = 0.0, squares = 0.0;

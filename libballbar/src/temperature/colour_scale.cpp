@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "ballbar/error.hpp"
@@ -66,34 +67,20 @@ double change(const Colour& a, const Colour& b) {
   return std::sqrt(sum);
 }
 
-// The middle half of each of n stretches of equal length, one vector a stretch.
-std::vector<std::vector<Colour>> middles(const std::vector<Colour>& lines, std::size_t n) {
-  const double length = static_cast<double>(lines.size()) / static_cast<double>(n);
-  std::vector<std::vector<Colour>> stretches;
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto begin = static_cast<std::size_t>(std::lround((static_cast<double>(i) + 0.25) * length));
-    const auto end = static_cast<std::size_t>(std::lround((static_cast<double>(i) + 0.75) * length));
-    stretches.emplace_back(lines.begin() + static_cast<std::ptrdiff_t>(begin),
-                           lines.begin() + static_cast<std::ptrdiff_t>(end));
-  }
-  return stretches;
-}
-
-Colour median_of(const std::vector<Colour>& colours) {
-  return median_colour(colours.size(), [&](std::size_t i) { return colours[i]; });
-}
-
 // The colours of n bands of equal width, the least n for which colour changes between the middles of the bands and not
 // within them; empty where there is none. Where colour changes evenly, the scatter in the middle half of a stretch is
 // 1 / (2 sqrt 12) = 0.14 of the step to the next.
 std::vector<Colour> bands_of(const std::vector<Colour>& lines) {
   for (std::size_t n = kFewestBands; n <= lines.size() / kNarrowestBand; ++n) {
-    const std::vector<std::vector<Colour>> stretches = middles(lines, n);
+    const double length = static_cast<double>(lines.size()) / static_cast<double>(n);
     std::vector<Colour> bands;
     double within = 0.0, between = 0.0;
     std::size_t counted = 0;
-    for (const auto& stretch : stretches) {
-      bands.push_back(median_of(stretch));
+    for (std::size_t i = 0; i < n; ++i) {
+      const long begin = std::lround((static_cast<double>(i) + 0.25) * length);
+      const long end = std::lround((static_cast<double>(i) + 0.75) * length);
+      const std::span stretch(lines.begin() + begin, lines.begin() + end);
+      bands.push_back(median_colour(stretch.size(), [&](std::size_t j) { return stretch[j]; }));
       for (const Colour& colour : stretch) within += change(colour, bands.back()) * change(colour, bands.back());
       counted += stretch.size();
       if (bands.size() < 2) continue;

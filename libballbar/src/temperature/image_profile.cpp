@@ -15,7 +15,7 @@ constexpr std::size_t kFewestColumns = 8;  // and the least window
 constexpr double kShared = 8.0;            // pixels, along a column and along x, that have one error: a JPEG's block
 
 struct ImageColumn {
-  double x_mm = 0.0, degC = 0.0, scatter_degC = 0.0, sigma_degC = 0.0;
+  double x_mm = 0.0, degC = 0.0, sigma_degC = 0.0;
 };
 
 // Along one line of pixels: straight between the steps of the staircase, T at a step the mean of both bands.
@@ -64,7 +64,7 @@ ImageColumn column_of(const std::vector<double>& pixels, double x_mm) {
   for (const double T : pixels) sum += T;
   for (const double T : pixels) squares += (T - sum / n) * (T - sum / n);
   const double scatter = std::sqrt(squares / (n - 1.0));
-  return {x_mm, sum / n, scatter, scatter / std::sqrt(std::max(1.0, n / kShared))};
+  return {x_mm, sum / n, scatter / std::sqrt(std::max(1.0, n / kShared))};
 }
 
 struct LinePoint {
@@ -142,11 +142,6 @@ ImageProfile image_profile(const TemperatureImage& image, const ColourScale& sca
     result.profile.x_mm.push_back(x_mm);
     result.profile.degC.push_back(point.degC);
     result.profile.sigma_degC.push_back(point.sigma_degC);
-    const auto nearest = std::min_element(
-        columns.begin() + static_cast<std::ptrdiff_t>(begin),
-        columns.begin() + static_cast<std::ptrdiff_t>(begin + result.window),
-        [&](const auto& a, const auto& b) { return std::abs(a.x_mm - x_mm) < std::abs(b.x_mm - x_mm); });
-    result.scatter_degC.push_back(nearest->scatter_degC);
   }
   const auto n = static_cast<double>(columns.size());
   double variance = scale.step_degC * scale.step_degC / 12.0;

@@ -272,9 +272,7 @@ TemperatureImage temperature_image(const Picture& picture, const ColourScale& sc
       const std::size_t at = (box.y - looked_at.y + row) * looked_at.width + box.x - looked_at.x + column;
       const Pixel state = field.state[at];
       image.degC.push_back(state == Pixel::on ? field.degC[at] : kUnknown);
-      if (state == Pixel::on) {
-        ++image.used;
-      }
+      if (state == Pixel::on) ++image.used;
       if (state == Pixel::off_scale) ++image.off_scale;
       if (state == Pixel::contrasting) ++image.contrasting;
       if (state == Pixel::at_edge) ++image.at_edges;

@@ -76,7 +76,6 @@ TemperatureImage temperature_image(const Picture& picture, const ColourScale& sc
 
 struct ImageProfile {
   TemperatureProfile profile;  // at from, at the middle of each column, at to; local linear smoothing over `window`
-  std::vector<double> scatter_degC;  // of the pixels of a column, at the same places; at the ends that of the neighbour
   std::size_t columns = 0, empty_columns = 0;  // empty: less than 3 pixels; T is interpolated
   std::size_t window = 0;                      // columns
   double sigma_mean_degC = 0.0;                // of the mean over x: scatter and step of the scale

@@ -1,4 +1,4 @@
-// What `train --json` prints of a regression on effects.
+// What `predict --json` and `train --json` print.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,157 @@
 
 #include "ballbar/formats/results/result_type.hpp"
 #include "ballbar/predict/effect_regression.hpp"
+#include "ballbar/predict/prediction.hpp"
 #include "ballbar/predict/sensor_choice.hpp"
 #include "ballbar/series/series.hpp"
-#include "predict/predict_result.hpp"
-#include "predict/training_result.hpp"
+#include "predict/train.hpp"
 
 namespace ballbar {
+
+// Of `predict`.
+
+template <>
+inline constexpr auto kResult<DriverShare> = ResultType{
+    "DriverShare", "How much of what is predicted goes with a column.",
+    std::tuple{Field{"column", &DriverShare::column, ""}, Field{"role", &DriverShare::role, "as of a series"},
+               Field{"share_um", &DriverShare::share_um, "of the range of what is predicted"}}};
+
+template <>
+inline constexpr auto kResult<Series> =
+    ResultType{"Predicted", "A model's series.",
+               std::tuple{Field{"time_s", &Series::time_s, "of each row"},
+                          Field{"COLUMN",
+                                [](const Series& of) {
+                                  KeysOf<std::vector<double>> columns;
+                                  for (const Column& column : of.columns)
+                                    columns.values.emplace_back(column.name, column.values);
+                                  return columns;
+                                },
+                                "TARGET_model_um, the target, TARGET_residual_um, and what each effect adds"}}};
+
+template <>
+inline constexpr auto kResult<PredictionError> =
+    ResultType{"PredictionError", "Measured less predicted, of rows that are new.",
+               std::tuple{Field{"rows", &PredictionError::rows, "how many"},
+                          Field{"mean_um", &PredictionError::mean_um, "mean of the absolute error"},
+                          Field{"rmse_um", &PredictionError::rmse_um, ""},
+                          Field{"within_share", &PredictionError::within_share, "within the interval of 95 %"}}};
+
+struct PredictedTarget {
+  Series predicted;
+  MayLack<bool> goes_on, holds;
+  MayLack<std::vector<DriverShare>> drivers;
+  std::optional<PredictionError> error;
+  MayLack<std::vector<std::string>> broken;
+  std::vector<std::string> warnings;
+};
+
+template <>
+inline constexpr auto kResult<PredictedTarget> = ResultType{
+    "PredictedTarget", "A target predicted by a regression.",
+    std::tuple_cat(fields_through(&PredictedTarget::predicted, kResult<Series>.fields),
+                   std::tuple{Field{"goes_on", &PredictedTarget::goes_on,
+                                    "by effects: from the end of training, or an earlier prediction"},
+                              Field{"holds_training", &PredictedTarget::holds,
+                                    "by effects: whether it begins with the training rows"},
+                              Field{"drivers", &PredictedTarget::drivers, "by effects: the largest share first"},
+                              Field{"error", &PredictedTarget::error, "null: the target is not measured"},
+                              Field{"broken", &PredictedTarget::broken, "by temperatures: sensors that look so"},
+                              Field{"warnings", &PredictedTarget::warnings, ""}})};
+
+// Of `train` on temperatures, and of batches weighted for a job.
+
+inline constexpr std::tuple kRegressionSettings{Field{"method", &RegressionSettings::method, "pcr, ridge"},
+                                                Field{"components", &RegressionSettings::components, ""},
+                                                Field{"penalty_K2", &RegressionSettings::penalty_K2, "of ridge"}};
+
+inline constexpr std::tuple kContenderErrors{
+    Field{"held_out_um", [](const Contender& of) { return of.held_out.rms_um; }, "RMSE of batches left out"},
+    Field{"worst_um", [](const Contender& of) { return of.held_out.worst_um; }, "of the worst of them"},
+    Field{"worst_batch", &Contender::worst, ""}, Field{"rmse_um", &Contender::rmse_um, "of all batches, trained on"}};
+
+template <>
+inline constexpr auto kResult<Contender> =
+    ResultType{"TrainedMethod", "A method of regression.",
+               std::tuple_cat(fields_through(&Contender::settings, kRegressionSettings), kContenderErrors,
+                              std::tuple{Field{"taken", &Contender::taken, "whether it is written"}})};
+
+struct ComparedModel {
+  Contender contender;
+};
+
+template <>
+inline constexpr auto kResult<ComparedModel> =
+    ResultType{"ComparedModel", "A model of effects in the same contest.",
+               fields_through(&ComparedModel::contender,
+                              std::tuple_cat(std::tuple{Field{"model", &Contender::label, "file"}}, kContenderErrors))};
+
+struct TrainedOnTemperatures {
+  std::string target;
+  std::size_t batches = 0;
+  double held_out_um = 0.0, half_width_um = 0.0;
+  std::vector<Contender> methods;
+  MayLack<ComparedModel> effects;
+  std::vector<std::string> remarks;
+};
+
+template <>
+inline constexpr auto kResult<TrainedOnTemperatures> =
+    ResultType{"Trained", "A regression on temperatures over batches.",
+               std::tuple{Field{"target", &TrainedOnTemperatures::target, "column that is predicted"},
+                          Field{"batches", &TrainedOnTemperatures::batches, "how many"},
+                          Field{"held_out_um", &TrainedOnTemperatures::held_out_um, "RMSE on what was left out"},
+                          Field{"half_width_um", &TrainedOnTemperatures::half_width_um, "of the interval of 95 %"},
+                          Field{"methods", &TrainedOnTemperatures::methods, "that were compared"},
+                          Field{"effects", &TrainedOnTemperatures::effects,
+                                "with --model: a model of effects in the same contest"},
+                          Field{"remarks", &TrainedOnTemperatures::remarks, ""}}};
+
+struct RankedBatch {
+  std::string name;
+  double distance = 0.0, weight = 0.0;
+};
+
+template <>
+inline constexpr auto kResult<RankedBatch> = ResultType{
+    "RankedBatch", "A batch, and how like the job it is.",
+    std::tuple{Field{"batch", &RankedBatch::name, ""}, Field{"distance", &RankedBatch::distance, "how unlike it is"},
+               Field{"weight", &RankedBatch::weight, ""}}};
+
+struct BatchChoice {
+  std::string name;
+  double batches = 0.0;
+  RegressionSettings settings;
+  std::optional<double> predicted_rmse_um;
+};
+
+template <>
+inline constexpr auto kResult<BatchChoice> = ResultType{
+    "BatchChoice", "A way to choose batches.",
+    std::tuple_cat(
+        std::tuple{Field{"choice", &BatchChoice::name, "weights, all"},
+                   Field{"batches", &BatchChoice::batches, "as many as these alike"}},
+        fields_through(&BatchChoice::settings, kRegressionSettings),
+        std::tuple{Field{"predicted_rmse_um", &BatchChoice::predicted_rmse_um, "of the job; null: not measured"}})};
+
+struct TrainedForJob {
+  std::string target;
+  double room_degC = 0.0;
+  std::vector<RankedBatch> ranked;
+  std::vector<BatchChoice> choices;  // by weights, and all
+  std::vector<std::string> remarks;
+};
+
+template <>
+inline constexpr auto kResult<TrainedForJob> =
+    ResultType{"Selected", "Batches to train on for a job.",
+               std::tuple{Field{"target", &TrainedForJob::target, "column that is predicted"},
+                          Field{"room_degC", &TrainedForJob::room_degC, "as the job begins"},
+                          Field{"ranked", &TrainedForJob::ranked, "batches, the most like the job first"},
+                          Field{"choices", &TrainedForJob::choices, "with what came of each"},
+                          Field{"remarks", &TrainedForJob::remarks, ""}}};
+
+// Of `train` on effects.
 
 struct ForecastTest {
   Forecasts forecasts;
