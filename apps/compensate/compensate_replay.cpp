@@ -14,7 +14,7 @@
 #include "compensate/offset_text.hpp"
 #include "compensate/replay_result.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/output_guard.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 

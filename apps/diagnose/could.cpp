@@ -9,7 +9,7 @@
 #include "diagnose/injection.hpp"
 #include "model/effect_options.hpp"
 #include "model/preflight.hpp"
-#include "terminal/details.hpp"
+#include "terminal/terminal_table.hpp"
 #include "terminal/option_checks.hpp"
 
 namespace ballbar::commands {

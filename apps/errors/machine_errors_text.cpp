@@ -9,7 +9,7 @@
 
 #include "ballbar/number_text.hpp"
 #include "ballbar/units.hpp"
-#include "errors/error_names.hpp"
+#include "errors/quantity_text.hpp"
 #include "errors/machine_errors_report.hpp"
 #include "terminal/terminal_table.hpp"
 

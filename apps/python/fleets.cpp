@@ -16,7 +16,7 @@
 #include "errors/test_result.hpp"
 #include "history/history_page.hpp"
 #include "history/history_result.hpp"
-#include "history/ranking_text.hpp"
+#include "history/history_text.hpp"
 #include "python/arrays.hpp"
 #include "python/classes.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "ballbar/units.hpp"
-#include "report/report_parts.hpp"
+#include "report/report_results.hpp"
 
 namespace ballbar {
 namespace {

@@ -30,7 +30,7 @@
 #include "errors/test_comparison_result.hpp"
 #include "errors/test_result.hpp"
 #include "history/history_result.hpp"
-#include "history/page_parts.hpp"
+#include "history/history_page.hpp"
 #include "logs/log_results.hpp"
 #include "measure/comparison_result.hpp"
 #include "measure/drift_result.hpp"

@@ -1,4 +1,4 @@
-#include "errors/error_names.hpp"
+#include "errors/quantity_text.hpp"
 
 #include <gtest/gtest.h>
 
