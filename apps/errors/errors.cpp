@@ -21,9 +21,9 @@
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
-#include "terminal/terminal_table.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

@@ -9,8 +9,8 @@
 #include "ballbar/formats/recordings/recording_results.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
 #include "ballbar/units.hpp"
-#include "errors/quantity_text.hpp"
 #include "errors/machine_errors_report.hpp"
+#include "errors/quantity_text.hpp"
 
 namespace ballbar {
 
@@ -245,8 +245,7 @@ inline constexpr auto kResult<ErrorsReports> = ResultType{
     "RankedErrorsOfGroups", "The errors of a machine from several planes or bars.",
     std::tuple_cat(
         std::tuple{Field{"groups", &ErrorsReports::groups, "of several planes or bars, each as the errors of one"},
-                   Field{"results_alone", &ErrorsReports::results_alone,
-                         "files that store results without readings"}},
+                   Field{"results_alone", &ErrorsReports::results_alone, "files that store results without readings"}},
         kErrorsReportsFiles)};
 
 template <>

@@ -10,6 +10,7 @@
 #include "ballbar/history/trend.hpp"
 #include "ballbar/number_text.hpp"
 #include "errors/quantity_text.hpp"
+#include "errors/test_table.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -55,16 +56,9 @@ bool has_something_to_state(const MachineHistory& machine, std::size_t place, co
   return series.significant || !std::isfinite(series.sigma.back());
 }
 
-std::string first_and_last(const std::vector<MachineTest>& tests, const std::vector<std::size_t>& places) {
-  std::string first, last;
-  for (const std::size_t i : places) {
-    if (!tests[i].started_s) continue;
-    const std::string date = date_text(static_cast<double>(*tests[i].started_s));
-    if (first.empty() || date < first) first = date;
-    last = std::max(last, date);
-  }
-  if (first.empty()) return "without a date";
-  return first == last ? first : fmt::format("{} to {}", first, last);
+std::string first_and_last(const std::vector<MachineTest>& tests) {
+  const std::string dates = dates_text(tests);
+  return dates.empty() ? "without a date" : dates;
 }
 
 // Rows without the columns in which no row has anything.
@@ -90,11 +84,13 @@ std::string table_of_rows(const std::vector<std::vector<std::string>>& rows) {
 std::string group_text(const TestFiles& files, const MachineHistory& machine, std::size_t group, bool all,
                        std::size_t& left_out) {
   const std::vector<std::size_t>& places = machine.groups[group].tests;
-  const auto stored = std::count_if(places.begin(), places.end(), [&](std::size_t i) { return files.tests[i].stored; });
+  std::vector<MachineTest> tests;
+  for (const std::size_t i : places) tests.push_back(files.tests[i]);
+  const auto stored = std::count_if(tests.begin(), tests.end(), [](const MachineTest& one) { return one.stored; });
   std::string text =
       fmt::format("\n{}; {}, {}{}\n", group_text(machine.groups[group]), several(places.size(), "test"),
-                  first_and_last(files.tests, places), stored == 0 ? "" : fmt::format(", {} of stored values", stored));
-  const std::optional<MachineError>& out_of_square = files.tests[places.back()].squareness;
+                  first_and_last(tests), stored == 0 ? "" : fmt::format(", {} of stored values", stored));
+  const std::optional<MachineError>& out_of_square = tests.back().squareness;
   const std::string squareness = out_of_square ? out_of_square->name : "";
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < machine.series.size(); ++i) {
@@ -111,11 +107,9 @@ std::string group_text(const TestFiles& files, const MachineHistory& machine, st
 
 std::string machine_text(const TestFiles& files, const History& history, const MachineGeometry& geometry, bool all) {
   const MachineHistory& machine = history.machines.front();
-  std::vector<std::size_t> places(files.tests.size());
-  for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
   std::string text = fmt::format("{}{}, {}, {}\n\n", machine.name.empty() ? "" : shortened(machine.name, 80) + ": ",
-                                 several(places.size(), "test"), several(machine.groups.size(), "group"),
-                                 first_and_last(files.tests, places));
+                                 several(files.tests.size(), "test"), several(machine.groups.size(), "group"),
+                                 first_and_last(files.tests));
   for (const std::string& line : machine_conclusion(history)) text += wrapped(line);
   std::size_t left_out = 0;
   for (std::size_t group = 0; group < machine.groups.size(); ++group) {

@@ -62,13 +62,7 @@ std::vector<std::string> lines_of(std::string text, std::size_t width, bool inde
 
 std::string in_single_quotes(const std::string& text) {
   std::string result = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      result += "'\\''";
-    } else {
-      result += c;
-    }
-  }
+  for (const char c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
   return result + "'";
 }
 
