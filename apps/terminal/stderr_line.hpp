@@ -24,6 +24,8 @@ void warning_line(const std::string& text);
 // set (no-color.org). What goes to a file, a pipe or a program stays plain.
 std::string bold(const std::string& text);
 
+// The progress of a command: one line, which the next one replaces. It is shown if standard error is a terminal, or is
+// passed to the calling program. It never goes to standard output.
 void show_progress(std::string_view line);  // empty: takes the line away
 
 // Whether the caller takes progress as JSON with the results so far.
