@@ -16,7 +16,6 @@
 #include "terminal/command_line.hpp"
 #include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
-#include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
 
 namespace ballbar::commands {

@@ -13,7 +13,7 @@
 #include "compensate/compensation_results.hpp"
 #include "compensate/offset_text.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/output_guard.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 

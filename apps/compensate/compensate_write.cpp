@@ -21,7 +21,7 @@
 #include "model/model_options.hpp"
 #include "predict/train.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/output_guard.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 

@@ -22,9 +22,7 @@
 #include "model/effect_options.hpp"
 #include "model/residual_report.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/details.hpp"
-#include "terminal/output_guard.hpp"
-#include "terminal/progress.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 

@@ -13,7 +13,6 @@
 #include "diagnose/diagnosis_report.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/next_command.hpp"
-#include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
 
 namespace ballbar {

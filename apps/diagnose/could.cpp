@@ -9,8 +9,8 @@
 #include "diagnose/injection.hpp"
 #include "model/effect_options.hpp"
 #include "model/preflight.hpp"
-#include "terminal/details.hpp"
 #include "terminal/option_checks.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

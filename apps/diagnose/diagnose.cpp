@@ -16,9 +16,7 @@
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/details.hpp"
 #include "terminal/option_checks.hpp"
-#include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 

@@ -15,8 +15,8 @@
 #include "diagnose/diagnosis_result.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/next_command.hpp"
-#include "errors/error_names.hpp"
-#include "terminal/progress.hpp"
+#include "errors/quantity_text.hpp"
+#include "terminal/stderr_line.hpp"
 
 namespace ballbar {
 namespace {

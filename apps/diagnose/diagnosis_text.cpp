@@ -9,7 +9,6 @@
 
 #include "diagnose/diagnosis_report.hpp"
 #include "model/preflight.hpp"
-#include "terminal/details.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

@@ -10,7 +10,7 @@
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/predict/predictability.hpp"
 #include "diagnose/effect_test_text.hpp"
-#include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

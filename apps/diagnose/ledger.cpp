@@ -16,7 +16,6 @@
 #include "diagnose/revision_results.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
-#include "terminal/details.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {

@@ -21,10 +21,9 @@
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
-#include "terminal/details.hpp"
 #include "terminal/option_checks.hpp"
-#include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

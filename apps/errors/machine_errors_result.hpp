@@ -9,8 +9,8 @@
 #include "ballbar/formats/recordings/recording_results.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
 #include "ballbar/units.hpp"
-#include "errors/error_names.hpp"
 #include "errors/machine_errors_report.hpp"
+#include "errors/quantity_text.hpp"
 
 namespace ballbar {
 
@@ -194,7 +194,7 @@ inline constexpr auto kErrorsReportLeft =
                Field{"repeatability_um", &MachineErrors::repeatability_um,
                      "what of it is not the same in both directions; null: one direction"},
                Field{"noise", &MachineErrors::noise, "of the readings"},
-               Field{"kErrorsReportLeft", &MachineErrors::left, "a wave that no error explains; null: none"}};
+               Field{"left", &MachineErrors::left, "a wave that no error explains; null: none"}};
 inline constexpr auto kErrorsReportDriven = std::tuple{
     Field{"plane", [](const ErrorsReport& of) { return of.recordings.front().plane; }, "XY, YZ, ZX"},
     Field{"nominal_length_mm", [](const ErrorsReport& of) { return of.recordings.front().nominal_length_mm; }, ""}};
@@ -237,7 +237,7 @@ struct ErrorsOfOne {
 std::variant<ErrorsOfOne, ErrorsReports> result_of(const ErrorsReports& reports);
 
 inline constexpr auto kErrorsReportsFiles =
-    std::tuple{Field{"skipped", &ErrorsReports::skipped, "kErrorsReportsFiles that could not be read"},
+    std::tuple{Field{"skipped", &ErrorsReports::skipped, "files that could not be read"},
                Field{"remarks", &ErrorsReports::remarks, "of the readers"}};
 
 template <>
@@ -245,8 +245,7 @@ inline constexpr auto kResult<ErrorsReports> = ResultType{
     "RankedErrorsOfGroups", "The errors of a machine from several planes or bars.",
     std::tuple_cat(
         std::tuple{Field{"groups", &ErrorsReports::groups, "of several planes or bars, each as the errors of one"},
-                   Field{"results_alone", &ErrorsReports::results_alone,
-                         "kErrorsReportsFiles that store results without readings"}},
+                   Field{"results_alone", &ErrorsReports::results_alone, "files that store results without readings"}},
         kErrorsReportsFiles)};
 
 template <>

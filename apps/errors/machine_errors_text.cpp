@@ -9,8 +9,8 @@
 
 #include "ballbar/number_text.hpp"
 #include "ballbar/units.hpp"
-#include "errors/error_names.hpp"
-#include "errors/machine_errors_report.hpp"
+#include "errors/machine_errors_result.hpp"
+#include "errors/quantity_text.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -118,15 +118,12 @@ std::string table_text(const ErrorsReport& report, bool details) {
                                                                                   : "no");
     table.add(row);
   };
-  std::vector<bool> listed(report.found.errors.size(), false);
-  for (const RankedError& ranked : report.found.ranked) {
-    for (const std::size_t row : ranked.rows) {
-      add(report.found.errors[row], &ranked, row == ranked.rows.front());
-      listed[row] = true;
-    }
-  }
-  for (std::size_t row = 0; row < listed.size(); ++row) {
-    if (!listed[row]) add(report.found.errors[row], nullptr, true);
+  const std::vector<ErrorRow> all = error_rows(report);
+  const Effect* before = nullptr;
+  for (const ErrorRow& one : all) {
+    const Effect* const effect = one.ranked ? one.ranked->effect : nullptr;
+    add(one.error, one.ranked ? &*one.ranked : nullptr, effect == nullptr || effect != before);
+    before = effect;
   }
   std::string text = table.text(table_width(kWidest));
   if (rows > kErrorRows && !details) text += more_text(rows - kErrorRows) + '\n';

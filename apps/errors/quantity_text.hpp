@@ -1,10 +1,13 @@
-// How quantities and dates are written.
+// How quantities, dates and errors are written.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+
+#include "ballbar/circle/recording.hpp"
+#include "ballbar/machine_errors/next_measurement.hpp"
 
 namespace ballbar {
 
@@ -13,5 +16,15 @@ std::string iso_date_text(std::int64_t time_s);                 // "2025-09-04T1
 std::string several(std::size_t count, std::string_view what);  // "1 test", "2 tests"
 
 std::string signed_text(double value, int decimals);
+
+// Readable names of the errors of a machine: the axes a and b of the catalogue become X and Y in the plane XY, and
+// reversal_spike_a becomes "reversal spike of X".
+std::string plain_name(std::string_view effect, Plane plane);
+
+// "Axis A moves sideways, along B": the catalogue's summaries, where a word that is A or B is an axis.
+std::string with_axes(std::string_view summary, Plane plane);
+
+// "Measure the other direction."
+std::string measurement_text(const NextMeasurement& next);
 
 }  // namespace ballbar

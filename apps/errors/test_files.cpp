@@ -19,7 +19,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "errors/stored_test.hpp"
-#include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
 
 namespace ballbar {
 namespace {

@@ -34,21 +34,25 @@ const TestQuantity* quantity_of(const MachineTest& test, std::string_view name) 
 
 std::string heading_text(const TestFiles& files) {
   std::set<std::string> machines;
+  for (const MachineTest& test : files.tests) machines.insert(test.machine);
+  std::string text = several(files.tests.size(), "test");
+  if (machines.size() > 1) text += fmt::format(" of {} machines", machines.size());
+  if (const std::string dates = dates_text(files.tests); !dates.empty()) text += ", " + dates;
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string dates_text(const std::vector<MachineTest>& tests) {
   std::string first, last;
-  for (const MachineTest& test : files.tests) {
-    machines.insert(test.machine);
+  for (const MachineTest& test : tests) {
     if (!test.started_s) continue;
     const std::string date = date_text(static_cast<double>(*test.started_s));
     if (first.empty() || date < first) first = date;
     last = std::max(last, date);
   }
-  std::string text = several(files.tests.size(), "test");
-  if (machines.size() > 1) text += fmt::format(" of {} machines", machines.size());
-  if (!first.empty()) text += first == last ? ", " + first : fmt::format(", {} to {}", first, last);
-  return text + "\n";
+  return first == last ? first : fmt::format("{} to {}", first, last);
 }
-
-}  // namespace
 
 const TestQuantity* first_to_mend(const MachineTest& test) {
   const TestQuantity* found = nullptr;

@@ -18,6 +18,9 @@ std::string column_name(const TestQuantity& quantity, bool of_sigma = false);
 // The larger end of the error to correct first; nullptr: none.
 const TestQuantity* first_to_mend(const MachineTest& test);
 
+// "2025-09-04 to 2026-01-12", or the only date; empty: none is stated.
+std::string dates_text(const std::vector<MachineTest>& tests);
+
 // For the terminal.
 std::string test_table_text(const TestFiles& files, bool details = false);  // details: all rows
 

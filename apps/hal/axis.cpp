@@ -7,27 +7,10 @@
 namespace ballbar::hal {
 
 Reason reason_of(Hold hold) {
-  switch (hold) {
-    case Hold::none:
-      return Reason::none;
-    case Hold::no_time:
-      return Reason::no_time;
-    case Hold::no_value:
-      return Reason::no_value;
-    case Hold::spike:
-      return Reason::spike;
-    case Hold::stuck:
-      return Reason::stuck;
-    case Hold::out_of_range:
-      return Reason::out_of_range;
-    case Hold::clock_back:
-      return Reason::clock_back;
-    case Hold::clock_gap:
-      return Reason::clock_gap;
-    case Hold::model:
-      return Reason::model;
-  }
-  return Reason::model;
+  constexpr std::array<Reason, kHoldKinds> kReasons{
+      Reason::none,    Reason::no_value,   Reason::spike,     Reason::stuck, Reason::out_of_range,
+      Reason::no_time, Reason::clock_back, Reason::clock_gap, Reason::model};  // in the order of Hold
+  return kReasons[static_cast<std::size_t>(hold)];
 }
 
 const char* name_of(Reason reason) {

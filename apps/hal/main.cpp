@@ -39,12 +39,17 @@ void say(const std::string& text) { std::fputs(("ballbar-hal: " + text + "\n").c
 
 double now_s() { return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count(); }
 
-// SIGTERM and SIGINT are blocked and taken here, so that none comes between two pins. True when one has come.
-bool stop_signal_within(double wait_s) {
+sigset_t stop_signals() {
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGTERM);
   sigaddset(&signals, SIGINT);
+  return signals;
+}
+
+// SIGTERM and SIGINT are blocked and taken here, so that none comes between two pins. True when one has come.
+bool stop_signal_within(double wait_s) {
+  const sigset_t signals = stop_signals();
   timespec wait{};
   wait.tv_sec = static_cast<time_t>(wait_s);
   wait.tv_nsec = static_cast<long>((wait_s - std::floor(wait_s)) * 1e9);
@@ -52,10 +57,7 @@ bool stop_signal_within(double wait_s) {
 }
 
 void block_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
-  sigaddset(&signals, SIGINT);
+  const sigset_t signals = stop_signals();
   sigprocmask(SIG_BLOCK, &signals, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow: then write() says so

@@ -2,9 +2,14 @@
 #include "ballbar/history/history.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -19,21 +24,20 @@
 #include "commands.hpp"
 #include "errors/test_files.hpp"
 #include "errors/test_table.hpp"
-#include "history/dask_process.hpp"
 #include "history/found_history.hpp"
 #include "history/history_page.hpp"
 #include "history/history_result.hpp"
 #include "history/history_text.hpp"
 #include "page/report_page.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/details.hpp"
 #include "terminal/option_checks.hpp"
-#include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct HistoryArguments {
   std::vector<std::string> folders;
@@ -51,7 +55,7 @@ struct HistoryArguments {
 // Of a cloud, or a pattern that the shell left.
 bool is_for_fsspec(const std::string& path) {
   std::error_code error;
-  const bool is_pattern = path.find_first_of("*?[") != std::string::npos && !std::filesystem::exists(path, error);
+  const bool is_pattern = path.find_first_of("*?[") != std::string::npos && !fs::exists(path, error);
   return is_pattern || path.find("://") != std::string::npos;
 }
 
@@ -59,6 +63,58 @@ bool is_for_dask(const HistoryArguments& options) {
   if (caller() != nullptr) return false;  // a program in whose place no other may run
   return !options.table.empty() || options.workers || !options.scheduler.empty() ||
          std::any_of(options.folders.begin(), options.folders.end(), is_for_fsspec);
+}
+
+// With Dask: a table that is kept, workers, file systems of a cloud. The package of Python does it.
+constexpr const char* kStart = R"(import sys
+try:
+    from ballbar.__main__ import history
+except ImportError as error:
+    sys.exit("ballbar: history: expected the package ballbar of Python with numpy and pandas, found: %s; on Debian install "
+             "python3-ballbar and python3-distributed" % error)
+except KeyboardInterrupt:
+    sys.exit(130)
+sys.exit(history(sys.argv[1:])))";
+
+bool is_environment_on() { return std::getenv("VIRTUAL_ENV") != nullptr || std::getenv("CONDA_PREFIX") != nullptr; }
+
+// The package of this program: in a tree that is built, or below the same prefix. Below /usr/lib Python finds it by
+// itself, and an environment that is on has its own: first on the path, the modules next to it would hide those of the
+// environment.
+void add_own_package() {
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  if (error) return;
+  for (const char* place : {"../python", "../lib/python3/dist-packages"}) {
+    const fs::path found = (folder / place).lexically_normal();
+    const bool is_installed = place != std::string_view("../python");
+    if (is_installed && (is_environment_on() || found.string().starts_with("/usr/lib/"))) continue;
+    if (!fs::is_directory(found / "ballbar", error)) continue;
+    const char* const before = std::getenv("PYTHONPATH");
+    const std::string after = before == nullptr ? "" : fmt::format(":{}", before);
+    setenv("PYTHONPATH", (found.string() + after).c_str(), 1);
+    return;
+  }
+}
+
+// That of an environment that is on; else the system's, for which Debian's packages are.
+std::string python() {
+  return !is_environment_on() && access("/usr/bin/python3", X_OK) == 0 ? "/usr/bin/python3" : "python3";
+}
+
+// Ends this process, in whose place Python runs the command with these words.
+void run_in_python(const std::vector<std::string>& words) {
+  add_own_package();
+  std::vector<std::string> line{python(), "-P", "-c", kStart};  // -P: a numpy.py of this folder is not run
+  line.insert(line.end(), words.begin(), words.end());
+  std::vector<char*> arguments;
+  arguments.reserve(line.size() + 1);
+  for (std::string& word : line) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  std::fflush(nullptr);
+  execvp(arguments.front(), arguments.data());
+  throw Error(fmt::format("history: expected the program {} to run the package ballbar of Python, found: {}.",
+                          line.front(), std::strerror(errno)));
 }
 
 std::vector<std::string> words_of(const HistoryArguments& options) {
@@ -95,7 +151,7 @@ Tolerance tolerance_of(const std::string& text) {
 
 std::string title_of(const std::vector<std::string>& folders) {
   std::error_code error;
-  const std::string name = std::filesystem::weakly_canonical(folders.front(), error).filename().string();
+  const std::string name = fs::weakly_canonical(folders.front(), error).filename().string();
   return folders.size() == 1 ? name : fmt::format("{} and {} more", name, folders.size() - 1);
 }
 

@@ -7,8 +7,6 @@
 
 #include "errors/test_table.hpp"
 #include "history/history_text.hpp"
-#include "history/page_parts.hpp"
-#include "history/ranking_text.hpp"
 #include "page/report_page.hpp"
 
 namespace ballbar {

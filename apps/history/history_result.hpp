@@ -69,17 +69,8 @@ inline constexpr auto kResult<Finding> = ResultType{
         Field{"quantities", &Finding::quantities, "the clearest first"}}};
 
 inline std::string_view name_of(Outlook outlook) {
-  switch (outlook) {
-    case Outlook::beyond:
-      return "beyond";
-    case Outlook::no_trend:
-      return "no_trend";
-    case Outlook::away:
-      return "not_within_10_years";
-    case Outlook::expected:
-      return "expected";
-  }
-  return "";
+  constexpr std::string_view kNames[] = {"beyond", "no_trend", "not_within_10_years", "expected"};
+  return kNames[static_cast<std::size_t>(outlook)];
 }
 
 template <>

@@ -7,9 +7,10 @@
 #include <cmath>
 #include <optional>
 
+#include "ballbar/history/trend.hpp"
 #include "ballbar/number_text.hpp"
 #include "errors/quantity_text.hpp"
-#include "history/ranking_text.hpp"
+#include "errors/test_table.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -55,16 +56,9 @@ bool has_something_to_state(const MachineHistory& machine, std::size_t place, co
   return series.significant || !std::isfinite(series.sigma.back());
 }
 
-std::string first_and_last(const std::vector<MachineTest>& tests, const std::vector<std::size_t>& places) {
-  std::string first, last;
-  for (const std::size_t i : places) {
-    if (!tests[i].started_s) continue;
-    const std::string date = date_text(static_cast<double>(*tests[i].started_s));
-    if (first.empty() || date < first) first = date;
-    last = std::max(last, date);
-  }
-  if (first.empty()) return "without a date";
-  return first == last ? first : fmt::format("{} to {}", first, last);
+std::string first_and_last(const std::vector<MachineTest>& tests) {
+  const std::string dates = dates_text(tests);
+  return dates.empty() ? "without a date" : dates;
 }
 
 // Rows without the columns in which no row has anything.
@@ -90,11 +84,13 @@ std::string table_of_rows(const std::vector<std::vector<std::string>>& rows) {
 std::string group_text(const TestFiles& files, const MachineHistory& machine, std::size_t group, bool all,
                        std::size_t& left_out) {
   const std::vector<std::size_t>& places = machine.groups[group].tests;
-  const auto stored = std::count_if(places.begin(), places.end(), [&](std::size_t i) { return files.tests[i].stored; });
+  std::vector<MachineTest> tests;
+  for (const std::size_t i : places) tests.push_back(files.tests[i]);
+  const auto stored = std::count_if(tests.begin(), tests.end(), [](const MachineTest& one) { return one.stored; });
   std::string text =
       fmt::format("\n{}; {}, {}{}\n", group_text(machine.groups[group]), several(places.size(), "test"),
-                  first_and_last(files.tests, places), stored == 0 ? "" : fmt::format(", {} of stored values", stored));
-  const std::optional<MachineError>& out_of_square = files.tests[places.back()].squareness;
+                  first_and_last(tests), stored == 0 ? "" : fmt::format(", {} of stored values", stored));
+  const std::optional<MachineError>& out_of_square = tests.back().squareness;
   const std::string squareness = out_of_square ? out_of_square->name : "";
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < machine.series.size(); ++i) {
@@ -111,11 +107,9 @@ std::string group_text(const TestFiles& files, const MachineHistory& machine, st
 
 std::string machine_text(const TestFiles& files, const History& history, const MachineGeometry& geometry, bool all) {
   const MachineHistory& machine = history.machines.front();
-  std::vector<std::size_t> places(files.tests.size());
-  for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
   std::string text = fmt::format("{}{}, {}, {}\n\n", machine.name.empty() ? "" : shortened(machine.name, 80) + ": ",
-                                 several(places.size(), "test"), several(machine.groups.size(), "group"),
-                                 first_and_last(files.tests, places));
+                                 several(files.tests.size(), "test"), several(machine.groups.size(), "group"),
+                                 first_and_last(files.tests));
   for (const std::string& line : machine_conclusion(history)) text += wrapped(line);
   std::size_t left_out = 0;
   for (std::size_t group = 0; group < machine.groups.size(); ++group) {
@@ -207,6 +201,87 @@ std::vector<std::string> sentences_of(const MachineGeometry& geometry, bool all)
         "Scales are relative to the bar as calibrated. An error of the bar shifts all scales alike.");
   }
   return sentences;
+}
+
+constexpr std::size_t kRows = 12, kExplained = 6;
+constexpr std::size_t kNameWidth = 24;
+
+std::size_t count_of(const History& history, Need need) {
+  return static_cast<std::size_t>(std::count_if(history.machines.begin(), history.machines.end(),
+                                                [&](const MachineHistory& one) { return one.need == need; }));
+}
+
+std::string machines_text(std::size_t count) { return several(count, "machine"); }
+
+const ToleranceOutlook* tolerance_with(const MachineHistory& machine, Outlook outlook) {
+  const auto found = std::find_if(machine.tolerances.begin(), machine.tolerances.end(),
+                                  [&](const ToleranceOutlook& one) { return one.date.outlook == outlook; });
+  return found == machine.tolerances.end() ? nullptr : &*found;
+}
+
+std::string need_text(const MachineHistory& machine) {
+  switch (machine.need) {
+    case Need::beyond:
+      return "beyond tolerance";
+    case Need::expected:
+      return "by " + date_text(*tolerance_with(machine, Outlook::expected)->date.at_s);
+    case Need::finding:
+      return "check";
+    case Need::nothing:
+      break;
+  }
+  return "nothing";
+}
+
+std::string kind_text(FindingKind kind) {
+  std::string text(name_of(kind));
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+std::string size_text(const Finding& finding) {
+  const FindingQuantity& quantity = finding.quantities.front();
+  const int decimals = decimals_in(quantity.unit);
+  const bool to_either_side = finding.kind == FindingKind::season;
+  return fmt::format("{} ± {} {}{}",
+                     to_either_side ? fixed(quantity.size, decimals) : signed_text(quantity.size, decimals),
+                     fixed(quantity.sigma, decimals), quantity.unit, finding.kind == FindingKind::trend ? "/a" : "");
+}
+
+std::string q_text(double q) { return q < 1e-3 ? "< 0.001" : fmt::format("{:.3f}", q); }
+
+// The machines that need something; of the rest how many.
+std::string table_of(const History& history, std::size_t rows) {
+  Table table(ranking_heading());
+  std::size_t needing = 0;
+  for (const MachineHistory& machine : history.machines) {
+    if (machine.need == Need::nothing) continue;
+    if (++needing <= rows) table.add(ranking_row(machine));
+  }
+  if (needing == 0) return "";
+  std::string text = '\n' + table.text(table_width());
+  if (needing > rows) text += more_text(needing - rows) + '\n';
+  return text;
+}
+
+std::string what_to_do(const History& history, std::size_t most) {
+  std::string text;
+  for (const MachineHistory& machine : history.machines) {
+    if (machine.need == Need::nothing || most-- == 0) break;
+    text += '\n' + wrapped(shortened(machine.name, kNameWidth) + ": " + explanation(machine));
+  }
+  return text;
+}
+
+std::string bars_text(const History& history) {
+  std::string text;
+  for (const BarChange& change : history.bar_changes) {
+    if (!(std::abs(change.size_ppm) > kSignificantSigmas * change.sigma_ppm)) continue;
+    text += wrapped(fmt::format("Bar {} against {}: {} ± {} um/m, on {}.", change.to.empty() ? "?" : change.to,
+                                change.from.empty() ? "?" : change.from, signed_text(change.size_ppm, 1),
+                                fixed(change.sigma_ppm, 1), machines_text(change.machines.size())));
+  }
+  return text.empty() ? text : '\n' + text;
 }
 
 }  // namespace
@@ -312,6 +387,77 @@ std::string geometry_text(const TestFiles& files, const MachineGeometry& geometr
   for (const std::vector<std::string>& row : texts.rows) table.add(row);
   std::string text = '\n' + texts.heading + '\n' + table.text();
   for (const std::string& sentence : texts.sentences) text += wrapped(sentence);
+  return text;
+}
+
+std::vector<std::string> ranking_heading() {
+  return {"machine", "status", "finding", "quantity", "size", "from", "to", "q"};
+}
+
+std::vector<std::string> ranking_row(const MachineHistory& machine) {
+  const std::string name = shortened(machine.name, kNameWidth);
+  if (machine.findings.empty()) {
+    const ToleranceOutlook* beyond = tolerance_with(machine, Outlook::beyond);
+    if (beyond == nullptr) return {name, need_text(machine), "-", "-", "-", "-", "-", "-"};
+    return {name,
+            need_text(machine),
+            "-",
+            fmt::format("{} {}", beyond->name, name_of(beyond->plane)),
+            with_sigma(beyond->level, beyond->level_sigma, decimals_in(beyond->unit)) + ' ' + beyond->unit,
+            "-",
+            "-",
+            "-"};
+  }
+  const Finding& finding = machine.findings.front();
+  const FindingQuantity& quantity = finding.quantities.front();
+  const std::size_t more = finding.quantities.size() - 1;
+  return {name,
+          need_text(machine),
+          kind_text(finding.kind),
+          fmt::format("{} {}{}", quantity.name, name_of(quantity.plane), more == 0 ? "" : fmt::format(" + {}", more)),
+          size_text(finding),
+          date_text(finding.from_s),
+          date_text(finding.to_s),
+          q_text(finding.q_value)};
+}
+
+std::string explanation(const MachineHistory& machine) {
+  std::string text = machine.reason;
+  for (std::size_t i = 0; i < std::min<std::size_t>(machine.findings.size(), 2); ++i) {
+    if (machine.reason_finding != i) text += ' ' + machine.findings[i].sentence;
+    text += ' ' + machine.findings[i].remedy;
+  }
+  if (machine.findings.size() > 2)
+    text += fmt::format(" {} more finding{}: --json prints all.", machine.findings.size() - 2,
+                        machine.findings.size() == 3 ? "" : "s");
+  return text;
+}
+
+std::string questions_text(const History& history) {
+  return fmt::format("{} quantities tested, {} significant; at most {:g} % of these by chance.", history.judged,
+                     history.found, 100.0 * history.false_discovery_rate);
+}
+
+std::vector<std::string> conclusion(const History& history) {
+  const std::size_t all = history.machines.size();
+  const std::size_t beyond = count_of(history, Need::beyond), expected = count_of(history, Need::expected),
+                    finding = count_of(history, Need::finding), nothing = count_of(history, Need::nothing);
+  const std::string first =
+      nothing == all
+          ? fmt::format("No significant change on any of {}.", machines_text(all))
+          : fmt::format("Findings on {} of {}: {} beyond a tolerance, {} drifting towards one, {} with another change.",
+                        all - nothing, machines_text(all), beyond, expected, finding);
+  return {first, questions_text(history)};
+}
+
+std::string ranking_text(const History& history, bool all, const std::vector<std::string>& remarks) {
+  std::string text;
+  for (const std::string& line : conclusion(history)) text += wrapped(line);
+  for (const std::string& line : remarks) text += wrapped(line);
+  const std::size_t most = history.machines.size();
+  text += table_of(history, all ? most : kRows);
+  text += what_to_do(history, all ? most : kExplained);
+  text += bars_text(history);
   return text;
 }
 

@@ -20,10 +20,8 @@
 #include "page/report_page.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
-#include "terminal/details.hpp"
 #include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
-#include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 

@@ -15,8 +15,14 @@ constexpr std::string_view name_of(DifferenceKind kind) {
   constexpr std::string_view kNames[] = {"offset", "gain", "lag", "drift"};
   return kNames[static_cast<std::size_t>(kind)];
 }
-std::string_view name_of(NoiseOfDifference noise);
-std::string_view name_of(Agreement agreement);
+constexpr std::string_view name_of(NoiseOfDifference noise) {
+  constexpr std::string_view kNames[] = {"stated", "widened", "from rows"};
+  return kNames[static_cast<std::size_t>(noise)];
+}
+constexpr std::string_view name_of(Agreement agreement) {
+  constexpr std::string_view kNames[] = {"agrees", "disagrees", "cannot tell"};
+  return kNames[static_cast<std::size_t>(agreement)];
+}
 
 // A part of a comparison, with the unit of its axis.
 template <class Part>
@@ -157,8 +163,18 @@ inline constexpr auto kResult<InUnit<ComparedSample>> =
                           Field{"difference", of_unit(&ComparedSample::difference), "b minus a"},
                           Field{"sigma", of_unit(&ComparedSample::sigma), "null: not known"}}};
 
-std::vector<InUnit<ComparedSample>> samples_of(const AxisComparison& axis);
-std::vector<InUnit<UncertaintyShare>> budget_of(const AxisComparison& axis);
+inline std::vector<InUnit<ComparedSample>> samples_of(const AxisComparison& axis) {
+  std::vector<InUnit<ComparedSample>> samples;
+  for (std::size_t i = 0; i < axis.time_s.size(); ++i)
+    samples.push_back({{axis.time_s[i], axis.a[i], axis.b[i], axis.difference[i], axis.sigma[i]}, axis.unit});
+  return samples;
+}
+
+inline std::vector<InUnit<UncertaintyShare>> budget_of(const AxisComparison& axis) {
+  std::vector<InUnit<UncertaintyShare>> budget;
+  for (const UncertaintyShare& share : axis.budget) budget.push_back({share, axis.unit});
+  return budget;
+}
 template <class Value>
 constexpr auto of_unit(Value AxisComparison::*member) {
   return [member](const AxisComparison& of) { return OfUnit<Value>{of.*member, of.unit}; };

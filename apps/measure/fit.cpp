@@ -15,9 +15,7 @@
 #include "measure/fit_result.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
-#include "terminal/details.hpp"
 #include "terminal/option_checks.hpp"
-#include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -211,10 +209,17 @@ std::string fits_text(const Fitted& fitted, const FitArguments& options) {
   return text;
 }
 
+std::string alone_text(const ResultsAlone& alone) {
+  Table table({fmt::format("stored in {}", alone.file), "value", "unit", "of"});
+  for (const ValueAlone& one : values_alone(alone))
+    table.add({one.name, fmt::format("{}", one.value), one.unit, one.of});
+  return table.text(table_width(150)) + '\n' + wrapped(alone.file + ": no readings, so there is nothing to fit.");
+}
+
 std::string text_of(const Fitted& fitted, const FitArguments& options) {
   std::string text = fitted.recordings.empty() ? "" : fits_text(fitted, options);
   for (const ResultsAlone& alone : fitted.results_alone) {
-    text += (text.empty() ? "" : "\n") + ballbar::text_of(alone);
+    text += (text.empty() ? "" : "\n") + alone_text(alone);
   }
   return text;
 }

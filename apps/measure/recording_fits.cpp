@@ -7,6 +7,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/units.hpp"
+#include "measure/fit_result.hpp"
 
 namespace ballbar {
 namespace {
@@ -137,6 +138,14 @@ void add_file(Fitted& fitted, const Source& source, const CircleOptions& options
   if (opened.b5r) next_of_pair = n;
 }
 
+// "run 0, CCW", or the analysis.
+std::string place_of(const B5r& test, const std::string& parent) {
+  for (const StoredRun& run : test.run_results) {
+    if (run.parent == parent && run.direction) return fmt::format("{}, {}", parent, name_of(*run.direction));
+  }
+  return parent;
+}
+
 }  // namespace
 
 Fitted fit_files(const std::vector<Source>& files, const CircleOptions& options, Faults faults,
@@ -158,6 +167,24 @@ Fitted fit_files(const std::vector<Source>& files, const CircleOptions& options,
     throw Error(fitted.skipped.front().why);
   }
   return fitted;
+}
+
+MayLack<TableOf<double>> stored_results(const std::vector<Compared>& results) {
+  TableOf<double> stored;
+  for (const Compared& result : results) {
+    if (result.stored) stored.emplace_back(result.key, *result.stored);
+  }
+  return {stored.empty() ? std::nullopt : std::optional(stored)};
+}
+
+std::vector<ValueAlone> values_alone(const ResultsAlone& alone) {
+  std::vector<ValueAlone> values;
+  for (const StoredFeature& feature : alone.b5r.stored) {
+    if (!feature.valid) continue;
+    values.push_back({place_of(alone.b5r, feature.parent), feature.name, feature.value,
+                      std::string(unit_of_data_type(feature.data_type))});
+  }
+  return values;
 }
 
 }  // namespace ballbar

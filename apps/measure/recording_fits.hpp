@@ -64,7 +64,4 @@ enum class Faults { end_all, skip };
 Fitted fit_files(const std::vector<Source>& files, const CircleOptions& options, Faults faults = Faults::end_all,
                  const StatedCircle& stated = {});
 
-// The stored results of a file without readings, as a table for the terminal.
-std::string text_of(const ResultsAlone& alone);
-
 }  // namespace ballbar

@@ -13,7 +13,6 @@
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/details.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {

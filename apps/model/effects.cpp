@@ -15,7 +15,6 @@
 #include "commands.hpp"
 #include "model/effects_result.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/details.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {

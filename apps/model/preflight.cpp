@@ -8,8 +8,7 @@
 
 #include "model/preflight_result.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/details.hpp"
-#include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

@@ -32,35 +32,19 @@ std::string as_script(const Json& json) {
   const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
   std::string safe;
   safe.reserve(text.size());
-  for (const char sign : text) {
-    if (sign == '<') {
-      safe += "\\u003c";
-    } else {
-      safe += sign;
-    }
-  }
+  for (const char sign : text) safe += sign == '<' ? "\\u003c" : std::string(1, sign);
   return safe;
 }
 
 std::string as_html(std::string_view text) {
   std::string safe;
   for (const char sign : text) {
-    switch (sign) {
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '&':
-        safe += "&amp;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        safe += static_cast<unsigned char>(sign) < 0x20 ? ' ' : sign;
-    }
+    safe += sign == '<'                               ? "&lt;"
+            : sign == '>'                             ? "&gt;"
+            : sign == '&'                             ? "&amp;"
+            : sign == '"'                             ? "&quot;"
+            : static_cast<unsigned char>(sign) < 0x20 ? " "
+                                                      : std::string(1, sign);
   }
   return safe;
 }

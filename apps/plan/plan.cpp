@@ -10,9 +10,7 @@
 #include "plan/plan_files.hpp"
 #include "plan/plan_result.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/details.hpp"
 #include "terminal/option_checks.hpp"
-#include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 

@@ -12,7 +12,6 @@
 #include "ballbar/nearest_name.hpp"
 #include "model/model_options.hpp"
 #include "predict/train.hpp"
-#include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
 
 namespace ballbar {

@@ -24,7 +24,6 @@
 #include "terminal/command_line.hpp"
 #include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
-#include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 

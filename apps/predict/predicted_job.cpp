@@ -20,7 +20,7 @@
 #include "predict/predict_results.hpp"
 #include "predict/train.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/output_guard.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/state_file.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"

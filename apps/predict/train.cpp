@@ -18,11 +18,8 @@
 #include "predict/predict_results.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
-#include "terminal/details.hpp"
 #include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
-#include "terminal/output_guard.hpp"
-#include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 

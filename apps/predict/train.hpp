@@ -11,7 +11,7 @@
 #include "ballbar/predict/sensor_choice.hpp"
 #include "ballbar/predict/temperature_regression.hpp"
 #include "ballbar/series/series.hpp"
-#include "terminal/details.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 

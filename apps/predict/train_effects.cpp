@@ -16,8 +16,7 @@
 #include "predict/predict_results.hpp"
 #include "predict/train.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/output_guard.hpp"
-#include "terminal/progress.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 

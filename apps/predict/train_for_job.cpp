@@ -14,7 +14,7 @@
 #include "predict/train.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
-#include "terminal/output_guard.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 

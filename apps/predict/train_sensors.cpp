@@ -7,7 +7,7 @@
 
 #include "ballbar/series/series.hpp"
 #include "predict/train.hpp"
-#include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

@@ -16,7 +16,7 @@
 #include "errors/test_result.hpp"
 #include "history/history_page.hpp"
 #include "history/history_result.hpp"
-#include "history/ranking_text.hpp"
+#include "history/history_text.hpp"
 #include "python/arrays.hpp"
 #include "python/classes.hpp"
 
@@ -34,18 +34,12 @@ struct Quantity {
   const double *value = nullptr, *sigma = nullptr;
 };
 
-const double* column(const Columns& columns, const std::string& name, std::size_t rows) {
+// `what` it holds: numbers, texts.
+template <class Kind>
+const auto& column(const Kind& columns, const std::string& name, std::size_t rows, const char* what) {
   const auto found = columns.find(name);
   if (found == columns.end() || static_cast<std::size_t>(found->second.size()) != rows) {
-    throw Error(fmt::format("{}: expected a column of {} numbers.", name, rows));
-  }
-  return found->second.data();
-}
-
-const std::vector<std::string>& column(const Texts& texts, const std::string& name, std::size_t rows) {
-  const auto found = texts.find(name);
-  if (found == texts.end() || found->second.size() != rows) {
-    throw Error(fmt::format("{}: expected a column of {} texts.", name, rows));
+    throw Error(fmt::format("{}: expected a column of {} {}.", name, rows, what));
   }
   return found->second;
 }
@@ -61,8 +55,8 @@ std::vector<MachineTest> tests_of(const Texts& texts, const Columns& columns,
                                   const std::vector<std::pair<std::string, std::string>>& names) {
   if (!texts.contains("file")) throw Error("file: expected a column of texts, found none.");
   const std::size_t rows = texts.at("file").size();
-  const auto text = [&](const char* name) -> const std::vector<std::string>& { return column(texts, name, rows); };
-  const auto number = [&](const std::string& name) { return column(columns, name, rows); };
+  const auto text = [&](const char* name) -> const auto& { return column(texts, name, rows, "texts"); };
+  const auto number = [&](const std::string& name) { return column(columns, name, rows, "numbers").data(); };
   std::vector<Quantity> quantities;
   quantities.reserve(names.size());
   for (const auto& [name, unit] : names) {

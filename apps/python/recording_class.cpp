@@ -60,12 +60,6 @@ Value named(const char* what, const std::string& name, std::initializer_list<Val
   throw Error(fmt::format("{}: expected one of {}, found {}.", what, known, in_quotes(name)));
 }
 
-struct OfRecording {
-  std::string plane = "XY", direction = "CCW", motion = "linear_axes";
-  double nominal_length_mm = 100.0, height_offset_mm = 0.0;
-  std::optional<double> feed_mm_per_min;
-};
-
 void expect_count(const char* name, const std::vector<double>& values, std::size_t count) {
   if (values.size() == count) return;
   throw Error(fmt::format("{}: expected {} values, as length_mm has, found {}.", name, count, values.size()));
@@ -92,7 +86,10 @@ void expect_positive(const char* name, double value) {
 }
 
 std::shared_ptr<Recording> recording_of(const py::object& length_mm, const py::object& angle_deg,
-                                        const py::object& time_s, const OfRecording& of) {
+                                        const py::object& time_s, const std::string& plane,
+                                        const std::string& direction, const std::string& motion,
+                                        double nominal_length_mm, double height_offset_mm,
+                                        std::optional<double> feed_mm_per_min) {
   auto recording = std::make_shared<Recording>();
   recording->length_mm = vector_of(length_mm, "length_mm");
   const std::size_t n = recording->length_mm.size();
@@ -108,17 +105,17 @@ std::shared_ptr<Recording> recording_of(const py::object& length_mm, const py::o
     expect_count("time_s", recording->time_s, n);
   }
   expect_readings(*recording);
-  expect_positive("nominal_length_mm", of.nominal_length_mm);
-  if (of.feed_mm_per_min) expect_positive("feed_mm_per_min", *of.feed_mm_per_min);
-  if (!std::isfinite(of.height_offset_mm)) {
-    throw Error(fmt::format("height_offset_mm: expected a finite number, found {}.", of.height_offset_mm));
+  expect_positive("nominal_length_mm", nominal_length_mm);
+  if (feed_mm_per_min) expect_positive("feed_mm_per_min", *feed_mm_per_min);
+  if (!std::isfinite(height_offset_mm)) {
+    throw Error(fmt::format("height_offset_mm: expected a finite number, found {}.", height_offset_mm));
   }
-  recording->plane = named("plane", of.plane, {Plane::XY, Plane::YZ, Plane::ZX, Plane::YX, Plane::ZY, Plane::XZ});
-  recording->direction = named("direction", of.direction, {Direction::CCW, Direction::CW});
-  recording->motion = named("motion", of.motion, {Motion::linear_axes, Motion::rotary_axis, Motion::spindle});
-  recording->nominal_length_mm = of.nominal_length_mm;
-  recording->height_offset_mm = of.height_offset_mm;
-  recording->feed_mm_per_min = of.feed_mm_per_min;
+  recording->plane = named("plane", plane, {Plane::XY, Plane::YZ, Plane::ZX, Plane::YX, Plane::ZY, Plane::XZ});
+  recording->direction = named("direction", direction, {Direction::CCW, Direction::CW});
+  recording->motion = named("motion", motion, {Motion::linear_axes, Motion::rotary_axis, Motion::spindle});
+  recording->nominal_length_mm = nominal_length_mm;
+  recording->height_offset_mm = height_offset_mm;
+  recording->feed_mm_per_min = feed_mm_per_min;
   return recording;
 }
 
@@ -161,16 +158,9 @@ void bind_recording(py::module_& module) {
     return [values](const py::object& self) { return view_of(py::cast<const Recording&>(self).*values, self); };
   };
   py::class_<Recording, std::shared_ptr<Recording>>(module, "Recording", kRecording)
-      .def(py::init([](const py::object& length_mm, const py::object& angle_deg, const py::object& time_s,
-                       std::string plane, std::string direction, std::string motion, double nominal_length_mm,
-                       double height_offset_mm, std::optional<double> feed_mm_per_min) {
-             return recording_of(length_mm, angle_deg, time_s,
-                                 {std::move(plane), std::move(direction), std::move(motion), nominal_length_mm,
-                                  height_offset_mm, feed_mm_per_min});
-           }),
-           py::arg("length_mm"), py::arg("angle_deg") = py::none(), py::kw_only(), py::arg("time_s") = py::none(),
-           py::arg("plane") = "XY", py::arg("direction") = "CCW", py::arg("motion") = "linear_axes",
-           py::arg("nominal_length_mm") = 100.0, py::arg("height_offset_mm") = 0.0,
+      .def(py::init(&recording_of), py::arg("length_mm"), py::arg("angle_deg") = py::none(), py::kw_only(),
+           py::arg("time_s") = py::none(), py::arg("plane") = "XY", py::arg("direction") = "CCW",
+           py::arg("motion") = "linear_axes", py::arg("nominal_length_mm") = 100.0, py::arg("height_offset_mm") = 0.0,
            py::arg("feed_mm_per_min") = py::none())
       .def_property_readonly("length_mm", view(&Recording::length_mm), "(n,) mm; read-only.")
       .def_property_readonly("angle_rad", view(&Recording::angle_rad),

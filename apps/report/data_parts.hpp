@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ballbar/drift/measured_drift.hpp"
-#include "errors/error_names.hpp"
 #include "errors/machine_errors_result.hpp"
+#include "errors/quantity_text.hpp"
 #include "measure/fit_result.hpp"
 #include "page/report_head.hpp"
 #include "predict/predicted_job.hpp"

@@ -17,8 +17,6 @@
 #include "report/report_subject.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
-#include "terminal/output_guard.hpp"
-#include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 

@@ -8,7 +8,7 @@
 #include "ballbar/error.hpp"
 #include "errors/stored_test.hpp"
 #include "report/report_data.hpp"
-#include "report/report_parts.hpp"
+#include "report/report_results.hpp"
 
 namespace ballbar {
 namespace {

@@ -19,7 +19,7 @@
 #include "measure/compared_drifts.hpp"
 #include "measure/drift_text.hpp"
 #include "predict/predicted_job.hpp"
-#include "report/report_parts.hpp"
+#include "report/report_results.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/log_options.hpp"
 #include "terminal/stderr_line.hpp"

@@ -10,7 +10,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
 #include "errors/machine_errors_result.hpp"
-#include "report/report_parts.hpp"
+#include "report/report_results.hpp"
 
 namespace ballbar {
 namespace {

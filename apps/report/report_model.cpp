@@ -13,7 +13,7 @@
 #include "ballbar/series/runs.hpp"
 #include "ballbar/units.hpp"
 #include "model/effects_result.hpp"
-#include "report/report_parts.hpp"
+#include "report/report_results.hpp"
 
 namespace ballbar {
 namespace {

@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <optional>
 #include <utility>
 
 #include "ballbar/units.hpp"
-#include "report/report_parts.hpp"
+#include "report/report_data.hpp"
+#include "report/report_results.hpp"
 
 namespace ballbar {
 namespace {
@@ -48,11 +48,8 @@ std::string what_of(const Recording& recording) {
   return fmt::format("{} {}", name_of(recording.plane), name_of(recording.direction));
 }
 
-// Where it lay is nobody's business whom the page is mailed to.
-std::string name_alone(const std::string& file) { return std::filesystem::path(file).filename().string(); }
-
 PageRecording recording_of(const FittedRecording& fitted, std::optional<double> time_s) {
-  PageRecording recording{fitted, time_s, name_alone(fitted.file), "", {}};
+  PageRecording recording{fitted, time_s, file_name(fitted.file), "", {}};
   recording.fitted.file = recording.test;
   if (time_s) recording.test = fmt::format("{:g} min", min_from_s(*time_s));
   recording.label = fmt::format("{}, {}", recording.test, what_of(fitted.recording));
@@ -78,13 +75,13 @@ FitPart part(const Fitted& fitted, const SessionFiles* session) {
   }
   for (const FittedPair& pair : fitted.pairs) {
     part.pairs.push_back({pair.ccw, pair.cw});
-    const std::string file = name_alone(pair.file);
+    const std::string file = file_name(pair.file);
     part.results.push_back({"ISO 230-4, " + file, pair.results});
     for (const std::string& remark : pair.remarks) part.remarks.push_back(fmt::format("{}: {}", file, remark));
   }
   if (!fitted.results_alone.empty()) part.stored_alone.value = fitted.results_alone;
   if (part.stored_alone.value) {
-    for (ResultsAlone& alone : *part.stored_alone.value) alone.file = name_alone(alone.file);
+    for (ResultsAlone& alone : *part.stored_alone.value) alone.file = file_name(alone.file);
   }
   part.iso230_4 = fitted.pairs;
   return part;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "report/report_parts.hpp"
+#include "report/report_results.hpp"
 
 namespace ballbar {
 namespace {

@@ -13,7 +13,7 @@
 #include "diagnose/effect_test_text.hpp"
 #include "model/effect_options.hpp"
 #include "model/held_values.hpp"
-#include "report/report_parts.hpp"
+#include "report/report_results.hpp"
 
 namespace ballbar {
 namespace {

@@ -13,7 +13,7 @@
 #include "ballbar/temperature/mean_point.hpp"
 #include "shaft_picture/shaft_result.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/output_guard.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 

@@ -25,14 +25,8 @@ namespace {
 enum class FileKind { recording, session, series };
 
 std::string_view name_of(FileKind kind) {
-  switch (kind) {
-    case FileKind::recording:
-      return "recording";
-    case FileKind::session:
-      return "session";
-    default:
-      return "series";
-  }
+  constexpr std::string_view kNames[] = {"recording", "session", "series"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 // Told by content. A file of no known format is taken for a series, whose reader says what is wrong with it.

@@ -15,7 +15,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/new_folder.hpp"
 #include "ballbar/nearest_name.hpp"
-#include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
 
 namespace ballbar {
 namespace {

@@ -9,7 +9,6 @@
 #include "model/model_options.hpp"
 #include "simulate/hidden_sets.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/details.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {

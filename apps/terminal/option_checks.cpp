@@ -10,6 +10,7 @@
 #include <map>
 #include <system_error>
 
+#include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
 
 namespace ballbar {
@@ -164,6 +165,18 @@ void expect_values(CLI::App& app) {
     }));
   }
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) expect_values(*command);
+}
+
+void expect_no_input(const std::vector<std::string>& outputs, const std::vector<std::filesystem::path>& inputs,
+                     std::string_view option) {
+  for (const std::string& output : outputs) {
+    for (const std::filesystem::path& input : inputs) {
+      std::error_code absent;  // then it is not the same file
+      if (!std::filesystem::equivalent(output, input, absent)) continue;
+      throw Error(fmt::format("{} {}: expected another file than the inputs, found the input {}.", option, output,
+                              input.string()));
+    }
+  }
 }
 
 }  // namespace ballbar

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -52,5 +53,10 @@ std::string exclusion_text(const CLI::App& command);
 
 // For all options: an empty value is an error.
 void expect_values(CLI::App& app);
+
+// Throws Error if an output is one of the inputs, so that a measurement is never overwritten.
+// `option`: that named the outputs.
+void expect_no_input(const std::vector<std::string>& outputs, const std::vector<std::filesystem::path>& inputs,
+                     std::string_view option = "--out");
 
 }  // namespace ballbar

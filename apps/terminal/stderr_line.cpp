@@ -48,4 +48,14 @@ void error_line(const std::string& text) { stderr_line(in_colour("1;31", "ballba
 
 void warning_line(const std::string& text) { stderr_line(caller() == nullptr ? in_colour("33", text, stderr) : text); }
 
+bool progress_is_taken() { return caller() != nullptr && caller()->progress; }
+
+void show_progress(std::string_view line) {
+  if (progress_is_taken()) return caller()->progress(line);
+  if (isatty(STDERR_FILENO) == 0) return;
+  const std::string text = "\r\033[K" + std::string(line);
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
 }  // namespace ballbar

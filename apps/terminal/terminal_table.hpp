@@ -2,10 +2,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ballbar/drift/drift.hpp"
 #include "ballbar/formats/recordings/test_folder.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace ballbar {
 
@@ -59,5 +64,20 @@ std::string left_out_text(const std::vector<SkippedFile>& skipped);
 
 // As one word of a shell: in single quotes where it holds anything else than letters, digits and _-./=:,+@%.
 std::string shell_word(const std::string& text);
+
+// --details, of a command whose whole text is longer than a screen.
+void add_details(CLI::App& command, bool& details);
+
+// "--details shows the whole table and the tests.": the last line of a text that left something out.
+std::string details_text(std::string_view what);
+
+// Lines between two empty lines, and what they hold, if a screen can do without them: "the contribution of each
+// column".
+struct ScreenPart {
+  std::string text, what;
+};
+
+// The parts in their order; without `details` those that can be left out as far as they fit on a screen.
+std::string on_a_screen(const std::vector<ScreenPart>& parts, bool details);
 
 }  // namespace ballbar

@@ -1,6 +1,6 @@
-#include "errors/error_names.hpp"
-
 #include <gtest/gtest.h>
+
+#include "errors/quantity_text.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,8 +1,7 @@
-#include "history/ranking_text.hpp"
-
 #include <gtest/gtest.h>
 
 #include "history/history_result.hpp"
+#include "history/history_text.hpp"
 
 namespace ballbar {
 namespace {

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
 
 namespace ballbar {

@@ -1,4 +1,3 @@
-#include "terminal/details.hpp"
 
 #include <gtest/gtest.h>
 
