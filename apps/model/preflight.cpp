@@ -151,25 +151,8 @@ std::vector<std::pair<std::string, std::vector<std::string>>> by_reason(const st
 }
 
 std::string_view name_of(Testability testability) {
-  switch (testability) {
-    case Testability::testable:
-      return "testable";
-    case Testability::input_missing:
-      return "input missing";
-    case Testability::input_constant:
-      return "input constant";
-    case Testability::absorbed:
-      return "absorbed by the model";
-    case Testability::in_the_model:
-      return "in the model";
-    case Testability::other_motion:
-      return "other motion";
-    case Testability::no_clock:
-      return "no clock";
-    case Testability::rows_too_far_apart:
-      return "rows too far apart";
-  }
-  return "testable";
+  constexpr std::string_view kNames[] = {"testable", "input missing", "input constant", "absorbed by the model", "in the model", "other motion", "no clock", "rows too far apart"};
+  return kNames[static_cast<std::size_t>(testability)];
 }
 
 }  // namespace ballbar

@@ -123,13 +123,11 @@ double SimulatedTests::p_right_with_sensor(const Schedule& schedule, std::size_t
     run.columns.push_back(
         {kAddedSensor, Role::structure, thermometer(truths_->member_um({set, false}, 0, run), random)});
     try {
-      const Diagnosis found = diagnosis_with(model_, run);
-      std::vector<BoundEffect> named;
-      for (const BoundEffect& one : found.named)
-        named.push_back(one.columns.size() == 1 && one.columns.front() == kAddedSensor ? place.front() : one);
-      Diagnosis as_named = found;
-      as_named.named = std::move(named);
-      right[k] = score_of(truths[k], as_named, {}).right ? 1 : 0;
+      Diagnosis found = diagnosis_with(model_, run);
+      for (BoundEffect& one : found.named) {
+        if (one.columns.size() == 1 && one.columns.front() == kAddedSensor) one = place.front();
+      }
+      right[k] = score_of(truths[k], found, {}).right ? 1 : 0;
     } catch (const Error&) {
       right[k] = 0;
     }
