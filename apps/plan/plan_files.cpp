@@ -24,13 +24,6 @@ bool holds_a_plan(const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> plan_files(const PlanContents& contents) {
-  return {{kSchedule, write_schedule_csv(contents.schedule)},
-          {"program.nc", iso_program(contents.schedule, contents.title, contents.max_rpm)},
-          {"checklist.txt", check_list(contents.schedule, contents.columns_to_log, contents.title)},
-          {"plan.svg", plan_picture(contents)}};
-}
-
 void expect_plan_folder(const std::filesystem::path& folder) {
   if (holds_a_plan(folder)) {
     throw Error(fmt::format(
@@ -42,7 +35,10 @@ void expect_plan_folder(const std::filesystem::path& folder) {
 
 void write_plan(const std::filesystem::path& folder, const PlanContents& contents) {
   expect_plan_folder(folder);
-  write_folder(folder, plan_files(contents));
+  write_folder(folder, {{kSchedule, write_schedule_csv(contents.schedule)},
+                        {"program.nc", iso_program(contents.schedule, contents.title, contents.max_rpm)},
+                        {"checklist.txt", check_list(contents.schedule, contents.columns_to_log, contents.title)},
+                        {"plan.svg", plan_picture(contents)}});
 }
 
 }  // namespace ballbar

@@ -294,15 +294,13 @@ class Decision {
     for (const EffectProbability& effect : result_.effects) {
       if (result_.candidates.size() >= kMostShown) break;
       if (candidate_of(result_, effect.bound) != nullptr) continue;
-      std::size_t f = 0;
-      while (!(family(f).bound == effect.bound)) ++f;
+      const std::size_t f = *family_of(problem(), effect.bound);
       const auto set = std::find_if(posterior().sets.begin(), posterior().sets.end(), [&](const EffectSet& one) {
         return std::find(one.families.begin(), one.families.end(), f) != one.families.end();
       });
       if (set == posterior().sets.end()) continue;
       const FittedSet fitted = fitted_set(problem(), posterior(), *set, false);
-      std::size_t m = 0;
-      while (problem().library.signatures[set->signatures[m]].family != f) ++m;
+      const std::size_t m = member_of(inference_, *set, effect.bound);
       result_.candidates.push_back(described_member(inference_, *set, fitted, m));
     }
     for (const std::vector<BoundEffect>& group : result_.equivalent) {
@@ -340,7 +338,8 @@ class Decision {
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
-  constexpr std::string_view kNames[] = {"named", "probable", "driver", "equivalent", "unexplained", "untestable", "nothing"};
+  constexpr std::string_view kNames[] = {"named",       "probable",   "driver", "equivalent",
+                                         "unexplained", "untestable", "nothing"};
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
