@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
+#include "ballbar/nearest_name.hpp"
 #include "ballbar/series/runs.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/terminal_table.hpp"
@@ -41,8 +42,7 @@ void add_left_out_times(CLI::App& command, std::vector<TimeRange>& left_out) {
   };
   command
       .add_option_function<std::vector<std::string>>(
-          "--leave-out-times", take,
-          "omit readings between two times, such as 2h..3.5h; may be repeated")
+          "--leave-out-times", take, "omit readings between two times, such as 2h..3.5h; may be repeated")
       ->type_name("FROM..TO")
       ->allow_extra_args(false);
 }
