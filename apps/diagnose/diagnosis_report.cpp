@@ -92,9 +92,8 @@ std::optional<NextMeasurement> next_measurement_of(const Diagnosis& found, const
     std::vector<ShapedEffect> effects;
     for (const BoundEffect& bound : group) {
       effects.push_back({bound.effect, 0.0});
-      const auto candidate = std::find_if(found.candidates.begin(), found.candidates.end(),
-                                          [&](const Candidate& one) { return one.bound == bound; });
-      for (std::size_t k = 0; candidate != found.candidates.end() && k < candidate->parameters.size(); ++k) {
+      const Candidate* candidate = candidate_of(found, bound);
+      for (std::size_t k = 0; candidate != nullptr && k < candidate->parameters.size(); ++k) {
         const Parameter& parameter = bound.effect->parameters[k];
         const bool is_shape = parameter.kind == ParameterKind::shape && parameter.shape_of != ShapeOf::recording;
         if (is_shape) effects.back().shape = candidate->parameters[k].value;
@@ -125,9 +124,8 @@ std::vector<StandIn> stand_ins_of(const ModelOptions& options, const DiagnoseOpt
 
 Term as_diagnosed(const BoundEffect& bound, const Diagnosis& found) {
   Term term = term_of(*bound.effect, bound.columns);
-  const auto candidate = std::find_if(found.candidates.begin(), found.candidates.end(),
-                                      [&](const Candidate& one) { return one.bound == bound; });
-  if (candidate == found.candidates.end()) return term;
+  const Candidate* candidate = candidate_of(found, bound);
+  if (candidate == nullptr) return term;
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
     if (!term.settings[k].held && bound.effect->parameters[k].shape_of != ShapeOf::onset) continue;
     term.settings[k].start =

@@ -72,7 +72,7 @@ inline constexpr auto kDiagnosisReportOpen = std::tuple_cat(
     std::tuple{Field{"stand_ins", &DiagnosisReport::stand_ins, "effects added earlier that others explain better"},
                Field{"unsupported", &DiagnosisReport::unsupported, "effects of the model that no data supported"}},
     fields_through(&DiagnosisReport::diagnosis, kDiagnosisReportHidden),
-    std::tuple{Field{"next_test", &deciding_test, "that would decide; null: nothing is kDiagnosisReportOpen"},
+    std::tuple{Field{"next_test", &deciding_test, "that would decide; null: nothing is open"},
                Field{"predicted", &DiagnosisReport::predicted, "null: all is named, or no regression can be made"},
                Field{"train_command", &DiagnosisReport::train_command, "that predicts it; empty: not better"}});
 inline constexpr auto kDiagnosisReportOfEffects =

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <set>
 
 #include "diagnose/diagnosis_report.hpp"
@@ -125,14 +124,10 @@ std::string posterior_text(const Diagnosis& found) {
 }
 
 std::string untestable_text(const Diagnosis& found) {
-  std::vector<Detectability> untestable;
-  std::copy_if(found.detectability.begin(), found.detectability.end(), std::back_inserter(untestable),
-               [](const Detectability& detectable) {
-                 return detectable.testability != Testability::testable &&
-                        detectable.testability != Testability::in_the_model &&
-                        detectable.testability != Testability::other_motion;
-               });
-  const auto reasons = by_reason(untestable);
+  const auto reasons = by_reason(found.detectability, [](Testability testability) {
+    return testability != Testability::testable && testability != Testability::in_the_model &&
+           testability != Testability::other_motion;
+  });
   std::vector<std::string> texts;
   texts.reserve(reasons.size());
   for (const auto& [why, names] : reasons) texts.push_back(fmt::format("{} ({})", fmt::join(names, ", "), why));
@@ -174,12 +169,11 @@ void print_reasons(const Diagnosis& found, bool details) {
   if (shown < found.reasons.size()) fmt::print("- {} more\n", found.reasons.size() - shown);
 }
 
-constexpr std::string_view kDetails =
-    "all candidates and probabilities, what the columns mean and what cannot be tested";
-
 }  // namespace
 
-std::string_view details_of_diagnosis() { return kDetails; }
+std::string_view details_of_diagnosis() {
+  return "all candidates and probabilities, what the columns mean and what cannot be tested";
+}
 
 void print_text(const DiagnosisReport& diagnosis_report, const std::string& title, const TextLength& length) {
   const Diagnosis& found = diagnosis_report.diagnosis;
@@ -207,7 +201,7 @@ void print_text(const DiagnosisReport& diagnosis_report, const std::string& titl
   if (details && !untestable.empty()) fmt::print("\n{}", wrapped("Not testable here: " + untestable + "."));
   const std::string not_searched = not_searched_text(found);
   if (!not_searched.empty()) fmt::print("\n{}", wrapped("Not searched: " + not_searched + "."));
-  if (!details) fmt::print("\n{}", details_text(kDetails));
+  if (!details) fmt::print("\n{}", details_text(details_of_diagnosis()));
 }
 
 }  // namespace ballbar

@@ -28,9 +28,8 @@ std::string word_of(const BoundEffect& bound) { return word_of(label_of(bound), 
 
 // With the moment that was found: "step(onset_s = 33840)". A model may hold several such effects, each by its moment.
 std::string word_of(const BoundEffect& bound, const Diagnosis& found) {
-  const auto one = std::find_if(found.candidates.begin(), found.candidates.end(),
-                                [&](const Candidate& candidate) { return candidate.bound == bound; });
-  if (one == found.candidates.end()) return word_of(bound);
+  const Candidate* one = candidate_of(found, bound);
+  if (one == nullptr) return word_of(bound);
   std::string label = label_of(bound);
   for (const FittedParameter& parameter : one->parameters) {
     if (parameter.shape_of != ShapeOf::onset) continue;
@@ -140,7 +139,6 @@ std::string add_command(const ModelOptions& options, const EffectTest& tried) {
 }
 
 std::string next_hint(const ModelOptions& options, const Diagnosis& found) {
-  if (found.verdict == Verdict::nothing || found.verdict == Verdict::untestable) return "";
   if (!says_a_name(found)) return "";
   std::string text;
   for (const OwnValue& own : found.own) {

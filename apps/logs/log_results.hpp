@@ -22,16 +22,17 @@ constexpr auto if_taken(Type LogColumn::*member, bool taken = true) {
   };
 }
 
+template <class Value>
+MayLack<Value> if_any(const Value& value) {
+  return {value.empty() ? std::nullopt : std::optional(value)};
+}
+
 template <>
 inline constexpr auto kResult<LogColumn> = ResultType{
     "LogColumn", "A column of a log, and its interpretation.",
     std::tuple{
         Field{"source", &LogColumn::source, "its header in the log"},
-        Field{"found_unit",
-              [](const LogColumn& of) {
-                return MayLack<std::string>{of.found_unit.empty() ? std::nullopt : std::optional(of.found_unit)};
-              },
-              "as the log writes it"},
+        Field{"found_unit", [](const LogColumn& of) { return if_any(of.found_unit); }, "as the log writes it"},
         Field{"left_out", if_taken(&LogColumn::why, false), "why it is not in the series; then nothing else is there"},
         Field{"name", if_taken(&LogColumn::name), "in the series"}, Field{"unit", if_taken(&LogColumn::unit), ""},
         Field{"role", if_taken(&LogColumn::role), ""}, Field{"why", if_taken(&LogColumn::why), "what tells the role"},
@@ -63,34 +64,29 @@ struct ImportedLog {
 };
 
 template <>
-inline constexpr auto kResult<ImportedLog> = ResultType{"Imported", "The interpretation of a log.", std::tuple{
-      Field{"file", &ImportedLog::file, ""},
-      Field{"shape", [](const ImportedLog& of) { return of.log.shape; }, "how the values stand"},
-      Field{"time", [](const ImportedLog& of) { return of.log.time; }, "where the time is"},
-      Field{"started", [](const ImportedLog& of) { return MayLack<std::string>{of.log.series.started}; }, "wall clock of time 0"},
-      Field{"rows", [](const ImportedLog& of) { return of.log.series.time_s.size(); }, "how many"},
-      Field{"first_row_line", [](const ImportedLog& of) { return of.log.first_row_line; }, ""},
-      Field{"clock", [](const ImportedLog& of) { return of.log.series.has_clock; }, "false: the rows are numbered"},
-      Field{"first_times_s", [](const ImportedLog& of) { return first_times_s(of.log); }, "of the first rows, at most five"},
-      Field{"sheet",
-            [](const ImportedLog& of) {
-              return MayLack<std::string>{of.log.recipe.sheet.empty() ? std::nullopt
-                                                                      : std::optional(of.log.recipe.sheet)};
-            },
-            "of the workbook"},
-      Field{"sheets",
-            [](const ImportedLog& of) {
-              return MayLack<std::vector<std::string>>{of.log.sheets.empty() ? std::nullopt
-                                                                             : std::optional(of.log.sheets)};
-            },
-            "of the workbook, all"},
-      Field{"columns", [](const ImportedLog& of) { return of.log.columns; }, "of the log, that of the time left out"},
-      Field{"targets", [](const ImportedLog& of) { return targets(of.log); }, "columns that are measured"},
-      Field{"unclear", [](const ImportedLog& of) { return of.log.unclear; }, "what a user should state"},
-      Field{"skipped_lines", [](const ImportedLog& of) { return of.log.skipped_lines; },
-            "numbers of the lines that are no rows of numbers"},
-      Field{"remarks", [](const ImportedLog& of) { return of.log.remarks; }, "what looks broken, what was mended, what was assumed"},
-      Field{"faults", &ImportedLog::faults, "of columns"}}};
+inline constexpr auto kResult<ImportedLog> = ResultType{
+    "Imported", "The interpretation of a log.",
+    std::tuple{
+        Field{"file", &ImportedLog::file, ""},
+        Field{"shape", [](const ImportedLog& of) { return of.log.shape; }, "how the values stand"},
+        Field{"time", [](const ImportedLog& of) { return of.log.time; }, "where the time is"},
+        Field{"started", [](const ImportedLog& of) { return MayLack<std::string>{of.log.series.started}; },
+              "wall clock of time 0"},
+        Field{"rows", [](const ImportedLog& of) { return of.log.series.time_s.size(); }, "how many"},
+        Field{"first_row_line", [](const ImportedLog& of) { return of.log.first_row_line; }, ""},
+        Field{"clock", [](const ImportedLog& of) { return of.log.series.has_clock; }, "false: the rows are numbered"},
+        Field{"first_times_s", [](const ImportedLog& of) { return first_times_s(of.log); },
+              "of the first rows, at most five"},
+        Field{"sheet", [](const ImportedLog& of) { return if_any(of.log.recipe.sheet); }, "of the workbook"},
+        Field{"sheets", [](const ImportedLog& of) { return if_any(of.log.sheets); }, "of the workbook, all"},
+        Field{"columns", [](const ImportedLog& of) { return of.log.columns; }, "of the log, that of the time left out"},
+        Field{"targets", [](const ImportedLog& of) { return targets(of.log); }, "columns that are measured"},
+        Field{"unclear", [](const ImportedLog& of) { return of.log.unclear; }, "what a user should state"},
+        Field{"skipped_lines", [](const ImportedLog& of) { return of.log.skipped_lines; },
+              "numbers of the lines that are no rows of numbers"},
+        Field{"remarks", [](const ImportedLog& of) { return of.log.remarks; },
+              "what looks broken, what was mended, what was assumed"},
+        Field{"faults", &ImportedLog::faults, "of columns"}}};
 
 struct MergedPart {
   std::string file;

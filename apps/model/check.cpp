@@ -51,12 +51,6 @@ void add_parameters(Table& table, const Fit& fit, const std::string& target) {
   }
 }
 
-Table parameter_table(const Fit& fit) {
-  Table table({"effect", "parameter", "value", "unit", "correlated most with"});
-  add_parameters(table, fit, "");
-  return table;
-}
-
 // The groups that hold more of the misfit than their share of the rows; in front of them, with --details, regimes and
 // quadrants whole.
 std::vector<Misfit> worth_showing(const ResidualReport& residual_report, bool details) {
@@ -119,8 +113,11 @@ void print_text(const ResidualReport& residual_report, const std::string& title,
   const Fit& fit = residual_report.fit;
   fmt::print("{}\n{}\n\n", title, heading(fit));
   print_sentences(residual_report);
-  if (details || fit.parameters.size() <= kParametersShown)
-    fmt::print("\n{}", parameter_table(fit).text(table_width()));
+  if (details || fit.parameters.size() <= kParametersShown) {
+    Table table({"effect", "parameter", "value", "unit", "correlated most with"});
+    add_parameters(table, fit, "");
+    fmt::print("\n{}", table.text(table_width()));
+  }
   if (details) fmt::print("{}", wrapped(floor_text(fit)));
   if (!residual_report.where.empty()) fmt::print("\n{}", misfit_table(residual_report, details).text(table_width()));
   if (details) {

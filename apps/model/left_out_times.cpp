@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
+#include "ballbar/nearest_name.hpp"
 #include "ballbar/series/runs.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/terminal_table.hpp"
@@ -29,21 +30,19 @@ std::optional<TimeRange> range_of(const std::string& text) {
 std::string text_of(const TimeRange& range) { return fmt::format("{:g} s to {:g} s", range.from_s, range.to_s); }
 
 void add_left_out_times(CLI::App& command, std::vector<TimeRange>& left_out) {
-  const auto take = [&left_out](const std::string& text) {
-    const std::optional<TimeRange> range = range_of(text);
-    if (!range) {
-      throw CLI::ValidationError("--leave-out-times",
-                                 fmt::format("expected FROM..TO, such as 2h..3.5h, found {}", in_quotes(text)));
+  const auto take = [&left_out](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+      const std::optional<TimeRange> range = range_of(text);
+      if (!range) {
+        throw CLI::ValidationError("--leave-out-times",
+                                   fmt::format("expected FROM..TO, such as 2h..3.5h, found {}", in_quotes(text)));
+      }
+      left_out.push_back(*range);
     }
-    left_out.push_back(*range);
   };
   command
       .add_option_function<std::vector<std::string>>(
-          "--leave-out-times",
-          [take](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) take(text);
-          },
-          "omit readings between two times, such as 2h..3.5h; may be repeated")
+          "--leave-out-times", take, "omit readings between two times, such as 2h..3.5h; may be repeated")
       ->type_name("FROM..TO")
       ->allow_extra_args(false);
 }

@@ -48,10 +48,8 @@ std::string inseparable_count(const Detectability& detectable) {
 }
 
 void print_untestable(const Preflight& result) {
-  std::vector<Detectability> untestable;
-  std::copy_if(result.detectability.begin(), result.detectability.end(), std::back_inserter(untestable),
-               [](const Detectability& detectable) { return detectable.testability != Testability::testable; });
-  const auto reasons = by_reason(untestable);
+  const auto reasons =
+      by_reason(result.detectability, [](Testability testability) { return testability != Testability::testable; });
   if (!reasons.empty()) fmt::print("Not testable:\n");
   for (const auto& [why, effects] : reasons) {
     fmt::print("{}", wrapped(fmt::format("- {}: {}", why, fmt::join(effects, ", "))));
@@ -138,9 +136,11 @@ void show_preflight(const ModelOptions& options, const Model& model, const Model
   }
 }
 
-std::vector<std::pair<std::string, std::vector<std::string>>> by_reason(const std::vector<Detectability>& untestable) {
+std::vector<std::pair<std::string, std::vector<std::string>>> by_reason(const std::vector<Detectability>& all,
+                                                                        bool (*is_meant)(Testability)) {
   std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
-  for (const Detectability& detectable : untestable) {
+  for (const Detectability& detectable : all) {
+    if (!is_meant(detectable.testability)) continue;
     const auto same = [&](const auto& reason) { return reason.first == detectable.why; };
     auto reason = std::find_if(reasons.begin(), reasons.end(), same);
     if (reason == reasons.end()) reason = reasons.insert(reasons.end(), {detectable.why, {}});
@@ -150,25 +150,9 @@ std::vector<std::pair<std::string, std::vector<std::string>>> by_reason(const st
 }
 
 std::string_view name_of(Testability testability) {
-  switch (testability) {
-    case Testability::testable:
-      return "testable";
-    case Testability::input_missing:
-      return "input missing";
-    case Testability::input_constant:
-      return "input constant";
-    case Testability::absorbed:
-      return "absorbed by the model";
-    case Testability::in_the_model:
-      return "in the model";
-    case Testability::other_motion:
-      return "other motion";
-    case Testability::no_clock:
-      return "no clock";
-    case Testability::rows_too_far_apart:
-      return "rows too far apart";
-  }
-  return "testable";
+  constexpr std::string_view kNames[] = {"testable",     "input missing", "input constant", "absorbed by the model",
+                                         "in the model", "other motion",  "no clock",       "rows too far apart"};
+  return kNames[static_cast<std::size_t>(testability)];
 }
 
 }  // namespace ballbar

@@ -60,7 +60,7 @@ inline constexpr auto kResidualReportDetails =
                      "error against noise, where worst, what the residual is"}};
 inline constexpr auto kResidualReportEnd =
     std::tuple{Field{"converged", [](const ResidualReport& of) { return of.fit.converged; },
-                     "whether the fit came to an kResidualReportEnd"}};
+                     "whether the fit came to an end"}};
 
 template <>
 inline constexpr auto kResult<ResidualReport> = ResultType{

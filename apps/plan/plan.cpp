@@ -147,7 +147,7 @@ void add_plan(CLI::App& app) {
       ->check(CLI::IsMember({"load", "room", "coolant"}));
   command->add_option("--out", options->out, "a new folder: schedule, program of the machine, check list, picture")
       ->type_name("FOLDER");
-  command->add_option("--seed", options->plan.search.seed, "seed of the random draws")
+  command->add_option("--seed", options->plan.seed, "seed of the random draws")
       ->type_name("N")
       ->check(whole_number_within(0, kLargestSeed));
   add_details(*command, options->details);

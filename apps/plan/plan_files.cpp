@@ -16,21 +16,13 @@ constexpr const char* kSchedule = "schedule.csv";
 
 bool holds_a_plan(const std::filesystem::path& folder) {
   try {
-    read_schedule_csv(read_bytes(folder / kSchedule, kLargestText), kSchedule);
-    return true;
-  } catch (const Error&) {  // none, or one that is not ours
+    return read_bytes(folder / kSchedule, kLargestText).starts_with("# format = \"ballbar-schedule");
+  } catch (const Error&) {  // none
     return false;
   }
 }
 
 }  // namespace
-
-std::vector<std::pair<std::string, std::string>> plan_files(const PlanContents& contents) {
-  return {{kSchedule, write_schedule_csv(contents.schedule)},
-          {"program.nc", iso_program(contents.schedule, contents.title, contents.max_rpm)},
-          {"checklist.txt", check_list(contents.schedule, contents.columns_to_log, contents.title)},
-          {"plan.svg", plan_picture(contents)}};
-}
 
 void expect_plan_folder(const std::filesystem::path& folder) {
   if (holds_a_plan(folder)) {
@@ -43,7 +35,10 @@ void expect_plan_folder(const std::filesystem::path& folder) {
 
 void write_plan(const std::filesystem::path& folder, const PlanContents& contents) {
   expect_plan_folder(folder);
-  write_folder(folder, plan_files(contents));
+  write_folder(folder, {{kSchedule, write_schedule_csv(contents.schedule)},
+                        {"program.nc", iso_program(contents.schedule, contents.title, contents.max_rpm)},
+                        {"checklist.txt", check_list(contents.schedule, contents.columns_to_log, contents.title)},
+                        {"plan.svg", plan_picture(contents)}});
 }
 
 }  // namespace ballbar

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "ballbar/diagnosis/next_test/schedule.hpp"
@@ -29,14 +28,11 @@ struct PlanContents {
   std::optional<double> max_rpm;
 };
 
-// Name and bytes of each file: schedule.csv, program.nc, checklist.txt, plan.svg. Throws Error as iso_program().
-std::vector<std::pair<std::string, std::string>> plan_files(const PlanContents& contents);
-
 // Throws Error if `folder` is a file or is not empty. Call it before doing the work.
 void expect_plan_folder(const std::filesystem::path& folder);
 
-// Writes the files to a new or an empty folder, completely or not at all. Throws Error as the two functions above, and
-// if they cannot be written.
+// Writes schedule.csv, program.nc, checklist.txt and plan.svg to a new or an empty folder, completely or not at all.
+// Throws Error as expect_plan_folder() and iso_program(), and if they cannot be written.
 void write_plan(const std::filesystem::path& folder, const PlanContents& contents);
 
 // An SVG of 960 px: title and text; speed of the schedule (and load, room and coolant if set); below them the predicted

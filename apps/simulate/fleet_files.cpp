@@ -13,7 +13,7 @@
 #include "ballbar/formats/recordings/b5r.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/numerics/parallel.hpp"
-#include "simulate/simulated_folder.hpp"
+#include "simulate/simulated_files.hpp"
 
 namespace ballbar {
 namespace {

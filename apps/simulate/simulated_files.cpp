@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <system_error>
 
 #include "ballbar/circle/circle_fit.hpp"
@@ -17,7 +16,6 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/new_folder.hpp"
 #include "ballbar/units.hpp"
-#include "simulate/simulated_folder.hpp"
 
 namespace ballbar {
 namespace {

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,5 +34,13 @@ std::vector<SimulatedFile> simulated_files(const SimulatedSession& simulated, bo
 // files. After an error everything is unchanged.
 void write_simulated(const std::vector<SimulatedFile>& files, const Series& truth, const std::filesystem::path& folder,
                      const std::filesystem::path& truth_file, bool replace);
+
+// Throws Error where `folder` holds something or `truth_file` exists and not `replace`; with `replace`, where a
+// session.toml or a `.b5r` would stay and mix with the files of these names, below the folder.
+void expect_room(const std::set<std::filesystem::path>& names, const std::filesystem::path& folder,
+                 const std::filesystem::path& truth_file, bool replace);
+
+// With its parents. Throws Error.
+void make_folder(const std::filesystem::path& folder);
 
 }  // namespace ballbar

@@ -70,7 +70,6 @@ std::string keys_text(std::string_view name) {
   if (name == "ballbar log") return text_of(log_keys());
   if (name == "b5r") return text_of(b5r_keys());
   if (name == "series") return text_of(series_keys());
-  if (name == "schedule") return text_of(schedule_keys());
   if (name == "recipe") return text_of(recipe_keys());
   if (name == "model .toml") return text_of(model_keys());
   if (name == "history") return text_of(history_keys());

@@ -6,7 +6,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 build=$root/build-fuzz
 targets="archive b5r ballbar_log circle_table log series session machine model runs batch_model effect_regression picture
-  live_rows compensation_state schedule"
+  live_rows compensation_state"
 
 cmake -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang -DCMAKE_BUILD_TYPE=RelWithDebInfo \
   -DBALLBAR_FUZZ=ON -DBALLBAR_SANITIZE=address,undefined > /dev/null

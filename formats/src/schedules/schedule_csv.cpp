@@ -5,13 +5,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <optional>
-#include <vector>
 
 #include "ballbar/error.hpp"
 #include "text/head.hpp"
 #include "text/readers.hpp"
-#include "text/table.hpp"
 #include "text/toml_source.hpp"
 
 namespace ballbar {
@@ -20,7 +17,6 @@ namespace {
 constexpr std::string_view kFormat = "ballbar-schedule 1";
 constexpr std::string_view kStarts[] = {"cold", "warm"};
 constexpr std::string_view kBegin = "begin_min", kDuration = "duration_min";
-constexpr double kBeginTolerance_min = 1e-3;
 
 constexpr std::size_t kMostDwells = 10000;
 constexpr double kShortestDwell_s = 1e-3;  // what controls can keep
@@ -41,14 +37,6 @@ constexpr std::array<DwellColumn, 4> kDwellColumns = {{
     {"coolant_K", &Dwell::coolant_K, -100.0, 100.0, "a coolant within 100 K of that of the data"},
 }};
 constexpr std::string_view kExpectedDuration = "a duration of 1 ms to 31 days";
-
-constexpr Key kKeys[] = {
-    {"format", "text", "\"ballbar-schedule 1\"; needed"},
-    {"reading_s", "s", "a reading of the target every so often; default 60"},
-    {"starts", "text",
-     "\"cold\", after a night at rest, the default, or \"warm\": while the machine still moves from what it did "
-     "before"},
-};
 
 bool within(const DwellColumn& column, double value) {  // no for what is not finite
   return value >= column.lowest && value <= column.highest;
@@ -72,48 +60,7 @@ std::string minutes_text(double duration_s) {
   return text;
 }
 
-struct Columns {
-  std::optional<std::size_t> begin, duration;
-  std::array<std::optional<std::size_t>, kDwellColumns.size()> others;
-};
-
-Columns columns_of(const SourceText& text, const TableHead& head) {
-  Columns columns;
-  for (std::size_t i = 0; i < head.columns.size(); ++i) {
-    const ColumnName& column = head.columns[i];
-    bool known = column.name == kBegin || column.name == kDuration;
-    if (column.name == kBegin) columns.begin = i;
-    if (column.name == kDuration) columns.duration = i;
-    for (std::size_t k = 0; k < kDwellColumns.size(); ++k) {
-      if (column.name != kDwellColumns[k].name) continue;
-      columns.others[k] = i;
-      known = true;
-    }
-    if (known) continue;
-    fail_at(text, column.offset,
-            fmt::format("expected one of the columns begin_min, duration_min, speed_rpm, load, room_K, coolant_K, "
-                        "found {}.",
-                        in_quotes(column.name)));
-  }
-  expect_column(text, head, columns.duration.has_value(), kDuration);
-  expect_column(text, head, columns.others[0].has_value(), kDwellColumns[0].name);
-  return columns;
-}
-
-void read_header(Schedule& schedule, const TomlTable& header) {
-  expect_format(header, kFormat);
-  expect_keys(header, kKeys);
-  schedule.reading_s = positive(header, "reading_s").value_or(schedule.reading_s);
-  if (!is_duration(schedule.reading_s)) {
-    fail_at_key(header, "reading_s",
-                fmt::format("expected 0.001 s to 31 days for reading_s, found {} s.", schedule.reading_s));
-  }
-  schedule.starts_warm = choice_index(header, "starts", kStarts).value_or(0) == 1;
-}
-
 }  // namespace
-
-std::vector<KeyTable> schedule_keys() { return {{"", kKeys}}; }
 
 constinit const Reader readers::kSchedule = {
     .found = "the schedule of a test",
@@ -158,43 +105,6 @@ std::string write_schedule_csv(const Schedule& schedule) {
     begin_s += dwell.duration_s;
   }
   return out;
-}
-
-Schedule read_schedule_csv(std::string_view bytes, std::string_view name) {
-  const SourceText text = source_text(bytes, name);
-  const CommentBlock comments = comment_block(text);
-  const TomlSource source = parse_toml(comments.toml, name);
-  Schedule schedule;
-  read_header(schedule, root_of(source));
-  const TableHead head = table_head(text, comments.end);
-  const Columns columns = columns_of(text, head);
-  const std::vector<std::vector<double>> values = table_columns(text, head, false);
-  const std::size_t rows = values.front().size();
-  if (rows > kMostDwells)
-    fail_at(text, head.body, fmt::format("expected at most {} rows, found {}.", kMostDwells, rows));
-  schedule.dwells.reserve(rows);
-  double end_s = 0.0;
-  for (std::size_t row = 0; row < rows; ++row) {
-    if (columns.begin && !(std::abs(values[*columns.begin][row] - end_s / 60.0) <= kBeginTolerance_min)) {
-      fail_at_cell(text, head, row, *columns.begin,
-                   fmt::format("{} min for begin_min, where the row before ends", minutes_text(end_s)));
-    }
-    Dwell dwell;
-    dwell.duration_s = seconds_of(values[*columns.duration][row]);
-    end_s += dwell.duration_s;
-    if (!is_duration(dwell.duration_s)) fail_at_cell(text, head, row, *columns.duration, kExpectedDuration);
-    if (!is_duration(end_s)) fail_at_cell(text, head, row, *columns.duration, "31 days at most in all");
-    for (std::size_t k = 0; k < kDwellColumns.size(); ++k) {
-      if (!columns.others[k]) continue;
-      const double value = values[*columns.others[k]][row];
-      if (!within(kDwellColumns[k], value)) {
-        fail_at_cell(text, head, row, *columns.others[k], kDwellColumns[k].expected);
-      }
-      dwell.*kDwellColumns[k].member = value;
-    }
-    schedule.dwells.push_back(dwell);
-  }
-  return schedule;
 }
 
 }  // namespace ballbar

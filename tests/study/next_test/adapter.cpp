@@ -23,7 +23,7 @@ std::optional<Design> plan_of(const Joined& joined, const Diagnosis&, double hou
   TestPlanOptions options;
   options.most_hours = hours;
   options.max_rpm = max_rpm;
-  options.search.seed = seed;
+  options.seed = seed;
   const TestPlan plan = test_plan(joined.model, joined.data, 0, options);
   if (plan.tests.empty()) return std::nullopt;
   return Design{plan.tests.front().schedule, plan.tests.front().p_right};

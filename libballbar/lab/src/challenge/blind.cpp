@@ -33,21 +33,17 @@ constexpr double kLargestRange_um = 200.0;
 constexpr int kMostTries = 300;
 
 // What the sets are written with, as a user writes a model.
-Term friction_heat(const Catalogue& catalogue) {
-  return term_of("speed_heating", {"speed_rpm"}, Level::series, catalogue);
-}
+Term friction_heat() { return term_of("speed_heating", {"speed_rpm"}); }
 
-Term expansion_of(const std::string& column, const Catalogue& catalogue) {
-  return term_of("expansion", {column}, Level::series, catalogue);
-}
+Term expansion_of(const std::string& column) { return term_of("expansion", {column}); }
 
 // What a user believes: friction heat, a warm spindle, or both.
-Model usual_model(std::string target, const Catalogue& catalogue, Random& random) {
+Model usual_model(std::string target, Random& random) {
   Model model;
   model.targets = {std::move(target)};
-  if (!blind::chance(random, 0.3)) model.terms.push_back(friction_heat(catalogue));
+  if (!blind::chance(random, 0.3)) model.terms.push_back(friction_heat());
   if (model.terms.empty() || blind::chance(random, 0.4)) {
-    model.terms.push_back(expansion_of("T_front_degC", catalogue));
+    model.terms.push_back(expansion_of("T_front_degC"));
   }
   return model;
 }
@@ -111,17 +107,17 @@ bool hide(BlindSet& set, std::size_t count, const Fit& base, const Noise& noise,
 // Two sensors that log the same; a load in proportion to the only speed; a difference to a constant room.
 enum class Twins { sensors, load, room };
 
-std::optional<HiddenEffect> twin_effect(Twins twins, const Catalogue& catalogue, const Series& logged, Random& random) {
+std::optional<HiddenEffect> twin_effect(Twins twins, const Series& logged, Random& random) {
   const auto of = [&](std::string_view effect, std::vector<std::string> columns) {
-    return bound_of(term_of(effect, std::move(columns), Level::series, catalogue));
+    return bound_of(term_of(effect, std::move(columns)));
   };
   BoundEffect bound;
   if (twins == Twins::sensors) {
-    bound = blind::chance(random, 0.5) ? bound_of(expansion_of("T_head_degC", catalogue))
-                                       : of("lagged_expansion", {"T_head_degC"});
+    bound =
+        blind::chance(random, 0.5) ? bound_of(expansion_of("T_head_degC")) : of("lagged_expansion", {"T_head_degC"});
   } else if (twins == Twins::load) {
     const bool by_load = blind::chance(random, 0.5);
-    bound = by_load ? of("load_heating", {"load_W"}) : bound_of(friction_heat(catalogue));
+    bound = by_load ? of("load_heating", {"load_W"}) : bound_of(friction_heat());
   } else {
     bound = of("gradient_bending", {"T_front_degC", "T_room_degC"});
   }
@@ -149,7 +145,7 @@ std::vector<double> sum_of_others(const Series& causes, std::string_view target,
   return sum;
 }
 
-bool fill(BlindSet& set, BlindKind kind, const Catalogue& catalogue, Random& random) {
+bool fill(BlindSet& set, BlindKind kind, Random& random) {
   set.answer.kind = kind;
   const std::string target = blind::chance(random, 0.5) ? "y_um" : "z_um";
   const Twins twins = blind::one_of(random, std::array{Twins::sensors, Twins::load, Twins::room});
@@ -164,8 +160,8 @@ bool fill(BlindSet& set, BlindKind kind, const Catalogue& catalogue, Random& ran
 
   if (kind == BlindKind::spindle) {
     set.model.targets = {target};
-    set.model.terms = {friction_heat(catalogue)};
-    for (const HiddenEffect& cause : blind::drawn_causes(catalogue, workshop, target, random)) {
+    set.model.terms = {friction_heat()};
+    for (const HiddenEffect& cause : blind::drawn_causes(workshop, target, random)) {
       const Fit base = base_fit(set.model, set.data, sum_of_others(workshop.causes, target, cause));
       set.clean_um = base.predicted_um;
       bool offered = false;
@@ -178,12 +174,12 @@ bool fill(BlindSet& set, BlindKind kind, const Catalogue& catalogue, Random& ran
     }
     if (set.hidden_um.empty()) return false;
   } else {
-    set.model = usual_model(target, catalogue, random);
+    set.model = usual_model(target, random);
     if (kind == BlindKind::inseparable && twins == Twins::load) {
-      set.model.terms = {expansion_of("T_room_degC", catalogue)};
+      set.model.terms = {expansion_of("T_room_degC")};
     }
     if (kind == BlindKind::inseparable && twins == Twins::room) {
-      set.model.terms = {friction_heat(catalogue)};
+      set.model.terms = {friction_heat()};
     }
     if (kind == BlindKind::inseparable && twins == Twins::sensors) log_head_twice(set.data, workshop.sensors);
     set.clean_um = clean_of(set.model, set.data, random);
@@ -191,8 +187,8 @@ bool fill(BlindSet& set, BlindKind kind, const Catalogue& catalogue, Random& ran
     const std::size_t count = kind == BlindKind::nothing ? 0 : kind == BlindKind::two ? 2 : 1;
     const auto next = [&]() -> std::optional<HiddenEffect> {
       if (kind == BlindKind::outside) return blind::drawn_outsider(workshop.sensors, random);
-      if (kind == BlindKind::inseparable) return twin_effect(twins, catalogue, set.data, random);
-      return blind::drawn_effect(catalogue, set.model, set.data, random);
+      if (kind == BlindKind::inseparable) return twin_effect(twins, set.data, random);
+      return blind::drawn_effect(set.model, set.data, random);
     };
     if (!hide(set, count, base, noise, random, next)) return false;
   }
@@ -231,12 +227,12 @@ BlindKind blind_kind(std::uint64_t seed) {
   return kKinds.back().kind;
 }
 
-BlindSet blind_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogue) {
+BlindSet blind_set(BlindKind kind, std::uint64_t seed) {
   // A draw in which nothing can be hidden (all at rest, say) is drawn again.
   for (std::uint64_t attempt = 0;; ++attempt) {
     Random random = simulation::stream_of(seed, simulation::Stream::blind_set, attempt);
     BlindSet set;
-    if (fill(set, kind, catalogue, random)) return set;
+    if (fill(set, kind, random)) return set;
   }
 }
 

@@ -104,7 +104,7 @@ std::vector<std::vector<std::string>> choices_of(const std::vector<std::string>&
 }
 
 // Those of few inputs first, choice of sensors by choice; last, by name, those that match on any columns.
-std::vector<BoundEffect> match_of(const Catalogue& catalogue, const SpindlePart& part) {
+std::vector<BoundEffect> match_of(const SpindlePart& part) {
   const auto explains = [&](const Effect& effect, bool on_its_sensors) {
     return effect.level == Level::series &&
            std::any_of(effect.rules.explains.begin(), effect.rules.explains.end(), [&](const ExplainedCause& one) {
@@ -112,19 +112,19 @@ std::vector<BoundEffect> match_of(const Catalogue& catalogue, const SpindlePart&
            });
   };
   std::size_t most = 0;
-  for (const auto& effect : catalogue) {
+  for (const auto& effect : built_in_catalogue()) {
     if (explains(*effect, true)) most = std::max(most, effect->inputs.size());
   }
   std::vector<BoundEffect> match;
   for (std::size_t inputs = 1; inputs <= most; ++inputs) {
     for (const std::vector<std::string>& choice : choices_of(part.sensors, inputs)) {
-      for (const auto& effect : catalogue) {
+      for (const auto& effect : built_in_catalogue()) {
         if (explains(*effect, true) && effect->inputs.size() == inputs) match.push_back({effect.get(), choice});
       }
     }
   }
   const auto on_any = static_cast<std::ptrdiff_t>(match.size());
-  for (const auto& effect : catalogue) {
+  for (const auto& effect : built_in_catalogue()) {
     if (explains(*effect, false)) match.push_back({effect.get(), {}});
   }
   std::sort(match.begin() + on_any, match.end(),
@@ -152,10 +152,9 @@ Injection drawn_injection(const BoundEffect& bound, const Series& logged, Random
   return injection;
 }
 
-std::optional<HiddenEffect> drawn_effect(const Catalogue& catalogue, const Model& model, const Series& logged,
-                                         Random& random) {
+std::optional<HiddenEffect> drawn_effect(const Model& model, const Series& logged, Random& random) {
   std::vector<const Effect*> hidden;
-  for (const auto& effect : catalogue) {
+  for (const auto& effect : built_in_catalogue()) {
     if (effect->level == Level::series && effect->rules.is_common) hidden.push_back(effect.get());
   }
   if (hidden.empty()) return std::nullopt;
@@ -195,15 +194,14 @@ HiddenEffect drawn_outsider(const Series& sensors, Random& random) {
   return {fmt::format("a resonance at {:g} rpm", at_rpm), std::nullopt, {}, resonance(sensors, at_rpm)};
 }
 
-std::vector<HiddenEffect> drawn_causes(const Catalogue& catalogue, const Workshop& workshop, std::string_view target,
-                                       Random& random) {
+std::vector<HiddenEffect> drawn_causes(const Workshop& workshop, std::string_view target, Random& random) {
   std::vector<SpindlePart> parts = parts_of(target);
   for (std::size_t i = parts.size(); i > 1; --i) std::swap(parts[i - 1], parts[index_below(random, i)]);
   std::vector<HiddenEffect> causes;
   causes.reserve(parts.size());
   for (const SpindlePart& part : parts) {
     const std::string_view name = part.column.substr(0, part.column.size() - 3);  // without its unit
-    causes.push_back({fmt::format("{} of a finite-volume spindle", name), std::nullopt, match_of(catalogue, part),
+    causes.push_back({fmt::format("{} of a finite-volume spindle", name), std::nullopt, match_of(part),
                       values_of(workshop.causes, part.column)});
   }
   return causes;

@@ -66,14 +66,12 @@ struct HiddenEffect {
 };
 
 // An effect of the catalogue that the logged columns drive and the model lacks; nothing where the draw does not suit.
-std::optional<HiddenEffect> drawn_effect(const Catalogue& catalogue, const Model& model, const Series& logged,
-                                         Random& random);
+std::optional<HiddenEffect> drawn_effect(const Model& model, const Series& logged, Random& random);
 
 // Beyond the catalogue. Evaluated on the true sensors.
 HiddenEffect drawn_outsider(const Series& sensors, Random& random);
 
 // Causes of the spindle that may be hidden in that target, in drawn order.
-std::vector<HiddenEffect> drawn_causes(const Catalogue& catalogue, const Workshop& workshop, std::string_view target,
-                                       Random& random);
+std::vector<HiddenEffect> drawn_causes(const Workshop& workshop, std::string_view target, Random& random);
 
 }  // namespace ballbar::blind

@@ -43,17 +43,8 @@ BlindVerdict verdict_of(const Diagnosis& diagnosis) {
 }
 
 std::string_view name_of(BlindOutcome outcome) {
-  switch (outcome) {
-    case BlindOutcome::right:
-      return "right";
-    case BlindOutcome::in_set:
-      return "in the set";
-    case BlindOutcome::missed:
-      return "missed";
-    case BlindOutcome::wrong:
-      break;
-  }
-  return "wrong";
+  constexpr std::string_view kNames[] = {"right", "in the set", "missed", "wrong"};
+  return kNames[static_cast<std::size_t>(outcome)];
 }
 
 BlindOutcome outcome_of(const BlindAnswer& answer, const BlindVerdict& verdict) {

@@ -109,19 +109,8 @@ class FleetMaker {
 }  // namespace
 
 std::string_view name_of(StoryKind kind) {
-  switch (kind) {
-    case StoryKind::wear:
-      return "wear";
-    case StoryKind::crash:
-      return "crash";
-    case StoryKind::season:
-      return "season";
-    case StoryKind::replaced_part:
-      return "replaced_part";
-    case StoryKind::instrument:
-      return "instrument";
-  }
-  return "";
+  constexpr std::string_view kNames[] = {"wear", "crash", "season", "replaced_part", "instrument"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 std::vector<FleetTest> fleet_tests(const VirtualFleet& fleet, const FleetCurves& curves) {

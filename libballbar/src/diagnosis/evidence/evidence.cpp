@@ -40,8 +40,8 @@ LinearSolution linear_solution(const Gram& gram, const Line& line, const KnownSc
   result.known = known;
   const double n_free = static_cast<double>(std::count(line.is_free.begin(), line.is_free.end(), char{1}));
   const Eigen::MatrixXd xx = gram.pool(line.columns, line.columns);
-  const Eigen::VectorXd xy = gram.pool(line.columns, Eigen::seqN(line.y, 1));
-  const double yy = gram.pool(line.y, line.y);
+  const Eigen::VectorXd xy = gram.pool(line.columns, Eigen::seqN(0, 1));
+  const double yy = gram.pool(0, 0);
   result.degrees = std::max(1.0, static_cast<double>(gram.rows) - n_free);
   // The prior of e is in um, and therefore needs s.
   double variance = 0.0;

@@ -28,9 +28,8 @@ Gram gram_of(const Whitening& whitening, const RowMajorMatrix& pool);
 
 double log_sum(std::span<const double> logarithms);  // ln of the sum of e^x
 
-// The columns of a pool that form a linear model.
+// The columns of a pool that form a linear model of its first column.
 struct Line {
-  Eigen::Index y = 0;
   std::vector<Eigen::Index> columns;
   std::vector<char> is_free;  // per column: flat prior, or N(0, 1) um
 };

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace ballbar {
 namespace {
@@ -13,7 +11,6 @@ constexpr double kLongestStep = 0.7;  // reaches
 struct At {
   BaseColumns columns;
   LinearSolution solution;
-  double log_evidence = -std::numeric_limits<double>::infinity();
 };
 
 At at(const BaseModel& base, const std::vector<double>& parameters, const std::vector<std::size_t>& free,
@@ -21,8 +18,7 @@ At at(const BaseModel& base, const std::vector<double>& parameters, const std::v
   At result;
   result.columns = base.at(parameters, free, fixed);
   const Gram gram = gram_of(filter, pool_of(result.columns, times));
-  result.solution = linear_solution(gram, line_of(result.columns, times.cols(), 0), known);
-  result.log_evidence = log_evidence(result.solution);
+  result.solution = linear_solution(gram, line_of(result.columns, times.cols()), known);
   return result;
 }
 
@@ -48,15 +44,14 @@ std::vector<double> moved(const BaseModel& base, const At& now, std::vector<doub
 
 }  // namespace
 
-Line line_of(const BaseColumns& columns, Eigen::Index times, Eigen::Index first) {
+Line line_of(const BaseColumns& columns, Eigen::Index times) {
   Line line;
-  line.y = first;
   for (std::size_t k = 0; k < columns.columns.size(); ++k) {
-    line.columns.push_back(first + 1 + static_cast<Eigen::Index>(k));
+    line.columns.push_back(1 + static_cast<Eigen::Index>(k));
     line.is_free.push_back(columns.columns[k].is_free() ? 1 : 0);
   }
   for (Eigen::Index k = 0; k < times; ++k) {
-    line.columns.push_back(first + 1 + columns.values.cols() + k);
+    line.columns.push_back(1 + columns.values.cols() + k);
     line.is_free.push_back(0);
   }
   return line;
@@ -95,7 +90,7 @@ GaussNewtonFit gauss_newton_fit(const BaseModel& base, std::vector<double> param
     if (column.is_free())
       parameters[column.parameter] = now.solution.coefficients[static_cast<Eigen::Index>(k)] * column.scale;
   }
-  return {std::move(parameters), now.log_evidence, now.solution.variance, now.solution.square};
+  return {std::move(parameters), now.solution.variance, now.solution.square};
 }
 
 }  // namespace ballbar

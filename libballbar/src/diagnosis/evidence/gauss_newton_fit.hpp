@@ -13,7 +13,6 @@ namespace ballbar {
 
 struct GaussNewtonFit {
   std::vector<double> parameters;
-  double log_evidence = 0.0;  // of the model linearised about them
   double variance = 0.0;      // of the scatter, in units of C
   double square = 0.0;        // residual sum of squares of the white readings
 };
@@ -31,8 +30,8 @@ GaussNewtonFit gauss_newton_fit(const BaseModel& base, std::vector<double> param
                                 const std::vector<std::size_t>& free, const Eigen::MatrixXd& times,
                                 const Whitening& filter, const KnownScatter& known, Steps steps, std::size_t fixed = 0);
 
-// The linear model of these columns in a pool with the order y, the columns (from `first` on), times.
-Line line_of(const BaseColumns& columns, Eigen::Index times, Eigen::Index first);
+// The linear model of these columns in a pool with the order y, the columns, times.
+Line line_of(const BaseColumns& columns, Eigen::Index times);
 RowMajorMatrix pool_of(const BaseColumns& columns, const Eigen::MatrixXd& times);
 
 }  // namespace ballbar

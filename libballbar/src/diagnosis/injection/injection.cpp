@@ -98,23 +98,8 @@ Sight sight_of(const Diagnosis& diagnosis, const BoundEffect& bound) {
 }
 
 std::string_view name_of(Sight sight) {
-  switch (sight) {
-    case Sight::named:
-      return "named";
-    case Sight::probable:
-      return "probable";
-    case Sight::in_set:
-      return "in the reported set";
-    case Sight::driver:
-      return "driver";
-    case Sight::candidate:
-      return "candidate";
-    case Sight::unexplained:
-      return "unexplained";
-    case Sight::undetected:
-      break;
-  }
-  return "not seen";
+  constexpr std::string_view kNames[] = {"named", "probable", "in the reported set", "driver", "candidate", "unexplained", "not seen"};
+  return kNames[static_cast<std::size_t>(sight)];
 }
 
 bool is_detected(Sight sight) { return sight == Sight::named || sight == Sight::probable || sight == Sight::in_set; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/model/measured_input.hpp"
@@ -17,8 +18,7 @@ namespace {
 constexpr double kBelieved = 0.5;  // smallest R2 to use the prediction of a column
 
 double mean_of(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
   return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 

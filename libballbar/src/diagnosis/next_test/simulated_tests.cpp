@@ -84,7 +84,7 @@ SimulatedTests::SimulatedTests(const Model& model, const Series& data, std::size
 }
 
 std::vector<Truth> SimulatedTests::drawn(std::size_t count, std::uint64_t stage) const {
-  std::mt19937_64 random = simulation::stream_of(options_.search.seed, simulation::Stream::signal, 100 + stage);
+  std::mt19937_64 random = simulation::stream_of(options_.seed, simulation::Stream::signal, 100 + stage);
   return truths_->drawn(count, random);
 }
 
@@ -94,7 +94,7 @@ ExpectedTest SimulatedTests::expected(ExpectedTest test, const std::vector<Truth
   std::atomic<std::size_t> ended = 0;
   const std::thread::id caller = std::this_thread::get_id();
   in_parallel(truths.size(), [&](std::size_t k) {
-    std::mt19937_64 random = simulation::stream_of(options_.search.seed, simulation::Stream::signal, 1000 + k);
+    std::mt19937_64 random = simulation::stream_of(options_.seed, simulation::Stream::signal, 1000 + k);
     outcomes[k] = score_under(test.schedule, truths[k], random);
     ++ended;
     if (std::this_thread::get_id() == caller) done(ended);
@@ -118,18 +118,16 @@ double SimulatedTests::p_right_with_sensor(const Schedule& schedule, std::size_t
   static_cast<void>(truths_->sigma_um({set, false}));  // fitted before the threads ask for it
   std::vector<char> right(truths.size(), 0);
   in_parallel(truths.size(), [&](std::size_t k) {
-    std::mt19937_64 random = simulation::stream_of(options_.search.seed, simulation::Stream::signal, 1000 + k);
+    std::mt19937_64 random = simulation::stream_of(options_.seed, simulation::Stream::signal, 1000 + k);
     Series run = simulated(schedule, truths[k], random);
     run.columns.push_back(
         {kAddedSensor, Role::structure, thermometer(truths_->member_um({set, false}, 0, run), random)});
     try {
-      const Diagnosis found = diagnosis_with(model_, run);
-      std::vector<BoundEffect> named;
-      for (const BoundEffect& one : found.named)
-        named.push_back(one.columns.size() == 1 && one.columns.front() == kAddedSensor ? place.front() : one);
-      Diagnosis as_named = found;
-      as_named.named = std::move(named);
-      right[k] = score_of(truths[k], as_named, {}).right ? 1 : 0;
+      Diagnosis found = diagnosis_with(model_, run);
+      for (BoundEffect& one : found.named) {
+        if (one.columns.size() == 1 && one.columns.front() == kAddedSensor) one = place.front();
+      }
+      right[k] = score_of(truths[k], found, {}).right ? 1 : 0;
     } catch (const Error&) {
       right[k] = 0;
     }

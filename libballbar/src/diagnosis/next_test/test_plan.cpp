@@ -267,12 +267,12 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
   const bool is_open = now.verdict == Verdict::nothing ? now.p_nothing < kSureOfNothing : !is_all_named;
   if (is_open && now.verdict != Verdict::untestable) {
     const std::vector<ExpectedTest> menu = menu_of(distinct.data, model.targets.at(target), options);
-    add_inseparable_by_model(design, now, menu.front().schedule, options.search.seed, plan);
+    add_inseparable_by_model(design, now, menu.front().schedule, options.seed, plan);
     plan.tests = tests_of(design, menu);
     if (!plan.tests.empty() && !(plan.tests.front().p_part >= kLeastPromise)) plan.tests.clear();
   }
   if (!plan.tests.empty()) {
-    add_curves(design, plan, options.search.seed);
+    add_curves(design, plan, options.seed);
     add_sensor(design, plan);
   }
   plan.sentence = sentence_of(plan, options);

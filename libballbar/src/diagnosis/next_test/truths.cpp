@@ -146,9 +146,8 @@ Eigen::VectorXd Truths::member_um(const Truth& truth, std::size_t member, const 
 
 Eigen::MatrixXd Truths::model_slopes(const Truth& truth, const Series& run) const {
   const FittedSet& set = fitted(truth.set).set;
-  Model model = inference_.problem->model;
-  std::size_t count = 1;
-  for (const Term& term : model.terms) count += term.settings.size();
+  const Model& model = inference_.problem->model;
+  const std::size_t count = inference_.problem->base_model->parameters();
   Eigen::VectorXd parameters(static_cast<Eigen::Index>(count));
   for (std::size_t k = 0; k < count; ++k) parameters[static_cast<Eigen::Index>(k)] = set.parameters[k].value;
   const Series placed = behind_the_data(run);

@@ -35,7 +35,7 @@ ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const
   log_determinant_ = point.filter.log_determinant();
   degrees = std::max(1.0, static_cast<double>(n - std::count(is_free_.begin(), is_free_.end(), char{1})));
   RowMajorMatrix pool(n, 1 + line_ + dense);
-  pool.col(0) = variant.pool.col(variant.line.y);
+  pool.col(0) = variant.pool.col(0);
   for (Eigen::Index k = 0; k < line_; ++k)
     pool.col(1 + k) = variant.pool.col(variant.line.columns[static_cast<std::size_t>(k)]);
   if (dense > 0) pool.rightCols(dense) = background.columns;

@@ -102,7 +102,7 @@ ConditionalFit conditional_fit(const Problem& problem, const Variant& variant,
     const Eigen::Index times = variant.times.cols();
     // The set's columns, their gains free, into what moves with the model.
     const Variant with = with_signatures(
-        problem, {variant.own, {}, {}, pool_of(columns, variant.times), line_of(columns, times, 0)}, signatures);
+        problem, {variant.own, {}, {}, pool_of(columns, variant.times), line_of(columns, times)}, signatures);
     const Gram gram = gram_of(point.filter, with.pool);
     const LinearSolution solution = linear_solution(gram, with.line, problem.known);
     conditional.coefficients = solution.coefficients.tail(solution.coefficients.size() - columns.values.cols() - times);

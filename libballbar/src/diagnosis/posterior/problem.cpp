@@ -266,7 +266,6 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   signatures.terms = options.terms;
   signatures.motion = options.search.motion;
   signatures.without = options.search.without;
-  signatures.every_onset = false;
   problem->library = signature_library_of(options.search.catalogue, model, problem->logged.series, base, signatures);
   problem->effects = problem->library.families.size();
   if (model.level == Level::series) add_any_forms(problem->library, problem->logged.series, base.row);

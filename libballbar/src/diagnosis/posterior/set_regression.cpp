@@ -40,7 +40,7 @@ SetRegression set_regression(const Problem& problem, const Posterior& posterior,
   const Point& point = posterior.points[set.point];
   const Variant& variant = posterior.variants[set.variant];
   SetRegression result;
-  result.y = variant.pool.col(variant.line.y);
+  result.y = variant.pool.col(0);
   result.line = variant.pool(Eigen::all, variant.line.columns);
   const Eigen::Index n = result.y.size();
   Eigen::Index width = 0;

@@ -14,7 +14,7 @@ Variant variant_at(const Problem& problem, std::size_t own, std::vector<double> 
 Variant variant_at(const Problem& problem, std::size_t own, std::vector<double> parameters, Eigen::MatrixXd times) {
   const BaseColumns columns = problem.base_model->at(parameters, free_of(problem, own));
   RowMajorMatrix pool = pool_of(columns, times);
-  Line line = line_of(columns, times.cols(), 0);
+  Line line = line_of(columns, times.cols());
   return {own, std::move(parameters), std::move(times), std::move(pool), std::move(line)};
 }
 

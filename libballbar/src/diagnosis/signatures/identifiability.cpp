@@ -196,7 +196,6 @@ Preflight preflight(const Model& model, const Series& data, std::size_t target, 
                                             : "residual of the model";
   SignatureOptions options;
   options.motion = motion;
-  options.every_onset = false;
   const SignatureLibrary library = signature_library_of(catalogue, model, rows, fitted, options);
   const Eigen::VectorXd residual =
       Eigen::VectorXd::Map(fitted.residual_um.data(), static_cast<Eigen::Index>(fitted.residual_um.size()));

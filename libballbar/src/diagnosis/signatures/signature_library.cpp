@@ -21,7 +21,7 @@ namespace {
 constexpr double kNothingLeft = 1e-8;    // share of a column's square that is rounding error
 constexpr std::size_t kMostWaves = 400;  // of one shape on recordings
 constexpr std::size_t kMostPeriods = 200;
-constexpr std::size_t kMostOnsets = 400;
+constexpr std::size_t kMostOnsets = 7;
 
 bool is_constant(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -60,10 +60,10 @@ bool is_same_as_input(const Effect& effect, const EffectRows& inputs, const std:
   return std::abs(a.dot(b)) > *effect.rules.same_as_input * a.norm() * b.norm();
 }
 
-std::vector<double> onsets(const EffectRows& rows, std::size_t most) {
+std::vector<double> onsets(const EffectRows& rows) {
   std::vector<double> grid;
   const std::size_t n = rows.time_s.size();
-  const std::size_t stride = 1 + n / most;
+  const std::size_t stride = 1 + n / kMostOnsets;
   for (std::size_t row = std::max<std::size_t>(1, stride / 2); row < n; row += stride) {
     grid.push_back(0.5 * (rows.time_s[row] + rows.time_s[row - 1]));
   }
@@ -113,7 +113,7 @@ std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRow
     if (parameter.kind == ParameterKind::gain || (parameter.held && parameter.grid.empty())) continue;
     const std::size_t most = effect.level == Level::series ? kMostPeriods : kMostWaves;
     std::vector<double> grid = grid_of(parameter, rows, parameter.lower, parameter.upper, most);
-    if (parameter.shape_of == ShapeOf::onset) grid = onsets(rows, options.every_onset ? kMostOnsets : 7);
+    if (parameter.shape_of == ShapeOf::onset) grid = onsets(rows);
     if (grid.empty()) continue;
     std::erase_if(grid, [&](double value) { return frequency_Hz(parameter, value) > options.highest_Hz; });
     std::vector<std::vector<double>> more;

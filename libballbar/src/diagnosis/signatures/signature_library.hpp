@@ -48,7 +48,6 @@ struct SignatureLibrary {
 
 struct SignatureOptions {
   std::optional<Motion> motion;      // of recordings
-  bool every_onset = true;           // use up to 400 onsets; else 7
   std::vector<std::string> without;  // names of effects to leave out
   std::vector<Term> terms;           // replace the catalogue's terms; their held shapes stay held
   // Half the rate of the rows that are fitted, which signature_library_of sets.

@@ -293,18 +293,14 @@ class Decision {
   void show_candidates() {
     for (const EffectProbability& effect : result_.effects) {
       if (result_.candidates.size() >= kMostShown) break;
-      if (std::any_of(result_.candidates.begin(), result_.candidates.end(),
-                      [&](const Candidate& one) { return one.bound == effect.bound; }))
-        continue;
-      std::size_t f = 0;
-      while (!(family(f).bound == effect.bound)) ++f;
+      if (candidate_of(result_, effect.bound) != nullptr) continue;
+      const std::size_t f = *family_of(problem(), effect.bound);
       const auto set = std::find_if(posterior().sets.begin(), posterior().sets.end(), [&](const EffectSet& one) {
         return std::find(one.families.begin(), one.families.end(), f) != one.families.end();
       });
       if (set == posterior().sets.end()) continue;
       const FittedSet fitted = fitted_set(problem(), posterior(), *set, false);
-      std::size_t m = 0;
-      while (problem().library.signatures[set->signatures[m]].family != f) ++m;
+      const std::size_t m = member_of(inference_, *set, effect.bound);
       result_.candidates.push_back(described_member(inference_, *set, fitted, m));
     }
     for (const std::vector<BoundEffect>& group : result_.equivalent) {
@@ -342,23 +338,15 @@ class Decision {
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::named:
-      return "named";
-    case Verdict::probable:
-      return "probable";
-    case Verdict::driver:
-      return "driver";
-    case Verdict::equivalent:
-      return "equivalent";
-    case Verdict::unexplained:
-      return "unexplained";
-    case Verdict::untestable:
-      return "untestable";
-    case Verdict::nothing:
-      return "nothing";
-  }
-  return "nothing";
+  constexpr std::string_view kNames[] = {"named",       "probable",   "driver", "equivalent",
+                                         "unexplained", "untestable", "nothing"};
+  return kNames[static_cast<std::size_t>(verdict)];
+}
+
+const Candidate* candidate_of(const Diagnosis& diagnosis, const BoundEffect& bound) {
+  const auto at = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                               [&](const Candidate& one) { return one.bound == bound; });
+  return at == diagnosis.candidates.end() ? nullptr : &*at;
 }
 
 Inference inference_of(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,

@@ -111,7 +111,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
 
   const BaseColumns columns = model.at(best.parameters);
   const Gram gram = gram_of(filter, pool_of(columns, variant.times));
-  const Line line = line_of(columns, variant.times.cols(), 0);
+  const Line line = line_of(columns, variant.times.cols());
   const LinearSolution solution = linear_solution(gram, line, problem.known);
   Eigen::MatrixXd a = gram.pool(line.columns, line.columns);
   for (Eigen::Index k = 0; k < a.rows(); ++k) {
@@ -153,8 +153,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     }
   }
   // Intervals of the free parameters of the added effects, by the profile likelihood.
-  std::size_t first_added = 1;
-  for (const Term& term : problem.model.terms) first_added += term.settings.size();
+  const std::size_t first_added = problem.base_model->parameters();
   for (std::size_t k = first_added; k < result.parameters.size() && with_profiles; ++k) {
     if (result.parameters[k].state != ParameterState::free || !std::isfinite(result.parameters[k].sigma)) continue;
     Interval& interval = result.intervals[k];

@@ -179,11 +179,8 @@ Candidate described_member(const Inference& inference, const EffectSet& set, con
   one.bound = problem.library.families[family].bound;
   one.label = label_of(one.bound);
   one.p = inference.posterior.family[family];
-  std::size_t first = 1;
-  for (const Term& term : problem.model.terms) first += term.settings.size();
-  for (std::size_t k = 0; k < member; ++k) {
-    first += effect_of_member(problem, set, k).parameters.size();
-  }
+  std::size_t first = problem.base_model->parameters();
+  for (std::size_t k = 0; k < member; ++k) first += effect_of_member(problem, set, k).parameters.size();
   const auto begin = static_cast<std::ptrdiff_t>(first);
   const auto end = begin + static_cast<std::ptrdiff_t>(one.bound.effect->parameters.size());
   one.parameters.assign(fitted.parameters.begin() + begin, fitted.parameters.begin() + end);

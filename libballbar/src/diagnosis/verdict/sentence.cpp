@@ -17,12 +17,6 @@ namespace {
 
 constexpr double kImitated = 3.0;  // of the remaining error: a larger effect hides behind the model, not in the noise
 
-const Candidate* candidate_of(const Diagnosis& d, const BoundEffect& bound) {
-  const auto at =
-      std::find_if(d.candidates.begin(), d.candidates.end(), [&](const Candidate& one) { return one.bound == bound; });
-  return at == d.candidates.end() ? nullptr : &*at;
-}
-
 double p_of(const Diagnosis& d, const BoundEffect& bound) {
   const auto at = std::find_if(d.effects.begin(), d.effects.end(),
                                [&](const EffectProbability& one) { return one.bound == bound; });

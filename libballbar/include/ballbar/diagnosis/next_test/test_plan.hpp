@@ -28,6 +28,7 @@ struct TestPlanOptions {
   double max_rpm = 0.0;                                          // 0: the highest of the data
   bool can_load = false, can_room = false, can_coolant = false;  // what the operator can change
   SearchOptions search;                                          // its `progress` is called here as well
+  std::uint64_t seed = 1;                                        // of the random draws
 };
 
 // A test of the menu with its expected outcome.

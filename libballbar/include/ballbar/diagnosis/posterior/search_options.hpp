@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -25,7 +24,6 @@ struct SearchOptions {
   Catalogue catalogue = built_in_catalogue();  // effects to search; a diagnosis points to them
   std::optional<Motion> motion;                // what moved the ballbar, for recordings
   std::vector<std::string> without;            // names of effects to leave out of the search
-  std::uint64_t seed = 1;
   // Called before each step, in the calling thread: "testing 2 effects".
   std::function<void(std::string_view step)> progress;
   // Called with all effects, the most probable first, whenever more sets have been evaluated; in the calling thread.

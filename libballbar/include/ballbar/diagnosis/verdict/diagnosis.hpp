@@ -101,6 +101,9 @@ struct Diagnosis {
   std::string sentence;                      // the verdict; its first sentence has no statistical terms
 };
 
+// nullptr: none of the candidates.
+const Candidate* candidate_of(const Diagnosis& diagnosis, const BoundEffect& bound);
+
 struct DiagnosisOptions {
   SearchOptions search;
   double tolerance_um = 0.0;     // smaller effects are called minor

@@ -67,9 +67,8 @@ struct BlindSet {
   Noise noise;                                 // the true one, rounding included
 };
 
-// The same kind, seed and catalogue give the same set, which refers to the catalogue's effects. What the base models
-// and the inseparable pairs are made of is found in it by name; throws Error where it is not there.
-BlindSet blind_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogue = built_in_catalogue());
+// The same kind and seed give the same set, of effects of the built-in catalogue.
+BlindSet blind_set(BlindKind kind, std::uint64_t seed);
 
 // What was said of a set.
 struct BlindVerdict {
