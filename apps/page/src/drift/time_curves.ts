@@ -29,7 +29,7 @@ export interface TimeCurves extends Pick<Picture, "name" | "title" | "caption" |
 }
 
 const toggle_of = ({ key, label, colour, dash, on, quiet, group }: TimeCurve): Toggle => ({
-  quiet,
+  quiet: quiet || undefined,
   group,
   ...toggle(key, label, colour, mark_of(dash), on),
 });

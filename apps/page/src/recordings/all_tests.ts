@@ -10,7 +10,7 @@ import { colours, font, minutes, sequence_bar, sequence_colour, shown, toggle } 
 import { t } from "../texts/texts";
 
 export const kStretches = 180; // of a recording, up to four points each
-export const kMost_toggles = 24;
+const kMost_toggles = 24;
 
 export interface Test {
   key: string;
@@ -97,7 +97,7 @@ export const subsampled = (test: Test, stretches = kStretches): Test => {
 };
 
 // One switch a test; of very many tests a list of switches would be no legend, and the colour bar has to do.
-export const toggles_of_tests = (tests: readonly Test[]): Toggle[] =>
+export const toggles_of_tests = (tests: readonly Pick<Test, "key" | "name" | "place">[]): Toggle[] =>
   tests.length > kMost_toggles
     ? []
     : tests.map(({ key, name, place }) => toggle(key, name, (dark) => sequence_colour(place, dark), "line"));
