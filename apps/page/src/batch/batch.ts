@@ -47,10 +47,7 @@ export const batch_section = (report: Report): Section[] => {
       result: agreement(batch)[0] ?? t.batch_count({ n: batch.batches.length }),
       first: {
         picture: "batch",
-        conclusion: () => ({
-          verdict: verdict_of(batch),
-          next: next_of(report),
-        }),
+        conclusion: () => ({ verdict: verdict_of(batch), next: next_of(report) }),
       },
       sentences: [
         t.batch_by({ target: plain(batch.target, 60), method: batch.method, batches: batch.batches.length }),

@@ -2,8 +2,9 @@
 import { decimated, difference, first_at } from "../drawing/columns";
 import { curve, lines_across, sigma_band, type Uncertain, zero_line } from "../drawing/curve";
 import { curves_base } from "../drawing/hover";
-import type { Numbers, Picture, State, Toggle } from "../picture";
-import { kBottom_px, kLeft_px, kRight_px, time_axis, top_px, two_grids, whole_min } from "../drawing/axes";
+import type { Picture, State, Toggle } from "../picture";
+import { time_axis, two_grids, whole_min } from "../drawing/axes";
+import { columns_of, columns_of_rows, grid_below } from "../drawing/parts";
 import type { BatchPart, Num } from "../report";
 import { axis, base, colours, curve_colour, minutes, shown, toggle, tooltip } from "../drawing/theme";
 import { t } from "../texts/texts";
@@ -35,41 +36,22 @@ export const prediction_picture = (batch: BatchPart): Picture => {
       return { ...sigma_band(ends, colour), name: interval.label, color: colour, ...in_grid(grid) };
     };
     const when = ({ key }: Toggle, series: Series): Series[] => (hidden.has(key) ? [] : [series]);
-    const above = [
+    const below = residual_um ? when(residual, { ...line(residual, residual_um, 1), markLine: zero_line(look) }) : [];
+    const series = [
       ...when(interval, band(predicted_um, 0)),
       ...when(predicted, line(predicted, predicted_um, 0)),
       ...(measured_um ? when(measured, line(measured, measured_um, 0, [6, 3])) : []),
+      ...below,
+      ...(below.length > 0 ? when(interval, band(zero_um, 1)) : []),
     ];
-    const below = residual_um
-      ? when(residual, { ...line(residual, residual_um, 1), markLine: zero_line(look) })
-      : [];
-    const series = [...above, ...below, ...(below.length > 0 ? when(interval, band(zero_um, 1)) : [])];
     const x = time_axis(look, window ?? whole);
-    const one_grid = {
-      grid: { left: kLeft_px, right: kRight_px, top: top_px(look, toggles.map((one) => one.label)), bottom: kBottom_px },
-      xAxis: x,
-      yAxis: axis(look, t.deviation_axis, "y"),
-    };
+    const one_grid = { grid: grid_below(look, toggles), xAxis: x, yAxis: axis(look, t.deviation_axis, "y") };
     return {
       ...curves_base(state, toggles, { drawn: series, head: (at) => `${shown(at, 1)} min`, unit: "µm" }),
       ...(below.length > 0 ? two_grids(look, x, t.deviation_axis, t.batch_difference_axis).drawn : one_grid),
       series,
     };
   };
-
-  const numbers = (): Numbers => ({
-    columns: [
-      { name: "time_min", values: time_min },
-      { name: "predicted_um", values: predicted_um },
-      { name: "half_width_um", values: half_width_um },
-      ...(measured_um && residual_um
-        ? [
-            { name: "measured_um", values: measured_um },
-            { name: "residual_um", values: residual_um },
-          ]
-        : []),
-    ],
-  });
 
   return {
     name: "batch",
@@ -80,24 +62,18 @@ export const prediction_picture = (batch: BatchPart): Picture => {
     zoom: "time",
     toggles: () => toggles,
     draw,
-    numbers,
+    numbers: () => columns_of({ time_min, predicted_um, half_width_um, measured_um, residual_um }),
   };
 };
 
 // Whether a job stays within what its batches were: Hotelling's T2 within the plane of the components, Q off it, each
 // over the largest of any row in training.
 
-const limit = (color: string): Record<string, unknown> =>
-  lines_across(
-    [{ yAxis: 1 }],
-    { position: "insideEndTop", formatter: t.batch_largest_in_training },
-    { color, type: "solid", width: 1.2 },
-  );
-
 export const range_picture = (batch: BatchPart): Picture => {
   const time_min = batch.time_s.map(minutes);
   const whole = whole_min([time_min]);
   const [T2, Q] = [toggle("T2", t.batch_T2, 0, "line"), toggle("Q", t.batch_Q, 1, "dashed")];
+  const label = { position: "insideEndTop", formatter: t.batch_largest_in_training };
   const draw = (state: State): Record<string, unknown> => {
     const { look, window, hidden } = state;
     const line = ({ key, label, colour }: Toggle, values: readonly Num[], dash: "solid" | "dashed"): Record<string, unknown>[] =>
@@ -107,7 +83,7 @@ export const range_picture = (batch: BatchPart): Picture => {
     const series = [...line(T2, batch.T2_of_largest, "solid"), ...line(Q, batch.Q_of_largest, "dashed")];
     return {
       ...curves_base(state, [T2, Q], { drawn: series, head: (at) => `${shown(at, 1)} min`, unit: "" }),
-      grid: { left: kLeft_px, right: kRight_px, top: top_px(look, [T2.label, Q.label]), bottom: kBottom_px },
+      grid: grid_below(look, [T2, Q]),
       xAxis: time_axis(look, window ?? whole),
       yAxis: {
         ...axis(look, t.batch_share_axis, "y"),
@@ -115,7 +91,7 @@ export const range_picture = (batch: BatchPart): Picture => {
         min: 0,
         max: ({ max }: { max: number }) => (max > 1 ? null : 1.2),
       },
-      series: [...series, limit(colours(look.dark).ink)],
+      series: [...series, lines_across([{ yAxis: 1 }], label, { color: colours(look.dark).ink, type: "solid", width: 1.2 })],
     };
   };
   return {
@@ -127,13 +103,7 @@ export const range_picture = (batch: BatchPart): Picture => {
     zoom: "time",
     toggles: () => [T2, Q],
     draw,
-    numbers: () => ({
-      columns: [
-        { name: "time_min", values: time_min },
-        { name: "T2_of_largest", values: batch.T2_of_largest },
-        { name: "Q_of_largest", values: batch.Q_of_largest },
-      ],
-    }),
+    numbers: () => columns_of({ time_min, T2_of_largest: batch.T2_of_largest, Q_of_largest: batch.Q_of_largest }),
   };
 };
 
@@ -177,10 +147,5 @@ export const weights_picture = ({ batches }: BatchPart): Picture => ({
       ],
     };
   },
-  numbers: () => ({
-    columns: [
-      { name: "batch", values: batches.map(({ name }) => name) },
-      { name: "weight", values: batches.map(({ weight }) => weight) },
-    ],
-  }),
+  numbers: () => columns_of_rows(batches, { batch: ({ name }) => name, weight: ({ weight }) => weight }),
 });

@@ -6,15 +6,12 @@ import { unit_shown } from "../machine_errors/error_names";
 import { error_tests } from "../machine_errors/error_curves";
 import { kSizes_picture, sizes_picture } from "./sizes_picture";
 import { kTraces_picture, traces_picture, type Traced } from "./traces_picture";
-import type { Conclusion, Notes, Section, State, TextTable } from "../picture";
+import type { Conclusion, Notes, Section, TextTable } from "../picture";
 import type { ComparedTests, Num, QuantityDifference, Report, TestHead } from "../report";
 import { decimals_for, shown, with_sigma } from "../drawing/theme";
 import { t } from "../texts/texts";
 
-const kDecimals = 3; // at most
 const kSaid = 3; // changes of a sentence
-
-const decimals_of = (value: Num, sigma: Num): number => Math.min(kDecimals, decimals_for(value, sigma));
 
 // With one decimal, or two where one does not tell them apart.
 const both = (before: number, after: number, unit: string): { from: string; to: string; unit: string } => {
@@ -71,17 +68,15 @@ const verdict_of = (pair: ComparedTests): Pick<Conclusion, "verdict" | "also"> =
 
 // The table: circularity, what differs clearly, what one of the tests shows; the rest below.
 
-const clear_text = (clear: boolean | null): string => (clear === null ? "–" : clear ? t.yes : t.no);
-
 const row_of = (one: QuantityDifference, plane: string): string[] => {
-  const cell = (value: Num, sigma: Num): string => with_sigma(value, sigma, decimals_of(one.difference ?? value, one.sigma ?? sigma));
+  const cell = (value: Num, sigma: Num): string => with_sigma(value, sigma, Math.min(3, decimals_for(one.difference ?? value, one.sigma ?? sigma)));
   return [
     quantity_name(one.name, plane),
     cell(one.before, one.before_sigma),
     cell(one.after, one.after_sigma),
     cell(one.difference, one.sigma),
     unit_shown(one.unit),
-    one.of_set_up ? "–" : clear_text(one.clear),
+    one.of_set_up || one.clear === null ? "–" : one.clear ? t.yes : t.no,
   ];
 };
 
@@ -137,16 +132,13 @@ export const change_section = (report: Report): Section[] => {
   const traced = pairs.map((pair): Traced => ({ pair, before: of_place(pair.before_place), after: of_place(pair.after_place) }));
   const has_traces = traced.every(({ before, after }) => before && after);
   const picture = has_traces ? kTraces_picture : kSizes_picture;
-  const pair_of = (chosen: State["chosen"] | string): ComparedTests => {
-    const value = typeof chosen === "string" ? chosen : chosen["pair"];
-    return pairs[Number(value ?? 0)] ?? first;
-  };
+  const pair_of = (value: string | undefined): ComparedTests => pairs[Number(value ?? 0)] ?? first;
   return [
     {
       id: "change",
       heading: t.change,
       result: pairs.map(({ before, changes }) => t.change_result({ plane: before.plane, n: changes.length })).join("; "),
-      first: { picture, conclusion: (chosen) => conclusion_of(pair_of(chosen)) },
+      first: { picture, conclusion: ({ pair }) => conclusion_of(pair_of(pair)) },
       pictures: [...(has_traces ? [traces_picture(traced)] : []), sizes_picture(pairs)],
       companion: { picture, key: "pair", notes: (chosen) => notes_of(pair_of(chosen)) },
     },

@@ -1,11 +1,11 @@
 // The errors of both tests, one a line: before and after with their sigma, and the way between.
 import { axis, base, colours, curve_colour, decimals_for, legend, toggle, tooltip, with_sigma } from "../drawing/theme";
 import type { CustomSeriesRenderItemAPI } from "echarts";
-import type { Choice, Numbers, Picture, State, Toggle } from "../picture";
+import { columns_of_rows, grid_below } from "../drawing/parts";
+import type { Choice, Picture, State, Toggle } from "../picture";
 import type { ComparedTests, Num, QuantityDifference } from "../report";
 import { is_told, quantity_name } from "./quantities";
 import { pair_choice } from "./traces_picture";
-import { top_px } from "../drawing/axes";
 import { plain, unit_shown } from "../drawing/text";
 import { t } from "../texts/texts";
 
@@ -27,14 +27,11 @@ const unit_choice = (units: readonly string[]): Choice[] =>
   units.length < 2 ? [] : [{ key: "unit", label: t.unit, values: units.map((value) => ({ value, label: unit_shown(value) })), initial: units[0] ?? "" }];
 
 // Sigma as a bar along x, with the point on it.
-const points = (
-  rows: readonly QuantityDifference[],
-  value_of: (row: QuantityDifference) => Num,
-  sigma_of: (row: QuantityDifference) => Num,
-  colour: string,
-): Record<string, unknown> => ({
+const points = (rows: readonly QuantityDifference[], when: "before" | "after", name: string, color: string): Record<string, unknown> => ({
   type: "custom",
-  data: rows.map((row, k) => [value_of(row), k, sigma_of(row) ?? 0]),
+  name,
+  color,
+  data: rows.map((row, k) => [row[when], k, row[`${when}_sigma`] ?? 0]),
   encode: { x: 0, y: 1 },
   z: 3,
   renderItem: (_: unknown, api: Api) => {
@@ -45,8 +42,8 @@ const points = (
     return {
       type: "group",
       children: [
-        { type: "line", shape: { x1: from, y1: y, x2: to, y2: y }, style: { stroke: colour, lineWidth: 2 } },
-        { type: "circle", shape: { cx: x, cy: y, r: 5 }, style: { fill: colour } },
+        { type: "line", shape: { x1: from, y1: y, x2: to, y2: y }, style: { stroke: color, lineWidth: 2 } },
+        { type: "circle", shape: { cx: x, cy: y, r: 5 }, style: { fill: color } },
       ],
     };
   },
@@ -114,7 +111,7 @@ export const sizes_picture = (pairs: readonly ComparedTests[]): Picture => {
             ].join("\n");
           },
         },
-        grid: { left: name_px + 12, right: 24, top: top_px(look, shown_toggles.map(({ label }) => label)), bottom: 46 },
+        grid: { ...grid_below(look, shown_toggles), left: name_px + 12, right: 24 },
         xAxis: axis(look, unit, "x"),
         yAxis: {
           type: "category",
@@ -133,31 +130,23 @@ export const sizes_picture = (pairs: readonly ComparedTests[]): Picture => {
         },
         series: [
           ...(hidden.has("before") || hidden.has("after") ? [] : [ways(rows, c.faint)]),
-          ...(hidden.has("before")
-            ? []
-            : [{ ...points(rows, ({ before }) => before, ({ before_sigma }) => before_sigma, curve_colour(1, look.dark)), name: t.change_before, color: curve_colour(1, look.dark) }]),
-          ...(hidden.has("after")
-            ? []
-            : [{ ...points(rows, ({ after }) => after, ({ after_sigma }) => after_sigma, curve_colour(0, look.dark)), name: t.change_after, color: curve_colour(0, look.dark) }]),
+          ...(hidden.has("before") ? [] : [points(rows, "before", t.change_before, curve_colour(1, look.dark))]),
+          ...(hidden.has("after") ? [] : [points(rows, "after", t.change_after, curve_colour(0, look.dark))]),
         ],
       };
     },
-    numbers: ({ chosen }): Numbers => {
-      const rows = rows_of(chosen);
-      return {
-        columns: [
-          { name: "row", values: rows.map((_, k) => k + 1) },
-          { name: "error", values: rows.map(({ name }) => name) },
-          { name: "unit", values: rows.map(({ unit }) => unit) },
-          { name: "before", values: rows.map(({ before }) => before) },
-          { name: "before_sigma", values: rows.map(({ before_sigma }) => before_sigma) },
-          { name: "after", values: rows.map(({ after }) => after) },
-          { name: "after_sigma", values: rows.map(({ after_sigma }) => after_sigma) },
-          { name: "difference", values: rows.map(({ difference }) => difference) },
-          { name: "difference_sigma", values: rows.map(({ sigma }) => sigma) },
-          { name: "clear", values: rows.map(({ clear }) => (clear === null ? null : clear ? 1 : 0)) },
-        ],
-      };
-    },
+    numbers: ({ chosen }) =>
+      columns_of_rows(rows_of(chosen), {
+        row: (_, k) => k + 1,
+        error: ({ name }) => name,
+        unit: ({ unit }) => unit,
+        before: ({ before }) => before,
+        before_sigma: ({ before_sigma }) => before_sigma,
+        after: ({ after }) => after,
+        after_sigma: ({ after_sigma }) => after_sigma,
+        difference: ({ difference }) => difference,
+        difference_sigma: ({ sigma }) => sigma,
+        clear: ({ clear }) => (clear === null ? null : Number(clear)),
+      }),
   };
 };

@@ -3,7 +3,7 @@ import { about_circle, type ErrorTest } from "../machine_errors/error_curves";
 import type { Choice, Numbers, Picture, State, Toggle } from "../picture";
 import { dash_of, stacked_numbers } from "../recordings/recording_curves";
 import type { ComparedTests, Recording } from "../report";
-import { magnification_choice, type Round, round_curve, round_option, type RoundCurve } from "../recordings/round";
+import { round_curve, type RoundCurve, round_picture } from "../recordings/round";
 import { curve_colour, shown, toggle } from "../drawing/theme";
 import { extent } from "../drawing/columns";
 import { t } from "../texts/texts";
@@ -32,18 +32,11 @@ interface Trace {
 const traces_of = ({ before, after }: Traced): Trace[] =>
   (["before", "after"] as const).flatMap((when) => {
     const test = when === "before" ? before : after;
-    return (test?.recordings ?? []).flatMap((recording, place) =>
-      test
-        ? [{
-            key: `${when}${place}`,
-            label: t.change_trace({ which: when === "before" ? t.change_before : t.change_after, direction: recording.direction ?? "" }),
-            when,
-            test,
-            recording,
-            place,
-          }]
-        : [],
-    );
+    const which = when === "before" ? t.change_before : t.change_after;
+    return !test ? [] : test.recordings.map((recording, place): Trace => {
+      const label = t.change_trace({ which, direction: recording.direction ?? "" });
+      return { key: `${when}${place}`, label, when, test, recording, place };
+    });
   });
 
 const toggle_of = ({ key, label, when, recording }: Trace): Toggle =>
@@ -60,20 +53,19 @@ export const traces_picture = (all: readonly Traced[]): Picture => {
     const traced = traced_of(chosen);
     return traced ? traces_of(traced) : [];
   };
-  const round_of = (drawn: readonly Trace[]): Pick<Round, "first" | "extent_um"> => ({
-    first: drawn[0]?.recording,
-    extent_um: extent(drawn.map(({ test, place }) => about_circle(test, place))),
-  });
-  return {
+  return round_picture({
     name: kTraces_picture,
     title: t.change_picture_title,
     caption: t.change_picture_caption,
     about: t.change_picture_about,
     height_px: 440,
-    zoom: "none",
-    choices: [...pair_choice(all.map(({ pair }) => pair)), magnification_choice((chosen) => round_of(traces(chosen)))],
-    toggles: ({ chosen }) => traces(chosen).map(toggle_of),
-    draw: (state) => {
+    choices: pair_choice(all.map(({ pair }) => pair)),
+    scaled: (chosen) => ({
+      first: traces(chosen)[0]?.recording,
+      extent_um: extent(traces(chosen).map(({ test, place }) => about_circle(test, place))),
+    }),
+    toggles: (chosen) => traces(chosen).map(toggle_of),
+    round: (state) => {
       const drawn = traces(state.chosen);
       const curves = drawn
         .filter(({ key }) => !state.hidden.has(key))
@@ -87,12 +79,7 @@ export const traces_picture = (all: readonly Traced[]): Picture => {
         );
       const pair = traced_of(state.chosen)?.pair;
       const round = pair?.quantities.find(({ name }) => name === "circularity");
-      return round_option(state, {
-        ...round_of(drawn),
-        curves,
-        toggles: drawn.map(toggle_of),
-        ...(round ? { note: t.change_circularity_note({ before: shown(round.before, 2), after: shown(round.after, 2) }) } : {}),
-      });
+      return { curves, note: round && t.change_circularity_note({ before: shown(round.before, 2), after: shown(round.after, 2) }) };
     },
     numbers: ({ chosen }): Numbers => {
       const drawn = traces(chosen);
@@ -104,5 +91,5 @@ export const traces_picture = (all: readonly Traced[]): Picture => {
         },
       );
     },
-  };
+  });
 };

@@ -31,35 +31,26 @@ const length =
     return shown(value, decimals_for(number(axis, `rmse_${unit}`), null) - 1);
   };
 
-const lag = (axis: ComparedAxis): string => {
-  const [lag_s, sigma_s] = [number(axis, "lag_s"), number(axis, "lag_sigma_s")];
-  return lag_s === null ? "–" : with_sigma(minutes(lag_s), sigma_s === null ? null : minutes(sigma_s), 2);
+const minutes_of = (axis: ComparedAxis, key: string): Num => {
+  const time_s = number(axis, key);
+  return time_s === null ? null : minutes(time_s);
 };
 
 const rows: readonly Row[] = [
   [() => t.verdict, (axis) => named(t.agreement, axis.agreement)],
-  [
-    () => t.comparison_within,
-    (axis) => t.n_of_all({ n: shown(number(axis, "within_2_sigma")), all: shown(number(axis, "samples")) }),
-  ],
+  [() => t.comparison_within, (axis) => t.n_of_all({ n: shown(number(axis, "within_2_sigma")), all: shown(number(axis, "samples")) })],
   [() => t.comparison_mean_relative, (axis) => percent(number(axis, "mean_relative_deviation"))],
   [() => t.comparison_expected, (axis) => percent(number(axis, "expected_relative_deviation"))],
-  [
-    () => t.comparison_explained,
-    (axis) => percent(number(axis, "explained_share"), 0),
-  ],
+  [() => t.comparison_explained, (axis) => percent(number(axis, "explained_share"), 0)],
   [() => t.comparison_of_range, (axis) => percent(number(axis, "range_normalised_mean_deviation"))],
   [(unit) => t.comparison_rmse({ unit }), length("rmse")],
   [(unit) => t.comparison_largest({ unit }), length("max")],
-  [
-    () => t.comparison_largest_at,
-    (axis) => shown(number(axis, "max_at_s") === null ? null : minutes(number(axis, "max_at_s") ?? 0)),
-  ],
+  [() => t.comparison_largest_at, (axis) => shown(minutes_of(axis, "max_at_s"))],
   [(unit) => t.comparison_bias({ unit }), length("bias")],
   [(unit) => t.comparison_limits_low({ unit }), length("loa_low")],
   [(unit) => t.comparison_limits_high({ unit }), length("loa_high")],
   [() => t.comparison_correlation, (axis) => shown(number(axis, "correlation"), 4)],
-  [() => t.comparison_lag, lag],
+  [() => t.comparison_lag, (axis) => with_sigma(minutes_of(axis, "lag_s"), minutes_of(axis, "lag_sigma_s"), 2)],
 ];
 
 // One table, or one a unit.
@@ -134,10 +125,7 @@ const most_moved = (axes: readonly [string, ComparedAxis][]): [string, ComparedA
   return [...axes].sort((a, b) => range(b) - range(a))[0];
 };
 
-const next_of = (report: Report): Next => ({
-  label: t.drift_next,
-  command: report_command(data_files(report).slice(0, 1)),
-});
+const next_of = (report: Report): Next => ({ label: t.drift_next, command: report_command(data_files(report).slice(0, 1)) });
 
 export const comparison_section = (report: Report): Section[] => {
   const { compare } = report;
@@ -152,26 +140,14 @@ export const comparison_section = (report: Report): Section[] => {
       result: axes.map(([name, { agreement }]) => `${words(name)} ${named(t.agreement, agreement)}`).join(", "),
       // Of a drift with its own probes it is a check; another drift is what the reader asked for.
       says: report.drift && report.five_probe && axes.every(([, { agreement }]) => agreement !== "disagrees") ? 0 : 10,
-      ...(telling
-        ? {
-            first: {
-              picture: `comparison-${slug(telling[0])}`,
-              conclusion: () => ({ verdict: verdict_of(compare), concluded: compare.conclusion, next: next_of(report) }),
-            },
-          }
-        : {}),
+      first: telling && {
+        picture: `comparison-${slug(telling[0])}`,
+        conclusion: () => ({ verdict: verdict_of(compare), concluded: compare.conclusion, next: next_of(report) }),
+      },
       sentences: sentences_of(compare),
       tables: [...statistics_tables(axes), ...budget_table(axes)],
       pictures: axes.map(([name, axis], k) =>
-        comparison_picture({
-          name,
-          axis,
-          k,
-          unit: unit_of(axis),
-          a: clamped(compare.a, 60),
-          b: clamped(compare.b, 60),
-          whole_min: whole,
-        }),
+        comparison_picture({ name, axis, k, unit: unit_of(axis), a: clamped(compare.a, 60), b: clamped(compare.b, 60), whole_min: whole }),
       ),
     },
   ];

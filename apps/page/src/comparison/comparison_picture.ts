@@ -2,15 +2,15 @@
 import { curve, sigma_band, type Uncertain } from "../drawing/curve";
 import { decimated, first_at } from "../drawing/columns";
 import { place_of } from "../drift/drift_axes";
-import type { Picture, Range, State, Toggle } from "../picture";
+import type { Picture, Range, State } from "../picture";
 import { kLeft_px, kRight_px, time_axis, top_px, value_axis } from "../drawing/axes";
 import { reading_in } from "../drawing/hover";
 import type { ComparedAxis, Num } from "../report";
 import { plain, slug, unit_shown, words } from "../drawing/text";
 import { base, colours, legend, minutes, toggle, tooltip } from "../drawing/theme";
+import { columns_of } from "../drawing/parts";
 import { t } from "../texts/texts";
 
-const kHeight_px = 440;
 const kMarked = 300; // points of a; more are a line
 
 export interface Compared {
@@ -23,19 +23,15 @@ export interface Compared {
   whole_min: Range;
 }
 
-const band = (points: readonly Uncertain[], { colour, label }: Toggle, dark: boolean): Record<string, unknown> => ({
-  ...sigma_band(points, colour(dark)),
-  name: label,
-});
-
 // The stretch with the largest difference beyond two standard deviations, in both plots.
 const disagreement = (axis: ComparedAxis, whole_min: Range, dark: boolean): Record<string, unknown> => {
-  if (!axis.deviation) return {};
+  const none = { type: "line", name: "", data: [] };
+  if (!axis.deviation) return none;
   const least = (whole_min[1] - whole_min[0]) * 0.004; // a single sample is seen too
   const from = minutes(axis.deviation.from_s) - least;
   const to = minutes(axis.deviation.to_s) + least;
   const color = dark ? "rgba(255,120,80,0.16)" : "rgba(213,60,0,0.10)";
-  return { markArea: { silent: true, itemStyle: { color }, data: [[{ xAxis: from }, { xAxis: to }]] } };
+  return { ...none, markArea: { silent: true, itemStyle: { color }, data: [[{ xAxis: from }, { xAxis: to }]] } };
 };
 
 export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Compared): Picture => {
@@ -50,50 +46,41 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
   const place = place_of(name, k);
   const has_sigma = sigma.some((value) => value !== null);
   const band_of_sigma = toggle("sigma", t.comparison_sigma_band, (dark) => colours(dark).faint, "band");
-  const toggles: Toggle[] = [
-    toggle("a", t.comparison_curve({ which: "A", name: plain(a, 60) }), place, "dot"),
-    toggle("b", t.comparison_curve({ which: "B", name: plain(b, 60) }), place + 3, "line"),
-    toggle("difference", t.comparison_a_less_b, place, "dashed"),
-    ...(has_sigma ? [band_of_sigma] : []),
-  ];
+  const of_a = toggle("a", t.comparison_curve({ which: "A", name: plain(a, 60) }), place, "dot");
+  const of_b = toggle("b", t.comparison_curve({ which: "B", name: plain(b, 60) }), place + 3, "line");
+  const of_difference = toggle("difference", t.comparison_a_less_b, place, "dashed");
+  const toggles = [of_a, of_b, of_difference, ...(has_sigma ? [band_of_sigma] : [])];
 
   const upper = (state: State): Record<string, unknown>[] => {
     const { dark, width_px } = state.look;
-    const [of_a, of_b] = [toggles[0] as Toggle, toggles[1] as Toggle];
     const points = (values: readonly Num[]): [number, Num][] => decimated(time_min, values, state.window, width_px);
     const a_points = points(a_values);
     const dots = a_points.length <= kMarked;
     const shown_a = dots
-      ? {
-          type: "scatter",
-          name: of_a.label,
-          data: a_points,
-          symbolSize: 7,
-          itemStyle: { color: of_a.colour(dark) },
-          z: 4,
-        }
+      ? { type: "scatter", name: of_a.label, data: a_points, symbolSize: 7, itemStyle: { color: of_a.colour(dark) }, z: 4 }
       : curve(of_a.label, of_a.colour(dark), "solid", 1.5, a_points, { z: 4 });
     return [
       ...(state.hidden.has("b") ? [] : [curve(of_b.label, of_b.colour(dark), "solid", 1.8, points(b_values))]),
       ...(state.hidden.has("a") ? [] : [shown_a]),
-      { type: "line", name: "", data: [], ...disagreement(axis, whole_min, dark) },
+      disagreement(axis, whole_min, dark),
     ];
   };
 
   const lower = (state: State): Record<string, unknown>[] => {
     const { dark, width_px } = state.look;
-    const line = toggles[2] as Toggle;
     const points = decimated(time_min, difference, state.window, width_px);
-    const sigma_at = (x: number): Num => sigma[first_at(time_min, x)] ?? null;
-    const around_zero: Uncertain[] = points.map(([x]) => [x, 0, twice(sigma_at(x))]);
-    const dashed = curve(line.label, line.colour(dark), "dashed", 1.6, points, {
+    const around_zero = points.map(([x]): Uncertain => {
+      const sigma_there = sigma[first_at(time_min, x)] ?? null;
+      return [x, 0, sigma_there === null ? null : 2 * sigma_there];
+    });
+    const dashed = curve(of_difference.label, of_difference.colour(dark), "dashed", 1.6, points, {
       ...(points.length <= kMarked ? { showSymbol: true, symbol: "circle", symbolSize: 5 } : {}),
       z: 3,
     });
     const drawn = [
-      ...(state.hidden.has("sigma") || !has_sigma ? [] : [band(around_zero, band_of_sigma, dark)]),
+      ...(state.hidden.has("sigma") || !has_sigma ? [] : [{ ...sigma_band(around_zero, band_of_sigma.colour(dark)), name: band_of_sigma.label }]),
       ...(state.hidden.has("difference") ? [] : [dashed]),
-      { type: "line", name: "", data: [], ...disagreement(axis, whole_min, dark) },
+      disagreement(axis, whole_min, dark),
     ];
     return drawn.map((one) => ({ ...one, xAxisIndex: 1, yAxisIndex: 1 }));
   };
@@ -134,23 +121,14 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
       has_sigma ? t.comparison_below_sigma : t.comparison_below,
       ...(axis.deviation ? [t.comparison_shaded] : []),
     ].join(" "),
-    height_px: kHeight_px,
+    height_px: 440,
     zoom: "time",
     toggles: () => toggles,
     draw,
-    numbers: () => ({
-      columns: [
-        { name: "time_min", values: time_min },
-        { name: `a_${unit}`, values: a_values },
-        { name: `b_${unit}`, values: b_values },
-        { name: `difference_${unit}`, values: difference },
-        { name: `sigma_${unit}`, values: sigma },
-      ],
-    }),
+    numbers: () =>
+      columns_of({ time_min, [`a_${unit}`]: a_values, [`b_${unit}`]: b_values, [`difference_${unit}`]: difference, [`sigma_${unit}`]: sigma }),
   };
 };
-
-const twice = (value: Num): Num => (value === null ? null : 2 * value);
 
 const verdict = (axis: ComparedAxis): string => {
   if (axis.agreement === "cannot tell") return t.comparison_cannot_tell;

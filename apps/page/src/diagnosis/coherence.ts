@@ -1,8 +1,9 @@
 // Which effects may be taken for each other before any is added: |cos| between what survives of two effects beside the
 // model, of typical shapes. At 1 they draw the same curve, whatever the cause. An effect with many shapes may imitate
 // another that cannot imitate it. What this fit cannot tell apart is another question: the table of candidates has it.
-import type { Numbers, Picture, State } from "../picture";
+import type { Picture, State } from "../picture";
 import type { Diagnosed, Num } from "../report";
+import { columns_of_rows } from "../drawing/parts";
 import { plain } from "../drawing/text";
 import { axis, base, colours, kNarrow_px, shown, tooltip } from "../drawing/theme";
 import { t } from "../texts/texts";
@@ -101,17 +102,6 @@ const drawing = ({ effects, values }: Coherence, { look }: State): Record<string
   };
 };
 
-const numbers = ({ effects, values }: Coherence): Numbers => {
-  const cells = values.flatMap((row, i) => row.map((coherence, j) => ({ i, j, coherence })));
-  return {
-    columns: [
-      { name: "effect", values: cells.map(({ i }) => effects[i] ?? "") },
-      { name: "imitated_by", values: cells.map(({ j }) => effects[j] ?? "") },
-      { name: "abs_cos", values: cells.map(({ coherence }) => coherence) },
-    ],
-  };
-};
-
 export const coherence_picture = (coherence: Coherence, name: string): Picture => ({
   name,
   title: t.diagnosis_coherence_title,
@@ -122,5 +112,10 @@ export const coherence_picture = (coherence: Coherence, name: string): Picture =
   zoom: "none",
   toggles: () => [],
   draw: (state) => drawing(coherence, state),
-  numbers: () => numbers(coherence),
+  numbers: () =>
+    columns_of_rows(coherence.values.flatMap((row, i) => row.map((abs_cos, j) => ({ i, j, abs_cos }))), {
+      effect: ({ i }) => coherence.effects[i] ?? "",
+      imitated_by: ({ j }) => coherence.effects[j] ?? "",
+      abs_cos: ({ abs_cos }) => abs_cos,
+    }),
 });

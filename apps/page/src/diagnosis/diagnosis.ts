@@ -48,18 +48,11 @@ const lists_of = (found: Diagnosed): NonNullable<Section["lists"]> =>
     { title: t.diagnosis_untestable, items: by_reason(found.untestable) },
     {
       title: t.diagnosis_not_searched,
-      items: found.not_searched.map(
-        (one) =>
-          t.diagnosis_not_searched_one({
-            effect: one.effect,
-            left: one.choices_of_columns - one.searched,
-            all: one.choices_of_columns,
-          }),
+      items: found.not_searched.map(({ effect, choices_of_columns: all, searched }) =>
+        t.diagnosis_not_searched_one({ effect, left: all - searched, all }),
       ),
     },
   ].filter(({ items }) => items.length > 0);
-
-const all_equal = (values: readonly Num[]): boolean => values.every((value) => value === values[0]);
 
 // The revisions that a ledger has of it. `last`: what its RMSE was by the last of them, where that is another.
 const history_of = (report: Report, found: Diagnosed): { steps: Step[]; last_um: Num } => {
@@ -90,7 +83,7 @@ const fall_steps = (found: Diagnosed, history: readonly Step[]): Step[] => {
       rmse_um: found.rmse_after_um,
       from_um: found.rmse_um,
       floor_um: found.floor_um,
-      held_out_um: all_equal(left_out) ? (left_out[0] ?? null) : null,
+      held_out_um: new Set(left_out).size === 1 ? (left_out[0] ?? null) : null,
       proposed: true,
     },
   ];
@@ -103,11 +96,7 @@ const fall_picture = (report: Report, found: Diagnosed, name: string): Picture[]
   if (steps.length < 2) return [];
   const effects = best_set(found).length;
   const accepted = set_name(found) !== "closest";
-  const hollow = accepted ? t.diagnosis_fall_hollow : t.diagnosis_fall_closest;
-  const left_out =
-    history.last_um === null
-      ? []
-      : [t.diagnosis_fall_left_out({ last: shown(history.last_um, 3), now: shown(found.rmse_um, 3) })];
+  const last = shown(history.last_um, 3);
   return [
     waterfall({
       name,
@@ -115,9 +104,9 @@ const fall_picture = (report: Report, found: Diagnosed, name: string): Picture[]
       caption: t.diagnosis_falling,
       about: [
         t.diagnosis_no_evidence,
-        effects === 0 ? t.diagnosis_fall_none : hollow,
+        effects === 0 ? t.diagnosis_fall_none : accepted ? t.diagnosis_fall_hollow : t.diagnosis_fall_closest,
         ...not_known(steps),
-        ...left_out,
+        ...(history.last_um === null ? [] : [t.diagnosis_fall_left_out({ last, now: shown(found.rmse_um, 3) })]),
       ].join(" "),
       steps,
     }),
@@ -163,28 +152,24 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
   if (found.not_diagnosed !== undefined) {
     return { ...section, sentences: [english(found.not_diagnosed)] };
   }
-  const over_residual = `candidates${number}`;
-  const chooses = checked ? over_residual : null;
+  const [over_residual, with_without] = [`candidates${number}`, `with-without${number}`];
   const left_out = checked?.level === "recording" ? t.diagnosis_left_out_recordings : t.diagnosis_left_out_cycles;
   return {
     ...section,
     sentences: sentences_of(found, checked),
     command: found.command,
     above: found.verdict === "untestable" ? [] : [posterior_table(found)],
-    tables: found.candidates.length > 0 ? [candidate_table(found, left_out, chooses)] : [],
-    ...(checked
-      ? {
-          first: {
-            picture: `with-without${number}`,
-            kind: t.model_target,
-            label: plain(found.target, 60),
-            conclusion: () => ({ verdict: verdict_of(found, checked), concluded: found.sentence, next: next_of(report, found) }),
-          },
-        }
-      : {}),
+    tables: found.candidates.length > 0 ? [candidate_table(found, left_out, checked ? over_residual : null)] : [],
+    first: checked && {
+      picture: with_without,
+      kind: t.model_target,
+      label: plain(found.target, 60),
+      conclusion: () => ({ verdict: verdict_of(found, checked), concluded: found.sentence, next: next_of(report, found) }),
+    },
     pictures: [
-      ...(checked ? [with_without_picture(report, checked, found, `with-without${number}`)] : []),
-      ...(checked ? [candidates_picture(report, checked, found, over_residual)] : []),
+      ...(checked
+        ? [with_without_picture(report, checked, found, with_without), candidates_picture(report, checked, found, over_residual)]
+        : []),
       ...fall_picture(report, found, `fall${number}`),
       ...(found.coherence && found.coherence.effects.length > 1
         ? [coherence_picture(found.coherence, `coherence${number}`)]

@@ -12,9 +12,6 @@ import { plain } from "../drawing/text";
 const decimals_of = (rmse_um: Num): number =>
   rmse_um !== null && rmse_um > 0 ? Math.min(6, Math.max(2, 1 - Math.floor(Math.log10(rmse_um)))) : 2;
 
-const change = (before: Num, after: Num, decimals: number): string =>
-  `${shown(before, decimals)} → ${shown(after, decimals)}`;
-
 const kMost_numbers = 6; // numbers in a cell
 
 // Numbers of the rows that look the same in these data, and how many more there are.
@@ -28,9 +25,6 @@ const inseparable_text = (one: Ranked, all: readonly Ranked[]): string => {
   const more = labels.length - rows.length;
   return [...rows.map(String), ...(more > 0 ? [t.diagnosis_more({ more })] : [])].join(", ") || "–";
 };
-
-const choosing = (picture: string | null, ranked: readonly Ranked[]): Pick<TextTable, "choose"> =>
-  picture === null ? {} : { choose: { picture, key: "candidate", values: ranked.map((one) => one.key) } };
 
 export const candidate_table = (found: Diagnosed, left_out: string, picture: string | null): TextTable => {
   const ranked = ranked_candidates(found);
@@ -54,12 +48,12 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
         shown(c.likelihood_ratio, 0),
         shown(c.rmse_after_um, decimals + 1),
         // Of the others nothing is left out.
-        c.in_best_set ? change(c.held_out_before_um, c.held_out_after_um, decimals) : "–",
+        c.in_best_set ? `${shown(c.held_out_before_um, decimals)} → ${shown(c.held_out_after_um, decimals)}` : "–",
         inseparable_text(one, ranked),
       ];
     }),
     bars: { column: 3, shares: ranked.map((one) => one.candidate.p) },
-    ...choosing(picture, ranked),
+    choose: picture === null ? undefined : { picture, key: "candidate", values: ranked.map((one) => one.key) },
   };
 };
 
@@ -69,11 +63,6 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
 const kEffects = 8; // shown
 const kLeast = 0.05; // P of an effect that is shown
 
-interface Row {
-  what: string;
-  p: Num;
-}
-
 const three_digits = (value: Num): string => rounded(value, 3);
 
 export const own_text = ({ effect, parameter, unit, held, fitted, low, high }: Diagnosed["own"][number]): string => {
@@ -81,7 +70,7 @@ export const own_text = ({ effect, parameter, unit, held, fitted, low, high }: D
   return t.diagnosis_own({ parameter, effect: plain(effect, 60), held: shown(held), range });
 };
 
-const rows_of = (found: Diagnosed): Row[] => [
+const rows_of = (found: Diagnosed): { what: string; p: Num }[] => [
   ...found.effects
     .filter(({ p }, k) => k < kEffects && (p ?? 0) >= kLeast)
     .map(({ label, p }) => ({ what: t.diagnosis_is_missing({ effect: typed_name(label, 90) }), p })),

@@ -2,7 +2,8 @@
 // from earlier ones alone.
 import { curve, type Dash, type Point } from "../drawing/curve";
 import { curves_base } from "../drawing/hover";
-import { kBottom_px, kLeft_px, kRight_px, top_px, x_axis } from "../drawing/axes";
+import { x_axis } from "../drawing/axes";
+import { grid_below } from "../drawing/parts";
 import { plain } from "../drawing/text";
 import { axis, toggle } from "../drawing/theme";
 import { revision_before } from "./steps";
@@ -21,10 +22,6 @@ const figure = (key: Figure["key"], label: string, k: number, mark: "line" | "do
   dash: mark === "line" ? "solid" : mark,
   symbol,
 });
-const figures_of_language = (): Figure[] => [
-  figure("rmse_um", t.diagnosis_rows_fitted, 0, "dotted", "circle"),
-  figure("forecast_um", t.diagnosis_forecasts_curve, 2, "line", "diamond"),
-];
 
 const known = (row: LedgerRow, key: Figure["key"] | "discrepancy_um"): Num => row[key] ?? null;
 
@@ -32,7 +29,11 @@ export const has_forecasts = (rows: readonly LedgerRow[]): boolean => rows.some(
 
 export const forecast_curves = (ledger: LedgerPart, target: string, name: string): Picture => {
   const rows = ledger.rows.filter((row) => row.target === target);
-  const figures = figures_of_language().filter(({ key }) => rows.some((row) => known(row, key) !== null));
+  const both = [
+    figure("rmse_um", t.diagnosis_rows_fitted, 0, "dotted", "circle"),
+    figure("forecast_um", t.diagnosis_forecasts_curve, 2, "line", "diamond"),
+  ];
+  const figures = both.filter(({ key }) => rows.some((row) => known(row, key) !== null));
   const revisions = rows.map(({ revision }) => revision);
   // A gap where the data change: the errors before and after cannot be compared.
   const points = (key: Figure["key"]): Point[] =>
@@ -54,7 +55,7 @@ export const forecast_curves = (ledger: LedgerPart, target: string, name: string
       );
     return {
       ...curves_base(state, figures, { drawn, head, unit: "µm" }),
-      grid: { left: kLeft_px, right: kRight_px, top: top_px(look, figures.map(({ label }) => label)), bottom: kBottom_px },
+      grid: grid_below(look, figures),
       xAxis: {
         ...x_axis(look, t.diagnosis_revision, window, { min: Math.min(...revisions) - 0.5, max: Math.max(...revisions) + 0.5 }),
         minInterval: 1,

@@ -16,20 +16,10 @@ interface Figure {
   about?: () => string;
 }
 const figures: Figure[] = [
-  {
-    key: "likelihood_ratio",
-    name: () => "2 ln B",
-    decimals: 1,
-    about: () => t.diagnosis_likelihood_about,
-  },
+  { key: "likelihood_ratio", name: () => "2 ln B", decimals: 1, about: () => t.diagnosis_likelihood_about },
   { key: "threshold", name: () => t.diagnosis_counts_from, decimals: 1 },
   { key: "forecast_um", name: () => t.diagnosis_forecasts, decimals: 3, about: () => t.diagnosis_forecasts_about },
-  {
-    key: "discrepancy_um",
-    name: () => t.diagnosis_slow_curve,
-    decimals: 3,
-    about: () => t.diagnosis_slow_curve_about,
-  },
+  { key: "discrepancy_um", name: () => t.diagnosis_slow_curve, decimals: 3, about: () => t.diagnosis_slow_curve_about },
 ];
 
 const table_of = ({ rows }: LedgerPart, several: boolean): TextTable => {

@@ -1,14 +1,15 @@
 // The marks of a step of a waterfall, drawn by hand: its bar, the fall from the step before, and the floor.
-import type { Look, Numbers, Picture, State, Toggle } from "../picture";
+import { columns_of_rows, grid_below } from "../drawing/parts";
+import type { Look, Picture, State, Toggle } from "../picture";
 import type { Step } from "./steps";
 import { axis, base, colours, font, legend, rounded, shown, toggle, tooltip } from "../drawing/theme";
 import { t } from "../texts/texts";
-import { kLeft_px, kRight_px, round_up, top_px } from "../drawing/axes";
+import { round_up } from "../drawing/axes";
 import type { Num } from "../report";
 import { plain } from "../drawing/text";
 
-export const kBar = 0.56; // part of the place of a step
-export const kRoomy_px = 110; // place of a step from which its name is written below it
+const kBar = 0.56; // part of the place of a step
+const kRoomy_px = 110; // place of a step from which its name is written below it
 
 const step_toggles = () => ({
   rmse: toggle("rmse", "RMSE", 0, "bar"),
@@ -22,13 +23,12 @@ const with_alpha = (colour: string, alpha: number): string =>
   `${colour}${Math.round(255 * alpha).toString(16).padStart(2, "0")}`;
 
 // What ECharts tells a drawing by hand: values of the item, pixels of a point and of a distance.
-export interface Api {
+interface Api {
   value: (dimension: number) => number;
   coord: (point: [number, number]) => [number, number];
   size: (extent: [number, number]) => [number, number];
 }
-export type Drawn = Record<string, unknown>;
-type Rectangle = Record<"x" | "y" | "width" | "height", number>;
+type Drawn = Record<string, unknown>;
 
 const place = (api: Api, k: number, part: number): { left: number; width: number; right: number } => {
   const width = api.size([1, 0])[0] * part;
@@ -36,14 +36,14 @@ const place = (api: Api, k: number, part: number): { left: number; width: number
   return { left, width, right: left + width };
 };
 
-const rectangle = (api: Api, k: number, low: number, high: number): Rectangle => {
+const rectangle = (api: Api, k: number, low: number, high: number): Record<"x" | "y" | "width" | "height", number> => {
   const { left, width } = place(api, k, kBar);
   const top = api.coord([k, high])[1];
   return { x: left, y: top, width, height: api.coord([k, low])[1] - top };
 };
 
 // Solid where it is in the model, hollow where it is only proposed; its value is written within.
-export const bar = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
+const bar = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
   if (step.rmse_um === null) return [];
   const colour = step_toggles().rmse.colour(look.dark);
   const shape = rectangle(api, k, 0, step.rmse_um);
@@ -72,23 +72,19 @@ export const bar = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
 };
 
 // From the top of the bar before, which stays as a dotted line, to the top of this one.
-export const fall = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
+const fall = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
   if (step.rmse_um === null || step.from_um === null) return [];
   const faint = step_toggles().fall.colour(look.dark);
   const [low, high] = [Math.min(step.rmse_um, step.from_um), Math.max(step.rmse_um, step.from_um)];
   const y = api.coord([k, step.from_um])[1];
-  const stroke = { stroke: faint, lineWidth: 1, lineDash: [2, 3] };
+  const style = { stroke: faint, lineWidth: 1, lineDash: [2, 3] };
   return [
     { type: "rect", shape: rectangle(api, k, low, high), style: { fill: with_alpha(faint, 0.14) } },
-    {
-      type: "line",
-      shape: { x1: place(api, k - 1, kBar).right, y1: y, x2: place(api, k, kBar).right, y2: y },
-      style: stroke,
-    },
+    { type: "line", shape: { x1: place(api, k - 1, kBar).right, y1: y, x2: place(api, k, kBar).right, y2: y }, style },
   ];
 };
 
-export const floor = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
+const floor = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
   if (step.floor_um === null) return [];
   const { left, right } = place(api, k, 1);
   const y = api.coord([k, step.floor_um])[1];
@@ -97,14 +93,6 @@ export const floor = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
 };
 
 // How far the error falls from step to step: a falling error proves fit, not cause.
-
-export interface Fall {
-  name: string;
-  title: string;
-  caption: string;
-  about: string;
-  steps: readonly Step[];
-}
 
 // Of what is known of one step at least.
 const present = (steps: readonly Step[]): Toggle[] => {
@@ -128,10 +116,11 @@ const step_text = (step: Step): string => {
   ].join("\n");
 };
 
-const drawing = ({ steps }: Fall, state: State): Record<string, unknown> => {
+const drawing = (steps: readonly Step[], state: State): Record<string, unknown> => {
   const { look, hidden } = state;
   const c = colours(look.dark);
   const toggles = step_toggles();
+  const grid = grid_below(look, present(steps));
   const place_px = (look.width_px - 84) / Math.max(1, steps.length);
   const levels = steps.flatMap((step) => [step.rmse_um, step.held_out_um, step.floor_um]);
   const most = Math.max(1e-9, ...levels.map((level) => level ?? 0));
@@ -155,12 +144,7 @@ const drawing = ({ steps }: Fall, state: State): Record<string, unknown> => {
         }];
   return {
     ...base(look),
-    grid: {
-      left: kLeft_px,
-      right: kRight_px,
-      top: 12 + top_px(look, present(steps).map((one) => one.label)),
-      bottom: 18 + 15 * lines,
-    },
+    grid: { ...grid, top: 12 + Number(grid["top"]), bottom: 18 + 15 * lines },
     legend: legend(state, present(steps)),
     tooltip: {
       ...tooltip(look),
@@ -209,24 +193,18 @@ const drawing = ({ steps }: Fall, state: State): Record<string, unknown> => {
   };
 };
 
-const numbers = ({ steps }: Fall): Numbers => ({
-  columns: [
-    { name: "step", values: steps.map((_, k) => k) },
-    { name: "what", values: steps.map((step) => step.label) },
-    { name: "rmse_um", values: steps.map((step) => step.rmse_um) },
-    { name: "floor_um", values: steps.map((step) => step.floor_um) },
-    { name: "left_out_um", values: steps.map((step) => step.held_out_um) },
-  ],
-});
-
-export const waterfall = (fall: Fall): Picture => ({
-  name: fall.name,
-  title: fall.title,
-  caption: fall.caption,
-  about: fall.about,
+export const waterfall = ({ steps, ...head }: Pick<Picture, "name" | "title" | "caption" | "about"> & { steps: readonly Step[] }): Picture => ({
+  ...head,
   height_px: 340,
   zoom: "none",
-  toggles: () => present(fall.steps),
-  draw: (state) => drawing(fall, state),
-  numbers: () => numbers(fall),
+  toggles: () => present(steps),
+  draw: (state) => drawing(steps, state),
+  numbers: () =>
+    columns_of_rows(steps, {
+      step: (_, k) => k,
+      what: ({ label }) => label,
+      rmse_um: ({ rmse_um }) => rmse_um,
+      floor_um: ({ floor_um }) => floor_um,
+      left_out_um: ({ held_out_um }) => held_out_um,
+    }),
 });

@@ -2,11 +2,11 @@
 import { difference, sum } from "../drawing/columns";
 import { curve, zero_series } from "../drawing/curve";
 import { curves_base } from "../drawing/hover";
-import type { Numbers, Picture, State, Toggle } from "../picture";
+import type { Picture, State, Toggle } from "../picture";
 import { best_set, set_name } from "./ranking";
 import { chosen_strands, recording_choice } from "../recordings/recording_groups";
 import type { Checked, Diagnosed, Num, Report } from "../report";
-import { place_text, points_of, type Strand, strand_numbers, strands_of } from "../drawing/strands";
+import { place_text, points_of, strand_numbers, strands_of } from "../drawing/strands";
 import { plain } from "../drawing/text";
 import { shown, toggle } from "../drawing/theme";
 import { time_axis, two_grids, whole_min, x_axis } from "../drawing/axes";
@@ -40,11 +40,10 @@ export const with_without_picture = (report: Report, checked: Checked, found: Di
     toggle("without", with_rmse(t.model, found.rmse_um), 1, with_um ? "dashed" : "line"),
     ...(with_um ? [toggle("with", with_rmse(set_text(found), found.rmse_after_um), 2, "line")] : []),
   ];
-  const shown_strands = (chosen: State["chosen"]): Strand[] => chosen_strands(strands, chosen);
 
   const draw = (state: State): Series => {
     const { look, window, hidden } = state;
-    const drawn_strands = shown_strands(state.chosen);
+    const drawn_strands = chosen_strands(strands, state.chosen);
     const x = over_angle
       ? x_axis(look, t.angle_axis, window, angle_limits(drawn_strands.flatMap((strand) => strand.x)))
       : time_axis(look, window ?? whole_min(strands.map((strand) => strand.x)));
@@ -87,19 +86,6 @@ export const with_without_picture = (report: Report, checked: Checked, found: Di
     };
   };
 
-  const numbers = ({ chosen }: State): Numbers =>
-    strand_numbers(checked, shown_strands(chosen), [
-      { name: "measured_um", values: measured_um },
-      { name: "model_um", values: predicted_um },
-      { name: "residual_um", values: residual_um },
-      ...(with_um && left_um
-        ? [
-            { name: "with_um", values: with_um },
-            { name: "residual_with_um", values: left_um },
-          ]
-        : []),
-    ]);
-
   return {
     name,
     title: with_um ? t.diagnosis_with_without_title : t.diagnosis_measured_title,
@@ -110,6 +96,13 @@ export const with_without_picture = (report: Report, checked: Checked, found: Di
     choices: recording_choice(report, strands, true),
     toggles: () => toggles,
     draw,
-    numbers,
+    numbers: ({ chosen }) =>
+      strand_numbers(checked, chosen_strands(strands, chosen), [
+        { name: "measured_um", values: measured_um },
+        { name: "model_um", values: predicted_um },
+        { name: "residual_um", values: residual_um },
+        ...(with_um ? [{ name: "with_um", values: with_um }] : []),
+        ...(left_um ? [{ name: "residual_with_um", values: left_um }] : []),
+      ]),
   };
 };

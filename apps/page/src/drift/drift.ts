@@ -8,7 +8,7 @@ import type { DriftPart, ProbesPart, Report } from "../report";
 import { whole_of } from "./signals";
 import { capital, words } from "../drawing/text";
 import { minutes, shown } from "../drawing/theme";
-import { time_curves } from "./time_curves";
+import { time_curves, type TimeCurves } from "./time_curves";
 import { english, type Sentence, t } from "../texts/texts";
 
 const kOf_compared = -60; // of a drift that was opened to be compared: its comparison says more
@@ -38,29 +38,18 @@ const probes_sentences = (probes: ProbesPart, axes: readonly DriftAxis[]): Sente
   ...probes.remarks.map(english),
 ];
 
-const drift_picture = (axes: readonly DriftAxis[], whole: Range): Picture =>
-  time_curves({
-    name: "drift",
-    title: t.drift_picture_title,
-    caption: t.drift_picture_caption,
-    quantity: t.drift_axis_quantity,
-    unit: "um",
-    curves: axes.map(axis_curve),
-    whole_min: whole,
-    height_px: 380,
-  });
+type Head = Omit<TimeCurves, "curves" | "whole_min">;
 
-const probe_pictures = (axes: readonly DriftAxis[], whole: Range): Picture[] => {
-  const picture = (name: string, title: string, quantity: string, unit: string): Picture[] => {
-    const curves = axes.filter((axis) => axis.unit === unit).map(axis_curve);
-    const caption = t.drift_probes_caption;
-    return curves.length > 0
-      ? [time_curves({ name, title, caption, quantity, unit, curves, whole_min: whole, height_px: 320 })]
-      : [];
-  };
+const pictures_of = (points: readonly DriftAxis[], probes: readonly DriftAxis[], whole_min: Range): Picture[] => {
+  const picture = (axes: readonly DriftAxis[], head: Head): Picture[] =>
+    axes.length === 0 ? [] : [time_curves({ ...head, curves: axes.map(axis_curve), whole_min })];
+  const in_unit = (unit: string): DriftAxis[] => probes.filter((axis) => axis.unit === unit);
+  const [um, urad] = [{ quantity: t.drift_axis_quantity, unit: "um" }, { quantity: t.drift_tilt_quantity, unit: "urad" }];
+  const of_probes = { caption: t.drift_probes_caption, height_px: 320 };
   return [
-    ...picture("five-probe", t.drift_probes_title, t.drift_axis_quantity, "um"),
-    ...picture("five-probe-tilt", t.drift_tilt_title, t.drift_tilt_quantity, "urad"),
+    ...picture(points, { name: "drift", title: t.drift_picture_title, caption: t.drift_picture_caption, height_px: 380, ...um }),
+    ...picture(in_unit("um"), { name: "five-probe", title: t.drift_probes_title, ...of_probes, ...um }),
+    ...picture(in_unit("urad"), { name: "five-probe-tilt", title: t.drift_tilt_title, ...of_probes, ...urad }),
   ];
 };
 
@@ -73,10 +62,7 @@ const first_of = (report: Report, axes: readonly DriftAxis[], picture: string): 
   picture,
   conclusion: () => ({
     verdict: t.drift_verdict({ each: largest_of_each(axes).map(({ said }) => said).join("; ") }),
-    next: {
-      label: t.drift_next,
-      command: report_command(data_files(report).slice(0, 1)),
-    },
+    next: { label: t.drift_next, command: report_command(data_files(report).slice(0, 1)) },
   }),
 });
 
@@ -85,37 +71,31 @@ export const drift_section = (report: Report): Section[] => {
   const points = drift ? axes_of_points(drift) : [];
   const probes = five_probe ? axes_of_probes(five_probe) : [];
   if (points.length + probes.length === 0) return [];
-
-  const whole = whole_of(report);
   const main = points.length > 0 ? points : probes.filter(({ unit }) => unit === "um");
   const of_points = points.length > 0 ? [largest_table(t.drift_largest_title, points), points_table(points)] : [];
   const of_probes = probes.length > 0 ? [largest_table(t.drift_largest_probes_title, probes)] : [];
   // What belongs to the first picture stands beside it.
   const [[above, table = above], tables]: [TextTable[], TextTable[]] = points.length > 0 ? [of_points, of_probes] : [of_probes, []];
-  const pictures = [...(points.length > 0 ? [drift_picture(points, whole)] : []), ...probe_pictures(probes, whole)];
+  const pictures = pictures_of(points, probes, whole_of(report));
   return [
     {
       id: "drift",
       heading: t.drift,
       result: result_of(main),
       says: report.compare && !drift ? kOf_compared : 0,
-      ...(pictures[0] ? { first: first_of(report, main, pictures[0].name) } : {}),
+      first: pictures[0] && first_of(report, main, pictures[0].name),
       sentences: [
         ...(drift ? drift_sentences(drift, points) : []),
         ...(five_probe ? probes_sentences(five_probe, probes) : []),
       ],
       tables,
       pictures,
-      ...(pictures[0] && above && table
-        ? {
-            companion: {
-              picture: pictures[0].name,
-              key: "",
-              ...(table === above ? {} : { above }),
-              notes: () => ({ table, sentences: [], lists: [], tables: [] }),
-            },
-          }
-        : {}),
+      companion: pictures[0] && table && {
+        picture: pictures[0].name,
+        key: "",
+        above: table === above ? undefined : above,
+        notes: () => ({ table, sentences: [], lists: [], tables: [] }),
+      },
     },
   ];
 };

@@ -17,17 +17,7 @@ export interface DriftAxis {
   main: boolean; // the drift itself; the rest tells how far to trust it, and is hidden at first
 }
 
-const places: ReadonlyMap<string, number> = new Map([
-  ["x", 0],
-  ["radial", 0],
-  ["shift_a", 3],
-  ["y", 1],
-  ["shift_b", 4],
-  ["z", 2],
-  ["axial", 2],
-  ["tilt_a", 0],
-  ["tilt_b", 1],
-]);
+const places = new Map(Object.entries({ x: 0, radial: 0, shift_a: 3, y: 1, shift_b: 4, z: 2, axial: 2, tilt_a: 0, tilt_b: 1 }));
 
 export const place_of = (name: string, k: number): number => places.get(name) ?? k + 3;
 
@@ -54,19 +44,10 @@ export const axes_of_probes = (probes: ProbesPart): DriftAxis[] => {
 };
 
 export const axis_curve = (axis: DriftAxis, k: number): TimeCurve => {
-  const place = place_of(axis.name, k);
-  const { time_min, values, sigma, main } = axis;
-  const key = `${axis.name}_${axis.unit}`;
-  return {
-    key,
-    label: clamped(words(axis.name), 60),
-    time_min,
-    values,
-    sigma,
-    colour: place,
-    dash: place % 3,
-    on: main,
-  };
+  const { name, unit, time_min, values, sigma, main } = axis;
+  const place = place_of(name, k);
+  const label = clamped(words(name), 60);
+  return { key: `${name}_${unit}`, label, time_min, values, sigma, colour: place, dash: place % 3, on: main };
 };
 
 // The drift in numbers: how far each axis went, and test by test.
@@ -83,7 +64,16 @@ const text = (axis: DriftAxis, value: Num | undefined, row: number): string => {
 const label = (axis: DriftAxis): string => 
   t.model_in_unit({ name: words(axis.name), unit: unit_shown(axis.unit) });
 
-export interface Largest {
+// The row where it is farthest off; -1: nowhere is it known.
+const largest_at = ({ values }: DriftAxis): number => {
+  let at = -1;
+  values.forEach((value, row) => {
+    if (number(value) && (at < 0 || Math.abs(value) > Math.abs(values[at] ?? 0))) at = row;
+  });
+  return at;
+};
+
+interface Largest {
   text: string; // "31.72 ± 0.01 µm in y"
   at_text: string; // "124 min"
   said: string; // "y 31.72 ± 0.01 µm at 124 min"
@@ -93,14 +83,9 @@ export interface Largest {
 export const largest_of_each = (axes: readonly DriftAxis[]): Largest[] =>
   axes
     .filter((axis) => axis.main)
-    .flatMap((axis) => {
-      let most = { row: -1, size: -1 };
-      axis.values.forEach((value, row) => {
-        if (number(value) && Math.abs(value) > most.size) most = { row, size: Math.abs(value) };
-      });
-      return most.row < 0 ? [] : [{ axis, ...most }];
-    })
-    .sort((a, b) => b.size - a.size)
+    .map((axis) => ({ axis, row: largest_at(axis) }))
+    .filter(({ row }) => row >= 0)
+    .sort((a, b) => Math.abs(b.axis.values[b.row] ?? 0) - Math.abs(a.axis.values[a.row] ?? 0))
     .map(({ axis, row }) => {
       const found = { value: text(axis, axis.values[row], row), unit: unit_shown(axis.unit), axis: words(axis.name) };
       const at_text = `${shown(axis.time_min[row])} min`;
@@ -108,13 +93,8 @@ export const largest_of_each = (axes: readonly DriftAxis[]): Largest[] =>
     });
 
 const largest_row = (axis: DriftAxis): string[] => {
-  let at = -1;
-  let last = -1;
-  axis.values.forEach((value, row) => {
-    if (!number(value)) return;
-    if (at < 0 || Math.abs(value) > Math.abs(axis.values[at] ?? 0)) at = row;
-    last = row;
-  });
+  const at = largest_at(axis);
+  const last = axis.values.map(number).lastIndexOf(true);
   const [least, largest] = extent([axis.values]);
   if (at < 0) return [label(axis), "–", "–", "–", "–"];
   const decimals = Math.min(3, decimals_for(axis.values[at], axis.sigma?.[at]));

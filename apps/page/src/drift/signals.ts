@@ -6,19 +6,18 @@ import type { Column, Report } from "../report";
 import { clamped, plain, slug, split_name, words } from "../drawing/text";
 import { minutes, rounded, shown } from "../drawing/theme";
 import { named as named_of, t } from "../texts/texts";
-import { time_curves, type TimeCurve } from "./time_curves";
+import { time_curves, type TimeCurve, type TimeCurves } from "./time_curves";
 import { whole_min } from "../drawing/axes";
 
 const counted = (n: number, text: (counted: { n: number }) => string): string[] => (n === 0 ? [] : [text({ n })]);
 
 // "5 measured columns, 16 temperatures, 1 speed over 1664 min"
 const result_of = (signals: readonly Signal[], span_min: number): string => {
-  const measured = signals.filter(({ column }) => column.role === "measured").length;
-  const rest = signals.filter(({ column }) => column.role !== "measured");
+  const rest = signals.filter((signal) => !measured(signal));
   const of = (unit: string): number => rest.filter(({ column }) => column.unit === unit).length;
   const [warm, speeds] = [of("degC"), of("rpm")];
   const all = [
-    ...counted(measured, t.drift_count_measured),
+    ...counted(signals.length - rest.length, t.drift_count_measured),
     ...counted(warm, t.drift_count_temperatures),
     ...counted(speeds, t.drift_count_speeds),
     ...counted(rest.length - warm - speeds, t.drift_count_others),
@@ -45,26 +44,26 @@ export const signals_section = (report: Report): Section[] => {
   if (signals.length === 0) return [];
   const whole = whole_of(report);
   const pictures = [...measured_pictures(report, signals, whole), ...signal_pictures(report, signals, whole)];
-  const measured = signals.some(({ column }) => column.role === "measured");
-  const moved = most_moved(signals.filter(({ column }) => column.role === "measured"));
+  const any_measured = signals.some(measured);
+  const moved = most_moved(signals.filter(measured));
   const result = result_of(signals, (whole[1] - whole[0]) / 1.03);
   const first = (picture: string): First => ({
     picture,
     conclusion: () => ({
       verdict: moved ?? t.drift_sentence({ text: result }),
       next: {
-        label: measured ? t.drift_next : t.drift_signals_next,
-        command: measured ? report_command(data_files(report)) : command_of("could", data_files(report)),
+        label: any_measured ? t.drift_next : t.drift_signals_next,
+        command: any_measured ? report_command(data_files(report)) : command_of("could", data_files(report)),
       },
     }),
   });
   return [
     {
       id: "signals",
-      heading: measured ? t.drift_measured_and_signals : t.drift_signals,
+      heading: any_measured ? t.drift_measured_and_signals : t.drift_signals,
       result,
       sentences: report.signals.flatMap(({ rows, time_s }) => (rows === undefined ? [] : [t.drift_thinned({ shown: shown(time_s.length, 0), rows: shown(rows, 0) })])),
-      ...(pictures[0] ? { first: first(pictures[0].name) } : {}),
+      first: pictures[0] && first(pictures[0].name),
       pictures,
     },
   ];
@@ -72,30 +71,20 @@ export const signals_section = (report: Report): Section[] => {
 
 // What was recorded beside the drift: one picture a unit, each column on the clock of its file.
 
-export interface Signal {
+interface Signal {
   column: Column;
   time_min: readonly number[];
   run: { number: number; source: string } | null; // where another file has a column of this name
 }
 
-interface Kind {
-  name: string;
-  title: string;
-  quantity: string;
-}
-
-const kind_of = (unit: string): Kind => {
+const kind_of = (unit: string): Pick<TimeCurves, "name" | "title" | "quantity"> => {
   switch (unit) {
     case "degC":
       return { name: "temperatures", title: t.drift_temperatures, quantity: t.drift_quantity_temperature };
     case "rpm":
       return { name: "speed", title: t.drift_speed, quantity: t.drift_quantity_speed };
     default:
-      return {
-        name: `signals-${slug(unit)}`,
-        title: t.drift_signals_in({ unit: clamped(unit, 20) }),
-        quantity: t.drift_quantity_signal,
-      };
+      return { name: `signals-${slug(unit)}`, title: t.drift_signals_in({ unit: clamped(unit, 20) }), quantity: t.drift_quantity_signal };
   }
 };
 
@@ -157,11 +146,12 @@ const in_groups = (curves: readonly TimeCurve[], signals: readonly Signal[], nam
     .sort((a, b) => a.place - b.place);
 };
 
-const grouped = (signals: readonly Signal[]): Map<string, Signal[]> => {
-  const groups = new Map<string, Signal[]>();
-  for (const signal of signals) groups.set(signal.column.unit, [...(groups.get(signal.column.unit) ?? []), signal]);
-  return groups;
-};
+// A picture of those in each unit.
+const by_unit = (report: Report, signals: readonly Signal[], whole_min: Range, head: (unit: string) => Omit<TimeCurves, "unit" | "curves" | "whole_min">): Picture[] =>
+  [...new Set(signals.map(({ column }) => column.unit))].map((unit) => {
+    const of = signals.filter(({ column }) => column.unit === unit);
+    return time_curves({ ...head(unit), unit, curves: in_groups(curves_of(of), of, named_columns(report)), whole_min });
+  });
 
 // Of all that a page has over time outside of a model, so that its pictures stand below one another.
 export const whole_of = (report: Report): Range =>
@@ -172,7 +162,7 @@ export const whole_of = (report: Report): Range =>
   ]);
 
 // Several runs have columns of the same names.
-export const signals_of = (report: Report): Signal[] => {
+const signals_of = (report: Report): Signal[] => {
   const names = report.signals.flatMap(({ columns }) => columns.map(({ name }) => name));
   const several = new Set(names).size < names.length;
   return report.signals.flatMap(({ source, time_s, columns }, k) => {
@@ -181,29 +171,19 @@ export const signals_of = (report: Report): Signal[] => {
   });
 };
 
-export const measured_pictures = (report: Report, signals: readonly Signal[], whole_min: Range): Picture[] =>
-  [...grouped(signals.filter(measured))].map(([unit, of]) =>
-    time_curves({
-      name: unit === "um" ? "measured" : `measured-${slug(unit)}`,
-      title: unit === "um" ? t.drift_measured_displacements : t.drift_measured_in({ unit: clamped(unit, 20) }),
-      caption: t.drift_measured_caption,
-      quantity: unit === "um" ? t.drift_quantity_displacement : t.measured,
-      unit,
-      curves: in_groups(curves_of(of), of, named_columns(report)),
-      whole_min,
-      height_px: 360,
-    }),
-  );
+const measured_pictures = (report: Report, signals: readonly Signal[], whole_min: Range): Picture[] =>
+  by_unit(report, signals.filter(measured), whole_min, (unit) => ({
+    name: unit === "um" ? "measured" : `measured-${slug(unit)}`,
+    title: unit === "um" ? t.drift_measured_displacements : t.drift_measured_in({ unit: clamped(unit, 20) }),
+    caption: t.drift_measured_caption,
+    quantity: unit === "um" ? t.drift_quantity_displacement : t.measured,
+    height_px: 360,
+  }));
 
-export const signal_pictures = (report: Report, signals: readonly Signal[], whole_min: Range): Picture[] =>
-  [...grouped(signals.filter((signal) => !measured(signal)))].map(([unit, of]) => {
-    return time_curves({
-      ...kind_of(unit),
-      caption: unit === "rpm" ? t.drift_speed_caption : t.drift_signals_caption,
-      unit,
-      curves: in_groups(curves_of(of), of, named_columns(report)),
-      whole_min,
-      step: unit === "rpm",
-      height_px: unit === "rpm" ? 200 : 280,
-    });
-  });
+const signal_pictures = (report: Report, signals: readonly Signal[], whole_min: Range): Picture[] =>
+  by_unit(report, signals.filter((signal) => !measured(signal)), whole_min, (unit) => ({
+    ...kind_of(unit),
+    ...(unit === "rpm"
+      ? { caption: t.drift_speed_caption, step: true, height_px: 200 }
+      : { caption: t.drift_signals_caption, height_px: 280 }),
+  }));

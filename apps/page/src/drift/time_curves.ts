@@ -2,7 +2,8 @@
 import { curve, sigma_band, sigma_bars, type Uncertain } from "../drawing/curve";
 import { decimated, first_at } from "../drawing/columns";
 import type { Numbers, Picture, Range, State, Toggle } from "../picture";
-import { kBottom_px, kLeft_px, kRight_px, time_axis, top_px, value_axis } from "../drawing/axes";
+import { kLeft_px, kRight_px, time_axis, value_axis } from "../drawing/axes";
+import { grid_below } from "../drawing/parts";
 import { reading_in } from "../drawing/hover";
 import type { Num } from "../report";
 import { base, curve_colour, dashes, legend, mark_of, toggle, tooltip } from "../drawing/theme";
@@ -11,34 +12,25 @@ import { t } from "../texts/texts";
 
 const kMarked = 150; // points; of more the marks would hide the curve
 
-export interface TimeCurve {
-  key: string; // of its toggle, and the name of its column
-  label: string;
+export interface TimeCurve extends Pick<Toggle, "key" | "label" | "on" | "quiet" | "group"> { // key: the name of its column too
   time_min: readonly number[]; // rises
   values: readonly Num[];
   sigma?: readonly Num[];
   colour: number; // of the set of colours
   dash: number; // of the set of dashes
-  on: boolean;
-  quiet?: boolean; // as of a toggle
-  group?: string;
 }
 
-export interface TimeCurves {
-  name: string;
-  title: string;
-  caption: string;
+export interface TimeCurves extends Pick<Picture, "name" | "title" | "caption" | "height_px"> {
   quantity: string; // "drift"
   unit: string; // as files spell it
   curves: readonly TimeCurve[];
   whole_min: Range;
   step?: boolean; // a value holds until the next one
-  height_px?: number;
 }
 
 const toggle_of = ({ key, label, colour, dash, on, quiet, group }: TimeCurve): Toggle => ({
-  ...(quiet ? { quiet } : {}),
-  ...(group === undefined ? {} : { group }),
+  quiet: quiet || undefined,
+  group,
   ...toggle(key, label, colour, mark_of(dash), on),
 });
 
@@ -62,40 +54,28 @@ const series_of = (one: TimeCurve, state: State, step: boolean): Record<string, 
   return [marked ? sigma_bars(points, colour) : sigma_band(points, colour), line];
 };
 
-export const time_curves = (of: TimeCurves): Picture => {
-  const toggles = of.curves.map(toggle_of);
-  const unit = unit_shown(of.unit);
-  const visible = (state: State): TimeCurve[] => of.curves.filter((one) => !state.hidden.has(one.key));
+export const time_curves = ({ quantity, unit: file_unit, curves, whole_min, step = false, ...head }: TimeCurves): Picture => {
+  const toggles = curves.map(toggle_of);
+  const unit = unit_shown(file_unit);
+  const visible = (state: State): TimeCurve[] => curves.filter((one) => !state.hidden.has(one.key));
   return {
-    name: of.name,
-    title: of.title,
-    caption: of.caption,
-    height_px: of.height_px ?? 300,
+    ...head,
     zoom: "time",
     toggles: () => toggles,
     draw: (state) => ({
       ...base(state.look),
       legend: legend(state, toggles),
-      grid: {
-        left: kLeft_px,
-        right: kRight_px,
-        top: top_px(
-          state.look,
-          visible(state).map((one) => one.label),
-        ),
-        bottom: kBottom_px,
-        outerBoundsMode: "none",
-      },
+      grid: { ...grid_below(state.look, visible(state)), outerBoundsMode: "none" },
       tooltip: { ...tooltip(state.look), trigger: "axis", formatter: reading_in(unit) },
-      xAxis: time_axis(state.look, state.window ?? of.whole_min),
-      yAxis: value_axis(state.look, t.model_in_unit({ name: of.quantity, unit })),
-      series: visible(state).flatMap((one) => series_of(one, state, of.step ?? false)),
+      xAxis: time_axis(state.look, state.window ?? whole_min),
+      yAxis: value_axis(state.look, t.model_in_unit({ name: quantity, unit })),
+      series: visible(state).flatMap((one) => series_of(one, state, step)),
     }),
     numbers: (state) =>
       on_one_clock(
         visible(state).flatMap(({ key, time_min, values, sigma }) => [
           { name: key, time_min, values },
-          ...(sigma ? [{ name: sigma_name(key, of.unit), time_min, values: sigma }] : []),
+          ...(sigma ? [{ name: sigma_name(key, file_unit), time_min, values: sigma }] : []),
         ]),
       ),
   };
@@ -107,7 +87,7 @@ const sigma_name = (name: string, unit: string): string =>
 
 // Columns on several clocks, brought onto one: at a time that a clock does not have, its columns have no value.
 
-export interface Timed {
+interface Timed {
   name: string;
   time_min: readonly number[]; // rises
   values: readonly Num[];
@@ -128,12 +108,9 @@ const spread = (timed: Timed, clock: readonly number[]): readonly Num[] => {
   });
 };
 
-export const on_one_clock = (columns: readonly Timed[]): Numbers => {
+const on_one_clock = (columns: readonly Timed[]): Numbers => {
   const clock = union_of([...new Set(columns.map((column) => column.time_min))]);
   return {
-    columns: [
-      { name: "time_min", values: clock },
-      ...columns.map((column) => ({ name: column.name, values: spread(column, clock) })),
-    ],
+    columns: [{ name: "time_min", values: clock }, ...columns.map((column) => ({ name: column.name, values: spread(column, clock) }))],
   };
 };

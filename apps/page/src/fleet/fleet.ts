@@ -25,9 +25,7 @@ const machine_section = (machine: FleetMachine, row: readonly string[], k: numbe
     heading: plain(label, 80),
     result: row_text(row),
     says: Math.max(0, 4 - k),
-    ...(drawn
-      ? { first: { picture: name, kind: t.fleet_kind, label: plain(label, 80), conclusion: () => ({ verdict: english(reason), next: next() }) } }
-      : {}),
+    first: drawn ? { picture: name, kind: t.fleet_kind, label: plain(label, 80), conclusion: () => ({ verdict: english(reason), next: next() }) } : undefined,
     sentences: findings.map(english),
     pictures: drawn ? [history_picture(machine, shown)] : [],
   };

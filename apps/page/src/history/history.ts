@@ -1,7 +1,7 @@
 // A machine over its tests: a section a group of tests that can be compared, then squareness and scales.
 import { history_picture, type Shown } from "./history_picture";
 import { command_of } from "../drawing/command";
-import type { Next, Section, State } from "../picture";
+import type { Next, Section } from "../picture";
 import type { DrawnTest, HistoryGroup, Report } from "../report";
 import { capital, plain } from "../drawing/text";
 import { shown, with_sigma } from "../drawing/theme";
@@ -33,12 +33,7 @@ const says_of = ({ rows, first }: HistoryGroup): number => {
   return (/\d{4}-/.test(met) ? 4 : 0) + (change.includes("*") ? 2 : 0) + (a_year.includes("*") ? 1 : 0);
 };
 
-const shown_as = (k: number): Shown => ({
-  name: `history-${k + 1}`,
-  trend: t.history_trend,
-  caption: t.history_caption,
-  about: t.history_about,
-});
+const shown_as = (k: number): Shown => ({ name: `history-${k + 1}`, trend: t.history_trend, caption: t.history_caption, about: t.history_about });
 
 // "10 tests, 2025-01-20 to 2026-01-19"
 const count_and_dates = (tests: readonly DrawnTest[]): string => {
@@ -53,24 +48,20 @@ const group_section = (group: HistoryGroup, k: number, tests: readonly DrawnTest
   heading: plain(group.label, 80),
   result: quantity_sentence(group, group.first),
   says: says_of(group),
-  ...(group.quantities.length > 0
-    ? {
-        first: {
-          picture: `history-${k + 1}`,
-          kind: t.history_tests_kind,
-          label: plain(group.label, 80),
-          conclusion: ({ quantity }: State["chosen"]) => ({
-            verdict: quantity_sentence(group, quantity ?? group.first),
-            ...(tests.length > 0 ? { also: count_and_dates(tests) } : {}),
-            next: next(),
-          }),
-        },
-      }
-    : {}),
+  first: group.quantities.length === 0 ? undefined : {
+    picture: `history-${k + 1}`,
+    kind: t.history_tests_kind,
+    label: plain(group.label, 80),
+    conclusion: ({ quantity }) => ({
+      verdict: quantity_sentence(group, quantity ?? group.first),
+      also: tests.length > 0 ? count_and_dates(tests) : undefined,
+      next: next(),
+    }),
+  },
   tables: [
     {
       title: t.history_quantities,
-      heading: group.heading.map(heading_of),
+      heading: group.heading.map((heading) => named(t.history_headings, heading)),
       rows: group.rows.map(([quantity = "", unit = "", ...rest]) => [quantity_name(quantity, group.plane), unit_shown(unit), ...rest.map(table_text)]),
     },
   ],
@@ -116,13 +107,7 @@ export const history_sections = ({ history }: Report): Section[] => {
             heading: t.history_geometry,
             result: geometry_rows.slice(0, 3).map(([what, value]) => `${table_text(what ?? "")} ${table_text(value ?? "")}`).join(", "),
             sentences: geometry.map(english),
-            tables: [
-              {
-                title: t.history_geometry,
-                heading: ["", "µm/m", t.history_from],
-                rows: geometry_rows.map((row) => row.map(table_text)),
-              },
-            ],
+            tables: [{ title: t.history_geometry, heading: ["", "µm/m", t.history_from], rows: geometry_rows.map((row) => row.map(table_text)) }],
           },
         ]
       : []),
@@ -142,8 +127,6 @@ export const history_sections = ({ history }: Report): Section[] => {
 // What the program writes into the table of a history, in the language of the page.
 
 export const typed = (quantity: string): string => typed_name(quantity, 120);
-
-export const heading_of = (heading: string): string => named(t.history_headings, heading);
 
 const kDate = /^(\S+) \((\S+) to (\S+)\)$/; // "2026-03-01 (2025-12-01 to open)"
 const kYears = /^not within (\S+) years$/;

@@ -2,7 +2,8 @@
 import { curve, lines_across, sigma_band, sigma_bars, type Uncertain } from "../drawing/curve";
 import { curves_base } from "../drawing/hover";
 import type { Numbers, Picture, State, Toggle } from "../picture";
-import { kBottom_px, kLeft_px, kRight_px, top_px, x_axis } from "../drawing/axes";
+import { x_axis } from "../drawing/axes";
+import { columns_of, grid_below } from "../drawing/parts";
 import type { HistoryGroup, HistoryQuantity, Num } from "../report";
 import { plain, unit_shown } from "../drawing/text";
 import { axis, colours, shown, toggle } from "../drawing/theme";
@@ -22,26 +23,9 @@ const date_of = (year: number): string => {
   return Number.isNaN(date.getTime()) ? shown(year, 2) : date.toISOString().slice(0, 10); // of years that no calendar has
 };
 
-// "2025-07" at its ticks.
-const dated = (of_years: Record<string, unknown>): Record<string, unknown> => ({
-  ...of_years,
-  axisLabel: { ...(of_years["axisLabel"] as object), formatter: (year: number) => date_of(year).slice(0, 7) },
-});
-
-const tolerance = (limits: readonly number[], color: string): Series =>
-  lines_across(
-    limits.map((limit) => ({ yAxis: limit })),
-    { position: "insideEndTop", formatter: t.history_tolerance },
-    { color, type: "solid", width: 1.4 },
-  );
-
-// Between which tests it steps.
-const steps = (years: readonly number[], color: string): Series =>
-  lines_across(
-    years.map((year) => ({ xAxis: year })),
-    { position: "insideEndTop", formatter: t.fleet_step },
-    { color, type: "dashed", width: 1.4 },
-  );
+// None where they are at no place.
+const lines_at = (at: readonly ({ xAxis: number } | { yAxis: number })[], formatter: string, type: "solid" | "dashed", color: string): Series[] =>
+  at.length === 0 ? [] : [lines_across(at, { position: "insideEndTop", formatter }, { color, type, width: 1.4 })];
 
 // A limit far from all values would press them flat: then it is not drawn.
 const limits_near = ({ lower, upper, values, trend }: HistoryQuantity): number[] => {
@@ -107,10 +91,13 @@ export const history_picture = (
       ...(hidden.has(kTests.key) ? [] : [sigma_bars(uncertain(year, values, sigmas), of_tests)]),
     ];
     const limits = limits_near(quantity);
+    const { ink } = colours(look.dark);
+    const x = x_axis(look, t.history_date, window, ends_of(quantity));
     return {
       ...curves_base(state, toggles(state), { drawn, head: date_of, unit: unit_shown(unit) }),
-      grid: { left: kLeft_px, right: kRight_px, top: top_px(look, toggles(state).map(({ label }) => label)), bottom: kBottom_px },
-      xAxis: dated(x_axis(look, t.history_date, window, ends_of(quantity))),
+      grid: grid_below(look, toggles(state)),
+      // "2025-07" at its ticks.
+      xAxis: { ...x, axisLabel: { ...(x["axisLabel"] as object), formatter: (at: number) => date_of(at).slice(0, 7) } },
       yAxis: {
         ...axis(look, t.model_in_unit({ name: plain(name_of(quantity.name), 60), unit: unit_shown(unit) }), "y"),
         min: ({ min }: { min: number }) => (limits.some((limit) => limit < min) ? Math.min(...limits) * 1.05 : null),
@@ -119,8 +106,8 @@ export const history_picture = (
       series: [
         ...marks,
         ...drawn,
-        ...(limits.length > 0 ? [tolerance(limits, colours(look.dark).ink)] : []),
-        ...(years.length > 0 ? [steps(years, colours(look.dark).ink)] : []),
+        ...lines_at(limits.map((limit) => ({ yAxis: limit })), t.history_tolerance, "solid", ink),
+        ...lines_at(years.map((at) => ({ xAxis: at })), t.fleet_step, "dashed", ink), // between which tests it steps
       ],
     };
   };
@@ -130,15 +117,13 @@ export const history_picture = (
     const all = [...year, ...(trend?.year ?? [])];
     const pad = (column: readonly Num[] | undefined, before: number): Num[] =>
       all.map((_, i) => column?.[i - before] ?? null);
-    return {
-      columns: [
-        { name: "year", values: all },
-        { name: "value", values: pad(values, 0) },
-        { name: "sigma", values: pad(sigmas, 0) },
-        { name: "trend", values: pad(trend?.values, year.length) },
-        { name: "trend_sigma", values: pad(trend?.sigmas, year.length) },
-      ],
-    };
+    return columns_of({
+      year: all,
+      value: pad(values, 0),
+      sigma: pad(sigmas, 0),
+      trend: pad(trend?.values, year.length),
+      trend_sigma: pad(trend?.sigmas, year.length),
+    });
   };
 
   return {

@@ -8,7 +8,7 @@ import type { Choice, Numbers, Picture, State, Toggle } from "../picture";
 import { dash_of, direction_colour, effect_colour, stacked_numbers } from "../recordings/recording_curves";
 import { labels_of, once_each } from "../recordings/recording_groups";
 import type { Num, Recording } from "../report";
-import { magnification_choice, round_curve, round_option, type RoundCurve } from "../recordings/round";
+import { round_curve, type RoundCurve, round_picture } from "../recordings/round";
 import { worst_of } from "./summary";
 import { plain } from "../drawing/text";
 import { curve_colour, shown, toggle } from "../drawing/theme";
@@ -25,7 +25,7 @@ interface Drawn {
   mark: Toggle["mark"];
 }
 
-export const trace_styles = (recordings: readonly Recording[]): Drawn[] => {
+const trace_styles = (recordings: readonly Recording[]): Drawn[] => {
   const directions = recordings.map(({ direction }) => direction);
   const each_once = new Set(directions).size === directions.length;
   const labels = labels_of(recordings);
@@ -108,16 +108,25 @@ const circularity_note = (test: ErrorTest, error: string): string => {
   return lines.join("\n");
 };
 
-export const test_choice = (tests: readonly ErrorTest[]): Choice[] => {
+const test_choice = (tests: readonly ErrorTest[]): Choice[] => {
   if (tests.length < 2) return [];
   const names = once_each(tests.map(({ recordings: [first] }) => plain(`${first?.test}, ${first?.plane}`, 60)));
   const values = tests.map(({ value }, k) => ({ value, label: names[k] ?? "" }));
-  return [{ key: "test", label: t.errors_test, values, initial: worst_of(tests)?.value ?? "" }];
+  return [{ key: "test", label: t.errors_test, values, initial: worst_of(tests).value }];
 };
 
 // That which is out most at first.
-export const chosen_test = (tests: readonly ErrorTest[], chosen: State["chosen"]): ErrorTest | undefined =>
+const chosen_test = (tests: readonly ErrorTest[], chosen: State["chosen"]): ErrorTest =>
   tests.find(({ value }) => value === chosen["test"]) ?? worst_of(tests);
+
+// What both pictures are of; there is a test.
+const of_tests = (tests: readonly ErrorTest[]) => ({
+  test_of: (chosen: State["chosen"]): ErrorTest => chosen_test(tests, chosen),
+  scaled: (chosen: State["chosen"]) => {
+    const test = chosen_test(tests, chosen);
+    return { first: test.recordings[0], extent_um: extent_of_test(test) };
+  },
+});
 
 // Of all tests, in the order of the first that has it.
 const error_choice = (tests: readonly ErrorTest[]): Choice => {
@@ -125,8 +134,7 @@ const error_choice = (tests: readonly ErrorTest[]): Choice => {
   for (const test of tests) {
     for (const { effect } of ranked_errors(test.part)) if (!all.has(effect)) all.set(effect, label_of(test, effect));
   }
-  const worst = worst_of(tests);
-  const largest = worst ? ranked_errors(worst.part)[0] : undefined;
+  const largest = ranked_errors(worst_of(tests).part)[0];
   return {
     key: "error",
     label: t.errors_error,
@@ -136,44 +144,24 @@ const error_choice = (tests: readonly ErrorTest[]): Choice => {
 };
 
 export const errors_picture = (tests: readonly ErrorTest[]): Picture => {
-  const test_of = (chosen: State["chosen"]): ErrorTest | undefined => chosen_test(tests, chosen);
+  const { test_of, scaled } = of_tests(tests);
   const error_of = (chosen: State["chosen"]): string => chosen["error"] ?? "";
-  return {
+  return round_picture({
     name: kErrors_picture,
     title: t.errors_picture_title,
     caption: t.errors_picture_caption,
     about: t.errors_picture_about,
     height_px: 680,
     in_window: true,
-    zoom: "none",
-    choices: [
-      ...test_choice(tests),
-      error_choice(tests),
-      magnification_choice((chosen) => {
-        const test = test_of(chosen);
-        return { first: test?.recordings[0], extent_um: test ? extent_of_test(test) : [0, 0] };
-      }),
-    ],
-    toggles: ({ chosen }) => {
-      const test = test_of(chosen);
-      return test ? toggles_of(test, error_of(chosen)) : [];
-    },
-    draw: (state) => {
-      const test = test_of(state.chosen);
-      if (!test) return {};
-      const error = error_of(state.chosen);
-      return round_option(state, {
-        first: test.recordings[0],
-        extent_um: extent_of_test(test),
-        curves: curves_of(test, error, state),
-        toggles: toggles_of(test, error),
-        note: circularity_note(test, error),
-      });
+    choices: [...test_choice(tests), error_choice(tests)],
+    scaled,
+    toggles: (chosen) => toggles_of(test_of(chosen), error_of(chosen)),
+    round: (state) => {
+      const [test, error] = [test_of(state.chosen), error_of(state.chosen)];
+      return { curves: curves_of(test, error, state), note: circularity_note(test, error) };
     },
     numbers: ({ chosen }): Numbers => {
-      const test = test_of(chosen);
-      const error = error_of(chosen);
-      if (!test) return { columns: [] };
+      const [test, error] = [test_of(chosen), error_of(chosen)];
       return stacked_numbers(test.recordings, (_, of, k) => {
         const curve = error === "" ? undefined : error_curve(test, error, k);
         return [
@@ -187,12 +175,10 @@ export const errors_picture = (tests: readonly ErrorTest[]): Picture => {
         ];
       });
     },
-  };
+  });
 };
 
 // The circle as it would be without some of the machine's errors: each can be switched off, several at once.
-
-export const kWithout_picture = "machine-errors-without";
 
 const key_of = (effect: string): string => `error ${effect}`;
 
@@ -229,7 +215,7 @@ const note_of = (test: ErrorTest, off: readonly RankedError[]): string => {
 };
 
 export const without_picture = (tests: readonly ErrorTest[]): Picture => {
-  const test_of = (chosen: State["chosen"]): ErrorTest | undefined => chosen_test(tests, chosen);
+  const { test_of, scaled } = of_tests(tests);
   const curves_of = (test: ErrorTest, state: State): RoundCurve[] => {
     const { dark } = state.look;
     const off = off_in(test, state.hidden);
@@ -244,43 +230,26 @@ export const without_picture = (tests: readonly ErrorTest[]): Picture => {
       ];
     });
   };
-  return {
-    name: kWithout_picture,
+  return round_picture({
+    name: "machine-errors-without",
     title: t.errors_off_title,
     caption: t.errors_off_caption,
     about: t.errors_off_about,
     height_px: 560,
-    zoom: "none",
-    choices: [
-      ...test_choice(tests),
-      magnification_choice((chosen) => {
-        const test = test_of(chosen);
-        return { first: test?.recordings[0], extent_um: test ? extent_of_test(test) : [0, 0] };
-      }),
-    ],
-    toggles: ({ chosen }) => {
-      const test = test_of(chosen);
-      return test ? switches_of(test) : [];
-    },
-    draw: (state) => {
+    choices: test_choice(tests),
+    scaled,
+    toggles: (chosen) => switches_of(test_of(chosen)),
+    round: (state) => {
       const test = test_of(state.chosen);
-      if (!test) return {};
-      return round_option(state, {
-        first: test.recordings[0],
-        extent_um: extent_of_test(test),
-        curves: curves_of(test, state),
-        toggles: [],
-        note: note_of(test, off_in(test, state.hidden)),
-      });
+      return { curves: curves_of(test, state), toggles: [], note: note_of(test, off_in(test, state.hidden)) };
     },
     numbers: ({ chosen, hidden }): Numbers => {
       const test = test_of(chosen);
-      if (!test) return { columns: [] };
       const off = off_in(test, hidden);
       return stacked_numbers(test.recordings, (_, of, k) => [
         { name: `measured${of}_um`, values: about_circle(test, k) },
         ...(off.length > 0 ? [{ name: `without${of}_um`, values: left_of(test, off, k) }] : []),
       ]);
     },
-  };
+  });
 };

@@ -97,24 +97,19 @@ const conclusion_of = (report: Report, tests: readonly ErrorTest[], test: ErrorT
 
 export const machine_errors_section = (report: Report): Section[] => {
   const tests = error_tests(report);
-  const first = worst_of(tests);
-  if (!first) return [];
-  const above = summary_table(report, tests, kErrors_picture);
-  const test_of = (value: string | undefined): ErrorTest => tests.find((one) => one.value === value) ?? first;
+  if (tests.length === 0) return [];
+  const test_of = (value: string | undefined): ErrorTest => tests.find((one) => one.value === value) ?? worst_of(tests);
   return [
     {
       id: "machine-errors",
       heading: t.errors,
       result: result_of(tests),
-      first: {
-        picture: kErrors_picture,
-        conclusion: ({ test }) => conclusion_of(report, tests, test_of(test)),
-      },
+      first: { picture: kErrors_picture, conclusion: ({ test }) => conclusion_of(report, tests, test_of(test)) },
       pictures: [errors_picture(tests), without_picture(tests)],
       companion: {
         picture: kErrors_picture,
         key: "test",
-        ...(above ? { above } : {}),
+        above: summary_table(report, tests, kErrors_picture),
         notes: (chosen) => notes_of(test_of(chosen), tests.length === 1),
         page: ({ test, error = "" }) => error_page(test_of(test), error),
       },

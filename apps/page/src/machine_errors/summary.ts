@@ -11,7 +11,7 @@ import { t } from "../texts/texts";
 
 const kColumns = 4; // tests
 
-export interface Iso {
+interface Iso {
   rows: readonly Result[]; // of both directions, else of the only one
   both: boolean;
 }
@@ -28,7 +28,7 @@ export const iso_of = ({ pairs = [], results }: FitPart, { part }: ErrorTest): I
 const row_of = ({ rows }: Iso, key: string): Result | undefined => rows.find((row) => row.key === key);
 
 // The circular deviation G, direction by direction.
-export const circular_deviations = (iso: Iso, test: ErrorTest): { direction: string; row: Result }[] => {
+const circular_deviations = (iso: Iso, test: ErrorTest): { direction: string; row: Result }[] => {
   const keys = iso.both ? ["g_ccw_um", "g_cw_um"] : ["circularity_um"];
   return keys.flatMap((key) => {
     const row = row_of(iso, key);
@@ -54,14 +54,14 @@ const judged = (rows: readonly Result[]): string => {
   return judgement ? `${values} (${limits}: ${t.judgements[judgement]})` : values;
 };
 
-// The test that is out most.
-export const worst_of = (tests: readonly ErrorTest[]): ErrorTest | undefined =>
-  tests.reduce<ErrorTest | undefined>((worst, test) => ((test.part.circularity_um ?? 0) > (worst?.part.circularity_um ?? -1) ? test : worst), undefined);
+// The test that is out most; there is one.
+export const worst_of = (tests: readonly ErrorTest[]): ErrorTest =>
+  tests.reduce((worst, test) => ((test.part.circularity_um ?? 0) > (worst.part.circularity_um ?? 0) ? test : worst));
 
 const planes_of = (tests: readonly ErrorTest[]): string[] => tests.map(({ recordings: [first] }) => first?.plane ?? "");
 const of_planes = (tests: readonly ErrorTest[]): boolean => new Set(planes_of(tests)).size === tests.length;
 
-export const test_names = (tests: readonly ErrorTest[]): string[] => {
+const test_names = (tests: readonly ErrorTest[]): string[] => {
   return of_planes(tests)
     ? planes_of(tests)
     : once_each(tests.map(({ recordings: [first] }) => plain(`${first?.plane}, ${first?.test}`, 40)));

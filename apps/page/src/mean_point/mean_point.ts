@@ -7,7 +7,8 @@ import { english, language, type Sentence, t } from "../texts/texts";
 import { curve, lines_across } from "../drawing/curve";
 import { decimated } from "../drawing/columns";
 import { curves_base } from "../drawing/hover";
-import { kBottom_px, kLeft_px, kRight_px, time_limits, top_px, x_axis } from "../drawing/axes";
+import { time_limits, x_axis } from "../drawing/axes";
+import { grid_below } from "../drawing/parts";
 import { plain } from "../drawing/text";
 
 // In English the program's own sentences.
@@ -48,9 +49,6 @@ export const mean_point_section = ({ mean_point }: Report): Section[] =>
 
 type Series = Record<string, unknown>;
 
-const best_place = (x_mm: number, color: string): Series =>
-  lines_across([{ xAxis: x_mm }], { formatter: t.mean_point_best({ at: shown(x_mm, 2) }) }, { color, type: "solid", width: 2 });
-
 // All places of all states, each once, rising; a state has a gap where it was not read.
 const numbers_of = (states: readonly MeanPointState[]): Numbers => {
   const places = [...new Set(states.flatMap(({ x_mm }) => x_mm))].sort((a, b) => a - b);
@@ -90,13 +88,14 @@ export const mean_point_picture = ({ states, best }: MeanPointPart): Picture => 
   const draw = (state: State): Series => {
     const { look, window } = state;
     const series = states.flatMap((one, k) => drawn_state(one, k, state));
-    const top = top_px(look, toggles.map(({ label }) => label)) + (best ? 16 : 0);
+    const line = { color: colours(look.dark).ink, type: "solid", width: 2 } as const;
+    const grid = grid_below(look, toggles);
     return {
       ...curves_base(state, toggles, { drawn: series, head: (at) => `${shown(at, 1)} mm`, unit: "°C" }),
-      grid: { left: kLeft_px, right: kRight_px, top, bottom: kBottom_px },
+      grid: { ...grid, top: Number(grid["top"]) + (best ? 16 : 0) },
       xAxis: x_axis(look, t.mean_point_x_axis, window, whole),
       yAxis: axis(look, t.mean_point_axis, "y"),
-      series: [...series, ...(best ? [best_place(best.x_mm, colours(look.dark).ink)] : [])],
+      series: [...series, ...(best ? [lines_across([{ xAxis: best.x_mm }], { formatter: t.mean_point_best({ at: shown(best.x_mm, 2) }) }, line)] : [])],
     };
   };
 

@@ -3,7 +3,8 @@
 import { curve, type Point } from "../drawing/curve";
 import { first_at } from "../drawing/columns";
 import { curves_base } from "../drawing/hover";
-import type { Look, Numbers, Picture, State, Toggle } from "../picture";
+import { grid_of } from "../drawing/parts";
+import type { Look, Picture, State, Toggle } from "../picture";
 import { kept_readings } from "../recordings/recording_curves";
 import { chosen_strands, recording_choice } from "../recordings/recording_groups";
 import type { Checked, Num, Report } from "../report";
@@ -132,15 +133,7 @@ export const contributions_picture = (
     const model = places.map((place): Point => [x[place] ?? NaN, stack.model_um[place] ?? null]);
     const series: Record<string, unknown>[] = [...ups, ...downs].map((half) => half.series);
     if (!hidden.has("model")) series.push(curve(t.model, curve_colour(1, look.dark), "solid", 2.4, model, { z: 4 }));
-    series.push({
-      type: "scatter",
-      name: "",
-      symbolSize: 0,
-      silent: true,
-      tooltip: { show: false },
-      data: names,
-      z: 5,
-    });
+    series.push({ type: "scatter", name: "", symbolSize: 0, silent: true, tooltip: { show: false }, data: names, z: 5 });
     const values = parts.map((part) => ({
       name: part.label,
       data: places.map((place) => [x[place] ?? NaN, part.values_um[place] ?? null]),
@@ -149,22 +142,10 @@ export const contributions_picture = (
     const unit = over_angle ? "°" : "min";
     return {
       ...curves_base(state, toggles(state.chosen), { drawn, head: (at) => `${shown(at, 1)} ${unit}`, unit: "µm" }),
-      grid: { left: 64, right: 20, top: look.still ? 64 : 14, bottom: 48 },
+      grid: grid_of(look),
       xAxis: x_axis(look, over_angle ? t.angle_axis : t.time_axis, window, over_angle ? angle_limits(x) : time_limits(x)),
       yAxis: axis(look, over_angle ? t.model_added_axis : t.model_added_since_axis, "y"),
       series,
-    };
-  };
-
-  const numbers = ({ chosen }: State): Numbers => {
-    const stack = stack_for(chosen);
-    if (!stack) return { columns: [] };
-    return {
-      columns: [
-        { name: over_angle ? "angle_deg" : "time_min", values: stack.strand.x },
-        { name: "model_um", values: stack.model_um },
-        ...stack.parts.map((part) => ({ name: `${part.name}_um`, values: part.values_um })),
-      ],
     };
   };
 
@@ -178,14 +159,21 @@ export const contributions_picture = (
     choices: recording_choice(report, strands, false),
     toggles: ({ chosen }) => toggles(chosen),
     draw,
-    numbers,
+    numbers: ({ chosen }) => {
+      const stack = stack_for(chosen);
+      if (!stack) return { columns: [] };
+      return {
+        columns: [
+          { name: over_angle ? "angle_deg" : "time_min", values: stack.strand.x },
+          { name: "model_um", values: stack.model_um },
+          ...stack.parts.map((part) => ({ name: `${part.name}_um`, values: part.values_um })),
+        ],
+      };
+    },
   };
 };
 
-// What each effect adds to a model, ready to be stacked: of a drift counted from its start, where every effect is taken
-// as zero; of a recording from the nominal circle.
-
-export interface Part {
+interface Part {
   key: string;
   name: string; // in a file
   label: string;
@@ -193,7 +181,7 @@ export interface Part {
   colour: (dark: boolean) => string;
 }
 
-export interface Stack {
+interface Stack {
   strand: Strand;
   parts: Part[];
   model_um: Num[];
@@ -201,15 +189,10 @@ export interface Stack {
 
 const kUnseen_um = 1e-6; // a part that never differs more from zero is none
 
-export const largest_of = (values: readonly Num[]): number =>
+const largest_of = (values: readonly Num[]): number =>
   values.reduce((largest: number, value) => Math.max(largest, Math.abs(value ?? 0)), 0);
 
-const colour_of =
-  (k: number) =>
-  (dark: boolean): string =>
-    curve_colour([2, 3, 4, 5, 6, 7, 0][k % 7] ?? 2, dark);
-
-export const stack_of = (checked: Checked, strand: Strand): Stack => {
+const stack_of = (checked: Checked, strand: Strand): Stack => {
   const { series } = checked;
   const from_start = checked.level === "series";
   const counted = (values: readonly Num[]): Num[] => {
@@ -231,13 +214,13 @@ export const stack_of = (checked: Checked, strand: Strand): Stack => {
     name: labels[k] ?? "constant",
     label: labels[k] ?? t.model_constant,
     values_um,
-    colour: colour_of(k),
+    colour: (dark) => curve_colour([2, 3, 4, 5, 6, 7, 0][k % 7] ?? 2, dark),
   }));
   return { strand, parts: parts.filter((part) => largest_of(part.values_um) > kUnseen_um), model_um };
 };
 
 // Where a name fits into a band between two curves, so that names of bands that stand on each other cannot overlap.
-export interface Place {
+interface Place {
   x: number; // middle of the name
   y: number;
   height: number; // that is free there
@@ -246,7 +229,7 @@ export interface Place {
 const kTried = 40; // places along the band
 
 // The place where a name `width` wide, in units of x, has the most height within the band. x rises.
-export const place_for_name = (
+const place_for_name = (
   x: readonly number[],
   lower: readonly number[],
   upper: readonly number[],

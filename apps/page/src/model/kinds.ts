@@ -14,13 +14,7 @@ export interface Kind {
 const heating: Kind = { key: "heating", name: () => t.model_heating, colour: (dark) => curve_colour(1, dark), symbol: "triangle", rotate: 0 };
 const cooling: Kind = { key: "cooling", name: () => t.model_cooling, colour: (dark) => curve_colour(0, dark), symbol: "triangle", rotate: 180 };
 const steady: Kind = { key: "steady", name: () => t.model_steady, colour: (dark) => curve_colour(2, dark), symbol: "circle", rotate: 0 };
-const unknown: Kind = {
-  key: "unknown",
-  name: () => t.model_neither,
-  colour: (dark) => colours(dark).faint,
-  symbol: "diamond",
-  rotate: 0,
-};
+const unknown: Kind = { key: "unknown", name: () => t.model_neither, colour: (dark) => colours(dark).faint, symbol: "diamond", rotate: 0 };
 const ccw: Kind = { key: "CCW", name: () => "CCW ●", colour: (dark) => curve_colour(0, dark), symbol: "circle", rotate: 0 };
 const cw: Kind = { key: "CW", name: () => "CW ▲", colour: (dark) => curve_colour(1, dark), symbol: "triangle", rotate: 0 };
 const all_kinds = [heating, cooling, steady, unknown, ccw, cw];
@@ -77,27 +71,18 @@ export interface Kinds {
   of_row: Uint8Array; // place in `kinds`
 }
 
-// Kinds as places in all_kinds, to those that occur.
-const occurring = (places: Uint8Array): Kinds => {
-  const present = [...new Set(places)].sort();
-  const kinds = present.map((place) => all_kinds[place] ?? unknown);
-  return { kinds, of_row: places.map((place) => present.indexOf(place)) };
-};
-
-const by_regime = ({ series }: Checked): Uint8Array => {
+const by_regime = ({ series }: Checked): Kind[] => {
   const kinds = series.regimes.map((_, k) => kind_of_regime(series, k));
-  const places = new Uint8Array(series.time_s.length).fill(all_kinds.indexOf(unknown));
   let k = 0;
-  series.time_s.forEach((time, row) => {
+  return series.time_s.map((time) => {
     while (k + 1 < series.regimes.length && time >= (series.regimes[k + 1]?.from_s ?? Infinity)) ++k;
     const regime = series.regimes[k];
-    if (regime && time >= regime.from_s && time <= regime.to_s) places[row] = all_kinds.indexOf(kinds[k] ?? unknown);
+    return (regime && time >= regime.from_s && time <= regime.to_s ? kinds[k] : undefined) ?? unknown;
   });
-  return places;
 };
 
 // By the slope of a temperature over a fiftieth of the rows.
-const by_slope = ({ series }: Checked, temperature: readonly Num[]): Uint8Array => {
+const by_slope = ({ series }: Checked, temperature: readonly Num[]): Kind[] => {
   const n = series.time_s.length;
   const reach = Math.max(1, Math.floor(n / 100));
   const slopes = series.time_s.map((_, row): Num => {
@@ -107,25 +92,27 @@ const by_slope = ({ series }: Checked, temperature: readonly Num[]): Uint8Array 
     return before === null || after === null || seconds <= 0 ? null : (after - before) / seconds;
   });
   const steepest = slopes.reduce((largest: number, slope) => Math.max(largest, Math.abs(slope ?? 0)), 0);
-  return Uint8Array.from(slopes, (slope) => {
-    if (slope === null || steepest === 0) return all_kinds.indexOf(unknown);
-    if (Math.abs(slope) < kSteady_share * steepest) return all_kinds.indexOf(steady);
-    return all_kinds.indexOf(slope > 0 ? heating : cooling);
+  return slopes.map((slope) => {
+    if (slope === null || steepest === 0) return unknown;
+    return Math.abs(slope) < kSteady_share * steepest ? steady : slope > 0 ? heating : cooling;
   });
 };
 
 // `temperature`: that the rows are drawn against, where it is one; it counts where the speed's regimes are not known.
-export const kinds_of = (checked: Checked, temperature: readonly Num[] | null): Kinds => {
+const kinds_of_rows = (checked: Checked, temperature: readonly Num[] | null): Kind[] => {
   const { series } = checked;
   if (checked.level === "recording") {
     const direction = series.inputs.find((column) => column.name === "direction")?.values ?? [];
-    return occurring(
-      Uint8Array.from(series.time_s, (_, row) => all_kinds.indexOf((direction[row] ?? 1) < 0 ? cw : ccw)),
-    );
+    return series.time_s.map((_, row) => ((direction[row] ?? 1) < 0 ? cw : ccw));
   }
-  if (series.regimes.length > 0) return occurring(by_regime(checked));
+  if (series.regimes.length > 0) return by_regime(checked);
   const any = temperature ?? series.inputs.find((column) => column.unit === "degC")?.values;
-  return occurring(
-    any ? by_slope(checked, any) : new Uint8Array(series.time_s.length).fill(all_kinds.indexOf(unknown)),
-  );
+  return any ? by_slope(checked, any) : series.time_s.map(() => unknown);
+};
+
+export const kinds_of = (checked: Checked, temperature: readonly Num[] | null): Kinds => {
+  const of_rows = kinds_of_rows(checked, temperature);
+  const present = new Set(of_rows);
+  const kinds = all_kinds.filter((kind) => present.has(kind));
+  return { kinds, of_row: Uint8Array.from(of_rows, (kind) => kinds.indexOf(kind)) };
 };

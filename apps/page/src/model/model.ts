@@ -22,27 +22,23 @@ const choose_axis = (checked: Checked, picture: string): TextTable["choose"] => 
   return { picture, key: "against", values: named };
 };
 
-const result_of = ({ rmse_um, floor_um, parameters }: Checked): string => {
-  const floor = rmse_um !== null && floor_um ? shown(rmse_um / floor_um, 1) : "";
-  return t.model_result({ rmse: shown(rmse_um, 3), floor, parameters: parameters.length });
-};
+const times_floor = ({ rmse_um, floor_um }: Checked): string => (rmse_um !== null && floor_um ? shown(rmse_um / floor_um, 1) : "");
+
+const result_of = (checked: Checked): string =>
+  t.model_result({ rmse: shown(checked.rmse_um, 3), floor: times_floor(checked), parameters: checked.parameters.length });
 
 // In English the program's own sentence.
-export const verdict_of = (checked: Checked): Sentence => {
-  const { rmse_um, floor_um, sentences } = checked;
-  if (language === "en") return english(sentences[0] ?? result_of(checked));
-  const times = rmse_um !== null && floor_um ? shown(rmse_um / floor_um, 1) : "";
-  return t.model_leaves({ rmse: shown(rmse_um, 3), times });
-};
+export const verdict_of = (checked: Checked): Sentence =>
+  language === "en"
+    ? english(checked.sentences[0] ?? result_of(checked))
+    : t.model_leaves({ rmse: shown(checked.rmse_um, 3), times: times_floor(checked) });
 
-const diagnose_next = (report: Report, { target }: Checked): Next => {
-  return {
-    label: t.model_find,
-    command: report.machine_errors
-      ? command_of("errors", data_files(report), model_options(report))
-      : command_of("diagnose", data_files(report), [...model_options(report), "--target", target]),
-  };
-};
+const diagnose_next = (report: Report, { target }: Checked): Next => ({
+  label: t.model_find,
+  command: report.machine_errors
+    ? command_of("errors", data_files(report), model_options(report))
+    : command_of("diagnose", data_files(report), [...model_options(report), "--target", target]),
+});
 
 const section_of = (report: Report, checked: Checked, id: string): Section => {
   const against = `${id}-residual`;
@@ -50,9 +46,7 @@ const section_of = (report: Report, checked: Checked, id: string): Section => {
   const pictures: Picture[] = [
     model_fit_picture(report, checked, strands, `${id}-fit`),
     residual_against_picture(report, checked, strands, against),
-    ...(checked.series.contributions.length > 0
-      ? [contributions_picture(report, checked, strands, `${id}-effects`)]
-      : []),
+    ...(checked.series.contributions.length > 0 ? [contributions_picture(report, checked, strands, `${id}-effects`)] : []),
     ...(checked.steps.length > 0 ? [steps_picture(checked, `${id}-steps`)] : []),
   ];
   return {
@@ -68,11 +62,7 @@ const section_of = (report: Report, checked: Checked, id: string): Section => {
     sentences: [...checked.sentences, checked.floor_text, ...checked.remarks]
       .filter((sentence) => sentence !== "")
       .map(english),
-    tables: [
-      ...where_table(checked, choose_axis(checked, against)),
-      ...parameter_table(checked),
-      ...step_table(checked),
-    ],
+    tables: [...where_table(checked, choose_axis(checked, against)), ...parameter_table(checked), ...step_table(checked)],
     pictures,
     lists: sigma_notes(report, checked), // the page shows lists below the tables
   };

@@ -2,7 +2,7 @@
 import { curve, type Dash, type Point } from "../drawing/curve";
 import { decimated, first_at } from "../drawing/columns";
 import { curves_base } from "../drawing/hover";
-import type { Numbers, Picture, State, Toggle } from "../picture";
+import type { Picture, State, Toggle } from "../picture";
 import { chosen_strands, recording_choice } from "../recordings/recording_groups";
 import type { Checked, Num, Report } from "../report";
 import { place_text, points_of, type Strand, strand_numbers } from "../drawing/strands";
@@ -65,12 +65,8 @@ export const model_fit_picture = (
     const c = colours(look.dark);
     const colour = (k: number): string => curve_colour(k, look.dark);
     const all = over_angle ? angle_limits(shown_strands.flatMap((strand) => strand.x)) : time_limits(shown_strands[0]?.x ?? []);
-    const grids = two_grids(
-      look,
-      x_axis(look, over_angle ? t.angle_axis : t.time_axis, window, all),
-      t.deviation_axis,
-      t.residual_axis,
-    );
+    const x = x_axis(look, over_angle ? t.angle_axis : t.time_axis, window, all);
+    const grids = two_grids(look, x, t.deviation_axis, t.residual_axis);
     const width = grids.width_px / Math.max(1, shown_strands.length);
     const below = { xAxisIndex: 1, yAxisIndex: 1 };
     const drawn: Record<string, unknown>[] = [];
@@ -84,44 +80,28 @@ export const model_fit_picture = (
       const measured = points(series.measured_um);
       const few = measured.length <= 200;
       if (!hidden.has(`measured${way.suffix}`)) {
-        const itemStyle = { color: colour(way.measured), opacity: measured.length > 1500 ? 0.6 : 0.9 };
-        const look_of = {
+        drawn.push({
+          type: "scatter",
+          name: `${t.measured}${way.suffix}`,
+          data: measured,
           symbol: way.symbol,
           symbolSize: dot_px(measured.length),
-          itemStyle,
+          itemStyle: { color: colour(way.measured), opacity: measured.length > 1500 ? 0.6 : 0.9 },
           emphasis: { disabled: true },
           z: few ? 5 : 3,
-        };
-        drawn.push({ type: "scatter", name: `${t.measured}${way.suffix}`, data: measured, ...look_of });
+        });
         const bars = way.strands.flatMap((strand) => error_bars(strand, checked, window));
-        if (bars.length > 0)
-          drawn.push(
-            curve(t.model_error_bars, colour(way.measured), "solid", 1.2, bars, {
-              silent: true,
-              z: 2,
-              tooltip: { show: false },
-            }),
-          );
+        const quiet = { silent: true, z: 2, tooltip: { show: false } };
+        if (bars.length > 0) drawn.push(curve(t.model_error_bars, colour(way.measured), "solid", 1.2, bars, quiet));
       }
       if (!hidden.has("model")) {
-        const between =
-          checked.curve && curve_min ? decimated(curve_min, checked.curve.predicted_um, window, width) : null;
-        drawn.push(
-          curve(t.model, colour(1), "solid", 2, between ?? points(series.predicted_um), {
-            z: 4,
-            hover_name: `${t.model}${way.suffix}`,
-          }),
-        );
+        const between = checked.curve && curve_min ? decimated(curve_min, checked.curve.predicted_um, window, width) : null;
+        const hover_name = `${t.model}${way.suffix}`;
+        drawn.push(curve(t.model, colour(1), "solid", 2, between ?? points(series.predicted_um), { z: 4, hover_name }));
       }
       if (!hidden.has(`residual${way.suffix}`)) {
-        const marks = few ? { showSymbol: true, symbol: "diamond", symbolSize: 6 } : {};
-        drawn.push(
-          curve(`${t.residual}${way.suffix}`, colour(way.residual), way.dash, few ? 1.2 : 1, points(series.residual_um), {
-            ...below,
-            z: 3,
-            ...marks,
-          }),
-        );
+        const more = { ...below, z: 3, ...(few ? { showSymbol: true, symbol: "diamond", symbolSize: 6 } : {}) };
+        drawn.push(curve(`${t.residual}${way.suffix}`, colour(way.residual), way.dash, few ? 1.2 : 1, points(series.residual_um), more));
       }
     }
     const floor = hidden.has("floor") ? null : checked.floor_um;
@@ -131,13 +111,7 @@ export const model_fit_picture = (
     ];
     // Its points, which are not drawn, keep the floor within the axis.
     const start = window?.[0] ?? shown_strands[0]?.x[0] ?? 0;
-    const reach: Point[] =
-      floor === null
-        ? []
-        : [
-            [start, -floor],
-            [start, floor],
-          ];
+    const reach = floor === null ? [] : [-floor, floor].map((end): Point => [start, end]);
     const lines = curve(t.model_floor_band, c.faint, "dashed", 0, reach, {
       ...below,
       silent: true,
@@ -147,17 +121,9 @@ export const model_fit_picture = (
     return {
       ...curves_base(state, toggles_of(checked, ways), { drawn, head: place_text(checked, 2), unit: "µm" }),
       ...grids.drawn,
-      series: [...regime_bands(series.regimes, hidden, look.dark, 2), lines, ...drawn],
+      series: [...regime_bands(series.regimes, hidden, look.dark), lines, ...drawn],
     };
   };
-
-  const numbers = ({ chosen }: State): Numbers =>
-    strand_numbers(checked, chosen_strands(strands, chosen), [
-      { name: "measured_um", values: series.measured_um },
-      ...(series.sigma_um ? [{ name: "sigma_um", values: series.sigma_um }] : []),
-      { name: "model_um", values: series.predicted_um },
-      { name: "residual_um", values: series.residual_um },
-    ]);
 
   return {
     name,
@@ -173,7 +139,13 @@ export const model_fit_picture = (
     choices: recording_choice(report, strands, true),
     toggles: ({ chosen }) => toggles_of(checked, ways_of(checked, chosen_strands(strands, chosen))),
     draw,
-    numbers,
+    numbers: ({ chosen }) =>
+      strand_numbers(checked, chosen_strands(strands, chosen), [
+        { name: "measured_um", values: series.measured_um },
+        ...(series.sigma_um ? [{ name: "sigma_um", values: series.sigma_um }] : []),
+        { name: "model_um", values: series.predicted_um },
+        { name: "residual_um", values: series.residual_um },
+      ]),
   };
 };
 
@@ -181,28 +153,23 @@ export const model_fit_picture = (
 
 type Regimes = Checked["series"]["regimes"];
 
-export const regime_names = (regimes: Regimes): string[] => [...new Set(regimes.map(({ regime }) => regime))];
+const regime_names = (regimes: Regimes): string[] => [...new Set(regimes.map(({ regime }) => regime))];
 
 // A small mark in a legend needs more than a shade.
 const stronger = (regime: string, dark: boolean, alpha: number): string =>
   regime_colour(regime, dark).replace(/[\d.]+\)$/, `${alpha})`);
 
-export const regime_toggles = (regimes: Regimes): Toggle[] =>
+const regime_toggles = (regimes: Regimes): Toggle[] =>
   regime_names(regimes).map((regime) =>
     toggle(`regime ${regime}`, plain(named(t.regimes, regime), 40), (dark) => stronger(regime, dark, 1), "band"),
   );
 
 // One series a regime, in each grid; without points, so that only its shade is seen.
-export const regime_bands = (
-  regimes: Regimes,
-  hidden: ReadonlySet<string>,
-  dark: boolean,
-  grids: number,
-): Record<string, unknown>[] =>
+const regime_bands = (regimes: Regimes, hidden: ReadonlySet<string>, dark: boolean): Record<string, unknown>[] =>
   regime_names(regimes)
     .filter((regime) => !hidden.has(`regime ${regime}`))
     .flatMap((regime) =>
-      Array.from({ length: grids }, (_, grid) => ({
+      [0, 1].map((grid) => ({
         type: "line",
         name: plain(named(t.regimes, regime), 40),
         data: [],
@@ -223,7 +190,7 @@ export const regime_bands = (
 // The directions of checked recordings, each with a look of its own.
 
 // Strands that look the same: all of a drift, or those of one direction.
-export interface Way {
+interface Way {
   suffix: string; // of names and keys
   strands: Strand[];
   measured: number; // colour
@@ -232,7 +199,7 @@ export interface Way {
   dash: Dash;
 }
 
-export const ways_of = (checked: Checked, strands: readonly Strand[]): Way[] => {
+const ways_of = (checked: Checked, strands: readonly Strand[]): Way[] => {
   const direction = checked.series.inputs.find((column) => column.name === "direction")?.values ?? [];
   const clockwise = (strand: Strand): boolean => (direction[strand.rows[0] ?? 0] ?? 1) < 0;
   const one = { suffix: "", measured: 0, residual: 2, symbol: "circle", dash: "solid" as const };

@@ -10,8 +10,6 @@ const kMost_rows = 20;
 
 type Misfit = Checked["where"][number];
 
-const percent = (share: number | null): string => (share === null ? "–" : shown(100 * share, 0));
-
 // "angle, CCW", or a column; a regime, or from where to where: "30 deg".
 export const place_name = (what: string): string => what.split(", ").map((part) => named(t.places, part)).join(", ");
 export const end_name = (end: string): string => with_decimal_sign(named(t.regimes, end).replace(/ deg$/, "°").replace(/ degC$/, " °C"));
@@ -27,7 +25,7 @@ const misfit_row = (misfit: Misfit): string[] => [
   String(misfit.n),
   with_sigma(misfit.bias_um, misfit.bias_sigma_um, decimals_for(misfit.bias_um, misfit.bias_sigma_um)),
   shown(misfit.rmse_um, 3),
-  percent(misfit.share),
+  misfit.share === null ? "–" : shown(100 * misfit.share, 0),
 ];
 
 // By the size of what is left there, the largest first.
@@ -37,18 +35,9 @@ export const worst_first = (where: readonly Misfit[]): Misfit[] =>
 export const where_table = (checked: Checked, choose: TextTable["choose"]): TextTable[] => {
   const rows = worst_first(checked.where).map(misfit_row);
   if (rows.length === 0) return [];
-  const title =
-    rows.length < checked.where.length
-      ? t.model_where_worst({ rows: rows.length, all: checked.where.length })
-      : t.model_where_title;
-  return [
-    {
-      title,
-      heading: [t.model_by, t.model_where, t.model_rows, t.model_bias, "RMSE µm", t.model_share],
-      rows,
-      ...(choose ? { choose } : {}),
-    },
-  ];
+  const all = checked.where.length;
+  const title = rows.length < all ? t.model_where_worst({ rows: rows.length, all }) : t.model_where_title;
+  return [{ title, heading: [t.model_by, t.model_where, t.model_rows, t.model_bias, "RMSE µm", t.model_share], rows, choose }];
 };
 
 const parameter_row = (one: Parameter): string[] => {

@@ -4,15 +4,16 @@ import type { Checked, Num, Report } from "../report";
 import { plain, split_name, unit_shown, words } from "../drawing/text";
 import { axis, base, colours, legend, minutes, shown, toggle, tooltip } from "../drawing/theme";
 import { t } from "../texts/texts";
-import { extent, kFewest_in_bin, running_quartiles, subsampled_rows } from "../drawing/columns";
+import { extent, kFewest_in_bin, type Quartiles, running_quartiles, subsampled_rows } from "../drawing/columns";
 import { curve, zero_series } from "../drawing/curve";
 import { type Kinds, kinds_of } from "./kinds";
-import type { Numbers, Picture, State, Toggle } from "../picture";
+import { grid_of } from "../drawing/parts";
+import type { Picture, State, Toggle } from "../picture";
 import { chosen_strands, recording_choice } from "../recordings/recording_groups";
 import type { Strand } from "../drawing/strands";
 import { x_axis } from "../drawing/axes";
 
-export interface AgainstAxis {
+interface AgainstAxis {
   value: string; // of the choice
   label: string;
   column: string; // name, as in the numbers
@@ -49,14 +50,7 @@ const axes_of = (checked: Checked): AgainstAxis[] => {
   return [
     { value: "time", label: t.model_time, column: "time", name: t.model_time_in({ unit }), unit, values: time },
     ...columns,
-    {
-      value: "model",
-      label: t.model_says,
-      column: "model_um",
-      name: t.model_axis,
-      unit: "µm",
-      values: series.predicted_um,
-    },
+    { value: "model", label: t.model_says, column: "model_um", name: t.model_axis, unit: "µm", values: series.predicted_um },
   ];
 };
 
@@ -106,7 +100,8 @@ export const residual_against_picture = (
 ): Picture => {
   const { series } = checked;
   const { values: axes, initial } = against_choice(checked);
-  const many = series.time_s.length > kMost_points;
+  const all_rows = series.time_s.length;
+  const many = all_rows > kMost_points;
   const axis_of = (chosen: State["chosen"]): AgainstAxis =>
     axes.find(({ value }) => value === chosen["against"]) ?? (axes[0] as AgainstAxis);
   const known = new Map<string, Kinds>();
@@ -176,32 +171,13 @@ export const residual_against_picture = (
         against.unit === "°" ? kBins_of_a_turn : kBins,
       );
       if (bins.length < kFewest_bins) return [];
-      const quiet = { silent: true, tooltip: { show: false }, stack: `quartiles ${key}`, stackStrategy: "all", z: 3 };
+      const stacked = { stack: `quartiles ${key}`, stackStrategy: "all", z: 3 };
+      const line = (name: string, width_px: number, y: (bin: Quartiles) => number, more: Record<string, unknown>) =>
+        curve(name, colour, "solid", width_px, bins.map((bin) => [bin.x, y(bin)]), { silent: true, tooltip: { show: false }, ...more });
       return [
-        curve(
-          t.model_lower_quartile,
-          colour,
-          "solid",
-          0,
-          bins.map((bin) => [bin.x, bin.lower]),
-          quiet,
-        ),
-        curve(
-          t.model_upper_quartile,
-          colour,
-          "solid",
-          0,
-          bins.map((bin) => [bin.x, bin.upper - bin.lower]),
-          { ...quiet, areaStyle: { color: colour, opacity: 0.13 } },
-        ),
-        curve(
-          t.model_trend,
-          colour,
-          "solid",
-          2.2,
-          bins.map((bin) => [bin.x, bin.median]),
-          { silent: true, tooltip: { show: false }, z: 4, showSymbol: true, symbol: "rect", symbolSize: 6 },
-        ),
+        line(t.model_lower_quartile, 0, ({ lower }) => lower, stacked),
+        line(t.model_upper_quartile, 0, ({ lower, upper }) => upper - lower, { ...stacked, areaStyle: { color: colour, opacity: 0.13 } }),
+        line(t.model_trend, 2.2, ({ median }) => median, { z: 4, showSymbol: true, symbol: "rect", symbolSize: 6 }),
       ];
     };
     const on = kinds.map((_, k) => k).filter((k) => !hidden.has(kinds[k]?.key ?? ""));
@@ -211,7 +187,7 @@ export const residual_against_picture = (
       checked.level === "recording" ? "" : `\n${t.model_at_min({ minutes: shown(minutes(series.time_s[row] ?? 0), 1) })}`;
     return {
       ...base(look),
-      grid: { left: 64, right: 20, top: look.still ? 64 : 14, bottom: 48 },
+      grid: grid_of(look),
       xAxis: x_axis(look, against.name, window, room_around(rows, against.values)),
       yAxis: axis(look, t.residual_axis, "y"),
       legend: legend(state, toggles(state.chosen)),
@@ -227,20 +203,6 @@ export const residual_against_picture = (
     };
   };
 
-  const numbers = ({ chosen }: State): Numbers => {
-    const against = axis_of(chosen);
-    const { kinds, of_row } = kinds_for(against);
-    const rows = rows_of({ chosen, window: null }, against.values);
-    const column = against.value === "time" ? `time_${against.unit}` : plain(against.column, 60);
-    return {
-      columns: [
-        { name: column, values: rows.map((row) => against.values[row] ?? null) },
-        { name: "residual_um", values: rows.map((row) => series.residual_um[row] ?? null) },
-        { name: "kind", values: rows.map((row) => kinds[of_row[row] ?? 0]?.key ?? "") },
-      ],
-    };
-  };
-
   return {
     name,
     title: t.model_against_title,
@@ -248,15 +210,7 @@ export const residual_against_picture = (
     about: [
       t.model_against_about,
       checked.level === "recording" ? t.model_against_directions : t.model_against_heating,
-      ...(many
-        ? [
-            t.model_against_many({
-              rows: series.time_s.length,
-              points: kMost_points,
-              trend: series.time_s.length > kMost_of_trend ? String(kMost_of_trend) : "",
-            }),
-          ]
-        : []),
+      ...(many ? [t.model_against_many({ rows: all_rows, points: kMost_points, trend: all_rows > kMost_of_trend ? String(kMost_of_trend) : "" })] : []),
     ].join(" "),
     height_px: 440,
     zoom: "own",
@@ -266,6 +220,18 @@ export const residual_against_picture = (
     ],
     toggles: ({ chosen }) => toggles(chosen),
     draw,
-    numbers,
+    numbers: ({ chosen }) => {
+      const against = axis_of(chosen);
+      const { kinds, of_row } = kinds_for(against);
+      const rows = rows_of({ chosen, window: null }, against.values);
+      const column = against.value === "time" ? `time_${against.unit}` : plain(against.column, 60);
+      return {
+        columns: [
+          { name: column, values: rows.map((row) => against.values[row] ?? null) },
+          { name: "residual_um", values: rows.map((row) => series.residual_um[row] ?? null) },
+          { name: "kind", values: rows.map((row) => kinds[of_row[row] ?? 0]?.key ?? "") },
+        ],
+      };
+    },
   };
 };

@@ -7,16 +7,14 @@ import type { Checked, Num } from "../report";
 import { labels_once, plain, unit_shown } from "../drawing/text";
 import { axis, colours, curve_colour, dashes, digits, mark_of, minutes, shown, toggle } from "../drawing/theme";
 import { x_axis } from "../drawing/axes";
+import { columns_of, grid_of } from "../drawing/parts";
 import { t } from "../texts/texts";
 
-type Step = Checked["steps"][number];
-
-const name_of = (step: Step, number: (value: Num) => string): string =>
-  `${plain(step.effect, 50)}: ${plain(step.input, 40)} ${number(step.from)} → ${number(step.to)} ${unit_shown(plain(step.unit, 20))}`;
-
 // One of a name twice, as two steps in time, would be one in the legend.
-const names_of = (steps: readonly Step[], number: (value: Num) => string): string[] =>
-  labels_once(steps.map((step) => name_of(step, number)));
+const names_of = (steps: Checked["steps"], number: (value: Num) => string): string[] =>
+  labels_once(
+    steps.map(({ effect, input, from, to, unit }) => `${plain(effect, 50)}: ${plain(input, 40)} ${number(from)} → ${number(to)} ${unit_shown(plain(unit, 20))}`),
+  );
 
 export const steps_picture = (checked: Checked, name: string): Picture => {
   const { steps } = checked;
@@ -42,7 +40,7 @@ export const steps_picture = (checked: Checked, name: string): Picture => {
       const moment = lines_across([{ xAxis: 0 }], { show: false }, { color: colours(look.dark).faint, type: "dashed", width: 1 });
       return {
         ...curves_base(state, toggles, { drawn, head: (at) => `${shown(at, 1)} min`, unit: "µm" }),
-        grid: { left: 64, right: 20, top: look.still ? 64 : 14, bottom: 48 },
+        grid: grid_of(look),
         xAxis: x_axis(look, t.model_steps_axis, window, { min: "dataMin", max: "dataMax" }),
         yAxis: axis(look, t.model_added_axis, "y"),
         series: [...drawn, moment],
@@ -61,13 +59,11 @@ export const steps_picture = (checked: Checked, name: string): Picture => {
           ],
         };
       }
-      return {
-        columns: [
-          { name: "time_min", values: times.flat() },
-          { name: "response_um", values: steps.flatMap((step) => step.response_um) },
-          { name: "effect", values: steps.flatMap((step, k) => step.time_s.map(() => names_in_files[k] ?? "")) },
-        ],
-      };
+      return columns_of({
+        time_min: times.flat(),
+        response_um: steps.flatMap((step) => step.response_um),
+        effect: steps.flatMap((step, k) => step.time_s.map(() => names_in_files[k] ?? "")),
+      });
     },
   };
 };

@@ -1,7 +1,7 @@
 // The same figure test after test, over each other: how the circle drifts. Colours run from the first test to the last,
 // lines grow wider, and the first and the last carry their names.
 import { unwrapped_together } from "../drawing/angles";
-import { extent, first_at } from "../drawing/columns";
+import { difference, first_at } from "../drawing/columns";
 import { kept_readings, picked } from "./recording_curves";
 import type { Choice, Numbers, State, Toggle } from "../picture";
 import { type Group, labels_of } from "./recording_groups";
@@ -10,7 +10,7 @@ import { colours, font, minutes, sequence_bar, sequence_colour, shown, toggle } 
 import { t } from "../texts/texts";
 
 export const kStretches = 180; // of a recording, up to four points each
-export const kMost_toggles = 24;
+const kMost_toggles = 24;
 
 export interface Test {
   key: string;
@@ -85,11 +85,7 @@ export const tests_of = (groups: readonly Group[], chosen: State["chosen"]): Tes
     const place = places[k] ?? 0;
     let value_um: Num[] = chosen["quantity"] === "residual" ? (trace?.residual_um ?? []) : deviation;
     if (chosen["quantity"] === "change") {
-      const then = at_angles(angles[0] ?? [], first?.deviation_um ?? [], angle_deg);
-      value_um = deviation.map((value, i) => {
-        const before = then[i] ?? null;
-        return before === null ? null : value - before;
-      });
+      value_um = difference(deviation, at_angles(angles[0] ?? [], first?.deviation_um ?? [], angle_deg));
     }
     return { key: `test${k}`, name: names[k] ?? "", recording, place, width_px: 1 + 1.2 * place, angle_deg, value_um };
   });
@@ -101,22 +97,15 @@ export const subsampled = (test: Test, stretches = kStretches): Test => {
 };
 
 // One switch a test; of very many tests a list of switches would be no legend, and the colour bar has to do.
-export const toggles_of_tests = (tests: readonly Test[]): Toggle[] =>
+export const toggles_of_tests = (tests: readonly Pick<Test, "key" | "name" | "place">[]): Toggle[] =>
   tests.length > kMost_toggles
     ? []
     : tests.map(({ key, name, place }) => toggle(key, name, (dark) => sequence_colour(place, dark), "line"));
 
-export const bar_of_tests = (tests: readonly Test[], state: State, top_px: number): Record<string, unknown>[] => {
-  const { dark } = state.look;
-  const name = (k: number): string => tests[k]?.name ?? "";
-  return tests.length < 2
+export const bar_of_tests = (tests: readonly { name: string }[], { look: { dark } }: State, top_px: number): Record<string, unknown>[] =>
+  tests.length < 2
     ? []
-    : [sequence_bar(name(0), name(tests.length - 1), dark, colours(dark).faint, font, top_px)];
-};
-
-// Largest distance from zero, of those within the radial axis.
-export const extent_of_tests = (tests: readonly Test[]): [number, number] =>
-  extent(tests.map(({ value_um }) => value_um), [0, 0]);
+    : [sequence_bar(tests[0]?.name ?? "", tests.at(-1)?.name ?? "", dark, colours(dark).faint, font, top_px)];
 
 // The readings of many tests in one table: a row a reading, one test after the other.
 

@@ -1,10 +1,12 @@
 // All tests of one kind on the circle: how it grows and wanders from the first test to the last.
 import {
-  bar_of_tests, extent_of_tests, kStretches, quantity_choice, subsampled, test_numbers, tests_of, toggles_of_tests,
+  bar_of_tests, kStretches, quantity_choice, subsampled, test_numbers, tests_of, toggles_of_tests,
 } from "./all_tests";
+import { extent } from "../drawing/columns";
 import type { Picture } from "../picture";
 import { type Group, group_choice } from "./recording_groups";
-import { magnification_choice, round_option } from "./round";
+import { round_picture } from "./round";
+import { grid_of } from "../drawing/parts";
 import { axis, sequence_colour, shown } from "../drawing/theme";
 import { t } from "../texts/texts";
 import { curve, type Point } from "../drawing/curve";
@@ -12,38 +14,24 @@ import { curves_base } from "../drawing/hover";
 import { x_axis } from "../drawing/axes";
 import { angle_limits } from "./unrolled_picture";
 
-export const all_round_picture = (groups: readonly Group[]): Picture => ({
+export const all_round_picture = (groups: readonly Group[]): Picture => round_picture({
   name: "tests-circle",
   title: t.recordings_all_round_title,
   caption: t.recordings_all_round_caption,
   about: t.recordings_all_round_about,
   height_px: 560,
-  zoom: "none",
-  choices: [
-    group_choice(groups, "group", t.recordings_figure),
-    quantity_choice("deviation"),
-    magnification_choice((chosen) => {
-      const tests = tests_of(groups, chosen);
-      return { first: tests[0]?.recording, extent_um: extent_of_tests(tests) };
-    }),
-  ],
-  toggles: ({ chosen }) => toggles_of_tests(tests_of(groups, chosen)),
-  draw: (state) => {
+  choices: [group_choice(groups, "group", t.recordings_figure), quantity_choice("deviation")],
+  scaled: (chosen) => {
+    const tests = tests_of(groups, chosen);
+    return { first: tests[0]?.recording, extent_um: extent(tests.map(({ value_um }) => value_um), [0, 0]) };
+  },
+  toggles: (chosen) => toggles_of_tests(tests_of(groups, chosen)),
+  round: (state) => {
     const tests = tests_of(groups, state.chosen);
     const curves = tests
       .filter((test) => !state.hidden.has(test.key))
-      .map((test) => ({
-        ...subsampled(test),
-        colour: sequence_colour(test.place, state.look.dark),
-        dash: "solid" as const,
-      }));
-    return round_option(state, {
-      first: tests[0]?.recording,
-      extent_um: extent_of_tests(tests),
-      curves,
-      toggles: toggles_of_tests(tests),
-      graphic: bar_of_tests(tests, state, state.look.height_px - 40),
-    });
+      .map((test) => ({ ...subsampled(test), colour: sequence_colour(test.place, state.look.dark), dash: "solid" as const }));
+    return { curves, graphic: bar_of_tests(tests, state, state.look.height_px - 40) };
   },
   numbers: ({ chosen }) => test_numbers(tests_of(groups, chosen), chosen["quantity"] ?? ""),
 });
@@ -60,15 +48,12 @@ export const all_unrolled_picture = (groups: readonly Group[]): Picture => ({
   about: t.recordings_all_unrolled_about,
   height_px: 400,
   zoom: "own",
-  choices: [
-    group_choice(groups, "group", t.recordings_figure),
-    quantity_choice("change"),
-  ],
+  choices: [group_choice(groups, "group", t.recordings_figure), quantity_choice("change")],
   toggles: ({ chosen }) => toggles_of_tests(tests_of(groups, chosen)),
   draw: (state) => {
     const { look, window } = state;
     const tests = tests_of(groups, state.chosen);
-    const top = look.still ? 90 : 34;
+    const grid = { ...grid_of(look), top: look.still ? 90 : 34 };
     const share = window ? Math.max(0.05, (window[1] - window[0]) / 360) : 1;
     const series = tests
       .filter((test) => !state.hidden.has(test.key))
@@ -79,10 +64,10 @@ export const all_unrolled_picture = (groups: readonly Group[]): Picture => ({
       });
     return {
       ...curves_base(state, toggles_of_tests(tests), { drawn: series, head: (angle) => `${shown(angle, 1)}°`, unit: "µm", most: 12 }),
-      grid: { left: 64, right: 20, top, bottom: 48 },
+      grid,
       xAxis: x_axis(look, t.angle_axis, window, angle_limits(tests.flatMap((test) => test.angle_deg))),
       yAxis: axis(look, axis_name(state.chosen["quantity"]), "y"),
-      graphic: bar_of_tests(tests, state, top - 30),
+      graphic: bar_of_tests(tests, state, grid.top - 30),
       series,
     };
   },

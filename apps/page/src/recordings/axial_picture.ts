@@ -1,14 +1,13 @@
 // Recordings with the bar along the spindle: its length over the time of a recording, all tests or one.
-import { kMost_toggles, places_of, times_named } from "./all_tests";
+import { bar_of_tests, places_of, times_named, toggles_of_tests } from "./all_tests";
 import { curve, type Point } from "../drawing/curve";
 import { decimated } from "../drawing/columns";
 import { curves_base } from "../drawing/hover";
 import type { Numbers, Picture, State, Toggle } from "../picture";
 import { labels_of } from "./recording_groups";
 import type { Num, Recording } from "../report";
-import {
-  axis, colours, curve_colour, font, minutes, sequence_bar, sequence_colour, shown, toggle,
-} from "../drawing/theme";
+import { columns_of, grid_of } from "../drawing/parts";
+import { axis, curve_colour, minutes, sequence_colour, shown, toggle } from "../drawing/theme";
 import { x_axis } from "../drawing/axes";
 import { t } from "../texts/texts";
 
@@ -26,7 +25,8 @@ const mean_um = (recording: Recording): Num =>
 export const axial_picture = (recordings: readonly Recording[]): Picture => {
   const places = places_of(recordings);
   const names = times_named(recordings);
-  const labels = labels_of(recordings);
+  const each = labels_of(recordings).map((label, k) => ({ value: String(k), label }));
+  const values = [{ value: "", label: t.recordings_all_tests }, ...each];
   const all = recordings.map((recording, k): Axial => {
     const times = recording.trace?.time_s ?? [];
     return {
@@ -42,10 +42,8 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
     return chosen["recording"] && one ? [one] : all;
   };
   const toggles = (chosen: State["chosen"]): Toggle[] => {
-    const shown_now = shown_recordings(chosen);
-    if (shown_now.length > kMost_toggles) return [];
-    const several = shown_now.length > 1;
-    return shown_now.map(({ key, name, place }) => toggle(key, name, several ? (dark) => sequence_colour(place, dark) : 0, "line"));
+    const [only, ...others] = shown_recordings(chosen);
+    return only && others.length === 0 ? [toggle(only.key, only.name, 0, "line")] : toggles_of_tests(shown_recordings(chosen));
   };
   return {
     name: "axial",
@@ -54,77 +52,44 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
     about: t.recordings_axial_about,
     height_px: 360,
     zoom: "own",
-    choices:
-      all.length > 1
-        ? [
-            {
-              key: "recording",
-              label: t.recording,
-              values: [{ value: "", label: t.recordings_all_tests }, ...labels.map((label, k) => ({ value: String(k), label }))],
-              initial: "",
-            },
-          ]
-        : [],
+    choices: all.length > 1 ? [{ key: "recording", label: t.recording, values, initial: "" }] : [],
     toggles: ({ chosen }) => toggles(chosen),
     draw: (state) => {
       const { look, window } = state;
       const { dark } = look;
       const drawn = shown_recordings(state.chosen);
       const many = drawn.length > 1;
-      const top = (look.still ? 64 : 14) + (many ? 26 : 0);
+      const grid = grid_of(look, many ? 26 : 0);
       const series = drawn
         .filter((one) => !state.hidden.has(one.key))
         .flatMap((one) => {
           const colour = many ? sequence_colour(one.place, dark) : curve_colour(0, dark);
-          const points: Point[] = decimated(
-            one.time_s,
-            one.recording.trace?.deviation_um ?? [],
-            window,
-            look.width_px / (many ? 4 : 1),
-          );
+          const points = decimated(one.time_s, one.recording.trace?.deviation_um ?? [], window, look.width_px / (many ? 4 : 1));
           const mean = mean_um(one.recording);
-          const level: Point[] =
-            mean === null
-              ? []
-              : [
-                  [one.time_s[0] ?? 0, mean],
-                  [one.time_s[one.time_s.length - 1] ?? 0, mean],
-                ];
+          const level = mean === null ? [] : [one.time_s[0], one.time_s.at(-1)].map((time): Point => [time ?? 0, mean]);
+          const quiet = { silent: true, tooltip: { show: false } };
           return [
             curve(one.name, colour, "solid", many ? 1 + one.place : 1.4, points),
-            curve(t.figure_mean, many ? colour : curve_colour(1, dark), "dashed", 1.4, level, {
-              silent: true,
-              tooltip: { show: false },
-            }),
+            curve(t.figure_mean, many ? colour : curve_colour(1, dark), "dashed", 1.4, level, quiet),
           ];
         });
-      const c = colours(dark);
       return {
         ...curves_base(state, toggles(state.chosen), { drawn: series, head: (time) => `${shown(time)} s`, unit: "µm", most: 12 }),
-        grid: { left: 64, right: 20, top, bottom: 48 },
+        grid,
         xAxis: x_axis(look, t.recordings_time_axis, window),
         yAxis: axis(look, t.deviation_axis, "y"),
-        graphic: many
-          ? [sequence_bar(all[0]?.name ?? "", all[all.length - 1]?.name ?? "", dark, c.faint, font, top - 28)]
-          : [],
+        graphic: many ? bar_of_tests(all, state, Number(grid["top"]) - 28) : [],
         series,
       };
     },
     numbers: ({ chosen }): Numbers => {
       const of = shown_recordings(chosen);
-      return {
-        columns: [
-          { name: "time_s", values: of.flatMap((one) => one.time_s) },
-          { name: "deviation_um", values: of.flatMap((one) => one.recording.trace?.deviation_um ?? []) },
-          { name: "test", values: of.flatMap((one) => one.time_s.map(() => one.name)) },
-          {
-            name: "test_time_min",
-            values: of.flatMap((one) =>
-              one.time_s.map(() => (one.recording.time_s === null ? null : minutes(one.recording.time_s))),
-            ),
-          },
-        ],
-      };
+      return columns_of({
+        time_s: of.flatMap((one) => one.time_s),
+        deviation_um: of.flatMap((one) => one.recording.trace?.deviation_um ?? []),
+        test: of.flatMap((one) => one.time_s.map(() => one.name)),
+        test_time_min: of.flatMap(({ time_s, recording: { time_s: at_s } }) => time_s.map(() => (at_s === null ? null : minutes(at_s)))),
+      });
     },
   };
 };

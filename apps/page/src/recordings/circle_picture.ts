@@ -1,7 +1,7 @@
 // The picture that every user of a ballbar knows: the deviation, magnified, on a circle.
 import { nearest_reading, within_turn } from "../drawing/angles";
 import { extent } from "../drawing/columns";
-import { magnification_choice, type RadialScale, round_curve, round_option, type RoundCurve } from "./round";
+import { type RadialScale, round_curve, type RoundCurve, round_picture } from "./round";
 import type { Look, Picture, State, Toggle } from "../picture";
 import {
   dash_of, direction_colour, effect_colour, effect_toggles, effects_of, fitted_at, kept_readings, measured,
@@ -62,12 +62,7 @@ const curves_of = (recordings: readonly Recording[], state: State, centred: bool
       });
     }
     if (on(`trace${k}`)) {
-      const style = {
-        name: trace_name(recording),
-        colour: direction_colour(recording)(dark),
-        dash: dash_of(recording),
-        width_px: 1.6,
-      } as const;
+      const style = { name: trace_name(recording), colour: direction_colour(recording)(dark), dash: dash_of(recording), width_px: 1.6 };
       curves.push(round_curve(recording, measured(recording, centred), style));
     }
     effects_of(recordings).forEach((effect, e) => {
@@ -81,7 +76,6 @@ const curves_of = (recordings: readonly Recording[], state: State, centred: bool
   });
 };
 
-// Also of what is switched off, so that the scale stays when a curve goes.
 const extent_of = (recordings: readonly Recording[], centred: boolean): [number, number] =>
   extent(
     recordings.flatMap((one) => [measured(one, centred), ...(centred ? [] : [fitted_curve(one).value_um])]),
@@ -90,13 +84,12 @@ const extent_of = (recordings: readonly Recording[], centred: boolean): [number,
 
 export const circle_picture = (groups: readonly Group[]): Picture => {
   const chosen_of = (chosen: State["chosen"]): readonly Recording[] => chosen_group(groups, chosen["recording"]);
-  return {
+  return round_picture({
     name: "recording-circle",
     title: t.recordings_circle_title,
     caption: t.recordings_circle_caption,
     about: t.recordings_circle_about,
     height_px: 560,
-    zoom: "none",
     choices: [
       group_choice(groups, "recording", t.recording),
       {
@@ -108,13 +101,10 @@ export const circle_picture = (groups: readonly Group[]): Picture => {
         ],
         initial: "nominal",
       },
-      magnification_choice((chosen) => {
-        const recordings = chosen_of(chosen);
-        return { first: recordings[0], extent_um: extent_of(recordings, chosen["from"] === "fitted") };
-      }),
     ],
-    toggles: ({ chosen }) => toggles_of(chosen_of(chosen), chosen["from"] === "fitted"),
-    draw: (state) => {
+    scaled: (chosen) => ({ first: chosen_of(chosen)[0], extent_um: extent_of(chosen_of(chosen), chosen["from"] === "fitted") }),
+    toggles: (chosen) => toggles_of(chosen_of(chosen), chosen["from"] === "fitted"),
+    round: (state) => {
       const recordings = chosen_of(state.chosen);
       const centred = state.chosen["from"] === "fitted";
       const { dark } = state.look;
@@ -126,24 +116,12 @@ export const circle_picture = (groups: readonly Group[]): Picture => {
             : centre_mark(recording, scale, curve_colour(2, dark), state.look)),
           ...(state.hidden.has("extremes") || state.hidden.has(`trace${k}`)
             ? []
-            : extreme_marks(
-                recording,
-                centred,
-                alone ? curve_colour(3, dark) : direction_colour(recording)(dark),
-                alone,
-                state.look,
-              )),
+            : extreme_marks(recording, centred, alone ? curve_colour(3, dark) : direction_colour(recording)(dark), alone, state.look)),
         ]);
-      return round_option(state, {
-        first: recordings[0],
-        extent_um: extent_of(recordings, centred),
-        curves: curves_of(recordings, state, centred),
-        toggles: toggles_of(recordings, centred),
-        marks,
-      });
+      return { curves: curves_of(recordings, state, centred), marks };
     },
     numbers: ({ chosen }) => recording_numbers(chosen_of(chosen)),
-  };
+  });
 };
 
 // Marks on a magnified circle: the way to the fitted centre, the largest and the least radius.
@@ -170,12 +148,7 @@ const named = (text: string, colour: string, look: Look, position: string): Reco
 });
 
 // The way from the middle of the nominal circle to the fitted centre, in the magnification of the deviations.
-export const centre_mark = (
-  recording: Recording,
-  scale: RadialScale,
-  colour: string,
-  look: Look,
-): Record<string, unknown>[] => {
+const centre_mark = (recording: Recording, scale: RadialScale, colour: string, look: Look): Record<string, unknown>[] => {
   const { centre_a_um: a, centre_b_um: b } = recording;
   if (typeof a !== "number" || typeof b !== "number") return [];
   const end = [scale.middle_um + Math.hypot(a, b), within_turn((Math.atan2(b, a) * 180) / Math.PI)];
@@ -203,7 +176,7 @@ const side_of = (at_deg: number, inside: boolean): string => {
   return Math.abs(across) > 0.4 ? (across > 0 ? "right" : "left") : up > 0 ? "top" : "bottom";
 };
 
-export const extreme_marks = (
+const extreme_marks = (
   recording: Recording,
   centred: boolean,
   colour: string,

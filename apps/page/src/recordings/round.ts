@@ -5,7 +5,7 @@ import { clean, round_down, round_up } from "../drawing/axes";
 import { axes_of_plane, within_turn } from "../drawing/angles";
 import { curve, type Dash } from "../drawing/curve";
 import { curves_tooltip } from "../drawing/hover";
-import type { Choice, Look, State, Toggle } from "../picture";
+import type { Choice, Look, Picture, State, Toggle } from "../picture";
 import { kept_readings, picked } from "./recording_curves";
 import type { Num, Recording } from "../report";
 import { base, colours, font, kNarrow_px, legend, shown } from "../drawing/theme";
@@ -19,12 +19,12 @@ export interface RadialScale {
   ring_step_um: number;
 }
 
-export const magnifications = [100, 200, 500, 1000, 2000, 5000, 10000, 20000, 50000] as const;
+const magnifications = [100, 200, 500, 1000, 2000, 5000, 10000, 20000, 50000] as const;
 
 // Share of the picture's radius that the deviations take, at most, where the magnification is chosen automatically.
 const kShare = 0.4;
 
-export const radial_scale = (
+const radial_scale = (
   least_um: number,
   largest_um: number,
   nominal_um: number,
@@ -47,9 +47,9 @@ export const radial_scale = (
 
 // The angle at which the rings' names hide least of curves that cover `angles_deg` (any turn): about the middle of the
 // widest gap, else anywhere, but always between two spokes, which are 30 deg apart.
-export const free_angle_deg = (angles_deg: readonly number[]): number => {
+const free_angle_deg = (angles_deg: readonly number[]): number => {
   const covered = new Array<boolean>(36).fill(false);
-  for (const angle of angles_deg) covered[Math.floor((((angle % 360) + 360) % 360) / 10) % 36] = true;
+  for (const angle of angles_deg) covered[Math.floor(within_turn(angle) / 10) % 36] = true;
   let best = { from: 0, length: 0 };
   for (let from = 0; from < 36; ++from) {
     let length = 0;
@@ -85,8 +85,10 @@ export const round_curve = ({ trace }: Recording, values: readonly Num[], style:
   return { ...style, angle_deg: picked(trace?.angle_deg ?? [], kept), value_um: picked(values, kept) };
 };
 
+type Scaled = Pick<Round, "first" | "extent_um">;
+
 // Of the nominal length and the deviations of what is drawn; "": as they need it.
-export const magnification_choice = (drawn: (chosen: State["chosen"]) => Pick<Round, "first" | "extent_um">): Choice => ({
+const magnification_choice = (drawn: (chosen: State["chosen"]) => Scaled): Choice => ({
   key: "magnification",
   label: t.recordings_magnification,
   values: [
@@ -107,7 +109,7 @@ export const magnification_choice = (drawn: (chosen: State["chosen"]) => Pick<Ro
 
 const nominal_um = (first: Recording | undefined): number => (first?.nominal_length_mm ?? 100) * 1000;
 
-export interface Round {
+interface Round {
   first: Recording | undefined; // whose plane and length are those of all
   extent_um: readonly [number, number];
   curves: readonly RoundCurve[];
@@ -117,27 +119,33 @@ export interface Round {
   graphic?: readonly Record<string, unknown>[];
 }
 
+interface RoundPicture extends Omit<Picture, "zoom" | "choices" | "toggles" | "draw"> {
+  choices: readonly Choice[]; // beside that of the magnification
+  scaled: (chosen: State["chosen"]) => Scaled; // of what is switched off too, so that the scale stays when a curve goes
+  toggles: (chosen: State["chosen"]) => readonly Toggle[];
+  round: (state: State) => Omit<Round, "first" | "extent_um" | "toggles"> & Partial<Pick<Round, "toggles">>; // else the same
+}
+
+export const round_picture = ({ choices, scaled, toggles, round, ...rest }: RoundPicture): Picture => ({
+  ...rest,
+  zoom: "none",
+  choices: [...choices, magnification_choice(scaled)],
+  toggles: ({ chosen }) => toggles(chosen),
+  draw: (state) => round_option(state, { ...scaled(state.chosen), toggles: toggles(state.chosen), ...round(state) }),
+});
+
 const signed = (value: number): string => `${value > 0 ? "+" : ""}${shown(value)}`;
 
 const rings = (scale: RadialScale, at_deg: number, look: Look, radius_px: number): Record<string, unknown>[] => {
   const c = colours(look.dark);
   const whole_turn = Array.from({ length: 121 }, (_, k) => 3 * k);
-  const nominal = curve(
-    "",
-    c.faint,
-    "solid",
-    1.5,
-    whole_turn.map((angle) => [0, angle]),
-    {
-      silent: true,
-      tooltip: { show: false },
-      z: 1,
-    },
-  );
+  const circle = whole_turn.map((angle) => [0, angle]);
+  const nominal = curve("", c.faint, "solid", 1.5, circle, { silent: true, tooltip: { show: false }, z: 1 });
   // Where rings are close only every second, third ... has its deviation written at it; the nominal one always.
   const spacing_px = (scale.ring_step_um / (scale.outside_um - scale.middle_um)) * radius_px;
   const every = Math.max(1, Math.ceil(18 / spacing_px));
   const named = scale.rings_um.filter((ring) => Math.round(ring / scale.ring_step_um) % every === 0);
+  const label = { show: true, color: c.faint, fontSize: 11, backgroundColor: c.paper, padding: [1, 2] };
   const names = {
     type: "scatter",
     name: "rings",
@@ -147,14 +155,7 @@ const rings = (scale: RadialScale, at_deg: number, look: Look, radius_px: number
     z: 4,
     data: named.map((ring) => ({
       value: [ring, at_deg],
-      label: {
-        show: true,
-        formatter: ring === 0 ? "0" : signed(ring),
-        color: c.faint,
-        fontSize: 11,
-        backgroundColor: c.paper,
-        padding: [1, 2],
-      },
+      label: { ...label, formatter: ring === 0 ? "0" : signed(ring) },
     })),
   };
   return [nominal, names].map((series) => ({ ...series, coordinateSystem: "polar" }));
@@ -167,7 +168,7 @@ const axis_name = (angle: number, plane: string | undefined, narrow: boolean): s
   return angle === 360 ? "" : name ? (narrow ? name : `${name}  ${angle}°`) : `${angle}°`;
 };
 
-export const round_option = (state: State, round: Round): Record<string, unknown> => {
+const round_option = (state: State, round: Round): Record<string, unknown> => {
   const { look } = state;
   const { first, curves } = round;
   const scale = radial_scale(...round.extent_um, nominal_um(first), Number(state.chosen["magnification"]) || null);

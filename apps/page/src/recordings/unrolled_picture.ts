@@ -43,9 +43,7 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
     about: t.recordings_unrolled_about,
     height_px: 460,
     zoom: "own",
-    choices: [
-      group_choice(groups, "recording", t.recording),
-    ],
+    choices: [group_choice(groups, "recording", t.recording)],
     toggles: ({ chosen }) => toggles_of(chosen_of(chosen)),
     draw: (state) => {
       const { look, window } = state;
