@@ -4,7 +4,7 @@ another processor, rounds otherwise. The one comparer of the transcripts of test
     python3 same.py EXPECTED CAME [--tolerance NUMBER]
 
 Text is compared to the letter. A number has a decimal point or an exponent; a count, a date, a version, a name of a
-file and a seal are text. Two numbers are the same where
+file and a hash are text. Two numbers are the same where
 
     they differ by at most the tolerance, 1e-9 if none is given, times the number itself and have the same sign, or
     both have at most seven digits and differ by one in the last of them; so may three numbers of an output do, or one
@@ -31,7 +31,7 @@ kBorders = 0.01
 kShown = 40
 
 # Not preceded by a word, a point, a path, `name-`, a time of the day or `version `; not followed by a word, by a point
-# and a word, or by `-name`. A mantissa without a point needs the sign of the exponent: a seal may read 12e4.
+# and a word, or by `-name`. A mantissa without a point needs the sign of the exponent: a hash may read 12e4.
 NUMBER = re.compile(r"(?<![\w./])(?<![A-Za-z]-)(?<!\d:)(?<![Vv]ersion )"
                     r"[-+]?(?:\d+\.\d+(?:[eE][-+]?\d+)?|\d+[eE][-+]\d+)(?!\w|\.\w|-[A-Za-z])")
 MADE_ON = re.compile(r'("made_on": *)"[^"]*"')
