@@ -25,8 +25,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "ballbar-hidden 1";
 
-// Data of one seed are the same bytes in every version, this line included.
-constexpr std::string_view kSimulated = "# # SIMULATED by ballbar blind make, not measured.\n";
+constexpr std::string_view kSimulated = "# # SIMULATED by ballbar simulate --hidden, not measured.\n";
 
 constexpr std::string_view kReadme =
     R"(SIMULATED data, not measured: a test of a diagnosis, made by ballbar simulate --hidden.

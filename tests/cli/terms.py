@@ -46,7 +46,7 @@ def literals(text):
 printed = {}  # word: where
 outputs = [(section.name, step.expected.stdout) for section in transcript.all_sections().values() for step in section.steps]
 for name, text in outputs:
-    if name.startswith(("help", "terms")) or text.startswith(("{", "[")):
+    if name.startswith(("help", "effects-terms")) or text.startswith(("{", "[")):
         continue
     text = "\n".join(line for line in text.split("\n") if not re.match(r'\s*("|[a-z_]+ = |#)', line))
     for word in words_in(text):
