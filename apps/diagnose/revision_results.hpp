@@ -33,12 +33,11 @@ struct Ledger {
 // `before`: the row before the first; nullptr: none.
 Ledger ledger_of(const std::vector<LedgerRow>& rows, const LedgerRow* before = nullptr);
 
-inline constexpr auto kLedgerEntryChange = std::tuple{
-    Field{"revision", &LedgerRow::revision, "0: the model as it started"},
-    Field{"change", &LedgerRow::change, "+ what was added, - what was taken out, = what was set; start"}};
+inline constexpr auto kLedgerEntryChange =
+    std::tuple{Field{"revision", &LedgerRow::revision, "0: the model as it started"},
+               Field{"change", &LedgerRow::change, "+ what was added, - what was taken out, = what was set; start"}};
 inline constexpr auto kLedgerEntryEvidence =
-    std::tuple{Field{"likelihood_ratio", &LedgerRow::likelihood_ratio,
-                     "2 ln B of the change, of errors of axes chi^2"},
+    std::tuple{Field{"likelihood_ratio", &LedgerRow::likelihood_ratio, "2 ln B of the change, of errors of axes chi^2"},
                Field{"threshold", &LedgerRow::threshold, "from which that counts"}};
 inline constexpr auto kLedgerEntryJudged =
     std::tuple{Field{"verdict", &LedgerRow::verdict,

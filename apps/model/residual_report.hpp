@@ -58,9 +58,8 @@ inline constexpr auto kResidualReportDetails =
                Field{"whiteness", &ResidualReport::whiteness, ""},
                Field{"sentences", [](const ResidualReport& of) { return sentences(of.fit, of.where, of.whiteness); },
                      "error against noise, where worst, what the residual is"}};
-inline constexpr auto kResidualReportEnd =
-    std::tuple{Field{"converged", [](const ResidualReport& of) { return of.fit.converged; },
-                     "whether the fit came to an end"}};
+inline constexpr auto kResidualReportEnd = std::tuple{
+    Field{"converged", [](const ResidualReport& of) { return of.fit.converged; }, "whether the fit came to an end"}};
 
 template <>
 inline constexpr auto kResult<ResidualReport> = ResultType{

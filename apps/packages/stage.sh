@@ -103,7 +103,11 @@ for component in program:ballbar development:libballbar-dev python:python3-ballb
   gzip -9nc "$here/changelog" >"$doc/changelog.gz"
   if [ "$package" = ballbar ]; then
     mkdir -p "$folder/usr/share/man/man1"
-    (cd "$folder/usr/share/man/man1" && manual_pages "$folder/usr/bin/ballbar" && gzip -9n ./*)
+    (
+      cd "$folder/usr/share/man/man1"
+      manual_pages "$folder/usr/bin/ballbar"
+      gzip -9n ./*
+    )
   fi
   find "$folder" -type d -empty -delete # of what is optional and not there
   find "$folder" -type d -exec chmod 755 {} +

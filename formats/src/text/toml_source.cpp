@@ -130,8 +130,8 @@ void expect_keys(const TomlTable& table, std::span<const std::string_view> known
   // In the order of the file: a toml::table is sorted by name.
   const toml::key* first = nullptr;
   for (const auto& [key, value] : *table.table) {
-    const auto is_in = [&](std::span<const std::string_view> names) {
-      return std::find(names.begin(), names.end(), key.str()) != names.end();
+    const auto is_in = [name = key.str()](std::span<const std::string_view> names) {
+      return std::find(names.begin(), names.end(), name) != names.end();
     };
     if (is_in(known) || is_in(ignored)) continue;
     const auto place = key.source().begin;

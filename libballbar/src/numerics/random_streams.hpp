@@ -21,7 +21,7 @@ enum class Stream : std::uint32_t {
   spindle_variety,
   blind_kind,
   blind_set,
-  fleet_machine = 15,
+  fleet_machine = 15,  // with 14 the machines of a fleet would be others
   fleet_test,
   fleet_bar
 };

@@ -343,8 +343,8 @@ void leave_out_sensors(std::vector<Batch>& batches, BatchColumns& columns, const
     for (const Eigen::Index j : kept) places.push_back(count + j);
   }
   places.push_back(columns.kind == InputKind::both ? 2 * count : count);
+  if (kept.empty()) throw Error("expected sensors that are sound and not constant, found none.");
   std::erase_if(columns.sensors, is_out);
-  if (columns.sensors.empty()) throw Error("expected sensors that are sound and not constant, found none.");
   for (Batch& batch : batches) {
     batch.moments.mean = batch.moments.mean(places).eval();
     batch.moments.scatter = batch.moments.scatter(places, places).eval();

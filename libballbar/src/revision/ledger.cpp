@@ -74,9 +74,10 @@ LedgerRow row_of(const Model& model, const Series& data, std::size_t target) {
   return row_of(fit(model, data, target), model, data, target);
 }
 
+// Thresholds of 2 ln B are whole multiples of the least one, those of chi^2 are quantiles or not known.
 bool is_of_axes(const LedgerRow& row) {
-  return row.level == Level::recording && std::isfinite(row.likelihood_ratio) &&
-         std::remainder(row.threshold, kLeastLikelihoodRatio) != 0.0;
+  const bool is_of_2_ln_B = std::remainder(row.threshold, kLeastLikelihoodRatio) == 0.0;
+  return row.level == Level::recording && std::isfinite(row.likelihood_ratio) && !is_of_2_ln_B;
 }
 
 std::string sentence(const LedgerRow& row, const LedgerRow* before) {

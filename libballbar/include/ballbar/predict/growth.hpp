@@ -15,7 +15,7 @@
 //
 //   sqrt(E^2 + D^2) < 1.05 E     E: RMSE of its forecasts,  D: RMS of the difference of both forecasts
 //
-// where the whole procedure, with the base model, is repeated on earlier rows only (forecast_rows). D is known far
+// where the whole procedure, with the base model, is repeated on earlier rows only (forecast_folds). D is known far
 // better than the errors themselves from three origins. Fewer effects are used if their forecasts are better by a
 // paired t test of ln RMS over the origins (one-sided, 5 % over all numbers of effects together), because the
 // regression itself may be worse. If the regression predicts no better than the base model, it is the fewest within 5 %

@@ -13,8 +13,8 @@ namespace ballbar {
 
 struct GaussNewtonFit {
   std::vector<double> parameters;
-  double variance = 0.0;      // of the scatter, in units of C
-  double square = 0.0;        // residual sum of squares of the white readings
+  double variance = 0.0;  // of the scatter, in units of C
+  double square = 0.0;    // residual sum of squares of the white readings
 };
 
 // When to stop: after so many steps, or when a step lowers `square` by less than this share of the scatter.

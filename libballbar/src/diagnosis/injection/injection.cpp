@@ -98,7 +98,8 @@ Sight sight_of(const Diagnosis& diagnosis, const BoundEffect& bound) {
 }
 
 std::string_view name_of(Sight sight) {
-  constexpr std::string_view kNames[] = {"named", "probable", "in the reported set", "driver", "candidate", "unexplained", "not seen"};
+  constexpr std::string_view kNames[] = {"named",       "probable", "in the reported set", "driver", "candidate",
+                                         "unexplained", "not seen"};
   return kNames[static_cast<std::size_t>(sight)];
 }
 

@@ -117,7 +117,7 @@ TEST(Evidence, three_readings_by_hand) {
   RowMajorMatrix pool(3, 2);
   pool << 0, 1, 0, 1, 3, 1;
   const Whitening filter(Covariance{}, std::vector<double>{0.0, 1.0, 2.0});
-  const LinearSolution found = linear_solution(gram_of(filter, pool), {0, {1}, {1}}, {});
+  const LinearSolution found = linear_solution(gram_of(filter, pool), {{1}, {1}}, {});
   EXPECT_NEAR(found.square, 6.0, 1e-8);
   EXPECT_NEAR(found.degrees, 2.0, 0.0);
   EXPECT_NEAR(found.variance, 3.0, 1e-8);

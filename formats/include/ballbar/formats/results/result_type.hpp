@@ -81,6 +81,8 @@ struct ResultType {
   std::string_view name, meaning;
   std::tuple<Field<Gets>...> fields;
 };
+template <class... Gets>
+ResultType(std::string_view, std::string_view, std::tuple<Field<Gets>...>) -> ResultType<Gets...>;
 
 // Specialised for each type of result.
 template <class Type>

@@ -17,8 +17,8 @@ namespace ballbar {
 // Minutes have as many decimals as a microsecond needs. Throws Error as expect_schedule() does.
 std::string write_schedule_csv(const Schedule& schedule);
 
-// Limits: durations of at least 1 ms, speeds of 0 to 1 000 000 rpm, loads of 0 to 100, room and coolant within 100 K, at
-// most 10 000 dwells and 31 days in all. Throws Error: "Dwell 3 of the schedule: expected ..., found ...".
+// Limits: durations of at least 1 ms, speeds of 0 to 1 000 000 rpm, loads of 0 to 100, room and coolant within 100 K,
+// at most 10 000 dwells and 31 days in all. Throws Error: "Dwell 3 of the schedule: expected ..., found ...".
 void expect_schedule(const Schedule& schedule);
 
 }  // namespace ballbar

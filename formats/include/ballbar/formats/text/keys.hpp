@@ -23,13 +23,13 @@ struct KeyTable {
 std::vector<std::string_view> names_of(std::span<const Key> keys);
 
 // By format, in the order of the file.
-std::vector<KeyTable> session_keys();   // session.toml
-std::vector<KeyTable> runs_keys();      // a list of runs
-std::vector<KeyTable> log_keys();       // header of a ballbar log
-std::vector<KeyTable> b5r_keys();       // elements of a .b5r that are read; others are no error
-std::vector<KeyTable> series_keys();    // header of a series
-std::vector<KeyTable> recipe_keys();    // how a kind of log is read
-std::vector<KeyTable> model_keys();     // model .toml; the keys of an effect are its roles and parameters
-std::vector<KeyTable> history_keys();   // [[history]] of a model
+std::vector<KeyTable> session_keys();  // session.toml
+std::vector<KeyTable> runs_keys();     // a list of runs
+std::vector<KeyTable> log_keys();      // header of a ballbar log
+std::vector<KeyTable> b5r_keys();      // elements of a .b5r that are read; others are no error
+std::vector<KeyTable> series_keys();   // header of a series
+std::vector<KeyTable> recipe_keys();   // how a kind of log is read
+std::vector<KeyTable> model_keys();    // model .toml; the keys of an effect are its roles and parameters
+std::vector<KeyTable> history_keys();  // [[history]] of a model
 
 }  // namespace ballbar
