@@ -20,14 +20,17 @@ inline double largest_of(const std::vector<double>& values) {
 }
 
 template <>
-inline constexpr auto kResult<ReplayedAxis> = ResultType{"ReplayedAxis", "An axis before and after it is compensated.", std::tuple{
+inline constexpr auto kResult<ReplayedAxis> = ResultType{
+    "ReplayedAxis", "An axis before and after it is compensated.", std::tuple{
       Field{"target", &ReplayedAxis::target, "column that is compensated"},
-      Field{"values", [](const ReplayedAxis& of) { return of.time_s.size() - 1; }, "since the first, which is left out"},
+      Field{"values", [](const ReplayedAxis& of) { return of.time_s.size() - 1; },
+            "since the first, which is left out"},
       Field{"rms_before_um", [](const ReplayedAxis& of) { return of.reduction.before_um; }, ""},
       Field{"rms_after_um", [](const ReplayedAxis& of) { return of.reduction.after_um; }, ""},
       Field{"reduction_percent", [](const ReplayedAxis& of) { return 100.0 * of.reduction.share; }, ""},
       Field{"reduction_sigma_percent", [](const ReplayedAxis& of) { return 100.0 * of.reduction.sigma; }, ""},
-      Field{"stretch", [](const ReplayedAxis& of) { return of.reduction.stretch; }, "values over which the residual is correlated"},
+      Field{"stretch", [](const ReplayedAxis& of) { return of.reduction.stretch; },
+            "values over which the residual is correlated"},
       Field{"largest_before_um", [](const ReplayedAxis& of) { return largest_of(of.before_um); }, ""},
       Field{"largest_after_um", [](const ReplayedAxis& of) { return largest_of(of.after_um); }, ""},
       Field{"rows_held",

@@ -93,7 +93,8 @@ inline constexpr auto kResult<PartsTogether> = ResultType{
                Field{"limit", &PartsTogether::limit, "below which that counts"}}};
 
 template <>
-inline constexpr auto kResult<InUnit<DifferenceStructure>> = ResultType{"DifferenceStructure", "Offset, gain, lag and drift of a difference.", std::tuple{
+inline constexpr auto kResult<InUnit<DifferenceStructure>> = ResultType{
+    "DifferenceStructure", "Offset, gain, lag and drift of a difference.", std::tuple{
       Field{"stands_out", plain(&DifferenceStructure::stands_out),
             "one of the four is named, or all together stand out"},
       Field{"parts",
@@ -181,7 +182,8 @@ constexpr auto of_unit(Value AxisComparison::*member) {
 }
 
 template <>
-inline constexpr auto kResult<AxisComparison> = ResultType{"ComparedAxis", "How two drifts agree along an axis.", std::tuple{
+inline constexpr auto kResult<AxisComparison> = ResultType{
+    "ComparedAxis", "How two drifts agree along an axis.", std::tuple{
       Field{"agreement", &AxisComparison::agreement, "agrees, disagrees, cannot tell"},
       Field{"mean_relative_deviation", &AxisComparison::mean_relative_deviation, "null: the second does not move"},
       Field{"expected_relative_deviation", &AxisComparison::expected_relative_deviation, "by the stated sigmas"},

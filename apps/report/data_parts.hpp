@@ -173,13 +173,15 @@ inline constexpr auto kResult<TrainedBatch> =
                std::tuple{Field{"name", &TrainedBatch::name, ""}, Field{"weight", known(&TrainedBatch::weight), ""}}};
 
 template <>
-inline constexpr auto kResult<BatchJob> = ResultType{"BatchPart", "A regression over batches, and what it predicts for the job.", std::tuple{
+inline constexpr auto kResult<BatchJob> = ResultType{
+    "BatchPart", "A regression over batches, and what it predicts for the job.", std::tuple{
       Field{"target", [](const BatchJob& of) { return of.job.target; }, ""},
       Field{"method", [](const BatchJob& of) { return label_of(of.model.settings); }, "pcr, 7 components"},
       Field{"batches", [](const BatchJob& of) { return of.model.batches; }, ""},
       Field{"time_s", [](const BatchJob& of) { return Known<Bulk>{{of.job.data.time_s}}; }, ""},
       Field{"predicted_um", [](const BatchJob& of) { return Bulk{of.job.prediction.predicted_um}; }, ""},
-      Field{"half_width_um", [](const BatchJob& of) { return Bulk{of.job.prediction.half_width_um}; }, "of the interval of 95 %"},
+      Field{"half_width_um", [](const BatchJob& of) { return Bulk{of.job.prediction.half_width_um}; },
+            "of the interval of 95 %"},
       Field{"measured_um",
             [](const BatchJob& of) {
               const Column* const measured = find_column(of.job.data, of.job.target);
