@@ -77,7 +77,7 @@ std::string shapes_text(const Injection& injection) {
   return texts.empty() ? "" : fmt::format(" with {}", fmt::join(texts, ", "));
 }
 
-void print_text(const Injected& result, const std::string& title) {
+void print_injection(const Injected& result, const std::string& title) {
   fmt::print("{}\n{}\n\n", title, heading(result.base));
   fmt::print(
       "{}\n",
@@ -254,7 +254,7 @@ void show_injection(const InjectionOptions& options, const ModelOptions& of, con
   if (json) {
     print_json(json_of(result));
   } else {
-    print_text(result, data.title);
+    print_injection(result, data.title);
   }
   if (!options.out.empty()) wrote_line(options.out);
 }
