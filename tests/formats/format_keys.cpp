@@ -170,7 +170,7 @@ bool defaults_hold() {
 }
 
 constexpr std::string_view kBegin = "<!-- keys of ", kBeginEnd = " -->\n", kEnd = "<!-- end of keys -->";
-constexpr std::size_t kTables = 14;
+constexpr std::size_t kTables = 13;
 
 int held(const std::filesystem::path& path, bool update) {
   const std::string page = read_bytes(path, kLargestText);

@@ -244,7 +244,7 @@ TEST(model_history, not_taken_back) {
   text.replace(text.rfind("speed = "), 8, "sped = ");
   expect_not_undone(
       text,
-      "file:42:18: expected the effects as they were, found a fault: the text:8:1: expected one of the keys "
+      "file:41:18: expected the effects as they were, found a fault: the text:8:1: expected one of the keys "
       "name, speed, gain_um_per_krpm_a, time_constant_s, exponent in [[effect]] 1, found \"sped\"; the "
       "nearest is speed.");
   text = once(kModel);
@@ -252,7 +252,7 @@ TEST(model_history, not_taken_back) {
   expect_not_undone(text, "file:27:1: expected the key effects_before in [[history]] 2, found none.");
   text = once(kModel);
   text += "\n[[effect]]\nname = \"settling\"\n";
-  expect_not_undone(text, "file:55:1: expected the effects above the history, found one below it.");
+  expect_not_undone(text, "file:54:1: expected the effects above the history, found one below it.");
   const std::string head = "format = \"ballbar-model 1\"\ntarget = \"z_um\"\n";
   expect_not_undone(head + "history = [{}]\n",
                     "file:3:12: expected the history as tables [[history]], found an array.");
