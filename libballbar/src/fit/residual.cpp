@@ -131,7 +131,9 @@ void by_signal(const Fit& fit, const Column& column, Groups& groups) {
 void by_angle(const Fit& fit, const Series& data, const Column& angle, Groups& groups) {
   const Column* direction = find_column(data, "direction");
   const std::vector<double> ways = direction == nullptr ? std::vector<double>{0.0} : std::vector<double>{1.0, -1.0};
-  for (const auto& [what, width_deg] : {std::pair{"angle", 30}, std::pair{"quadrant", 90}}) {
+  for (const bool is_quadrant : {false, true}) {
+    const char* const what = is_quadrant ? "quadrant" : "angle";
+    const int width_deg = is_quadrant ? 90 : 30;
     for (const double way : ways) {
       const std::string name = way == 0.0 ? std::string(what) : fmt::format("{}, {}", what, way > 0.0 ? "CCW" : "CW");
       for (int low = 0; low < 360; low += width_deg) {

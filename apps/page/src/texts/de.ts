@@ -914,6 +914,7 @@ export const de: Texts = {
     global_scale: "Gesamtmaßstab",
     radius_change: "Radiusänderung",
     centre: "Mittelpunkt",
+    offset_shift: "Versatz des Mittelpunkts",
   },
   parameters: {
     gain: "Beiwert",

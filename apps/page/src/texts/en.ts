@@ -792,7 +792,7 @@ export const en = {
       "circularity", "expression", "circle", "scale_mismatch", "squareness", "servo_mismatch", "sin_4_theta",
       "cubic_error", "cubic_error_along", "cubic_error_across", "dynamic_contraction", "backlash", "reversal_spike",
       "lateral_play", "cyclic_error", "vibration", "straightness", "oval", "lobing", "sweep_drift", "centre_drift",
-      "mounting_slip", "global_scale", "radius_change", "centre",
+      "mounting_slip", "global_scale", "radius_change", "offset_shift", "centre",
     ),
     lagged_expansion: "delayed expansion",
     speed_heating: "heating by speed",

@@ -866,6 +866,7 @@ export const zh: Texts = {
     global_scale: "总体比例",
     radius_change: "半径变化",
     centre: "圆心",
+    offset_shift: "圆心偏置变化",
   },
   parameters: {
     gain: "增益",
