@@ -43,7 +43,7 @@ double distance(const BatchStart& a, const BatchStart& b, const Eigen::Vector4d&
   return apart.unaryExpr([](double one) { return std::isfinite(one) ? one : 0.0; }).norm();
 }
 
-// w_k over the largest of them; 0 for `left_out`, and where it is next to nothing but for the nearest few.
+// w_k, relative to the largest. The batch `left_out` has 0. Below kLeastWeight all but the nearest few have 0.
 std::vector<double> weights_at(std::span<const Batch> batches, const BatchStart& job, double bandwidth,
                                const Eigen::Vector4d& scales, std::optional<std::size_t> left_out) {
   std::vector<double> square(batches.size(), std::numeric_limits<double>::infinity());

@@ -135,7 +135,7 @@ double LivePrediction::forgotten(double time_s) const {
   return is_after ? std::exp(-(time_s - of_.end_s) / of_.length_s) : 0.0;
 }
 
-// scaled: 1, the scaled terms, what is left of the discrepancy.
+// scaled: 1, then each term in its own standard deviations, then the share of the discrepancy that is remembered.
 double LivePrediction::half_width_um(const Eigen::Ref<const Eigen::VectorXd>& scaled, Eigen::VectorXd& room) const {
   room.noalias() = of_.factor_um.triangularView<Eigen::Lower>().transpose() * scaled;
   const double known_um2 = room.squaredNorm(), forgotten = scaled[scaled.size() - 1];
