@@ -13,7 +13,6 @@ namespace ballbar {
 // Inputs as they were logged.
 inline constexpr double kJumpTime = 0.35;   // sd of the time of an input change within its sample, in samples
 inline constexpr double kClockTime = 0.6;   // sd of the delay of a clock, in samples
-inline constexpr double kUnknownRow = 1e6;  // relative variance of a reading without information
 
 // Detectability of an effect before any residual is examined.
 inline constexpr double kFound = 7.0;      // d from which a diagnosis finds an effect
@@ -21,7 +20,8 @@ inline constexpr double kAbsorbed = 0.05;  // remaining share of a signature's s
 
 // Priors.
 inline constexpr std::size_t kMostEffects = 8;  // largest number of single effects
-inline constexpr std::array<double, 6> kGainSizes{4.0, 8.0, 16.0, 32.0, 64.0, 128.0};  // d of a gain, with equal priors
+// d of a gain, with equal priors
+inline constexpr std::array<double, 9> kGainSizes{4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 256.0, 1024.0, 4096.0};
 
 // Tests of a member of a set.
 inline constexpr double kSameGain = 0.01;  // gains differ if p_same_gain is smaller

@@ -70,6 +70,10 @@ Eigen::Matrix3d transition_of(const Covariance& noise, double rate, double step_
   if (!std::isfinite(step_s)) return transition;
   const double e = std::exp(-rate * step_s);
   transition(0, 0) = noise.correlated > 0.0 ? std::exp(-step_s / noise.time_s) : 0.0;
+  if (noise.slow_is_rough) {
+    transition(1, 1) = e;
+    return transition;
+  }
   transition(1, 1) = e * (1.0 + rate * step_s);
   transition(1, 2) = e * step_s;
   transition(2, 1) = -e * rate * rate * step_s;
@@ -136,15 +140,15 @@ LinearFilter::LinearFilter(std::span<const double> time_s, const RowScatter& row
 }
 
 LinearFilter::Gains LinearFilter::gains_with_discrepancy(const Covariance& noise) const {
-  const double rate = std::sqrt(3.0) / noise.slow_time_s;
+  const double rate = (noise.slow_is_rough ? 1.0 : std::sqrt(3.0)) / noise.slow_time_s;
+  const double slope_variance = noise.slow_is_rough ? 0.0 : rate * rate * noise.slow;
   const Eigen::Vector3d h(1.0, 1.0, 0.0);
   StateEstimate<3> state{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero()};
   Gains gains;
   for (std::size_t k = 0; k < stretches_.size(); ++k) {
     const Stretch& stretch = stretches_[k];
     const Eigen::Matrix3d stationary =
-        Eigen::Vector3d(noise.correlated * stretch.share * stretch.share, noise.slow, rate * rate * noise.slow)
-            .asDiagonal();
+        Eigen::Vector3d(noise.correlated * stretch.share * stretch.share, noise.slow, slope_variance).asDiagonal();
     const Eigen::Matrix3d usual = transition_of(noise, rate, step_s_[static_cast<Eigen::Index>(k)]);
     Eigen::Matrix3d added = stationary - usual * stationary * usual.transpose(), transition = usual, last = added;
     added(0, 0) *= stretch.shock;

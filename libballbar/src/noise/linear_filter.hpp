@@ -4,7 +4,8 @@
 //   y_i = h_i s_i + m_i + e_i
 //
 //   s   the memory, an Ornstein-Uhlenbeck process: variance q^2 (`correlated`), correlation exp(-|dt| / theta)
-//   m   the discrepancy, Matern 3/2: variance `slow`, correlation (1 + u) exp(-u), u = sqrt(3) |dt| / slow_time
+//   m   the discrepancy: variance `slow`; Matern 3/2 with correlation (1 + u) exp(-u), u = sqrt(3) |dt| / slow_time, or
+//       an Ornstein-Uhlenbeck process (`slow_is_rough`) with exp(-|dt| / slow_time)
 //   e   white: variance `white` times that of the row, and what is stated of the row
 //
 // State x = (h s, m, m'): y reads its first two. A row whose time is before the last one's remembers nothing.
@@ -23,16 +24,19 @@
 namespace ballbar {
 
 inline constexpr double kLeastVariance_um2 = 1e-18;
+// A row of this stated variance has no reading: whitening counts it neither in the determinant nor as a reading.
+inline constexpr double kUnknownVariance = 1e12;
 
 // Variances in um^2, or in units of the noise's variance (white + correlated = 1).
 struct Covariance {
   double white = 1.0, correlated = 0.0, time_s = 0.0;
   double slow = 0.0, slow_time_s = 0.0;  // discrepancy; slow = 0: off
   double log_prior = 0.0;
+  bool slow_is_rough = false;
   // Equal but for the prior.
   bool operator==(const Covariance& other) const {
     return white == other.white && correlated == other.correlated && time_s == other.time_s && slow == other.slow &&
-           slow_time_s == other.slow_time_s;
+           slow_time_s == other.slow_time_s && slow_is_rough == other.slow_is_rough;
   }
 };
 Covariance variances_of(const Noise& noise);

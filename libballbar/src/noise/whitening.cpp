@@ -42,6 +42,11 @@ Whitening::Whitening(const Covariance& covariance, std::span<const double> time_
                             static_cast<std::uint32_t>(gains_.size()));
         gains_.push_back({of, std::sqrt(of.weight)});
       });
+  for (std::size_t i = 0; i < rows.variance.size(); ++i) {
+    if (rows.variance[i] < kUnknownVariance) continue;
+    ++unknown_;
+    log_determinant_ += 2.0 * std::log(of_row(i).scale);
+  }
 }
 
 Whitening::Whitening(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um,

@@ -26,7 +26,8 @@ class Whitening {
             std::span<const std::size_t> left_out = {});
 
   std::size_t size() const { return gain_of_row_.size(); }
-  double log_determinant() const { return log_determinant_; }  // of the covariance
+  std::size_t readings() const { return size() - unknown_; }    // rows whose variance is known
+  double log_determinant() const { return log_determinant_; }  // of the covariance of the readings
 
   // n innovations over their standard deviation. `stride`: distance of the column's values in memory. `out` may be the
   // column itself.
@@ -53,6 +54,7 @@ class Whitening {
   std::vector<RowGain> gains_;
   std::vector<std::uint32_t> gain_of_row_;
   bool has_slow_ = false, has_memory_ = false;
+  std::size_t unknown_ = 0;
   double log_determinant_ = 0.0;
 };
 

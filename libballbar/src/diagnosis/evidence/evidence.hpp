@@ -18,7 +18,7 @@ namespace ballbar {
 
 // The products of white columns from which the evidence of any linear model follows, at one covariance.
 struct Gram {
-  Eigen::Index rows = 0;         // n
+  Eigen::Index rows = 0;         // n, readings
   double log_determinant = 0.0;  // of the covariance
   Eigen::MatrixXd pool;          // P by P
 };

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 
 namespace ballbar {
@@ -22,23 +21,17 @@ RowMajorMatrix sums_from_each_row(RowMajorMatrix columns) {
 
 }  // namespace
 
-ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const Variant& variant, const Point& point,
-                     const DenseBackground& background)
-    : identities_(identities),
-      filter_(point.filter),
-      background_d_(background.d),
-      family_of_background_(background.family) {
+ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const Variant& variant, const Point& point)
+    : identities_(identities), filter_(point.filter) {
   const Eigen::Index n = variant.pool.rows(), c = identities.columns.cols();
-  const Eigen::Index dense = background.d > 0.0 ? background.columns.cols() : 0;
   line_ = static_cast<Eigen::Index>(variant.line.columns.size());
   is_free_ = variant.line.is_free;
   log_determinant_ = point.filter.log_determinant();
-  degrees = std::max(1.0, static_cast<double>(n - std::count(is_free_.begin(), is_free_.end(), char{1})));
-  RowMajorMatrix pool(n, 1 + line_ + dense);
+  degrees = std::max(1.0, static_cast<double>(static_cast<Eigen::Index>(point.filter.readings()) - std::count(is_free_.begin(), is_free_.end(), char{1})));
+  RowMajorMatrix pool(n, 1 + line_);
   pool.col(0) = variant.pool.col(0);
   for (Eigen::Index k = 0; k < line_; ++k)
     pool.col(1 + k) = variant.pool.col(variant.line.columns[static_cast<std::size_t>(k)]);
-  if (dense > 0) pool.rightCols(dense) = background.columns;
   pool = whitened_rows(filter_, std::move(pool));
   pool_ = pool.transpose() * pool;
   cross_ = Eigen::MatrixXd::Zero(pool.cols(), identities.size());
@@ -61,29 +54,11 @@ ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const
   }
   // For the scatter without any effect.
   double variance = pool_(0, 0) / degrees;
-  precision_ = Eigen::VectorXd::Constant(dense, std::numeric_limits<double>::infinity());
   solve_line();
   for (int round = 0; round < 3; ++round) {
     settle_line(variance);
     variance = (square + problem.known.readings * problem.known.variance) / (degrees + problem.known.readings);
   }
-  if (dense == 0) {
-    solve_columns();
-    return;
-  }
-  // All columns of the background have the same detectability.
-  const Eigen::MatrixXd cross = pool_.block(1, 1 + line_, line_, dense);
-  Eigen::MatrixXd a = pool_.block(1, 1, line_, line_);
-  for (Eigen::Index k = 0; k < line_; ++k)
-    a(k, k) += is_free_[static_cast<std::size_t>(k)] ? kJitter * a(k, k) : variance;
-  const Eigen::MatrixXd half = a.llt().matrixL().solve(cross);
-  for (Eigen::Index k = 0; k < dense; ++k) {
-    const double whole = pool_(1 + line_ + k, 1 + line_ + k), surviving = whole - half.col(k).squaredNorm();
-    if (surviving > kSurviving * whole)
-      precision_[k] = static_cast<double>(dense) * surviving / (background_d_ * background_d_);
-  }
-  solve_line();
-  settle_line(variance);
   solve_columns();
 }
 
@@ -91,14 +66,9 @@ void ColumnsAt::solve_line() {
   fixed_.clear();
   open_.clear();
   for (Eigen::Index k = 0; k < line_; ++k) (is_free_[static_cast<std::size_t>(k)] ? fixed_ : open_).push_back(1 + k);
-  for (Eigen::Index k = 0; k < precision_.size(); ++k) {
-    if (std::isfinite(precision_[k])) fixed_.push_back(1 + line_ + k);
-  }
   Eigen::MatrixXd a = pool_(fixed_, fixed_);
   scale_.resize(a.rows());
   for (Eigen::Index i = 0; i < a.rows(); ++i) {
-    const Eigen::Index k = fixed_[static_cast<std::size_t>(i)];
-    if (k > line_) a(i, i) += precision_[k - 1 - line_];
     scale_[i] = 1.0 / std::sqrt(std::max(a(i, i), 1e-300));
   }
   a = scale_.asDiagonal() * a * scale_.asDiagonal();
@@ -144,9 +114,6 @@ void ColumnsAt::settle_line(double variance) {
   double half_log = -0.5 * static_cast<double>(open) * std::log(variance);
   const Eigen::MatrixXd lower = factor_.matrixL();
   for (Eigen::Index i = 0; i < fixed; ++i) half_log += std::log(lower(i, i)) - std::log(scale_[i]);
-  for (Eigen::Index k = 0; k < precision_.size(); ++k) {
-    if (std::isfinite(precision_[k])) half_log -= 0.5 * std::log(precision_[k]);
-  }
   half_log += 0.5 * (values_.array() + variance).log().sum();
   constant = -0.5 * log_determinant_ - half_log;
   length_ = Eigen::VectorXd::Ones(fixed + open);
@@ -198,32 +165,6 @@ const BlockProduct& ColumnsAt::block(std::size_t shape) {
   }
   block.settled = settled;
   return block;
-}
-
-std::vector<std::pair<std::size_t, double>> ColumnsAt::background_shares(const Eigen::VectorXd& line) const {
-  const auto fixed = static_cast<Eigen::Index>(fixed_.size()), open = static_cast<Eigen::Index>(open_.size());
-  const Eigen::VectorXd left_of_y = length_.cwiseProduct(solved_y_) - line;
-  const Eigen::VectorXd of_open = turn_ * length_.tail(open).cwiseProduct(left_of_y.tail(open));
-  const Eigen::VectorXd coefficients =
-      scale_.asDiagonal() * factor_.matrixU().solve(left_of_y.head(fixed) - between_ * of_open);
-  Eigen::VectorXd background = Eigen::VectorXd::Zero(precision_.size());
-  for (std::size_t i = 0; i < fixed_.size(); ++i) {
-    if (fixed_[i] > line_) background[fixed_[i] - 1 - line_] = coefficients[static_cast<Eigen::Index>(i)];
-  }
-  std::map<std::size_t, std::vector<Eigen::Index>> columns;
-  for (std::size_t k = 0; k < family_of_background_.size(); ++k)
-    columns[family_of_background_[k]].push_back(static_cast<Eigen::Index>(k));
-  std::vector<std::pair<std::size_t, double>> shares;
-  double all = 0.0;
-  for (const auto& [family, of] : columns) {
-    std::vector<Eigen::Index> place;
-    for (const Eigen::Index k : of) place.push_back(1 + line_ + k);
-    const Eigen::VectorXd b = background(of);
-    shares.emplace_back(family, b.dot(pool_(place, place) * b));
-    all += shares.back().second;
-  }
-  for (auto& [family, share] : shares) share = all > 0.0 ? share / all : 0.0;
-  return shares;
 }
 
 ColumnsAt::Curve ColumnsAt::curve_of(const std::vector<std::pair<Eigen::Index, double>>& coefficients) const {

@@ -18,13 +18,6 @@
 
 namespace ballbar {
 
-// The background: a small contribution of every input in every form, for physics that is not a single effect.
-struct DenseBackground {
-  RowMajorMatrix columns;           // n by K, each with standard deviation 1
-  std::vector<std::size_t> family;  // of each column
-  double d = 0.0;                   // of the whole background, in units of the scatter; 0: none
-};
-
 // The columns of a shape with several gains, rotated so that they are independent.
 struct BlockProduct {
   std::size_t shape = 0;                                   // of Identities::shapes
@@ -42,9 +35,8 @@ struct ColumnSpan {
 
 class ColumnsAt {
  public:
-  // Keeps references to all arguments but the background.
-  ColumnsAt(const Problem& problem, const Identities& identities, const Variant& variant, const Point& point,
-            const DenseBackground& background);
+  // Keeps references to all arguments.
+  ColumnsAt(const Problem& problem, const Identities& identities, const Variant& variant, const Point& point);
 
   // Sets the variance of the scatter, because the priors of the line are in um. Before this call only `square`,
   // `degrees` and `constant` are valid, for the scatter without any effect.
@@ -56,10 +48,6 @@ class ColumnsAt {
   double constant = 0.0;        // part of ln of the evidence without the scatter
   Eigen::VectorXd along, left;  // per column; left: 0 if too little of the column remains
   const BlockProduct& block(std::size_t shape);
-
-  // The share of each family of columns in the background's part of the readings. line: the curve of all single
-  // effects, which is subtracted first.
-  std::vector<std::pair<std::size_t, double>> background_shares(const Eigen::VectorXd& line) const;
 
   // A whitened combination of columns, with the part that the line absorbs.
   struct Curve {
@@ -78,14 +66,12 @@ class ColumnsAt {
 
   const Identities& identities_;
   const Whitening& filter_;
-  double log_determinant_ = 0.0, background_d_ = 0.0;
-  Eigen::Index line_ = 0;             // columns of the line, followed by those of the background
+  double log_determinant_ = 0.0;
+  Eigen::Index line_ = 0;             // columns of the line
   std::vector<char> is_free_;         // of the line's
   Eigen::MatrixXd pool_, cross_;      // products of y and the line with each other, and with all columns
   Eigen::VectorXd squares_;           // of all columns
   std::vector<BlockProduct> blocks_;  // by their shape, rising
-  std::vector<std::size_t> family_of_background_;
-  Eigen::VectorXd precision_;  // of the background's columns, in units of the scatter
 
   // The columns of the line with flat priors (`fixed`), followed by those with normal priors (`open`). The open ones
   // are made orthogonal to the fixed ones and to each other, so that another scatter only changes their lengths.

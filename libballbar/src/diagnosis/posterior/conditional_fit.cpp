@@ -142,7 +142,7 @@ std::vector<double> with_times(const Problem& problem, std::vector<double> param
 
 Eigen::MatrixXd input_times_of(const Problem& problem, const ConditionalFit& conditional) {
   const auto [model, parameters] = with_effects(problem, conditional);
-  return BaseModel(model, problem.logged, problem.y, problem.base.row).times_at(parameters);
+  return with_levels(problem, BaseModel(model, problem.logged, problem.y, problem.base.row).times_at(parameters));
 }
 
 bool is_elsewhere(const Problem& problem, const Variant& variant, const std::vector<double>& parameters, double reach) {

@@ -59,8 +59,7 @@ std::vector<OwnColumn> own_columns(const Problem& problem, const Variant& varian
 
 bool jumps(const Problem& problem, std::size_t family) {
   const Effect& effect = *problem.library.families[family].bound.effect;
-  if (!effect.inputs.empty() || effect.parameters.size() != 2 || !effect.time_only) return false;
-  if (effect.level != Level::series || effect.parameters[1].shape_of != ShapeOf::onset) return false;
+  if (!is_jump(effect)) return false;
   for (const Term& given : problem.terms) {
     if (given.effect->name == effect.name && given.settings[1].held) return false;  // its moment
   }
@@ -79,7 +78,12 @@ Identities identities_of(const Problem& problem, const Variant& variant) {
                             std::log(kPriorOfOwn / static_cast<double>(problem.own.size())));
   }
   for (std::size_t f = 0; f < result.families; ++f) {
-    if (!result.jump && jumps(problem, f)) result.jump = f;
+    if (!jumps(problem, f)) continue;
+    if (!problem.level_jumps.empty()) {
+      result.log_prior[f] = kLogZero;  // they are the target's
+    } else if (!result.jump) {
+      result.jump = f;
+    }
   }
   std::vector<OwnColumn> own;
   for (std::size_t k = 0; k < problem.own.size(); ++k) {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "diagnosis/posterior/identities.hpp"
+#include "diagnosis/posterior/robust.hpp"
 #include "diagnosis/posterior/set_regression.hpp"
-#include "diagnosis/posterior/shock.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "fit/model_columns.hpp"
 #include "noise/whitening.hpp"
@@ -21,7 +21,6 @@
 namespace ballbar {
 namespace {
 
-constexpr double kOutlier = 2.0;               // (r^2 + 4) / 5 of a white reading r in heavy tails
 constexpr double kLateClock = 12.0;            // fall of chi^2 by a delayed clock at the rows of jumps
 constexpr std::size_t kValuesForAnEffect = 4;  // rows beyond the model's
 constexpr double kStill_um = 1e-9;             // rms of constant readings
@@ -54,37 +53,6 @@ bool has_late_clock(const Problem& problem, const Posterior& posterior, const Se
     if (square > 1e-9 && std::pow(left.col(k).dot(r), 2) / square / at.variance > kLateClock) return true;
   }
   return false;
-}
-
-// What a set without these members leaves, white, in units of the scatter.
-Eigen::VectorXd left_by(const SetRegression& at, const std::vector<std::size_t>& without) {
-  Eigen::MatrixXd all = at.white_line;
-  for (std::size_t m = 0; m < at.first.size(); ++m) {
-    if (std::find(without.begin(), without.end(), m) != without.end()) continue;
-    all.conservativeResize(Eigen::NoChange, all.cols() + at.width[m]);
-    all.rightCols(at.width[m]) = at.white_members.middleCols(at.first[m], at.width[m]);
-  }
-  return orthogonal_part(at.white_y, orthonormal(all)).head(at.y.size()) / std::sqrt(at.variance);
-}
-
-// Readings far from the others count less, as in Student's t with four degrees of freedom. A jump that may be one large
-// change of the noise is such a reading. False: there are none.
-bool weigh_down_outliers(Problem& problem, const Posterior& posterior, const EffectSet& set, const SetRegression& at) {
-  if (!has_heavy_tails(left_by(at, {}))) return false;
-  std::vector<std::size_t> shocks;
-  for (std::size_t m = 0; m < set.families.size(); ++m) {
-    if (may_be_shock(problem, posterior, set, at, m)) shocks.push_back(m);
-  }
-  const Eigen::VectorXd r = left_by(at, shocks);
-  bool any = false;
-  for (Eigen::Index i = 0; i < r.size(); ++i) {
-    const double weight = (r[i] * r[i] + 4.0) / 5.0;
-    if (weight < kOutlier) continue;
-    problem.relative_variance[static_cast<std::size_t>(i)] *= weight;
-    problem.shock[static_cast<std::size_t>(i)] *= weight;
-    any = true;
-  }
-  return any;
 }
 
 // Of a long series every k-th value is weighed: where the best set has jumps, all values about them. False: it has
@@ -142,7 +110,11 @@ Inference inference(const Model& model, const Series& data, std::size_t target, 
   const SetRegression at = set_regression(problem, result.posterior, best);
   const bool late = model.level == Level::series && has_late_clock(problem, result.posterior, at);
   if (late) free_rows_at_jumps(problem, true);
-  const bool outliers = weigh_down_outliers(problem, result.posterior, best, at);
+  // On recordings no input of any form stands for the missing effects before they are found.
+  const bool outliers =
+      model.level == Level::recording &&
+      weigh_down_outliers(problem, with_signatures(problem, result.posterior.variants[best.variant], best.signatures),
+                          result.posterior.points[best.point]);
   if (!late && !outliers) return result;
   tell(late ? "weighing again without the rows at changes of an input" : "weighing again, outliers less");
   result.posterior = posterior_of(problem, result.largest, tell_so_far);

@@ -13,8 +13,7 @@
 namespace ballbar {
 
 // One of the single effects: at most one of its identities is missing.
-inline constexpr double kPriorOfNone = 0.8;          // prior that a single effect is nothing
-inline constexpr double kPriorOfDiscrepancy = 0.15;  // prior of a slow discrepancy
+inline constexpr double kPriorOfNone = 0.8;  // prior that a single effect is nothing
 
 struct SinglePosterior {
   std::vector<double> p;  // per identity: families of the library, then held values
@@ -40,10 +39,9 @@ struct Posterior {
   std::vector<Variant> variants;  // the model at its most likely parameters, then with one held parameter free
   std::vector<SinglePosterior> effects;
   std::vector<double> family, own;  // P of each family and each held value
-  double nothing = 1.0;             // P of no effect, wrong held value, discrepancy and background
+  double nothing = 1.0;             // P of no effect, wrong held value and discrepancy
   double none = 1.0;                // P of no effect and no wrong held value
   double discrepancy = 0.0;         // P of a slow discrepancy
-  std::vector<double> background;   // P of the background, by its main family of any form
   std::vector<EffectSet> sets;  // the most probable first; that of the likeliest identity of each single effect that is
                                 // likely to be there is `best`; the first of no effects is always there
   std::size_t best = 0;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "diagnosis/posterior/any_form.hpp"
+#include "diagnosis/posterior/robust.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "effects/effect_at.hpp"
 #include "model/resolved_periods.hpp"
@@ -20,8 +21,41 @@ constexpr double kMostJumps = 0.02;       // of the rows, and in any case as man
 constexpr double kFewJumps = 5.0;
 constexpr std::size_t kRowsAboutJump = 2;
 constexpr double kShortestLag = 2.0;  // samples
+constexpr double kPriorOfPairs = 0.1;  // of all effects of two columns
+constexpr double kPriorOfForm = 0.05;  // of a column in a form that no effect has
 
-// Effects alike, columns of an effect alike.
+// Columns alike, the effects of one column alike; all effects of several columns together kPriorOfPairs; a column in a
+// form that no effect has kPriorOfForm; a jump as one more column.
+std::vector<double> log_priors_of_columns(const SignatureLibrary& library) {
+  std::map<std::string, double> effects;  // of each column alone; "" of no column
+  double pairs = 0.0, forms = 0.0;
+  const auto is_form = [](const Family& family) { return family.bound.effect == &any_form(); };
+  for (const Family& family : library.families) {
+    const std::vector<std::string>& columns = family.bound.columns;
+    if (is_form(family)) {
+      forms += 1.0;
+    } else if (columns.size() > 1) {
+      pairs += 1.0;
+    } else {
+      effects[columns.empty() ? "" : columns.front()] += 1.0;
+    }
+  }
+  const double of_form = forms > 0.0 ? kPriorOfForm : 0.0;
+  const double of_pairs = pairs == 0.0 ? 0.0 : effects.empty() ? 1.0 : kPriorOfPairs;
+  const double of_column = (1.0 - of_pairs) / static_cast<double>(std::max<std::size_t>(1, effects.size()));
+  const auto prior_of = [&](const Family& family) {
+    const std::vector<std::string>& columns = family.bound.columns;
+    if (is_form(family)) return of_form / forms;
+    if (columns.size() > 1) return (1.0 - of_form) * of_pairs / pairs;
+    return (1.0 - of_form) * of_column / effects.at(columns.empty() ? "" : columns.front());
+  };
+  std::vector<double> result;
+  result.reserve(library.families.size());
+  for (const Family& family : library.families) result.push_back(std::log(prior_of(family)));
+  return result;
+}
+
+// Of recordings: effects alike, columns of an effect alike.
 std::vector<double> log_priors_of(const SignatureLibrary& library) {  // those of any form are an effect as well
   std::map<const Effect*, double> families;
   for (const Family& family : library.families) families[family.bound.effect] += 1.0;
@@ -158,7 +192,7 @@ std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vecto
 
 Point point_at(const Problem& problem, const Covariance& covariance) {
   return {covariance, Whitening(covariance, problem.time_s,
-                                {.relative_variance = problem.relative_variance, .shock = problem.shock})};
+                                {.variance = problem.stated_variance, .relative_variance = problem.relative_variance, .shock = problem.shock})};
 }
 
 std::vector<double> fitted_parameters(const Problem& problem) {
@@ -185,10 +219,23 @@ void free_rows_at_jumps(Problem& problem, bool wide) {
       const std::size_t first = jump.first + inside > width ? jump.first + inside - width : 0;
       for (std::size_t row = first; row < jump.last + (wide ? 1 : 0); ++row) {
         if (const auto at = place.find(row); at != place.end())
-          problem.relative_variance[at->second] = std::max(problem.relative_variance[at->second], kUnknownRow);
+          problem.stated_variance[at->second] = kUnknownVariance;
       }
     }
   }
+}
+
+Eigen::MatrixXd with_levels(const Problem& problem, Eigen::MatrixXd open) {
+  const Eigen::Index first = open.cols();
+  open.conservativeResize(static_cast<Eigen::Index>(problem.time_s.size()),
+                          first + static_cast<Eigen::Index>(problem.level_jumps.size()));
+  for (std::size_t k = 0; k < problem.level_jumps.size(); ++k) {
+    const LevelJump& jump = problem.level_jumps[k];
+    auto column = open.col(first + static_cast<Eigen::Index>(k));
+    column.setZero();
+    column.tail(column.size() - static_cast<Eigen::Index>(jump.row)).setConstant(jump.size_um);
+  }
+  return open;
 }
 
 std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, const std::vector<double>& point) {
@@ -251,8 +298,8 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
     problem->centre_um = problem->y.mean();
     problem->y.array() -= problem->centre_um;
   }
+  problem->stated_variance.assign(base.row.size(), 0.0);
   problem->relative_variance.assign(base.row.size(), 1.0);
-  problem->shock.assign(base.row.size(), 1.0);
   if (!base.sigma_um.empty()) {
     double mean = 0.0;
     for (const double sigma : base.sigma_um) mean += sigma * sigma / static_cast<double>(n);
@@ -261,11 +308,19 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
     problem->known = {4.0, mean};
   }
   free_rows_at_jumps(*problem, false);
+  problem->longest_memory_s = options.search.longest_memory_s;
+  problem->shock.assign(base.row.size(), 1.0);
+  if (model.level == Level::series) {
+    for (const std::size_t row : far_readings(problem->y)) problem->stated_variance[row] = kUnknownVariance;
+  } else {
+    problem->longest_memory_s = std::numeric_limits<double>::infinity();
+  }
   problem->base_model = std::make_unique<BaseModel>(problem->model, problem->logged, problem->y, base.row);
   SignatureOptions signatures;
   signatures.terms = options.terms;
   signatures.motion = options.search.motion;
   signatures.without = options.search.without;
+  signatures.causes_only = true;
   problem->library = signature_library_of(options.search.catalogue, model, problem->logged.series, base, signatures);
   problem->effects = problem->library.families.size();
   if (model.level == Level::series) add_any_forms(problem->library, problem->logged.series, base.row);
@@ -279,7 +334,7 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
     column /= deviation;
     problem->deviation[k] = deviation;
   }
-  problem->log_prior = log_priors_of(problem->library);
+  problem->log_prior = model.level == Level::series ? log_priors_of_columns(problem->library) : log_priors_of(problem->library);
   problem->log_prior_of_shape = log_priors_of_shapes(problem->library, problem->logged);
   problem->own = own_of(model);
   problem->terms = options.terms;

@@ -37,12 +37,22 @@ struct Point {
   Whitening filter;
 };
 
+// A row from which the target has another level.
+struct LevelJump {
+  std::size_t row = 0;
+  double size_um = 0.0;
+};
+
 struct Problem {
   Model model;
   LoggedInputs logged;
   Fit base;
-  std::vector<double> time_s, relative_variance;
-  std::vector<double> shock;                 // relative variance of the innovation of the noise, per row
+  std::vector<double> time_s;
+  std::vector<double> stated_variance;    // kUnknownVariance of rows without information, else 0
+  std::vector<double> relative_variance;  // of the white noise; larger for readings far from the others
+  std::vector<double> shock;              // relative variance of the innovation of the noise, per row
+  std::vector<LevelJump> level_jumps;     // of the target, none of them an effect
+  double longest_memory_s = 0.0;          // of the noise
   std::vector<char> at_jump_of_temperature;  // per row: a jump near it may be one of a temperature
   Eigen::VectorXd y;                         // minus `centre_um`, if the constant of the model is free
   double centre_um = 0.0;
@@ -75,6 +85,9 @@ std::vector<double> fitted_parameters(const Problem& problem);
 
 // The smallest variance of the scatter, from the rounding of readings of this size.
 double least_variance_of(const Problem& problem);
+
+// Columns of open levels are added to the open ones of the model: each a step of the jump's size.
+Eigen::MatrixXd with_levels(const Problem& problem, Eigen::MatrixXd open);
 
 // Marks the rows at which the time of an input jump is uncertain: rows strictly inside the interval of a jump; wide:
 // also those at its ends.

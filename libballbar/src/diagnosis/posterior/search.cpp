@@ -8,6 +8,8 @@
 #include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/evidence/gauss_newton_fit.hpp"
 #include "diagnosis/posterior/conditional_fit.hpp"
+#include "diagnosis/posterior/hyperparameters.hpp"
+#include "diagnosis/posterior/robust.hpp"
 #include "diagnosis/posterior/sets.hpp"
 
 namespace ballbar {
@@ -15,7 +17,6 @@ namespace {
 
 constexpr int kRelinearised = 3;             // times
 constexpr double kSameModel = 0.02;          // of a shape's reach
-constexpr std::size_t kPilots = 2;           // number of covariances for the search of the model
 constexpr double kOtherStart = 0.3;          // of a shape's reach
 constexpr double kUsualTime_s = 1500.0;      // for the time constants of a model whose fit has diverged
 constexpr std::size_t kSharpenedRivals = 4;  // rivals of a single effect whose shapes are refined
@@ -27,8 +28,9 @@ class Search {
  public:
   Search(Problem& problem, std::size_t largest) : problem_(problem), largest_(largest) {}
 
-  SearchResult run(const std::vector<Covariance>& grid) {
-    start(grid);
+  SearchResult run() {
+    start();
+    settle();
     std::vector<Mode> modes;
     for (int round = 0; round < kRelinearised; ++round) {
       int step = 0;
@@ -37,30 +39,67 @@ class Search {
       modes = other_modes(is_better);
       if (!is_better) break;
     }
-    return {std::move(*variant_), std::move(identities_), std::move(best_), std::move(modes)};
+    return {std::move(covariances_), std::move(*variant_), std::move(identities_), std::move(best_), std::move(modes)};
   }
 
  private:
-  // The likeliest covariances where a little of every input in every form stands for all effects.
-  std::vector<Covariance> likeliest_of(const std::vector<Covariance>& grid, const Variant& variant) const {
-    const Identities none = restricted(identities_of(problem_, variant), {});
-    std::vector<WeightedAscent> found(grid.size());
-    in_parallel(found.size(), [&](std::size_t g) {
-      found[g].point = point_at(problem_, grid[g]);
-      ColumnsAt at(problem_, none, variant, found[g].point, background_of(problem_, kOfBackground));
-      found[g].log_weight = ascended(at, none, ascent_options(problem_, none, 0)).bound + grid[g].log_prior;
+  // The readings of all kinds of covariance, or the given ones, the likeliest first.
+  void take_covariances(const Variant& beside) {
+    if (!problem_.covariances.empty()) {
+      std::vector<std::pair<double, Covariance>> given;
+      for (const Covariance& one : problem_.covariances) {
+        const Point point = point_at(problem_, one);
+        const Gram gram = gram_of(point.filter, beside.pool);
+        given.emplace_back(log_evidence(linear_solution(gram, beside.line, problem_.known)) + one.log_prior, one);
+      }
+      std::stable_sort(given.begin(), given.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+      covariances_.clear();
+      for (const auto& [weight, one] : given) covariances_.push_back(one);
+      pilots_.assign(covariances_.begin(),
+                     covariances_.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(2, covariances_.size())));
+      return;
+    }
+    const std::vector<Discrepancy> kinds = discrepancies_of(problem_);
+    const std::vector<Covariance> before = std::exchange(covariances_, std::vector<Covariance>(kinds.size()));
+    std::vector<double> weight(kinds.size());
+    in_parallel(kinds.size(), [&](std::size_t k) {
+      covariances_[k] = likeliest_covariance(problem_, beside, kinds[k], before.empty() ? nullptr : &before[k]);
+      const Gram gram = gram_of(point_at(problem_, covariances_[k]).filter, beside.pool);
+      weight[k] = log_evidence(linear_solution(gram, beside.line, problem_.known));
     });
-    sort_by_weight(found);
-    std::vector<Covariance> likeliest;
-    for (std::size_t g = 0; g < std::min(kPilots, found.size()); ++g) likeliest.push_back(found[g].point.covariance);
-    return likeliest;
+    pilots_ = {covariances_.front()};
+    if (kinds.size() > 1) pilots_.push_back(covariances_[weight[1] > weight[2] ? 1 : 2]);
+  }
+
+  // Readings far from the others count less, and three or more jumps of the target are levels of their own. Both beside
+  // the richest model: a missing effect would make its own readings outliers.
+  void note_outliers(const std::vector<double>& fit) {
+    if (!problem_.covariances.empty() || problem_.model.level != Level::series) return;
+    Variant rich = beside_any_forms(problem_, variant_at(problem_, 0, fit));
+    Covariance covariance = likeliest_covariance(problem_, rich, Discrepancy::none);
+    problem_.level_jumps = level_jumps(problem_, residual_beside(problem_, rich, point_at(problem_, covariance)));
+    if (!problem_.level_jumps.empty()) {
+      rich = beside_any_forms(problem_, variant_at(problem_, 0, fit));
+      covariance = likeliest_covariance(problem_, rich, Discrepancy::none);
+    }
+    weigh_down_outliers(problem_, rich, point_at(problem_, covariance));
+  }
+
+  // The covariances beside what the best sum explains.
+  void settle() {
+    if (!problem_.covariances.empty()) return;
+    Variant beside = *variant_;
+    beside.pool.col(0) -= mean_of(best_.ascent, identities_);
+    take_covariances(beside);
+    best_ = best_at_pilots(*variant_, identities_, likeliest_set(best_.ascent));
   }
 
   // The model about its fit by least squares, and about what noise with a memory makes of it.
-  void start(const std::vector<Covariance>& grid) {
+  void start() {
     const std::vector<double> fit = fitted_parameters(problem_);
+    note_outliers(fit);
     std::vector<Variant> starts{variant_at(problem_, 0, fit)};
-    pilots_ = likeliest_of(grid, starts.front());
+    take_covariances(beside_any_forms(problem_, starts.front()));
     const auto add = [&](const Point& point, std::vector<double> from, int rounds) {
       const GaussNewtonFit there = gauss_newton_fit(*problem_.base_model, std::move(from), {}, starts.front().times,
                                                     point.filter, problem_.known, {rounds});
@@ -117,7 +156,7 @@ class Search {
     std::vector<WeightedAscent> found(pilots_.size());
     in_parallel(pilots_.size(), [&](std::size_t g) {
       found[g].point = point_at(problem_, pilots_[g]);
-      ColumnsAt at(problem_, identities, variant, found[g].point, {});
+      ColumnsAt at(problem_, identities, variant, found[g].point);
       const AscentOptions options = ascent_options(problem_, identities, largest_);
       found[g].ascent = set.empty() ? best_ascent(at, problem_, identities, options, {})
                                     : ascended_from(at, identities, options, set);
@@ -255,7 +294,7 @@ class Search {
     std::erase_if(best_set, [&](std::size_t i) { return identities_.is_own(i); });
     std::vector<Ascent> others(best_set.size());
     in_parallel(best_set.size(), [&](std::size_t k) {
-      ColumnsAt at(problem_, identities_, *variant_, best_.point, {});
+      ColumnsAt at(problem_, identities_, *variant_, best_.point);
       const AscentOptions options = ascent_options(problem_, identities_, largest_, best_set[k]);
       others[k] = best_ascent(at, problem_, identities_, options, {});
     });
@@ -275,7 +314,7 @@ class Search {
     if (modes.empty()) return modes;
     std::vector<Ascent> sharper(modes.size());
     in_parallel(modes.size(), [&](std::size_t m) {
-      ColumnsAt at(problem_, identities_, *variant_, best_.point, {});
+      ColumnsAt at(problem_, identities_, *variant_, best_.point);
       const AscentOptions options = ascent_options(problem_, identities_, largest_, modes[m].without);
       sharper[m] = ascended_from(at, identities_, options, modes[m].set);
     });
@@ -292,7 +331,7 @@ class Search {
 
   Problem& problem_;
   std::size_t largest_;
-  std::vector<Covariance> pilots_;
+  std::vector<Covariance> covariances_, pilots_;
   std::optional<Variant> variant_;
   Identities identities_;
   WeightedAscent best_;
@@ -301,8 +340,8 @@ class Search {
 
 }  // namespace
 
-SearchResult search_result(Problem& problem, std::size_t largest, const std::vector<Covariance>& grid) {
-  return Search(problem, largest).run(grid);
+SearchResult search_result(Problem& problem, std::size_t largest) {
+  return Search(problem, largest).run();
 }
 
 }  // namespace ballbar

@@ -8,8 +8,6 @@
 
 namespace ballbar {
 
-inline constexpr double kOfBackground = 20.0;  // d of the background if it replaces all effects
-
 // Another mode: a sum of single effects that excludes an identity of the best one.
 struct Mode {
   std::size_t without = 0;       // the excluded identity
@@ -17,14 +15,15 @@ struct Mode {
 };
 
 struct SearchResult {
+  std::vector<Covariance> covariances;  // the likeliest of each kind of discrepancy
   Variant variant;
   Identities identities;
   WeightedAscent best;
   std::vector<Mode> modes;  // other modes that are nearly as likely
 };
 
-// largest: largest number of single effects; grid: covariances of noise. Shapes of likely effects between the points of
-// the grid are added to the library.
-SearchResult search_result(Problem& problem, std::size_t largest, const std::vector<Covariance>& grid);
+// largest: largest number of single effects. Shapes of likely effects between the points of the grid are added to the
+// library; readings far from the others, and jumps of the target, are noted in the problem.
+SearchResult search_result(Problem& problem, std::size_t largest);
 
 }  // namespace ballbar

@@ -10,6 +10,8 @@
 #include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/evidence/evidence.hpp"
 #include "diagnosis/posterior/conditional_fit.hpp"
+#include "diagnosis/posterior/hyperparameters.hpp"
+#include "diagnosis/posterior/weighted_ascent.hpp"
 
 namespace ballbar {
 namespace {
@@ -91,7 +93,7 @@ void relinearise_own(const Problem& problem, Posterior& posterior, EffectSet& se
   set.variant = posterior.variants.size() - 1;
 }
 
-// Exactly these effects with the model, at every covariance.
+// Exactly these effects with the model, at the likeliest covariance of each kind.
 struct GivenEffects {
   std::vector<Covariance> covariances;
   std::vector<Ascent> ascents;
@@ -104,16 +106,15 @@ GivenEffects given_effects(const Problem& problem, const Posterior& posterior,
   GivenEffects result;
   const Variant& variant = posterior.variants.front();
   result.identities = restricted(identities_of(problem, variant), families);
+  const bool is_given = !problem.covariances.empty();
   result.covariances = problem.covariances;
-  if (result.covariances.empty()) {
-    result.covariances = noise_grid(problem.time_s);
-    if (problem.model.level == Level::series) {
-      for (Covariance& one : result.covariances) one.log_prior += std::log1p(-kPriorOfDiscrepancy);
-      for (const Point& point : posterior.points) {
-        const Covariance& one = point.covariance;
-        if (std::find(result.covariances.begin(), result.covariances.end(), one) == result.covariances.end())
-          result.covariances.push_back(one);
-      }
+  if (!is_given) {
+    for (const Discrepancy kind : discrepancies_of(problem)) {
+      const auto near = std::find_if(posterior.points.begin(), posterior.points.end(), [&](const Point& one) {
+        return discrepancy_of(one.covariance) == kind;
+      });
+      result.covariances.push_back(near != posterior.points.end() ? near->covariance
+                                                                  : likeliest_covariance(problem, variant, kind));
     }
   }
   AscentOptions options;
@@ -130,15 +131,30 @@ GivenEffects given_effects(const Problem& problem, const Posterior& posterior,
   std::vector<const Variant*> variants{&variant};
   if (families.empty()) variants.push_back(&alone.emplace(variant_at(problem, 0, fitted_parameters(problem))));
   result.ascents.resize(result.covariances.size());
-  result.log_weight.resize(result.covariances.size());
+  result.log_weight.assign(result.covariances.size(), kLogZero);
   in_parallel(result.covariances.size(), [&](std::size_t g) {
-    const Point point = point_at(problem, result.covariances[g]);
+    const Covariance before = result.covariances[g];
     for (const Variant* one : variants) {
-      ColumnsAt at(problem, result.identities, *one, point, {});
-      Ascent ascent = ascended(at, result.identities, options);
-      if (one == variants.front() || ascent.bound > result.ascents[g].bound) result.ascents[g] = std::move(ascent);
+      Covariance covariance = before;
+      Ascent ascent;
+      for (int round = 0; round < 2; ++round) {
+        if (round > 0 || families.empty()) {
+          if (is_given && round > 0) break;
+          Variant beside = *one;
+          if (!families.empty()) beside.pool.col(0) -= mean_of(ascent, result.identities);
+          if (!is_given)
+            covariance = likeliest_covariance(problem, beside, discrepancy_of(covariance), &covariance);
+        }
+        const Point point = point_at(problem, covariance);
+        ColumnsAt at(problem, result.identities, *one, point);
+        ascent = ascended(at, result.identities, options, std::move(ascent));
+        const double log_weight = ascent.bound + covariance.log_prior;
+        if (!(log_weight > result.log_weight[g])) continue;
+        result.log_weight[g] = log_weight;
+        result.ascents[g] = ascent;
+        result.covariances[g] = covariance;
+      }
     }
-    result.log_weight[g] = result.ascents[g].bound + result.covariances[g].log_prior;
   });
   return result;
 }

@@ -1,13 +1,16 @@
 #include "diagnosis/posterior/variant.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "diagnosis/evidence/gauss_newton_fit.hpp"
 
 namespace ballbar {
 
 Variant variant_at(const Problem& problem, std::size_t own, std::vector<double> parameters) {
-  Eigen::MatrixXd times = problem.base_model->times_at(parameters);
+  Eigen::MatrixXd times = with_levels(problem, problem.base_model->times_at(parameters));
   return variant_at(problem, own, std::move(parameters), std::move(times));
 }
 
@@ -21,6 +24,24 @@ Variant variant_at(const Problem& problem, std::size_t own, std::vector<double> 
 std::vector<std::size_t> free_of(const Problem& problem, std::size_t own) {
   if (own == 0) return {};
   return {problem.own[own - 1].parameter};
+}
+
+Variant beside_any_forms(const Problem& problem, Variant variant) {
+  constexpr Eigen::Index kEach = 3;  // of the columns of an input
+  std::vector<Eigen::Index> columns;
+  for (std::size_t f = problem.effects; f < problem.library.families.size(); ++f) {
+    const Signature& one = problem.library.signatures[problem.library.families[f].first];
+    for (Eigen::Index k = 0; k < one.width; k += kEach) columns.push_back(one.first + k);
+  }
+  const double size_um = std::sqrt(problem.y.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, problem.y.size())));
+  Eigen::Index next = variant.pool.cols();
+  variant.pool.conservativeResize(Eigen::NoChange, next + static_cast<Eigen::Index>(columns.size()));
+  for (const Eigen::Index column : columns) {
+    variant.pool.col(next) = size_um * problem.signatures.col(column);
+    variant.line.columns.push_back(next++);
+    variant.line.is_free.push_back(0);
+  }
+  return variant;
 }
 
 Variant with_signatures(const Problem& problem, Variant variant, const std::vector<std::size_t>& signatures) {

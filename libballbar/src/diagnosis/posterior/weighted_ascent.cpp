@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "diagnosis/posterior/posterior.hpp"
 
@@ -68,20 +69,20 @@ std::vector<std::size_t> likeliest_set(const Ascent& ascent) {
   return set;
 }
 
-DenseBackground background_of(const Problem& problem, double d) {
-  DenseBackground background;
-  background.d = d;
-  if (!(d > 0.0)) return background;
-  std::vector<Eigen::Index> columns;
-  for (std::size_t f = problem.effects; f < problem.library.families.size(); ++f) {
-    const Signature& one = problem.library.signatures[problem.library.families[f].first];
-    for (Eigen::Index k = 0; k < one.width; k += 3) {
-      columns.push_back(one.first + k);
-      background.family.push_back(f);
+Eigen::VectorXd mean_of(const Ascent& ascent, const Identities& identities) {
+  const Eigen::Index n = identities.columns.rows(), c = identities.columns.cols();
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(n), jumps = mean;
+  for (const SingleEffect& one : ascent.effects) {
+    for (const auto& [column, coefficient] : one.mean) {
+      if (column < c) {
+        mean += coefficient * identities.columns.col(column);
+      } else {
+        jumps[column - c] += coefficient;
+      }
     }
   }
-  background.columns = problem.signatures(Eigen::all, columns);
-  return background;
+  std::partial_sum(jumps.begin(), jumps.end(), jumps.begin());
+  return mean + jumps;
 }
 
 }  // namespace ballbar

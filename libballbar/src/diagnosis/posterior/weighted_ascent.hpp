@@ -12,10 +12,8 @@ namespace ballbar {
 
 struct WeightedAscent {
   Point point;
-  double background = 0.0;  // d of the background
   Ascent ascent;
-  double log_weight = kLogZero;                        // lower bound plus ln prior of the covariance
-  std::vector<std::pair<std::size_t, double>> shares;  // of the background, by family
+  double log_weight = kLogZero;  // lower bound plus ln prior of the covariance
 };
 
 // Sorted, the most likely first.
@@ -38,6 +36,7 @@ std::size_t likeliest_identity(const SingleEffect& one);
 // The identity of each single effect that is more likely present than absent.
 std::vector<std::size_t> likeliest_set(const Ascent& ascent);
 
-DenseBackground background_of(const Problem& problem, double d);
+// What the single effects explain on average, n readings.
+Eigen::VectorXd mean_of(const Ascent& ascent, const Identities& identities);
 
 }  // namespace ballbar

@@ -46,7 +46,11 @@ struct SignatureLibrary {
   Eigen::MatrixXd columns;  // n rows where the target has a value
 };
 
+// Whether an effect of time alone is a jump: a gain, and the time from which it acts.
+bool is_jump(const Effect& effect);
+
 struct SignatureOptions {
+  bool causes_only = false;          // of effects of time alone only jumps: others describe a slow drift, no cause of it
   std::optional<Motion> motion;      // of recordings
   std::vector<std::string> without;  // names of effects to leave out
   std::vector<Term> terms;           // replace the catalogue's terms; their held shapes stay held

@@ -12,7 +12,6 @@
 #include "ballbar/numerics/range.hpp"
 #include "diagnosis/posterior/inference.hpp"
 #include "diagnosis/posterior/set_regression.hpp"
-#include "diagnosis/posterior/shock.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
@@ -187,8 +186,6 @@ class Decision {
       one.in_best_set = true;
       one.minor = one.amplitude_um < std::max(kMinor * problem().base.rmse_um, options_.tolerance_um);
       if (!(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.emplace_back("the evidence for it is weak");
-      if (may_be_shock(problem(), posterior(), *best_, at_, m))
-        one.doubts.emplace_back("one large jump of the noise explains the data nearly as well");
       if (reads_an_open_form(best_->families[m]))
         one.doubts.emplace_back("the same column drives more, in a form that no known effect has");
       if (one.amplitude_um > kCancelled * fitted.together_um)

@@ -75,9 +75,9 @@ SetRegression set_with_gains_by_run(const Problem& problem, const Posterior& pos
   SetRegression best;
   double most = kLogZero;
   set.point = 0;
-  for (const Covariance& covariance : noise_grid(problem.time_s)) {
+  for (const Point& point : posterior.points) {
     Posterior there;
-    there.points = {point_at(problem, covariance)};
+    there.points = {point};
     there.variants = posterior.variants;
     SetRegression at = set_regression(problem, there, set);
     const Eigen::MatrixXd x = columns_by_run(at.white_columns(), gains, runs);

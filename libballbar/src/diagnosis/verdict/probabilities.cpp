@@ -23,11 +23,6 @@ std::vector<Driver> drivers_of(const Problem& problem, const Posterior& posterio
     }
     for (const auto& [column, p] : with) without.try_emplace(column, 1.0).first->second *= std::max(0.0, 1.0 - p);
   }
-  for (std::size_t f = 0; f < posterior.background.size(); ++f) {
-    if (!(posterior.background[f] > 0.0)) continue;
-    for (const std::string& column : problem.library.families[f].bound.columns)
-      without.try_emplace(column, 1.0).first->second *= std::max(0.0, 1.0 - posterior.background[f]);
-  }
   std::vector<Driver> drivers;
   for (const auto& [column, p] : without) {
     if (1.0 - p >= 0.5) drivers.push_back({column, 1.0 - p});

@@ -24,6 +24,8 @@ struct SearchOptions {
   Catalogue catalogue = built_in_catalogue();  // effects to search; a diagnosis points to them
   std::optional<Motion> motion;                // what moved the ballbar, for recordings
   std::vector<std::string> without;            // names of effects to leave out of the search
+  // Of the noise, on a drift. What changes more slowly has a cause, known or not.
+  double longest_memory_s = 1200.0;
   // Called before each step, in the calling thread: "testing 2 effects".
   std::function<void(std::string_view step)> progress;
   // Called with all effects, the most probable first, whenever more sets have been evaluated; in the calling thread.

@@ -1,0 +1,28 @@
+// The most likely covariance of the readings beside a linear model, for each kind of discrepancy.
+//
+// Noise is white and remembers for at most `longest_memory_s`. A slower change has a cause, even if nobody logged it:
+// it is the discrepancy (Kennedy and O'Hagan 2001, J. R. Stat. Soc. B 63, 425). Its size is log-uniform from 0.3 times
+// the noise on, so that it cannot shrink to noise; its memory is log-uniform from 25 min to three times the record.
+// The hyperparameters are at the maximum of the evidence. Each costs two nats, for its volume.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/posterior/problem.hpp"
+#include "diagnosis/posterior/variant.hpp"
+
+namespace ballbar {
+
+enum class Discrepancy { none, rough, smooth };  // Ornstein-Uhlenbeck, Matern 3/2
+
+Discrepancy discrepancy_of(const Covariance& covariance);
+
+// The kinds that these readings can have.
+std::vector<Discrepancy> discrepancies_of(const Problem& problem);
+
+// Of the readings in the first column of the pool, beside the line. start: nearby; nullptr: not known. The prior of
+// the kind is in its log_prior.
+Covariance likeliest_covariance(const Problem& problem, const Variant& variant, Discrepancy kind,
+                                const Covariance* start = nullptr);
+
+}  // namespace ballbar
