@@ -11,6 +11,7 @@
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/numerics/range.hpp"
 #include "ballbar/revision/replacement.hpp"
 #include "diagnose/diagnosis_result.hpp"
 #include "diagnose/effect_test_text.hpp"
@@ -24,6 +25,8 @@ namespace {
 constexpr std::size_t kLabels = 4;
 
 constexpr std::size_t kShownSoFar = 12;
+
+constexpr double kClearlyBetter = 0.95;  // of the error of the model in left-out cycles
 
 // For a page, which draws it.
 void show_so_far(const std::vector<ProbableSoFar>& effects) {
@@ -86,6 +89,37 @@ std::vector<std::string> unsupported_of(const ModelOptions& options, const Model
   return held;
 }
 
+std::vector<std::string> columns_of_best_set(const Diagnosis& found) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  for (const Candidate& one : found.candidates) {
+    if (!one.in_best_set) continue;
+    if (one.bound.columns.empty()) add(one.bound.effect->name);
+    std::for_each(one.bound.columns.begin(), one.bound.columns.end(), add);
+  }
+  return names;
+}
+
+// The most probable set, if it reads a column and its left-out cycles have a smaller error than those of the model and
+// than the forecasts of the regression that does not fall short.
+std::optional<PredictedByColumns> predicted_by_of(const Diagnosis& found, const std::optional<Predictability>& other,
+                                                  Workbench& bench) {
+  const auto first = std::find_if(found.candidates.begin(), found.candidates.end(),
+                                  [](const Candidate& one) { return one.in_best_set && !one.bound.columns.empty(); });
+  if (first == found.candidates.end()) return std::nullopt;
+  const double left_out_um = first->held_out_after_um;
+  const bool is_alone = std::count_if(found.candidates.begin(), found.candidates.end(),
+                                      [](const Candidate& one) { return one.in_best_set; }) == 1;
+  if (other && other->is_better && !(left_out_um < other->forecasts.rmse_um)) return std::nullopt;
+  const double model_um = is_alone ? first->held_out_before_um : bench.row().held_out_um;
+  if (!(left_out_um < kClearlyBetter * model_um)) return std::nullopt;
+  PredictedByColumns by{columns_of_best_set(found), left_out_um, std::nullopt};
+  if (model_um < range_of(found.base.measured_um)) by.model_left_out_um = model_um;
+  return by;
+}
+
 // That separates effects of which the diagnosis does not tell which it is.
 std::optional<NextMeasurement> next_measurement_of(const Diagnosis& found, const Series& recordings) {
   for (const std::vector<BoundEffect>& group : found.equivalent) {
@@ -127,7 +161,8 @@ Term as_diagnosed(const BoundEffect& bound, const Diagnosis& found) {
   const Candidate* candidate = candidate_of(found, bound);
   if (candidate == nullptr) return term;
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
-    if (!term.settings[k].held && bound.effect->parameters[k].shape_of != ShapeOf::onset) continue;
+    const ShapeOf shape_of = bound.effect->parameters[k].shape_of;
+    if (!term.settings[k].held && shape_of != ShapeOf::onset && shape_of != ShapeOf::period) continue;
     term.settings[k].start =
         std::stod(fmt::format("{:.8g}", candidate->parameters[k].value));  // as next_command() has it
     term.settings[k].stated = true;
@@ -149,19 +184,28 @@ std::string next_text(const DiagnosisReport& diagnosis_report) {
 }
 
 std::string predicted_text(const DiagnosisReport& report) {
+  const std::string_view unit = unit_of(report.diagnosis.target);
+  if (report.predicted_by) {
+    const PredictedByColumns& by = *report.predicted_by;
+    const std::string model =
+        by.model_left_out_um ? fmt::format(", to {:.2f} {} by the model", *by.model_left_out_um, unit) : "";
+    return fmt::format("Left-out cycles are predicted to {:.2f} {} RMSE by {}{}.", by.left_out_um, unit,
+                       enumeration(by.columns), model);
+  }
   if (!report.predicted) return "";
   const Predictability& of = *report.predicted;
-  const std::string_view unit = unit_of(report.diagnosis.target);
-  if (!of.is_better) {
+  if (of.is_better) {
     return fmt::format(
-        "It cannot be predicted either: on new rows the RMSE of a regression on all effects is {:.2f} {}, that of the "
+        "It can still be predicted: on new rows the RMSE of a regression on all effects is {:.2f} {}, that of the "
         "model {:.2f} {}.",
         of.forecasts.rmse_um, unit, of.model_um, unit);
   }
+  const bool is_hardly = of.forecasts.rmse_um < std::min(of.model_um, of.forecasts.held_um);
   return fmt::format(
-      "It can still be predicted: on new rows the RMSE of a regression on all effects is {:.2f} {}, that of the model "
-      "{:.2f} {}.",
-      of.forecasts.rmse_um, unit, of.model_um, unit);
+      "A regression on all effects {}: on new rows its RMSE is {:.2f} {}, that of the model {:.2f} {}, that of a "
+      "constant {:.2f} {}.",
+      is_hardly ? "hardly predicts it" : "does not predict it", of.forecasts.rmse_um, unit, of.model_um, unit,
+      of.forecasts.held_um, unit);
 }
 
 std::string unsupported_text(const DiagnosisReport& report) {
@@ -210,8 +254,13 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& benc
     report.command = next_command(options, found);
     report.hint = next_hint(options, found);
     report.unsupported = unsupported_of(options, bench.model());
-    if (bench.model().level == Level::series && is_left(found.verdict)) report.predicted = bench.predictability();
-    if (report.predicted && report.predicted->is_better)
+    if (bench.model().level == Level::series && is_left(found.verdict)) {
+      report.predicted = bench.predictability();
+      report.predicted_by = predicted_by_of(found, report.predicted, bench);
+      const bool is_noise = is_adequate(report.residual_report.fit, report.residual_report.whiteness);
+      if (is_noise && report.predicted && !report.predicted->is_better) report.predicted.reset();  // nothing to predict
+    }
+    if (report.predicted && report.predicted->is_better && !report.predicted_by)
       report.train_command = train_command(options, found, report.predicted->with_model);
     return report;
   });

@@ -26,6 +26,14 @@ struct StandIn {
   std::string command;  // that replaces it
 };
 
+// What the columns of the most probable set predict better than a regression on all effects.
+struct PredictedByColumns {
+  std::vector<std::string> columns;  // an effect without columns: its name
+  double left_out_um = 0.0;          // RMSE in left-out cycles, with the set
+  // Without it; nullopt: more than the range of the readings, so that it says nothing.
+  std::optional<double> model_left_out_um;
+};
+
 struct DiagnosisReport {
   ResidualReport residual_report;
   Diagnosis diagnosis;
@@ -34,6 +42,7 @@ struct DiagnosisReport {
   bool is_for_plan = false;                         // whether another test of the series could decide more
   std::string plan_command;                         // plans such a test; empty: none, or the data have no name
   std::optional<Predictability> predicted;          // if a part remains unexplained
+  std::optional<PredictedByColumns> predicted_by;   // likewise, and the columns predict better than the regression
   std::string train_command;                        // trains a predictor; empty: not better, or the data have no name
   std::string hint;                                 // a sentence, if the next step is not a command; or empty
   std::vector<StandIn> stand_ins;
@@ -51,7 +60,8 @@ DiagnosisOptions diagnosis_options(const DiagnoseOptions& how_to, const std::str
 // Throws Error with the faulty file.
 DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& bench);
 
-// An effect of the diagnosis as a term, with its onset and its held shapes (an exponent) at the values of the search.
+// An effect of the diagnosis as a term, with its onset, its period and its held shapes (an exponent) at the values of
+// the search.
 Term as_diagnosed(const BoundEffect& bound, const Diagnosis& found);
 
 // The named or probable effects of the verdict; empty: none.

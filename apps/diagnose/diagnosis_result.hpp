@@ -37,7 +37,17 @@ inline constexpr auto kResult<Predictability> =
                std::tuple{Field{"expected_um", [](const Predictability& of) { return of.forecasts.rmse_um; },
                                 "RMSE of forecasts of a regression on all effects"},
                           Field{"today_um", &Predictability::model_um, "RMSE of the model on the same rows"},
+                          Field{"constant_um", [](const Predictability& of) { return of.forecasts.held_um; },
+                                "RMSE of the last value held, or of the mean; of several runs, of 0"},
                           Field{"better", &Predictability::is_better, "than the model, and than the last value held"}}};
+
+template <>
+inline constexpr auto kResult<PredictedByColumns> = ResultType{
+    "PredictedByColumns", "What the columns of the likeliest set predict better than a regression on all effects.",
+    std::tuple{Field{"columns", &PredictedByColumns::columns, "an effect without columns by its name"},
+               Field{"left_out_um", &PredictedByColumns::left_out_um, "RMSE in left-out cycles, with the set"},
+               Field{"model_left_out_um", &PredictedByColumns::model_left_out_um,
+                     "RMSE there, of the model; null: more than the range of the readings"}}};
 
 inline constexpr std::string_view kDiagnosisReportEffects = "from p = 0.01 on";
 inline constexpr std::string_view kDiagnosisReportCandidates = "the likeliest set, then others by probability";
@@ -73,7 +83,10 @@ inline constexpr auto kDiagnosisReportOpen = std::tuple_cat(
                Field{"unsupported", &DiagnosisReport::unsupported, "effects of the model that no data supported"}},
     fields_through(&DiagnosisReport::diagnosis, kDiagnosisReportHidden),
     std::tuple{Field{"next_test", &deciding_test, "that would decide; null: nothing is open"},
-               Field{"predicted", &DiagnosisReport::predicted, "null: all is named, or no regression can be made"},
+               Field{"predicted", &DiagnosisReport::predicted,
+                     "null: all is named, the rest is noise, or no regression can be made"},
+               Field{"predicted_by", &DiagnosisReport::predicted_by,
+                     "null: the likeliest set does not predict better than the regression"},
                Field{"train_command", &DiagnosisReport::train_command, "that predicts it; empty: not better"}});
 inline constexpr auto kDiagnosisReportOfEffects =
     std::tuple{Field{"effects", &Diagnosis::effects, kDiagnosisReportEffects}};

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "diagnose/diagnosis_report.hpp"
+#include "diagnose/next_command.hpp"
 #include "model/preflight.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -17,6 +18,7 @@ constexpr std::size_t kDrivers = 4;
 constexpr std::size_t kRows = 5, kRowsOfSeveral = 3;  // of candidates, unasked
 constexpr std::size_t kTargetsWithRows = 3;           // of more targets a table each would not fit a screen
 constexpr std::size_t kReasons = 3;
+constexpr double kLeastShown = 0.01;  // P of a candidate, unasked
 
 // "1. Certain: ...", "2. Probable: ...", "3. One of these as well: ...": where there is more than one thing to say.
 std::vector<std::string> parts_of(const Diagnosis& found) {
@@ -61,41 +63,50 @@ std::string inseparable_rows(const Candidate& candidate, const std::vector<Candi
   return text.empty() ? "-" : text;
 }
 
-Table candidate_table(const Diagnosis& found, std::size_t rows) {
-  const bool of_recordings = found.candidates.front().bound.effect->level == Level::recording;
+// Of the most probable set, and more likely missing than not.
+bool is_marked(const Candidate& candidate) { return candidate.in_best_set && is_proposed(candidate); }
+
+Table candidate_table(const Diagnosis& found, const std::vector<Candidate>& candidates, std::size_t rows) {
+  const bool of_recordings = candidates.front().bound.effect->level == Level::recording;
   Table table({"candidate", "amplitude um", "probability", "2 ln B", "RMSE um",
                of_recordings ? "left-out recordings um" : "left-out cycles um", "confused with"});
   const int decimals = decimals_of(found.base.rmse_um);
-  for (std::size_t i = 0; i < std::min(rows, found.candidates.size()); ++i) {
-    const Candidate& candidate = found.candidates[i];
+  for (std::size_t i = 0; i < std::min(rows, candidates.size()); ++i) {
+    const Candidate& candidate = candidates[i];
     const bool held_out = candidate.in_best_set;  // of the others nothing is
-    table.add({fmt::format("{}{} {}", i + 1, candidate.in_best_set ? "*" : ".", one_line(label_of(candidate.bound))),
+    table.add({fmt::format("{}{} {}", i + 1, is_marked(candidate) ? "*" : ".", one_line(label_of(candidate.bound))),
                with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, decimals),
                fmt::format("{:.2f}", candidate.p), fixed(candidate.likelihood_ratio, 0),
                fmt::format("{:.{}f}", candidate.rmse_after_um, decimals + 1),
                held_out ? fmt::format("{:.{}f} -> {:.{}f}", candidate.held_out_before_um, decimals,
                                       candidate.held_out_after_um, decimals)
                         : "-",
-               inseparable_rows(candidate, found.candidates)});
+               inseparable_rows(candidate, candidates)});
   }
   return table;
 }
 
 // "* is the most probable set, with a remaining error of 0.719 um. "
 std::string set_text(const Diagnosis& found) {
-  const auto in_set = std::count_if(found.candidates.begin(), found.candidates.end(),
-                                    [](const Candidate& one) { return one.in_best_set; });
-  if (in_set == 0) return "";
+  std::size_t in_set = 0, marked = 0;
+  for (const Candidate& one : found.candidates) {
+    in_set += one.in_best_set ? 1 : 0;
+    marked += is_marked(one) ? 1 : 0;
+  }
+  if (in_set == 0 || marked == 0) return "";
+  if (marked < in_set) return "* marks the effects of the most probable set with a probability of 0.5 or more. ";
   if (in_set == 1) return "* marks the most probable set. ";
   return fmt::format("* marks the most probable set, with a remaining error of {:.{}f} um together. ",
                      found.rmse_after_um, decimals_of(found.base.rmse_um) + 1);
 }
 
 void print_candidates(const Diagnosis& found, std::size_t rows, bool details) {
-  if (found.candidates.empty()) return;
-  fmt::print("\n{}", candidate_table(found, rows).text(table_width()));
+  std::vector<Candidate> candidates = found.candidates;
+  if (!details) std::erase_if(candidates, [](const Candidate& one) { return one.p < kLeastShown; });
+  if (candidates.empty()) return;
+  fmt::print("\n{}", candidate_table(found, candidates, rows).text(table_width()));
   if (!details) return;
-  const bool of_recordings = found.candidates.front().bound.effect->level == Level::recording;
+  const bool of_recordings = candidates.front().bound.effect->level == Level::recording;
   const std::string_view left_out = of_recordings ? "recordings, or quarters of their sweeps," : "cycles";
   fmt::print("{}", wrapped(fmt::format(
                        "{}amplitude: largest less smallest value of what the effect adds. probability: that the effect "

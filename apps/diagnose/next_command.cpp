@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,9 @@
 namespace ballbar {
 namespace {
 
+constexpr double kLeastP = 0.5;               // of an effect that is proposed
+constexpr std::ptrdiff_t kRowsAboutJump = 3;  // another jump so near is the same
+
 // As `add` takes it; empty where the name of a column holds the comma that parts them.
 std::string word_of(const std::string& label, const std::vector<std::string>& columns) {
   for (const std::string& column : columns) {
@@ -26,15 +30,29 @@ std::string word_of(const std::string& label, const std::vector<std::string>& co
 
 std::string word_of(const BoundEffect& bound) { return word_of(label_of(bound), bound.columns); }
 
-// With the moment that was found: "step(onset_s = 33840)". A model may hold several such effects, each by its moment.
+// A moment that was found, or a period or a time constant, as the sentence of the verdict says it.
+bool is_said(const FittedParameter& parameter) {
+  if (parameter.shape_of == ShapeOf::onset) return true;
+  return parameter.unit == "s" && is_of_curve(parameter.shape_of) && parameter.state == ParameterState::free &&
+         std::isfinite(parameter.sigma);
+}
+
+// A sinusoid is only found from near its period, a jump from its own row.
+std::string start_text(const FittedParameter& parameter) {
+  const int digits = parameter.shape_of == ShapeOf::onset ? 8 : parameter.shape_of == ShapeOf::period ? 6 : 4;
+  return fmt::format("{}", std::stod(fmt::format("{:.{}g}", parameter.value, digits)));  // 17680, not 1.768e+04
+}
+
+// With what was found: "step(onset_s = 33840)", "lagged_expansion(T_room_degC, time_constant_s = 3120)". A fit starts
+// there. A model may hold several steps, each by its moment.
 std::string word_of(const BoundEffect& bound, const Diagnosis& found) {
   const Candidate* one = candidate_of(found, bound);
   if (one == nullptr) return word_of(bound);
   std::string label = label_of(bound);
   for (const FittedParameter& parameter : one->parameters) {
-    if (parameter.shape_of != ShapeOf::onset) continue;
+    if (!is_said(parameter)) continue;
     if (label.ends_with(')')) label.back() = ',';
-    label += fmt::format("{}{} = {:.8g})", label.ends_with(',') ? " " : "(", parameter.name, parameter.value);
+    label += fmt::format("{}{} = {})", label.ends_with(',') ? " " : "(", parameter.name, start_text(parameter));
   }
   return word_of(label, bound.columns);
 }
@@ -66,9 +84,35 @@ std::string command_of(const std::string& verb, const std::vector<std::string>& 
 
 // The first that is worth a try: of what is in question, else of the most probable set.
 std::vector<BoundEffect> worth_a_try(const Diagnosis& found) {
-  if (!found.equivalent.empty() && !found.equivalent.front().empty()) return {found.equivalent.front().front()};
-  if (!found.candidates.empty() && found.candidates.front().in_best_set) return {found.candidates.front().bound};
+  std::vector<BoundEffect> bounds;
+  for (const std::vector<BoundEffect>& group : found.equivalent) {
+    if (!group.empty()) bounds.push_back(group.front());
+  }
+  for (const Candidate& one : found.candidates) {
+    if (one.in_best_set) bounds.push_back(one.bound);
+  }
+  for (const BoundEffect& bound : bounds) {
+    const Candidate* one = candidate_of(found, bound);
+    if (one != nullptr && is_proposed(*one)) return {bound};
+  }
   return {};
+}
+
+// Whether the model holds a jump within a few rows of this one: another one there would only share its height.
+bool is_in_model(const BoundEffect& bound, const Diagnosis& found) {
+  const Candidate* one = candidate_of(found, bound);
+  const std::vector<double>& time_s = found.base.time_s;
+  if (one == nullptr || !bound.columns.empty() || !std::is_sorted(time_s.begin(), time_s.end())) return false;
+  const auto row_at = [&](double s) { return std::lower_bound(time_s.begin(), time_s.end(), s) - time_s.begin(); };
+  for (const FittedParameter& parameter : one->parameters) {
+    if (parameter.shape_of != ShapeOf::onset) continue;
+    for (const FittedParameter& held : found.base.parameters) {
+      const bool is_same = held.shape_of == ShapeOf::onset && held.name == parameter.name &&
+                           (held.effect == bound.effect->name || held.effect.starts_with(bound.effect->name + "("));
+      if (is_same && std::abs(row_at(held.value) - row_at(parameter.value)) <= kRowsAboutJump) return true;
+    }
+  }
+  return false;
 }
 
 bool is_own_named(const OwnValue& own, const Diagnosis& found) {
@@ -89,11 +133,14 @@ std::string model_file(const ModelOptions& options) {
   return name;
 }
 
+bool is_proposed(const Candidate& candidate) { return candidate.p >= kLeastP; }
+
 std::string next_command(const ModelOptions& options, const Diagnosis& found) {
   if (found.verdict == Verdict::nothing || found.verdict == Verdict::untestable) return "";
   const std::vector<BoundEffect>& certain = found.verdict == Verdict::named ? found.named : found.probable;
   std::vector<std::string> words;
-  const std::vector<BoundEffect> bounds = says_a_name(found) ? certain : worth_a_try(found);
+  std::vector<BoundEffect> bounds = says_a_name(found) ? certain : worth_a_try(found);
+  std::erase_if(bounds, [&](const BoundEffect& bound) { return is_in_model(bound, found); });
   words.reserve(bounds.size());
   for (const BoundEffect& bound : bounds) words.push_back(word_of(bound, found));
   if (words.empty()) return "";

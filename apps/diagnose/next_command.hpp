@@ -10,13 +10,17 @@
 
 namespace ballbar {
 
-// "ballbar add 'expansion:temperature=T_room_degC' run.csv --model model.toml --target y_um": all named or probable
-// effects, else the first possible one with --dry-run. Files as typed, quoted for a shell. Empty: nothing to add, or
+// "ballbar add 'lagged_expansion(T_room_degC, time_constant_s = 3120)' run.csv --model model.toml --target y_um": all
+// named or probable effects, else with --dry-run the most probable one from P = 0.5 on. With the moments, periods and
+// time constants that were found: the fit starts there. Files as typed, quoted for a shell. Empty: nothing to add, or
 // the data have no name.
 std::string next_command(const ModelOptions& options, const Diagnosis& found);
 
 // "ballbar add 'step(onset_s = 33840)' run.csv --model model.toml --target y_um --replace 'gradient_bending(T9, T2)'"
 std::string replace_command(const ModelOptions& options, const Replacement& replacement);
+
+// Whether P of a candidate is large enough for a command, or for a mark in a table.
+bool is_proposed(const Candidate& candidate);
 
 // Whether another run of the machine would tell more.
 bool is_for_plan(const Diagnosis& found);

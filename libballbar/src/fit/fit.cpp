@@ -41,6 +41,26 @@ Bounds bounds_of(const Model& model, const ModelRows& rows) {
   return bounds;
 }
 
+// A stated moment of an effect that may occur at several is refined to half a row about it. Farther away a fit that
+// lacks other effects would find another jump, and a diagnosis this one again.
+Bounds refined_bounds(Bounds bounds, const Model& model, const ModelRows& rows, const std::vector<double>& time_s) {
+  if (!std::is_sorted(time_s.begin(), time_s.end())) return bounds;  // several runs
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    const Term& term = model.terms[t];
+    for (std::size_t k = 0; k < term.settings.size() && term.effect->rules.may_repeat; ++k) {
+      const Setting& setting = term.settings[k];
+      if (term.effect->parameters[k].shape_of != ShapeOf::onset || !setting.stated) continue;
+      const auto index = rows.offset(t) + static_cast<Eigen::Index>(k);
+      const auto row = std::lower_bound(time_s.begin(), time_s.end(), setting.start);
+      const auto after = std::upper_bound(row, time_s.end(), setting.start);
+      const auto half_way = [&](double to_s) { return 0.5 * (setting.start + to_s); };
+      if (row != time_s.begin()) bounds.lower[index] = std::max(bounds.lower[index], half_way(*(row - 1)));
+      if (after != time_s.end()) bounds.upper[index] = std::min(bounds.upper[index], half_way(*after));
+    }
+  }
+  return bounds;
+}
+
 std::vector<std::size_t> rows_with_value(const Column& target) {
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < target.values.size(); ++row) {
@@ -123,7 +143,8 @@ Fit fit(const Model& stated, const Series& data, std::size_t target, const FitOp
   const ModelRows rows(model, data, result.row);
   const Bounds bounds = bounds_of(model, rows);
   const auto free = static_cast<std::size_t>(std::count(bounds.held.begin(), bounds.held.end(), false));
-  const FitProblem problem{rows, measured, bounds, free};
+  const Bounds refined = refined_bounds(bounds, model, rows, result.time_s);
+  const FitProblem problem{rows, measured, refined, free};
   Weighting plain{Eigen::VectorXd::Ones(n)};
   for (std::size_t i = 0; i < result.sigma_um.size(); ++i)
     plain.row[static_cast<Eigen::Index>(i)] /= result.sigma_um[i];

@@ -12,6 +12,7 @@
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/error.hpp"
 #include "diagnosis/posterior/inference.hpp"
+#include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/member_tests.hpp"
 #include "diagnosis/verdict/start_values.hpp"
@@ -113,10 +114,12 @@ void tell_earlier(const std::vector<DropTest>& earlier, LedgerRow& row) {
 
 }  // namespace
 
-// As the catalogue has it, nothing held or started elsewhere, on columns that a search looks at.
+// As the catalogue has it, nothing held or started elsewhere, on columns that a search looks at. A search looks at no
+// effect of time alone but a jump.
 bool is_usual(const Term& term, const Model& model, const Series& data) {
   const Effect* effect = find_effect(term.effect->name, term.effect->level);
   if (effect == nullptr) return false;
+  if (effect->level == Level::series && effect->time_only && !is_jump(*effect)) return false;
   const Term usual = term_of(*effect, term.columns);
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
     const Setting &one = term.settings[k], &other = usual.settings[k];

@@ -44,18 +44,26 @@ Model with_set(const Problem& problem, const EffectSet& set) {
 }
 
 // Starts with eight digits. An effect whose start alone distinguishes it from another one, such as the second of two
-// cycles of nearly the same period, has as many digits as make them differ.
+// cycles of nearly the same period, has as many digits as make them differ. Where no digits do, the start moves by the
+// least amount that does: a model holds each effect once.
 void begin_beside(Term& term, std::span<const Term> others, std::span<const double> values) {
   const auto is_there = [&] {
     const std::string label = label_of(term);
     return std::any_of(others.begin(), others.end(), [&](const Term& other) { return label_of(other) == label; });
   };
-  for (int digits = 8; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
+  const auto begin = [&](auto start_of) {
     for (std::size_t k = 0; k < term.settings.size(); ++k) {
+      Setting& setting = term.settings[k];
       if (term.effect->parameters[k].kind == ParameterKind::gain) continue;
-      term.settings[k].start = std::stod(fmt::format("{:.{}g}", values[k], digits));
+      setting.start = std::clamp(start_of(values[k]), setting.lower, setting.upper);
     }
-    if (!is_there()) return;
+    return !is_there();
+  };
+  for (int digits = 8; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
+    if (begin([&](double value) { return std::stod(fmt::format("{:.{}g}", value, digits)); })) return;
+  }
+  for (const double towards : {std::numeric_limits<double>::infinity(), 0.0}) {
+    if (begin([&](double value) { return std::nextafter(value, towards); })) return;
   }
 }
 
