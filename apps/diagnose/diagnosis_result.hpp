@@ -60,11 +60,18 @@ inline constexpr auto kDiagnosisReportFound = std::tuple{
     Field{"equivalent", &Diagnosis::equivalent, "sets, of each of which one may be missing, the likeliest first"},
     Field{"drivers", &Diagnosis::drivers, "from p = 0.5 on"},
     Field{"own", &Diagnosis::own, "values that the model holds and that may be others, from p = 0.05 on"}};
-inline constexpr auto kDiagnosisReportProbabilities =
-    std::tuple{Field{"p_nothing", &Diagnosis::p_nothing, "probability that nothing is missing"},
-               Field{"p_discrepancy", &Diagnosis::p_discrepancy, "probability of a slow curve without a cause"},
-               Field{"discrepancy_um", &Diagnosis::discrepancy_um, "its standard deviation"}};
+inline constexpr auto kDiagnosisReportProbabilities = std::tuple{
+    Field{"p_nothing", &Diagnosis::p_nothing, "probability that nothing is missing"},
+    Field{"p_discrepancy", &Diagnosis::p_discrepancy, "probability of a slow curve without a cause"},
+    Field{"discrepancy_um", &Diagnosis::discrepancy_um, "its standard deviation"},
+    Field{"discrepancy_like", &Diagnosis::discrepancy_like, "effect of time alone that it follows; empty: none"},
+    Field{"discrepancy_time_s", &Diagnosis::discrepancy_time_s, "of that effect; 0: none"}};
 inline constexpr auto kDiagnosisReportHidden = std::tuple{
+    Field{"columns_not_searched", &Diagnosis::columns_not_searched, "that change and may be the cause"},
+    Field{"saturated", &Diagnosis::saturated, "columns whose sensor stands at the end of its range"},
+    Field{"set_aside", &Diagnosis::set_aside, "readings far from all others"},
+    Field{"level_jumps", &Diagnosis::level_jumps, "jumps of the target, if three or more: none is an effect"},
+    Field{"level_jump_um", &Diagnosis::level_jump_um, "their median"},
     Field{"explained_um", &Diagnosis::explained_um,
           "largest less smallest of what the likeliest set adds together, at most that of the readings"},
     Field{"hidden_um", &Diagnosis::hidden_um, "amplitude up to which an effect could hide in these data"},

@@ -11,8 +11,8 @@
 namespace ballbar {
 
 // Inputs as they were logged.
-inline constexpr double kJumpTime = 0.35;   // sd of the time of an input change within its sample, in samples
-inline constexpr double kClockTime = 0.6;   // sd of the delay of a clock, in samples
+inline constexpr double kJumpTime = 0.35;  // sd of the time of an input change within its sample, in samples
+inline constexpr double kClockTime = 0.6;  // sd of the delay of a clock, in samples
 
 // Detectability of an effect before any residual is examined.
 inline constexpr double kFound = 7.0;      // d from which a diagnosis finds an effect

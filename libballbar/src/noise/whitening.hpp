@@ -26,7 +26,7 @@ class Whitening {
             std::span<const std::size_t> left_out = {});
 
   std::size_t size() const { return gain_of_row_.size(); }
-  std::size_t readings() const { return size() - unknown_; }    // rows whose variance is known
+  std::size_t readings() const { return size() - unknown_; }   // rows whose variance is known
   double log_determinant() const { return log_determinant_; }  // of the covariance of the readings
 
   // n innovations over their standard deviation. `stride`: distance of the column's values in memory. `out` may be the

@@ -14,7 +14,8 @@ constexpr double kJitter = 1e-10;  // added to a diagonal of 1, for nearly equal
 
 Gram gram_of(const Whitening& whitening, const RowMajorMatrix& pool) {
   const RowMajorMatrix white = whitened_rows(whitening, pool);
-  Gram result{static_cast<Eigen::Index>(whitening.readings()), whitening.log_determinant(), Eigen::MatrixXd::Zero(pool.cols(), pool.cols())};
+  Gram result{static_cast<Eigen::Index>(whitening.readings()), whitening.log_determinant(),
+              Eigen::MatrixXd::Zero(pool.cols(), pool.cols())};
   result.pool.selfadjointView<Eigen::Lower>().rankUpdate(white.transpose());
   result.pool.triangularView<Eigen::StrictlyUpper>() = result.pool.transpose();
   return result;

@@ -18,18 +18,20 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kMostChanges = 20;    // of a temperature
-constexpr double kLargeChange = 3.0;        // times the usual change of a temperature from sample to sample
-constexpr double kLongestSample_s = 120.0;  // of a logger
-constexpr double kLongestRamp_s = 90.0;     // a longer change is not sudden
-constexpr double kJump = 0.03;              // of a column's range, from row to row
-constexpr std::size_t kLongestHeld = 12;    // rows
-constexpr double kBends = 0.9;              // share of the square of a column's bends, at the samples it joins
-constexpr double kClimbs = 0.8;             // share of the runs of a coarse column that differ by one resolution
-constexpr std::size_t kFewestAtEnd = 10;    // rows in which a saturated sensor stands at the end of its range
-constexpr double kLeastAtEnd = 0.05;        // share of the rows
-constexpr std::size_t kLongestEqual = 3;    // rows for which a sensor that is not saturated shows one value
-constexpr std::size_t kFewestChanges = 8;   // of a column, to determine its sampling interval
+constexpr std::size_t kMostChanges = 20;        // of a temperature
+constexpr double kLargeChange = 3.0;            // times the usual change of a temperature from sample to sample
+constexpr double kLongestSample_s = 120.0;      // of a logger
+constexpr double kLongestRamp_s = 90.0;         // a longer change is not sudden
+constexpr double kJump = 0.03;                  // of a column's range, from row to row
+constexpr std::size_t kLongestHeld = 12;        // rows
+constexpr double kBends = 0.9;                  // share of the square of a column's bends, at the samples it joins
+constexpr double kClimbs = 0.8;                 // share of the runs of a coarse column that differ by one resolution
+constexpr std::size_t kFewestAtEnd = 10;        // rows in which a saturated sensor stands at the end of its range
+constexpr double kLeastAtEnd = 0.05;            // share of the rows
+constexpr std::size_t kFewestToSaturate = 100;  // rows
+constexpr std::size_t kRowsBeforeEnd = 5;
+constexpr double kSmallStep = 1.5;         // resolutions
+constexpr std::size_t kFewestChanges = 8;  // of a column, to determine its sampling interval
 
 bool is_whole(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
@@ -300,24 +302,27 @@ std::vector<Jump> largest_changes(const std::vector<double>& values, std::size_t
   return changes;
 }
 
-// Rows in which a sensor stands at its largest or smallest value for long, while it never shows one value for long
-// elsewhere.
+// Rows in which a sensor stands at its largest or smallest value for long, though it changes by more than its
+// resolution from row to row just before. A temperature that comes to rest does so by small steps.
 std::vector<std::size_t> rows_at_end(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  std::vector<std::size_t> rows, elsewhere;
-  for (const RowRange& run : equal_rows(values)) {
-    const std::size_t length = run.end - run.begin;
-    if (run.begin > 0 && (values[run.begin] == *low || values[run.begin] == *high) && length >= kFewestAtEnd) {
-      for (std::size_t row = run.begin; row < run.end; ++row) rows.push_back(row);
-    } else {
-      elsewhere.insert(elsewhere.end(), length, length);
-    }
+  std::vector<double> changes;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] != values[i - 1]) changes.push_back(std::abs(values[i] - values[i - 1]));
   }
-  if (static_cast<double>(rows.size()) < kLeastAtEnd * static_cast<double>(values.size()) || elsewhere.empty())
-    return {};
-  return median(std::vector<double>(elsewhere.begin(), elsewhere.end())) <= static_cast<double>(kLongestEqual)
-             ? rows
-             : std::vector<std::size_t>{};
+  if (values.size() < kFewestToSaturate || changes.size() < kFewestChanges) return {};
+  const double resolution = *std::min_element(changes.begin(), changes.end());
+  std::vector<std::size_t> rows;
+  std::vector<double> before;
+  for (const RowRange& run : equal_rows(values)) {
+    if (run.begin == 0 || run.end - run.begin < kFewestAtEnd) continue;
+    if (values[run.begin] != *low && values[run.begin] != *high) continue;
+    for (std::size_t row = run.begin; row < run.end; ++row) rows.push_back(row);
+    for (std::size_t row = run.begin - std::min(run.begin - 1, kRowsBeforeEnd); row < run.begin; ++row)
+      before.push_back(std::abs(values[row] - values[row - 1]));
+  }
+  if (static_cast<double>(rows.size()) < kLeastAtEnd * static_cast<double>(values.size()) || before.empty()) return {};
+  return median(std::move(before)) > kSmallStep * resolution ? rows : std::vector<std::size_t>{};
 }
 
 bool is_temperature(const Column& column) {

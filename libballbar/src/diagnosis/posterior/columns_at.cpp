@@ -27,7 +27,8 @@ ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const
   line_ = static_cast<Eigen::Index>(variant.line.columns.size());
   is_free_ = variant.line.is_free;
   log_determinant_ = point.filter.log_determinant();
-  degrees = std::max(1.0, static_cast<double>(static_cast<Eigen::Index>(point.filter.readings()) - std::count(is_free_.begin(), is_free_.end(), char{1})));
+  degrees = std::max(1.0, static_cast<double>(static_cast<Eigen::Index>(point.filter.readings()) -
+                                              std::count(is_free_.begin(), is_free_.end(), char{1})));
   RowMajorMatrix pool(n, 1 + line_);
   pool.col(0) = variant.pool.col(0);
   for (Eigen::Index k = 0; k < line_; ++k)

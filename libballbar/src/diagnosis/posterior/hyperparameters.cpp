@@ -88,8 +88,7 @@ Covariance covariance_at(const Bounds& bounds, const Place& x) {
 Place place_of(const Bounds& bounds, const Covariance& covariance) {
   Place x = bounds.low;
   if (std::isfinite(x[0]) && covariance.correlated > 0.0) {
-    x[0] =
-        -std::log(covariance.correlated / covariance.white * -std::expm1(-2.0 * bounds.step_s / covariance.time_s));
+    x[0] = -std::log(covariance.correlated / covariance.white * -std::expm1(-2.0 * bounds.step_s / covariance.time_s));
     x[1] = std::log(covariance.time_s);
   } else if (std::isfinite(x[0])) {
     x[0] = bounds.high[0];

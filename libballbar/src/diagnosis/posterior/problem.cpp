@@ -21,10 +21,10 @@ constexpr double kTemperatureJump = 0.2;  // of its range, from row to row
 constexpr double kMostJumps = 0.02;       // of the rows, and in any case as many as
 constexpr double kFewJumps = 5.0;
 constexpr std::size_t kRowsAboutJump = 2;
-constexpr double kShortestLag = 2.0;  // samples
+constexpr double kShortestLag = 2.0;          // samples
 constexpr double kMostSaturated = 2.0 / 3.0;  // of the rows
-constexpr double kPriorOfPairs = 0.1;  // of all effects of two columns
-constexpr double kPriorOfForm = 0.05;  // of a column in a form that no effect has
+constexpr double kPriorOfPairs = 0.1;         // of all effects of two columns
+constexpr double kPriorOfForm = 0.05;         // of a column in a form that no effect has
 
 // Columns alike, the effects of one column alike; all effects of several columns together kPriorOfPairs; a column in a
 // form that no effect has kPriorOfForm; a jump as one more column.
@@ -206,7 +206,9 @@ void set_aside_saturated(Problem& problem) {
 
 Point point_at(const Problem& problem, const Covariance& covariance) {
   return {covariance, Whitening(covariance, problem.time_s,
-                                {.variance = problem.stated_variance, .relative_variance = problem.relative_variance, .shock = problem.shock})};
+                                {.variance = problem.stated_variance,
+                                 .relative_variance = problem.relative_variance,
+                                 .shock = problem.shock})};
 }
 
 std::vector<double> fitted_parameters(const Problem& problem) {
@@ -232,8 +234,7 @@ void free_rows_at_jumps(Problem& problem, bool wide) {
       const std::size_t inside = wide ? 0 : 1, width = wide ? jump.last - jump.first : 0;
       const std::size_t first = jump.first + inside > width ? jump.first + inside - width : 0;
       for (std::size_t row = first; row < jump.last + (wide ? 1 : 0); ++row) {
-        if (const auto at = place.find(row); at != place.end())
-          problem.stated_variance[at->second] = kUnknownVariance;
+        if (const auto at = place.find(row); at != place.end()) problem.stated_variance[at->second] = kUnknownVariance;
       }
     }
   }
@@ -352,7 +353,8 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
     column /= deviation;
     problem->deviation[k] = deviation;
   }
-  problem->log_prior = model.level == Level::series ? log_priors_of_columns(problem->library) : log_priors_of(problem->library);
+  problem->log_prior =
+      model.level == Level::series ? log_priors_of_columns(problem->library) : log_priors_of(problem->library);
   problem->log_prior_of_shape = log_priors_of_shapes(problem->library, problem->logged);
   problem->own = own_of(model);
   problem->terms = options.terms;

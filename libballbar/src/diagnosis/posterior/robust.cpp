@@ -11,12 +11,12 @@
 namespace ballbar {
 namespace {
 
-constexpr double kFreedom = 4.0;            // nu of Student's t
-constexpr std::size_t kHampelReach = 3;     // rows on either side
-constexpr double kHampelOff = 6.0;          // scaled median deviations
-constexpr double kFarOff = 20.0;            // of the same factor: such a reading is set aside, about 10 sigma
-constexpr double kOutlier = 2.0;            // (r^2 + nu) / (nu + 1) of a white innovation r
-constexpr double kJumpOff = 6.0;            // usual changes
+constexpr double kFreedom = 4.0;         // nu of Student's t
+constexpr std::size_t kHampelReach = 3;  // rows on either side
+constexpr double kHampelOff = 6.0;       // scaled median deviations
+constexpr double kFarOff = 20.0;         // of the same factor: such a reading is set aside, about 10 sigma
+constexpr double kOutlier = 2.0;         // (r^2 + nu) / (nu + 1) of a white innovation r
+constexpr double kJumpOff = 6.0;         // usual changes
 constexpr std::size_t kFewestLevels = 3;
 constexpr std::size_t kMostLevels = 80;
 constexpr double kMadToSigma = 1.4826;
@@ -67,8 +67,7 @@ std::vector<std::size_t> far_readings(const Eigen::VectorXd& y) {
 }
 
 Eigen::VectorXd residual_beside(const Problem& problem, const Variant& variant, const Point& point) {
-  const LinearSolution solution =
-      linear_solution(gram_of(point.filter, variant.pool), variant.line, problem.known);
+  const LinearSolution solution = linear_solution(gram_of(point.filter, variant.pool), variant.line, problem.known);
   Eigen::VectorXd residual = variant.pool.col(0);
   for (std::size_t k = 0; k < variant.line.columns.size(); ++k)
     residual -= solution.coefficients[static_cast<Eigen::Index>(k)] * variant.pool.col(variant.line.columns[k]);

@@ -1,8 +1,8 @@
 // Readings far from the others, and jumps of the target: what no effect should explain.
 //
-// Hampel's identifier sets readings aside that are off the running median before any model is known. Where the innovations have
-// heavy tails, readings and changes of the noise count as in Student's t with four degrees of freedom, a mixture of
-// normal distributions (Lange, Little and Taylor 1989, J. Am. Stat. Assoc. 84, 881).
+// Hampel's identifier sets readings aside that are off the running median before any model is known. Where the
+// innovations have heavy tails, readings and changes of the noise count as in Student's t with four degrees of freedom,
+// a mixture of normal distributions (Lange, Little and Taylor 1989, J. Am. Stat. Assoc. 84, 881).
 //
 // Three or more jumps of the residual are a process of the target, such as corrections by the control. Each is a level
 // of its own, and none is an effect.
@@ -22,8 +22,8 @@ std::vector<std::size_t> far_readings(const Eigen::VectorXd& y);
 // The residual of the readings in the first column of the pool, beside the line.
 Eigen::VectorXd residual_beside(const Problem& problem, const Variant& variant, const Point& point);
 
-// Sets readings aside that are far from the others, given the covariance and the line beside it, and makes the variances
-// of less far ones larger. False: there are none.
+// Sets readings aside that are far from the others, given the covariance and the line beside it, and makes the
+// variances of less far ones larger. False: there are none.
 bool weigh_down_outliers(Problem& problem, const Variant& variant, const Point& point);
 
 // Where the residual has another level; fewer than three: none.

@@ -340,8 +340,6 @@ class Search {
 
 }  // namespace
 
-SearchResult search_result(Problem& problem, std::size_t largest) {
-  return Search(problem, largest).run();
-}
+SearchResult search_result(Problem& problem, std::size_t largest) { return Search(problem, largest).run(); }
 
 }  // namespace ballbar

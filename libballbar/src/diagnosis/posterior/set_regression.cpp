@@ -59,7 +59,8 @@ SetRegression set_regression(const Problem& problem, const Posterior& posterior,
   const Eigen::MatrixXd all = side_by_side(result.line, result.members);
   const Eigen::MatrixXd white_all = whitened(point.filter, all);
   const Eigen::VectorXd white_y = whitened(point.filter, result.y);
-  result.degrees = std::max(1.0, static_cast<double>(static_cast<Eigen::Index>(point.filter.readings()) - result.line.cols() + known - width));
+  result.degrees = std::max(1.0, static_cast<double>(static_cast<Eigen::Index>(point.filter.readings()) -
+                                                     result.line.cols() + known - width));
   // Iterates the scatter and the prior of the known columns.
   Eigen::MatrixXd x = Eigen::MatrixXd::Zero(n + known, all.cols());
   x.topRows(n) = white_all;

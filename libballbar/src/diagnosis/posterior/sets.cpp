@@ -110,9 +110,8 @@ GivenEffects given_effects(const Problem& problem, const Posterior& posterior,
   result.covariances = problem.covariances;
   if (!is_given) {
     for (const Discrepancy kind : discrepancies_of(problem)) {
-      const auto near = std::find_if(posterior.points.begin(), posterior.points.end(), [&](const Point& one) {
-        return discrepancy_of(one.covariance) == kind;
-      });
+      const auto near = std::find_if(posterior.points.begin(), posterior.points.end(),
+                                     [&](const Point& one) { return discrepancy_of(one.covariance) == kind; });
       result.covariances.push_back(near != posterior.points.end() ? near->covariance
                                                                   : likeliest_covariance(problem, variant, kind));
     }
@@ -142,8 +141,7 @@ GivenEffects given_effects(const Problem& problem, const Posterior& posterior,
           if (is_given && round > 0) break;
           Variant beside = *one;
           if (!families.empty()) beside.pool.col(0) -= mean_of(ascent, result.identities);
-          if (!is_given)
-            covariance = likeliest_covariance(problem, beside, discrepancy_of(covariance), &covariance);
+          if (!is_given) covariance = likeliest_covariance(problem, beside, discrepancy_of(covariance), &covariance);
         }
         const Point point = point_at(problem, covariance);
         ColumnsAt at(problem, result.identities, *one, point);

@@ -33,7 +33,8 @@ Variant beside_any_forms(const Problem& problem, Variant variant) {
     const Signature& one = problem.library.signatures[problem.library.families[f].first];
     for (Eigen::Index k = 0; k < one.width; k += kEach) columns.push_back(one.first + k);
   }
-  const double size_um = std::sqrt(problem.y.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, problem.y.size())));
+  const double size_um =
+      std::sqrt(problem.y.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, problem.y.size())));
   Eigen::Index next = variant.pool.cols();
   variant.pool.conservativeResize(Eigen::NoChange, next + static_cast<Eigen::Index>(columns.size()));
   for (const Eigen::Index column : columns) {

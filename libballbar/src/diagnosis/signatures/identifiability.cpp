@@ -83,7 +83,9 @@ std::string roles_missing(const Effect& effect, const Series& data) {
   for (const Input& input : effect.inputs) {
     const bool any = std::any_of(data.columns.begin(), data.columns.end(),
                                  [&](const Column& column) { return takes(input, column); });
-    if (!any) missing.push_back(fmt::format("{} ({})", input.role, input.units.empty() ? "any unit" : fmt::format("{}", fmt::join(input.units, " or "))));
+    if (!any)
+      missing.push_back(fmt::format(
+          "{} ({})", input.role, input.units.empty() ? "any unit" : fmt::format("{}", fmt::join(input.units, " or "))));
   }
   if (!missing.empty()) return fmt::format("no column for {}", fmt::join(missing, ", "));
   for (const Input& input : effect.inputs) {

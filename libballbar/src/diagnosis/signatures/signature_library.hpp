@@ -50,8 +50,8 @@ struct SignatureLibrary {
 bool is_jump(const Effect& effect);
 
 struct SignatureOptions {
-  bool causes_only = false;          // of effects of time alone only jumps: others describe a slow drift, no cause of it
-  std::optional<Motion> motion;      // of recordings
+  bool causes_only = false;      // of effects of time alone only jumps: others describe a slow drift, no cause of it
+  std::optional<Motion> motion;  // of recordings
   std::vector<std::string> without;  // names of effects to leave out
   std::vector<Term> terms;           // replace the catalogue's terms; their held shapes stay held
   // Half the rate of the rows that are fitted, which signature_library_of sets.

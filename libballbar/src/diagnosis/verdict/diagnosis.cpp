@@ -191,8 +191,8 @@ class Decision {
           std::any_of(problem().library.families.begin(), problem().library.families.end(),
                       [&](const Family& one) { return reads(one.bound); }))
         continue;
-      const bool has_gaps = std::any_of(column.values.begin(), column.values.end(),
-                                        [](double value) { return !std::isfinite(value); });
+      const bool has_gaps =
+          std::any_of(column.values.begin(), column.values.end(), [](double value) { return !std::isfinite(value); });
       result_.columns_not_searched.push_back({column.name, has_gaps ? "it has gaps" : "no effect reads it"});
     }
   }
@@ -209,8 +209,8 @@ class Decision {
         at_.white_columns().completeOrthogonalDecomposition().solve(at_.white_y).tail(at_.members.cols());
     std::vector<double> sizes_um;
     for (std::size_t m = 0; m < at_.first.size(); ++m) {
-      const Eigen::VectorXd curve = at_.members.middleCols(at_.first[m], at_.width[m]) *
-                                    coefficients.segment(at_.first[m], at_.width[m]);
+      const Eigen::VectorXd curve =
+          at_.members.middleCols(at_.first[m], at_.width[m]) * coefficients.segment(at_.first[m], at_.width[m]);
       const Eigen::VectorXd left = orthogonal_part(curve, basis);
       sizes_um.push_back(std::sqrt(left.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, left.size()))));
     }
@@ -218,9 +218,7 @@ class Decision {
   }
 
   // Beside a larger discrepancy no cause can be told (Brynjarsdottir and O'Hagan 2014, Inverse Problems 30, 114007).
-  double discrepancy_beside_um() const {
-    return result_.p_discrepancy >= kDiscrepancy ? result_.discrepancy_um : 0.0;
-  }
+  double discrepancy_beside_um() const { return result_.p_discrepancy >= kDiscrepancy ? result_.discrepancy_um : 0.0; }
 
   // A few readings: whether the best subset of columns is that of the best set.
   void doubt_few_readings() {
@@ -358,9 +356,9 @@ class Decision {
       }
       for (const std::string& doubt : one.doubts) d.reasons.push_back(fmt::format("{}: {}.", one.label, doubt));
     }
-    const bool driver =
-        model_.level == Level::series &&
-        std::any_of(d.drivers.begin(), d.drivers.end(), [&](const Driver& one) { return one.p >= kSureDriver && one.is_clear; });
+    const bool driver = model_.level == Level::series &&
+                        std::any_of(d.drivers.begin(), d.drivers.end(),
+                                    [&](const Driver& one) { return one.p >= kSureDriver && one.is_clear; });
     if (d.p_nothing >= kNothing && d.level_jumps == 0) {
       d.named.clear();
       d.probable.clear();

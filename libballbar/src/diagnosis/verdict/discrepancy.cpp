@@ -44,8 +44,10 @@ Eigen::VectorXd discrepancy_mean(const Problem& problem, const Posterior& poster
   const Eigen::VectorXd z = point.filter.transposed(whitened_rows(point.filter, std::move(white))).col(0);
   const double rate = (covariance.slow_is_rough ? 1.0 : std::sqrt(3.0)) / covariance.slow_time_s;
   Eigen::VectorXd sums = z;
-  add_sums(problem.time_s, rate, covariance.slow_is_rough, z, [](Eigen::Index k) { return k; }, sums);
-  add_sums(problem.time_s, rate, covariance.slow_is_rough, z, [n](Eigen::Index k) { return n - 1 - k; }, sums);
+  add_sums(
+      problem.time_s, rate, covariance.slow_is_rough, z, [](Eigen::Index k) { return k; }, sums);
+  add_sums(
+      problem.time_s, rate, covariance.slow_is_rough, z, [n](Eigen::Index k) { return n - 1 - k; }, sums);
   return covariance.slow * sums;
 }
 

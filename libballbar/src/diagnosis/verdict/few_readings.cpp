@@ -58,8 +58,7 @@ std::vector<std::string> clear_subset(const Problem& problem, const Variant& var
       subset.columns.push_back(inputs[chosen[k]].name);
     }
     const double left = orthogonal_part(y, orthonormal(columns)).squaredNorm();
-    subset.criterion =
-        n * std::log(std::max(left, 1e-300) / n) + static_cast<double>(columns.cols()) * std::log(n);
+    subset.criterion = n * std::log(std::max(left, 1e-300) / n) + static_cast<double>(columns.cols()) * std::log(n);
     subsets.push_back(std::move(subset));
   };
   for (std::size_t a = 0; a < inputs.size(); ++a) {

@@ -219,9 +219,10 @@ std::string slow_text(const Diagnosis& d) {
                            ? ""
                            : fmt::format(", {} {}", d.discrepancy_parameter, duration_text(d.discrepancy_time_s)));
   }
-  return fmt::format("About ±{} um of slow drift{} has no cause among these columns{}. Log another sensor, such as the "
-                     "temperature of the coolant, the structure or the room.",
-                     size_text(d.discrepancy_um), d.target.empty() ? "" : fmt::format(" of {}", d.target), like);
+  return fmt::format(
+      "About ±{} um of slow drift{} has no cause among these columns{}. Log another sensor, such as the "
+      "temperature of the coolant, the structure or the room.",
+      size_text(d.discrepancy_um), d.target.empty() ? "" : fmt::format(" of {}", d.target), like);
 }
 
 // What was not used is said first.
@@ -230,9 +231,10 @@ std::string not_used_text(const Diagnosis& d) {
   for (const ColumnNotSearched& one : d.columns_not_searched)
     text += fmt::format("{} was not searched: {}. ", one.column, one.why);
   for (const Saturated& one : d.saturated) {
-    text += fmt::format("{} stands at the end of its range for {} of the rows, as a saturated sensor does. These rows "
-                        "are set aside. ",
-                        one.column, percent_text(one.share));
+    text += fmt::format(
+        "{} stands at the end of its range for {} of the rows, as a saturated sensor does. These rows "
+        "are set aside. ",
+        one.column, percent_text(one.share));
   }
   if (d.set_aside > 0) {
     text += fmt::format("{} far from the others {} set aside. ",

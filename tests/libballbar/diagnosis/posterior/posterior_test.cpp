@@ -70,7 +70,7 @@ struct OfOne {
     const Variant variant = variant_at(*problem, 0, {0.0});
     identities = identities_of(*problem, variant);
     const Point point = point_at(*problem, covariance);
-    ColumnsAt at(*problem, identities, variant, point, {});
+    ColumnsAt at(*problem, identities, variant, point);
     AscentOptions how;
     how.priors = {{std::log(0.6), identities.log_prior}};
     for (double& one : how.priors.front().log_identity) one += std::log(0.4);

@@ -57,7 +57,20 @@ inline constexpr auto kResult<Candidate> = ResultType{
 template <>
 inline constexpr auto kResult<Driver> =
     ResultType{"Driver", "A column that drives what is missing, whatever its form.",
-               std::tuple{Field{"column", &Driver::column, ""}, Field{"p", &Driver::p, "probability"}}};
+               std::tuple{Field{"column", &Driver::column, ""}, Field{"p", &Driver::p, "probability"},
+                          Field{"is_clear", &Driver::is_clear,
+                                "false: beside a larger slow drift, or other columns of a few readings"}}};
+
+template <>
+inline constexpr auto kResult<ColumnNotSearched> =
+    ResultType{"ColumnNotSearched", "A column that changes and that no effect of the search could read.",
+               std::tuple{Field{"column", &ColumnNotSearched::column, ""}, Field{"why", &ColumnNotSearched::why, ""}}};
+
+template <>
+inline constexpr auto kResult<Saturated> =
+    ResultType{"Saturated", "A column whose sensor stands at the end of its range.",
+               std::tuple{Field{"column", &Saturated::column, ""},
+                          Field{"share", &Saturated::share, "of the rows, which are set aside"}}};
 
 template <>
 inline constexpr auto kResult<OwnValue> =

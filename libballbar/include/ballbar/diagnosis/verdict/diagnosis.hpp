@@ -103,9 +103,9 @@ struct Diagnosis {
   double discrepancy_time_s = 0.0;    // of that parameter
   std::vector<ColumnNotSearched> columns_not_searched;
   std::vector<Saturated> saturated;
-  std::size_t set_aside = 0;    // readings far from all others
-  std::size_t level_jumps = 0;  // of the target; three or more are no effect, but a property of the target
-  double level_jump_um = 0.0;   // their median
+  std::size_t set_aside = 0;          // readings far from all others
+  std::size_t level_jumps = 0;        // of the target; three or more are no effect, but a property of the target
+  double level_jump_um = 0.0;         // their median
   Noise noise;                        // of the fit with the best set
   std::vector<Candidate> candidates;  // the best set first, then by P; at most 12
   // Range of the sum of the best set, at most that of the readings: effects of the model cancel the rest.
