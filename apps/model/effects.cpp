@@ -125,7 +125,8 @@ void print_page(const Effect& effect) {
   if (!effect.inputs.empty()) {
     Table inputs({"input", "unit", "meaning"});
     for (const Input& input : effect.inputs) {
-      inputs.add_wrapped({input.role, fmt::format("{}", fmt::join(input.units, ", ")), input.meaning}, kMeaningWidth);
+      const std::string units = input.units.empty() ? "any" : fmt::format("{}", fmt::join(input.units, ", "));
+      inputs.add_wrapped({input.role, units, input.meaning}, kMeaningWidth);
     }
     fmt::print("{}", inputs.left_aligned());
     const bool measured = effect.level == Level::series &&

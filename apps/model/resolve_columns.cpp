@@ -16,7 +16,8 @@ std::vector<std::string> choices_of(const Input& input, const Series& data, std:
   std::vector<std::string> choices;
   for (const Column& column : data.columns) {
     const std::string unit(unit_of(column.name));
-    const bool suits = std::find(input.units.begin(), input.units.end(), unit) != input.units.end();
+    const bool suits =
+        input.units.empty() || std::find(input.units.begin(), input.units.end(), unit) != input.units.end();
     if (suits && column.name != target) choices.push_back(column.name);
   }
   return choices;
@@ -45,7 +46,8 @@ std::string column_of(const EffectText& text, const Input& input, const Series& 
                             effect.name, in_quotes(column), nearest_name(column, known)));
   }
   const std::string unit(unit_of(column));
-  if (effect.level == Level::series && std::find(input.units.begin(), input.units.end(), unit) == input.units.end()) {
+  if (effect.level == Level::series && !input.units.empty() &&
+      std::find(input.units.begin(), input.units.end(), unit) == input.units.end()) {
     throw Error(fmt::format("expected a column in {} for {} of {}, found {}.", fmt::join(input.units, " or "),
                             input.role, effect.name, in_quotes(column)));
   }

@@ -93,7 +93,8 @@ class Columns {
       fail(value, "one of the names in columns",
            fmt::format("{}; the nearest is {}", in_quotes(name), nearest_name(name, names_)));
     }
-    if (std::find(input.units.begin(), input.units.end(), unit_of(name)) == input.units.end()) {
+    if (!input.units.empty() &&
+        std::find(input.units.begin(), input.units.end(), unit_of(name)) == input.units.end()) {
       fail(value, fmt::format("a column in {} for {}", fmt::join(input.units, " or "), input.role));
     }
     is_read_[known->second] = true;

@@ -37,7 +37,8 @@ double mean_of(const Column& column) {
 bool suits(const Effect& effect, const Input& input, const Column& column, const Model& model, const Series& data) {
   if (effect.level == Level::recording) return column.name == trace_column(input.role);
   const std::string_view unit = unit_of(column.name);
-  if (std::find(input.units.begin(), input.units.end(), unit) == input.units.end()) return false;
+  const bool takes_any = input.units.empty();
+  if (!takes_any && std::find(input.units.begin(), input.units.end(), unit) == input.units.end()) return false;
   if (column.name.find("_sigma_") != std::string::npos) return false;
   if (is_in(model.targets, column.name) || is_in(model.not_inputs, column.name)) return false;
   if (input.of_another_effect && !is_read(model, column.name)) return false;

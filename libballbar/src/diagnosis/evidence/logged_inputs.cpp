@@ -10,6 +10,7 @@
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/numerics/interruption.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/series/input_kind.hpp"
 #include "ballbar/series/runs.hpp"
 #include "noise/linear_filter.hpp"
 #include "series/resolution.hpp"
@@ -24,6 +25,10 @@ constexpr double kLongestRamp_s = 90.0;     // a longer change is not sudden
 constexpr double kJump = 0.03;              // of a column's range, from row to row
 constexpr std::size_t kLongestHeld = 12;    // rows
 constexpr double kBends = 0.9;              // share of the square of a column's bends, at the samples it joins
+constexpr double kClimbs = 0.8;             // share of the runs of a coarse column that differ by one resolution
+constexpr std::size_t kFewestAtEnd = 10;    // rows in which a saturated sensor stands at the end of its range
+constexpr double kLeastAtEnd = 0.05;        // share of the rows
+constexpr std::size_t kLongestEqual = 3;    // rows for which a sensor that is not saturated shows one value
 constexpr std::size_t kFewestChanges = 8;   // of a column, to determine its sampling interval
 
 bool is_whole(const std::vector<double>& values) {
@@ -245,13 +250,22 @@ std::vector<double> smoothed(const std::vector<Observation>& observations, const
   return Smoother{observations, best}.at(time_s);
 }
 
+// Whether successive runs of equal values differ by one resolution: the sampling of something smooth.
+bool climbs_by_one(const std::vector<RowRange>& runs, const std::vector<double>& values) {
+  const double resolution = resolution_of(values);
+  std::size_t by_one = 0;
+  for (std::size_t k = 1; k < runs.size(); ++k)
+    by_one += std::abs(values[runs[k].begin] - values[runs[k - 1].begin]) < 1.5 * resolution ? 1 : 0;
+  return resolution > 0.0 && static_cast<double>(by_one) > kClimbs * static_cast<double>(runs.size() - 1);
+}
+
 // Runs of a coarse column where it spends several rows each; else its samples.
 std::vector<double> continuous(const std::vector<double>& time_s, const std::vector<double>& values, std::size_t held) {
   const std::vector<RowRange> runs = equal_rows(values);
   if (runs.size() < kFewestChanges) return values;
   std::vector<Observation> observations;
   observations.reserve(runs.size());
-  const bool coarse = resolution_of(values) > 0.0 && 3 * runs.size() < values.size() / held;
+  const bool coarse = 3 * runs.size() < values.size() / held && climbs_by_one(runs, values);
   if (coarse) {
     for (const RowRange& run : runs) {
       const bool is_short = run.end - run.begin < 3 * held;
@@ -284,6 +298,26 @@ std::vector<Jump> largest_changes(const std::vector<double>& values, std::size_t
   });
   if (changes.size() > kMostChanges) changes.resize(kMostChanges);
   return changes;
+}
+
+// Rows in which a sensor stands at its largest or smallest value for long, while it never shows one value for long
+// elsewhere.
+std::vector<std::size_t> rows_at_end(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  std::vector<std::size_t> rows, elsewhere;
+  for (const RowRange& run : equal_rows(values)) {
+    const std::size_t length = run.end - run.begin;
+    if (run.begin > 0 && (values[run.begin] == *low || values[run.begin] == *high) && length >= kFewestAtEnd) {
+      for (std::size_t row = run.begin; row < run.end; ++row) rows.push_back(row);
+    } else {
+      elsewhere.insert(elsewhere.end(), length, length);
+    }
+  }
+  if (static_cast<double>(rows.size()) < kLeastAtEnd * static_cast<double>(values.size()) || elsewhere.empty())
+    return {};
+  return median(std::vector<double>(elsewhere.begin(), elsewhere.end())) <= static_cast<double>(kLongestEqual)
+             ? rows
+             : std::vector<std::size_t>{};
 }
 
 bool is_temperature(const Column& column) {
@@ -325,11 +359,19 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
       input.is_stepped = changes_in_jumps(column.values, input.jumps);
       if (!input.is_stepped) input.jumps.clear();
       for (const Jump& jump : input.jumps) draw_step(column.values, jump);
-    } else if (is_temperature(column)) {
+    } else if (const InputKind kind = input_kind(column.values);
+               kind == InputKind::steps && column.role != Role::measured) {
+      input.sample_s = step_s;
+      input.jumps = jumps_of(data.time_s, column.values, 1, kLongestRamp_s);
+      input.is_stepped = changes_in_jumps(column.values, input.jumps);
+      if (!input.is_stepped) input.jumps.clear();
+      for (const Jump& jump : input.jumps) draw_step(column.values, jump);
+    } else if (is_temperature(column) || (kind == InputKind::smooth && column.role != Role::measured)) {
+      input.at_end = rows_at_end(column.values);
       const std::size_t rows = even ? held_rows(column.values) : 1;
       const std::size_t sample = std::max(rows, even ? ramped_rows(column.values) : 1);
       input.sample_s = static_cast<double>(sample) * step_s;
-      column.values = continuous(data.time_s, column.values, rows);
+      if (is_temperature(column)) column.values = continuous(data.time_s, column.values, rows);
       input.jumps = largest_changes(column.values, sample);
     } else {
       continue;
@@ -366,6 +408,7 @@ LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& t
         jump.first += run.begin;
         jump.last += run.begin;
       }
+      for (std::size_t& row : input.at_end) row += run.begin;
       const auto known = std::find_if(result.inputs.begin(), result.inputs.end(),
                                       [&](const LoggedInput& one) { return one.column == input.column; });
       if (known == result.inputs.end()) {
@@ -375,6 +418,7 @@ LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& t
       known->is_stepped = known->is_stepped || input.is_stepped;
       known->sample_s = std::max(known->sample_s, input.sample_s);
       known->jumps.insert(known->jumps.end(), input.jumps.begin(), input.jumps.end());
+      known->at_end.insert(known->at_end.end(), input.at_end.begin(), input.at_end.end());
     }
   }
   return result;

@@ -1,9 +1,9 @@
 // Reconstructs the true inputs from a log, because a logger holds, rounds and delays values.
 //
-//   stepped     speed and load: between two rows with different values, the input steps from the old to the new value.
+//   stepped     speed, load, and what is held and switched (input_kind.hpp): between two rows with different values, the input steps from the old to the new value.
 //               The step is placed in the middle of the possible interval, which is one sample of the logger: the rows
 //               over which a value is held, or the rows of a straight line between two samples
-//   continuous  temperatures: for a coarse column (few values, long runs of equal ones) the smoothest curve within the
+//   continuous  temperatures, and other columns as they are: for a coarse column (few values, long runs of equal ones) the smoothest curve within the
 //               runs, by a Kalman smoother of an integrated random walk; for a held column through the first row of
 //               each run
 #pragma once
@@ -27,6 +27,7 @@ struct LoggedInput {
   bool is_stepped = false;
   double sample_s = 0.0;    // sampling interval of its logger
   std::vector<Jump> jumps;  // for a continuous input its largest changes, of unknown shape
+  std::vector<std::size_t> at_end;  // rising rows in which its sensor is saturated
 };
 
 struct LoggedInputs {

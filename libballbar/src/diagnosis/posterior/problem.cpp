@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <string_view>
 
 #include "diagnosis/posterior/any_form.hpp"
@@ -21,6 +22,7 @@ constexpr double kMostJumps = 0.02;       // of the rows, and in any case as man
 constexpr double kFewJumps = 5.0;
 constexpr std::size_t kRowsAboutJump = 2;
 constexpr double kShortestLag = 2.0;  // samples
+constexpr double kMostSaturated = 2.0 / 3.0;  // of the rows
 constexpr double kPriorOfPairs = 0.1;  // of all effects of two columns
 constexpr double kPriorOfForm = 0.05;  // of a column in a form that no effect has
 
@@ -188,6 +190,18 @@ std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vecto
   return found;
 }
 
+// Rows in which a sensor stands at the end of its range tell nothing of it, if at least a third remains.
+void set_aside_saturated(Problem& problem) {
+  std::set<std::size_t> rows;
+  for (const LoggedInput& input : problem.logged.inputs) rows.insert(input.at_end.begin(), input.at_end.end());
+  std::vector<std::size_t> known;
+  for (std::size_t i = 0; i < problem.base.row.size(); ++i) {
+    if (rows.contains(problem.base.row[i])) known.push_back(i);
+  }
+  if (static_cast<double>(known.size()) > kMostSaturated * static_cast<double>(problem.base.row.size())) return;
+  for (const std::size_t i : known) problem.stated_variance[i] = kUnknownVariance;
+}
+
 }  // namespace
 
 Point point_at(const Problem& problem, const Covariance& covariance) {
@@ -311,7 +325,11 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   problem->longest_memory_s = options.search.longest_memory_s;
   problem->shock.assign(base.row.size(), 1.0);
   if (model.level == Level::series) {
-    for (const std::size_t row : far_readings(problem->y)) problem->stated_variance[row] = kUnknownVariance;
+    set_aside_saturated(*problem);
+    for (const std::size_t row : far_readings(problem->y)) {
+      if (problem->stated_variance[row] == 0.0) ++problem->far_readings;
+      problem->stated_variance[row] = kUnknownVariance;
+    }
   } else {
     problem->longest_memory_s = std::numeric_limits<double>::infinity();
   }

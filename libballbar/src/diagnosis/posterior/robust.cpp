@@ -85,7 +85,10 @@ bool weigh_down_outliers(Problem& problem, const Variant& variant, const Point& 
     const double factor = (r[i] * r[i] + kFreedom) / (kFreedom + 1.0);
     if (factor < kOutlier) continue;
     const auto row = static_cast<std::size_t>(i);
-    if (factor > kFarOff) problem.stated_variance[row] = kUnknownVariance;
+    if (factor > kFarOff && problem.stated_variance[row] == 0.0) {
+      problem.stated_variance[row] = kUnknownVariance;
+      ++problem.far_readings;
+    }
     problem.relative_variance[row] *= factor;
     problem.shock[row] *= factor;
     any = true;

@@ -74,7 +74,8 @@ double um_for_unit_d(const SignatureLibrary& library, const SignatureProjection&
 }
 
 bool takes(const Input& input, const Column& column) {
-  return std::find(input.units.begin(), input.units.end(), unit_of(column.name)) != input.units.end();
+  return input.units.empty() ||
+         std::find(input.units.begin(), input.units.end(), unit_of(column.name)) != input.units.end();
 }
 
 std::string roles_missing(const Effect& effect, const Series& data) {
@@ -82,7 +83,7 @@ std::string roles_missing(const Effect& effect, const Series& data) {
   for (const Input& input : effect.inputs) {
     const bool any = std::any_of(data.columns.begin(), data.columns.end(),
                                  [&](const Column& column) { return takes(input, column); });
-    if (!any) missing.push_back(fmt::format("{} ({})", input.role, fmt::join(input.units, " or ")));
+    if (!any) missing.push_back(fmt::format("{} ({})", input.role, input.units.empty() ? "any unit" : fmt::format("{}", fmt::join(input.units, " or "))));
   }
   if (!missing.empty()) return fmt::format("no column for {}", fmt::join(missing, ", "));
   for (const Input& input : effect.inputs) {

@@ -2,19 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "ballbar/number_text.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/numerics/range.hpp"
+#include "ballbar/series/input_kind.hpp"
 #include "diagnosis/posterior/inference.hpp"
 #include "diagnosis/posterior/set_regression.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
+#include "diagnosis/verdict/discrepancy.hpp"
+#include "diagnosis/verdict/few_readings.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"
 #include "diagnosis/verdict/gains_by_run.hpp"
 #include "diagnosis/verdict/member_tests.hpp"
@@ -23,6 +28,7 @@
 #include "diagnosis/verdict/start_values.hpp"
 #include "fit/model_columns.hpp"
 #include "noise/whitening.hpp"
+#include "numerics/orthonormal.hpp"
 
 namespace ballbar {
 namespace {
@@ -145,13 +151,107 @@ class Decision {
     result_.gains_by_run = gains_by_run(problem(), posterior(), *best_, at_);
     const Covariance& covariance = posterior().points[best_->point].covariance;
     result_.noise = noise_of(covariance, at_.variance);
-    for (const Point& point : posterior().points) {
-      if (!(point.covariance.slow > 0.0)) continue;
-      result_.discrepancy_um = std::min(std::sqrt(point.covariance.slow * at_.variance), 0.5 * measured_um_);
-      break;
-    }
+    describe_discrepancy();
+    tell_what_was_not_used();
     result_.detectability = detectability_by(result_.noise);
     add_own();
+  }
+
+  void describe_discrepancy() {
+    const Eigen::VectorXd mean_um = discrepancy_mean(problem(), posterior(), *best_);
+    result_.discrepancy_um = std::sqrt((mean_um.array() - mean_um.mean()).square().mean());
+    if (result_.p_discrepancy < kDiscrepancy || !(result_.discrepancy_um > 0.0)) return;
+    const Description like = description_of(options_.search.catalogue, problem(), mean_um);
+    result_.discrepancy_like = like.effect;
+    result_.discrepancy_parameter = like.parameter;
+    result_.discrepancy_time_s = like.time_s;
+  }
+
+  void tell_what_was_not_used() {
+    if (model_.level != Level::series) return;
+    const auto rows = static_cast<double>(std::max<std::size_t>(1, problem().logged.series.time_s.size()));
+    for (const LoggedInput& input : problem().logged.inputs) {
+      if (!input.at_end.empty())
+        result_.saturated.push_back({input.column, static_cast<double>(input.at_end.size()) / rows});
+    }
+    result_.set_aside = problem().far_readings;
+    result_.level_jumps = problem().level_jumps.size();
+    std::vector<double> sizes_um;
+    for (const LevelJump& jump : problem().level_jumps) sizes_um.push_back(jump.size_um);
+    if (!sizes_um.empty()) result_.level_jump_um = median(std::move(sizes_um));
+    for (const Column& column : problem().logged.series.columns) {
+      if (column.role == Role::measured || column.name.find("_sigma_") != std::string::npos) continue;
+      const auto is_it = [&](const std::string& name) { return name == column.name; };
+      const InputKind kind = input_kind(column.values);
+      const auto reads = [&](const auto& one) { return std::any_of(one.columns.begin(), one.columns.end(), is_it); };
+      if ((kind != InputKind::steps && kind != InputKind::smooth) ||
+          std::any_of(model_.targets.begin(), model_.targets.end(), is_it) ||
+          std::any_of(model_.not_inputs.begin(), model_.not_inputs.end(), is_it) ||
+          std::any_of(model_.terms.begin(), model_.terms.end(), reads) ||
+          std::any_of(problem().library.families.begin(), problem().library.families.end(),
+                      [&](const Family& one) { return reads(one.bound); }))
+        continue;
+      const bool has_gaps = std::any_of(column.values.begin(), column.values.end(),
+                                        [](double value) { return !std::isfinite(value); });
+      result_.columns_not_searched.push_back({column.name, has_gaps ? "it has gaps" : "no effect reads it"});
+    }
+  }
+
+  // Standard deviation of what the model cannot imitate of each member of the best set.
+  std::vector<double> unimitated_um() const {
+    const Variant& variant = posterior().variants[best_->variant];
+    std::vector<Eigen::Index> free;
+    for (std::size_t k = 0; k < variant.line.is_free.size(); ++k) {
+      if (variant.line.is_free[k] != 0) free.push_back(static_cast<Eigen::Index>(k));
+    }
+    const Eigen::MatrixXd basis = orthonormal(Eigen::MatrixXd(at_.line(Eigen::all, free)));
+    const Eigen::VectorXd coefficients =
+        at_.white_columns().completeOrthogonalDecomposition().solve(at_.white_y).tail(at_.members.cols());
+    std::vector<double> sizes_um;
+    for (std::size_t m = 0; m < at_.first.size(); ++m) {
+      const Eigen::VectorXd curve = at_.members.middleCols(at_.first[m], at_.width[m]) *
+                                    coefficients.segment(at_.first[m], at_.width[m]);
+      const Eigen::VectorXd left = orthogonal_part(curve, basis);
+      sizes_um.push_back(std::sqrt(left.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, left.size()))));
+    }
+    return sizes_um;
+  }
+
+  // Beside a larger discrepancy no cause can be told (Brynjarsdottir and O'Hagan 2014, Inverse Problems 30, 114007).
+  double discrepancy_beside_um() const {
+    return result_.p_discrepancy >= kDiscrepancy ? result_.discrepancy_um : 0.0;
+  }
+
+  // A few readings: whether the best subset of columns is that of the best set.
+  void doubt_few_readings() {
+    if (model_.level != Level::series || problem().time_s.size() > kFewReadings) return;
+    const std::vector<std::string> clear = clear_subset(problem(), posterior().variants.front());
+    const auto is_in_clear = [&](const std::string& name) {
+      return std::find(clear.begin(), clear.end(), name) != clear.end();
+    };
+    std::set<std::string> found;
+    for (const Candidate& one : result_.candidates) found.insert(one.bound.columns.begin(), one.bound.columns.end());
+    const bool agree = found.size() == clear.size() && std::all_of(found.begin(), found.end(), is_in_clear);
+    for (Candidate& one : result_.candidates) {
+      if (!agree) one.doubts.emplace_back("a few readings do not tell it from other columns");
+    }
+    for (Driver& driver : result_.drivers) driver.is_clear = driver.is_clear && is_in_clear(driver.column);
+  }
+
+  void doubt_beside_discrepancy() {
+    const double beside_um = discrepancy_beside_um();
+    if (!(beside_um > 0.0)) return;
+    const std::vector<double> seen_um = unimitated_um();
+    std::set<std::string> clear;
+    for (std::size_t m = 0; m < result_.candidates.size(); ++m) {
+      Candidate& one = result_.candidates[m];
+      if (seen_um[m] >= beside_um) {
+        clear.insert(one.bound.columns.begin(), one.bound.columns.end());
+      } else if (!is_jump(*one.bound.effect)) {
+        one.doubts.emplace_back("a slow drift without a cause is larger");
+      }
+    }
+    for (Driver& driver : result_.drivers) driver.is_clear = clear.contains(driver.column);
   }
 
   void add_own() {
@@ -192,6 +292,8 @@ class Decision {
         one.doubts.emplace_back("another effect of the set nearly cancels it");
       result_.candidates.push_back(std::move(one));
     }
+    doubt_beside_discrepancy();
+    doubt_few_readings();
     if (!options_.leave_out || model_.level != Level::series) return;
     tell("leaving cycles out");
     std::vector<std::size_t> terms(result_.candidates.size());
@@ -231,7 +333,8 @@ class Decision {
     }
     for (std::size_t m = 0; m < d.candidates.size(); ++m) {
       const Candidate& one = d.candidates[m];
-      if (one.doubts.empty() && one.p >= kNamed) {
+      const bool all_searched = d.columns_not_searched.empty();  // else another cause may be among those
+      if (one.doubts.empty() && one.p >= kNamed && all_searched) {
         d.named.push_back(one.bound);
       } else if (one.doubts.empty() && one.p >= kProbable) {
         d.probable.push_back(one.bound);
@@ -255,13 +358,10 @@ class Decision {
       }
       for (const std::string& doubt : one.doubts) d.reasons.push_back(fmt::format("{}: {}.", one.label, doubt));
     }
-    if (d.p_discrepancy >= kDiscrepancy) {
-      d.reasons.push_back(fmt::format("A slow drift without a known cause remains ({}).", sure_text(d.p_discrepancy)));
-    }
     const bool driver =
         model_.level == Level::series &&
-        std::any_of(d.drivers.begin(), d.drivers.end(), [&](const Driver& one) { return one.p >= kSureDriver; });
-    if (d.p_nothing >= kNothing) {
+        std::any_of(d.drivers.begin(), d.drivers.end(), [&](const Driver& one) { return one.p >= kSureDriver && one.is_clear; });
+    if (d.p_nothing >= kNothing && d.level_jumps == 0) {
       d.named.clear();
       d.probable.clear();
       d.equivalent.clear();

@@ -135,7 +135,7 @@ std::string own_text(const Diagnosis& d, double least) {
   return text;
 }
 
-bool is_driver(const Driver& driver) { return driver.p >= kSureDriver; }
+bool is_driver(const Driver& driver) { return driver.p >= kSureDriver && driver.is_clear; }
 
 std::string driver_text(const Diagnosis& d) {
   std::vector<std::string> names;
@@ -216,17 +216,47 @@ std::string best_candidate_text(const Diagnosis& d) {
   return what.empty() ? "" : fmt::format(" The best candidate, {} ({}), is not proven.", what, percent_text(p));
 }
 
+// "About ±4.2 um of slow drift has no cause among these columns (like settling, time constant 1 h 20 min)."
+std::string slow_text(const Diagnosis& d) {
+  if (!(d.discrepancy_um > 0.0) || d.p_discrepancy < kDiscrepancy) return "";
+  std::string like;
+  if (!d.discrepancy_like.empty()) {
+    like = fmt::format(" (like {}{})", d.discrepancy_like,
+                       d.discrepancy_parameter.empty()
+                           ? ""
+                           : fmt::format(", {} {}", d.discrepancy_parameter, duration_text(d.discrepancy_time_s)));
+  }
+  return fmt::format("About ±{} um of slow drift{} has no cause among these columns{}. Log another sensor, such as the "
+                     "temperature of the coolant, the structure or the room.",
+                     size_text(d.discrepancy_um), d.target.empty() ? "" : fmt::format(" of {}", d.target), like);
+}
+
+// What was not used is said first.
+std::string not_used_text(const Diagnosis& d) {
+  std::string text;
+  for (const ColumnNotSearched& one : d.columns_not_searched)
+    text += fmt::format("{} was not searched: {}. ", one.column, one.why);
+  for (const Saturated& one : d.saturated) {
+    text += fmt::format("{} stands at the end of its range for {} of the rows, as a saturated sensor does. These rows "
+                        "are set aside. ",
+                        one.column, percent_text(one.share));
+  }
+  if (d.set_aside > 0) {
+    text += fmt::format("{} far from the others {} set aside. ",
+                        d.set_aside == 1 ? "One reading" : fmt::format("{} readings", d.set_aside),
+                        d.set_aside == 1 ? "is" : "are");
+  }
+  if (d.level_jumps > 0) {
+    text += fmt::format("{} jumps {} times, by {} um: corrections of the control or of the probe, no drift. ",
+                        d.target.empty() ? "The target" : d.target, d.level_jumps, size_text(d.level_jump_um));
+  }
+  return text;
+}
+
 std::string unexplained_text(const Diagnosis& d) {
   const std::string drivers = likely_drivers_text(d);
-  if (d.discrepancy_um > 0.0 && d.p_discrepancy >= kDiscrepancy) {
-    return fmt::format("About ±{} um of slow drift remains{} that no known effect explains ({}).{}{}",
-                       size_text(d.discrepancy_um), d.target.empty() ? "" : fmt::format(" in {}", d.target),
-                       sure_text(d.p_discrepancy),
-                       drivers.empty() ? " No logged column follows it. Log another sensor, such as the temperature of "
-                                         "the coolant, the structure or the room."
-                                       : drivers,
-                       where_text(d));
-  }
+  if (std::string slow = slow_text(d); !slow.empty()) return slow + drivers + where_text(d);
+  if (d.level_jumps > 0) return "No effect is missing beside its jumps, as far as these data show." + where_text(d);
   if (const std::string drifts = drifts_text(d); !drifts.empty() && drivers.empty()) {
     return fmt::format("Something that depends on time alone is missing from {}: {}. No logged column follows it.{}",
                        model_text(d), drifts, where_text(d));
@@ -237,9 +267,7 @@ std::string unexplained_text(const Diagnosis& d) {
                      where_text(d));
 }
 
-}  // namespace
-
-std::string sentence_of(const Diagnosis& d) {
+std::string verdict_text(const Diagnosis& d) {
   switch (d.verdict) {
     case Verdict::named: {
       std::string text = missing_text(d, "Missing", "Also missing", d.named);
@@ -272,6 +300,14 @@ std::string sentence_of(const Diagnosis& d) {
     text += fmt::format(" Up to {} um of {} could still be hidden{}.", size_text(d.hidden_um), label_of(d.hidden),
                         d.hidden_um > kImitated * d.base.rmse_um ? ", because the model imitates it" : "");
   return text;
+}
+
+}  // namespace
+
+std::string sentence_of(const Diagnosis& d) {
+  const bool says_slow = d.verdict == Verdict::unexplained;
+  const std::string slow = says_slow ? "" : slow_text(d);
+  return not_used_text(d) + verdict_text(d) + (slow.empty() ? "" : " " + slow);
 }
 
 }  // namespace ballbar

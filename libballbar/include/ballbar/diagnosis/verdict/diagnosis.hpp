@@ -53,6 +53,7 @@ struct EffectProbability {
 struct Driver {
   std::string column;
   double p = 0.0;
+  bool is_clear = true;  // false: a discrepancy that is larger, or other columns of a few readings, may be the cause
 };
 
 // The probability that a value held in the model is wrong, with the value that fits.
@@ -72,6 +73,18 @@ struct GainByRun {
   std::vector<double> gain, sigma;  // one per run
 };
 
+// A column that changes and that no effect of the search could read.
+struct ColumnNotSearched {
+  std::string column;
+  std::string why;  // "it has gaps"
+};
+
+// A sensor that stands at the end of its range.
+struct Saturated {
+  std::string column;
+  double share = 0.0;  // of the rows, which are set aside
+};
+
 struct Diagnosis {
   std::string target;
   Fit base;
@@ -84,8 +97,15 @@ struct Diagnosis {
   std::vector<GainByRun> gains_by_run;               // several runs: the gains that differ
   double p_nothing = 1.0;                            // no effect, no wrong held value, no discrepancy
   double p_discrepancy = 0.0;
-  double discrepancy_um = 0.0;        // most likely standard deviation of the discrepancy, at most half the range of
-                                      // the readings
+  double discrepancy_um = 0.0;        // standard deviation of its posterior mean
+  std::string discrepancy_like;       // the effect of time alone that it follows: "settling"; empty: none
+  std::string discrepancy_parameter;  // "time constant"
+  double discrepancy_time_s = 0.0;    // of that parameter
+  std::vector<ColumnNotSearched> columns_not_searched;
+  std::vector<Saturated> saturated;
+  std::size_t set_aside = 0;    // readings far from all others
+  std::size_t level_jumps = 0;  // of the target; three or more are no effect, but a property of the target
+  double level_jump_um = 0.0;   // their median
   Noise noise;                        // of the fit with the best set
   std::vector<Candidate> candidates;  // the best set first, then by P; at most 12
   // Range of the sum of the best set, at most that of the readings: effects of the model cancel the rest.
