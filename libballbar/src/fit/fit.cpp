@@ -41,8 +41,9 @@ Bounds bounds_of(const Model& model, const ModelRows& rows) {
   return bounds;
 }
 
-// A stated moment of an effect that may occur at several is refined to half a row about it. Farther away a fit that
-// lacks other effects would find another jump, and a diagnosis this one again.
+// A stated moment of an effect that may occur at several is refined to half a row about it, between two rows to the
+// interval between them. Farther away a fit that lacks other effects would find another jump, and a diagnosis this one
+// again.
 Bounds refined_bounds(Bounds bounds, const Model& model, const ModelRows& rows, const std::vector<double>& time_s) {
   if (!std::is_sorted(time_s.begin(), time_s.end())) return bounds;  // several runs
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
@@ -51,11 +52,11 @@ Bounds refined_bounds(Bounds bounds, const Model& model, const ModelRows& rows, 
       const Setting& setting = term.settings[k];
       if (term.effect->parameters[k].shape_of != ShapeOf::onset || !setting.stated) continue;
       const auto index = rows.offset(t) + static_cast<Eigen::Index>(k);
-      const auto row = std::lower_bound(time_s.begin(), time_s.end(), setting.start);
-      const auto after = std::upper_bound(row, time_s.end(), setting.start);
-      const auto half_way = [&](double to_s) { return 0.5 * (setting.start + to_s); };
-      if (row != time_s.begin()) bounds.lower[index] = std::max(bounds.lower[index], half_way(*(row - 1)));
-      if (after != time_s.end()) bounds.upper[index] = std::min(bounds.upper[index], half_way(*after));
+      const auto [from, to] = std::equal_range(time_s.begin(), time_s.end(), setting.start);
+      const double share = from == to ? 1.0 : 0.5;  // of the way to the rows before and after
+      const auto towards = [&](double row_s) { return setting.start + share * (row_s - setting.start); };
+      if (from != time_s.begin()) bounds.lower[index] = std::max(bounds.lower[index], towards(*(from - 1)));
+      if (to != time_s.end()) bounds.upper[index] = std::min(bounds.upper[index], towards(*to));
     }
   }
   return bounds;

@@ -103,7 +103,10 @@ void by_time(const Fit& fit, const Series& data, Groups& groups) {
 
 void by_signal(const Fit& fit, const Column& column, Groups& groups) {
   const std::string unit(unit_of(column.name));
-  const auto printed = [&](double value) { return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit); };
+  const auto printed = [&](double value) {
+    const double rounded = std::stod(fmt::format("{:.4g}", value));  // 12000, not 1.2e+04
+    return fmt::format("{}{}{}", rounded, unit.empty() ? "" : " ", unit);
+  };
   std::vector<double> sorted;
   for (const std::size_t row : fit.row) {
     if (!std::isnan(column.values[row])) sorted.push_back(column.values[row]);

@@ -20,6 +20,13 @@ ModelOptions options() {
   return options;
 }
 
+Candidate candidate(BoundEffect bound, double p) {
+  Candidate one;
+  one.bound = std::move(bound);
+  one.p = p;
+  return one;
+}
+
 Diagnosis found(Verdict verdict) {
   Diagnosis diagnosis;
   diagnosis.target = "y_um";
@@ -44,16 +51,60 @@ TEST(NextCommand, what_is_probable_is_added_and_what_is_in_question_tried) {
   for (const Verdict verdict : {Verdict::equivalent, Verdict::driver, Verdict::unexplained}) {
     diagnosis = found(verdict);
     EXPECT_EQ(next_command(options(), diagnosis), "");
-    diagnosis.candidates.push_back({});
-    diagnosis.candidates.front().bound = bound("linear_drift", {});
-    EXPECT_EQ(next_command(options(), diagnosis), "");  // more likely not missing
+    diagnosis.candidates = {candidate(bound("linear_drift", {}), 0.7)};
+    EXPECT_EQ(next_command(options(), diagnosis), "");  // not of the most probable set
     diagnosis.candidates.front().in_best_set = true;
     EXPECT_EQ(next_command(options(), diagnosis),
               "ballbar add linear_drift 'run 1.csv' --model model.toml --target y_um --dry-run");
     diagnosis.equivalent = {{bound("expansion", {"T_room_degC"}), bound("linear_drift", {})}};
+    diagnosis.candidates.push_back(candidate(bound("expansion", {"T_room_degC"}), 0.58));
     EXPECT_EQ(next_command(options(), diagnosis),
               "ballbar add 'expansion(T_room_degC)' 'run 1.csv' --model model.toml --target y_um --dry-run");
+    for (Candidate& one : diagnosis.candidates) one.p = 0.49;
+    EXPECT_EQ(next_command(options(), diagnosis), "");  // the test that decides is the next step
   }
+}
+
+// A fit starts where the diagnosis found the effect: a moment to a second in months, a period, a time constant.
+TEST(NextCommand, says_the_shapes_that_were_found) {
+  const auto shaped = [](BoundEffect bound, std::size_t k, double value) {
+    Candidate one = candidate(std::move(bound), 0.99);
+    for (const Parameter& parameter : one.bound.effect->parameters) {
+      one.parameters.push_back({one.label, parameter.name, parameter.unit, 1.0, 0.1, {}, parameter.kind});
+      one.parameters.back().shape_of = parameter.shape_of;
+      one.parameters.back().state = ParameterState::held;
+    }
+    one.parameters[k].value = value;
+    one.parameters[k].state = ParameterState::free;
+    return one;
+  };
+  Diagnosis diagnosis = found(Verdict::named);
+  diagnosis.named = {bound("step", {}), bound("thermostat_cycle", {}), bound("lagged_expansion", {"T_room_degC"}),
+                     bound("expansion", {"T_room_degC"})};
+  diagnosis.candidates = {shaped(diagnosis.named[0], 1, 50820.0), shaped(diagnosis.named[1], 2, 242.1337),
+                          shaped(diagnosis.named[2], 1, 17682.4), shaped(diagnosis.named[3], 0, 2.0)};
+  EXPECT_EQ(next_command(options(), diagnosis),
+            "ballbar add 'step(onset_s = 50820)' 'thermostat_cycle(period_s = 242.134)' "
+            "'lagged_expansion(T_room_degC, time_constant_s = 17680)' 'expansion(T_room_degC)' 'run 1.csv' --model "
+            "model.toml --target y_um");
+}
+
+TEST(NextCommand, no_jump_beside_one_of_the_model) {
+  Diagnosis diagnosis = found(Verdict::named);
+  for (int i = 0; i < 100; ++i) diagnosis.base.time_s.push_back(60.0 * i);
+  FittedParameter held{"step(onset_s = 3000)", "onset_s", "s", 3010.0};
+  held.shape_of = ShapeOf::onset;
+  diagnosis.base.parameters = {held};
+  diagnosis.named = {bound("step", {})};
+  diagnosis.candidates = {candidate(bound("step", {}), 0.99)};
+  diagnosis.candidates.front().parameters = {held};
+  for (const double near_s : {2880.0, 3000.0, 3180.0}) {
+    diagnosis.candidates.front().parameters[0].value = near_s;
+    EXPECT_EQ(next_command(options(), diagnosis), "") << near_s;
+  }
+  diagnosis.candidates.front().parameters[0].value = 3300.0;
+  EXPECT_EQ(next_command(options(), diagnosis),
+            "ballbar add 'step(onset_s = 3300)' 'run 1.csv' --model model.toml --target y_um");
 }
 
 TEST(NextCommand, what_the_user_typed_comes_again) {
@@ -107,6 +158,7 @@ TEST(NextCommand, without_a_model_file) {
   EXPECT_EQ(next_hint(none, diagnosis), "");
   diagnosis.verdict = Verdict::equivalent;
   diagnosis.equivalent = {{bound("linear_drift", {})}};
+  diagnosis.candidates = {candidate(bound("linear_drift", {}), 0.6)};
   EXPECT_EQ(next_command(none, diagnosis), "ballbar add linear_drift 'run 1.csv' --target y_um --dry-run");
 }
 

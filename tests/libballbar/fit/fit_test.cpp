@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -302,6 +303,27 @@ TEST(fit, time_constant_far_from_the_start_is_found) {
   const Fit found = fit(truth, data);
   EXPECT_NEAR(found.parameters[2].value, 30000.0, 3000.0);
   EXPECT_NEAR(found.parameters[4].value, 400.0, 40.0);
+}
+
+// A jump of 1 um at 3000 s, and a dip of 3 um behind it that the model lacks. A step that is free to move goes to the
+// end of the dip, 13 rows away.
+TEST(fit, a_stated_jump_stays_at_its_row) {
+  Series data;
+  std::vector<double> z_um;
+  for (int i = 0; i < 100; ++i) {
+    data.time_s.push_back(60.0 * i);
+    z_um.push_back((i > 50 ? 1.0 : 0.0) - 3.0 * std::exp(-std::pow((i - 55) / 8.0, 2)) + 0.01 * std::sin(i * i));
+  }
+  add_target(data, z_um);
+  Term step = term_of("step", {});
+  step.settings[1].stated = true;
+  for (const auto& [start_s, low_s, high_s] : {std::array{3000.0, 2970.0, 3030.0}, {3010.0, 3000.0, 3060.0}}) {
+    step.settings[1].start = start_s;
+    const FittedParameter onset = parameter_of(fit(model_of({step}), data), "onset_s");
+    EXPECT_GE(onset.value, low_s);
+    EXPECT_LE(onset.value, high_s);
+    EXPECT_EQ(onset.state, ParameterState::free);
+  }
 }
 
 TEST(fit, sigma_grows_with_the_memory_of_the_noise) {

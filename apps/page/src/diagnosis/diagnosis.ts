@@ -15,9 +15,16 @@ import { waterfall } from "./waterfall";
 import { with_without_picture } from "./with_without";
 import { english, english_after, named, type Sentence, t } from "../texts/texts";
 
-const predicted_text = ({ better, expected_um, today_um }: NonNullable<Diagnosed["predicted"]>): string => {
-  const errors = { expected: shown(expected_um, 2), today: shown(today_um, 2) };
-  return better ? t.diagnosis_predicted(errors) : t.diagnosis_not_predicted(errors);
+const predicted_text = ({ predicted, predicted_by }: Diagnosed): Sentence[] => {
+  if (predicted_by) {
+    const { columns, left_out_um, model_left_out_um: model_um } = predicted_by;
+    const said = { by: columns.map((column) => plain(column, 44)).join(", "), left_out: shown(left_out_um, 2) };
+    return [model_um === null ? t.diagnosis_predicted_by(said) : t.diagnosis_predicted_by_and_model({ ...said, model: shown(model_um, 2) })];
+  }
+  if (!predicted) return [];
+  const errors = { expected: shown(predicted.expected_um, 2), today: shown(predicted.today_um, 2) };
+  if (predicted.better) return [t.diagnosis_predicted(errors)];
+  return [t.diagnosis_not_predicted({ ...errors, constant: shown(predicted.constant_um, 2) })];
 };
 
 const sentences_of = (found: Diagnosed, checked: Checked | undefined): Sentence[] => {
@@ -27,7 +34,7 @@ const sentences_of = (found: Diagnosed, checked: Checked | undefined): Sentence[
     t.diagnosis_verdict({ verdict: named(t.verdicts, found.verdict) }),
     ...(found.hint === "" ? [] : [english(found.hint)]),
     ...(found.next_test_text === "" ? [] : [english_after(t.diagnosis_to_decide, found.next_test_text)]),
-    ...(found.predicted ? [predicted_text(found.predicted)] : []),
+    ...predicted_text(found),
     ...(reasons ? [t.diagnosis_why, ...found.reasons.map((reason) => english(`– ${reason}`))] : []),
   ];
 };

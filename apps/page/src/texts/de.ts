@@ -462,7 +462,11 @@ export const de: Texts = {
   diagnosis_predicted:
     ({ expected, today }: { expected: string; today: string }) => `Vorhersagen lässt es sich dennoch: Auf neuen Zeilen beträgt der RMSE einer Regression auf alle Effekte ${expected} µm, der des Modells ${today} µm.`,
   diagnosis_not_predicted:
-    ({ expected, today }: { expected: string; today: string }) => `Auch vorhersagen lässt es sich nicht: Auf neuen Zeilen beträgt der RMSE einer Regression auf alle Effekte ${expected} µm, der des Modells ${today} µm.`,
+    ({ expected, today, constant }: { expected: string; today: string; constant: string }) => `Eine Regression auf alle Effekte ist nicht besser: Auf neuen Zeilen beträgt ihr RMSE ${expected} µm, der des Modells ${today} µm, der einer Konstanten ${constant} µm.`,
+  diagnosis_predicted_by:
+    ({ by, left_out }: { by: string; left_out: string }) => `Ausgelassene Zyklen sagt ${by} auf ${left_out} µm RMSE genau voraus.`,
+  diagnosis_predicted_by_and_model:
+    ({ by, left_out, model }: { by: string; left_out: string; model: string }) => `Ausgelassene Zyklen sagt ${by} auf ${left_out} µm RMSE genau voraus, das Modell auf ${model} µm.`,
   diagnosis_to_decide: "Zur Entscheidung:",
   diagnosis_untestable: "Hier nicht prüfbar",
   diagnosis_not_searched: "Nicht durchsucht",

@@ -454,7 +454,11 @@ export const en = {
   diagnosis_predicted:
     ({ expected, today }: { expected: string; today: string }) => `It can still be predicted: on new rows the RMSE of a regression on all effects is ${expected} µm, that of the model ${today} µm.`,
   diagnosis_not_predicted:
-    ({ expected, today }: { expected: string; today: string }) => `It cannot be predicted either: on new rows the RMSE of a regression on all effects is ${expected} µm, that of the model ${today} µm.`,
+    ({ expected, today, constant }: { expected: string; today: string; constant: string }) => `A regression on all effects is no better: on new rows its RMSE is ${expected} µm, that of the model ${today} µm, that of a constant ${constant} µm.`,
+  diagnosis_predicted_by:
+    ({ by, left_out }: { by: string; left_out: string }) => `Left-out cycles are predicted to ${left_out} µm RMSE by ${by}.`,
+  diagnosis_predicted_by_and_model:
+    ({ by, left_out, model }: { by: string; left_out: string; model: string }) => `Left-out cycles are predicted to ${left_out} µm RMSE by ${by}, to ${model} µm by the model.`,
   diagnosis_to_decide: "To decide:",
   diagnosis_untestable: "Not testable here",
   diagnosis_not_searched: "Not searched",

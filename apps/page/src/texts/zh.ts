@@ -439,7 +439,11 @@ export const zh: Texts = {
   diagnosis_predicted:
     ({ expected, today }: { expected: string; today: string }) => `但仍可预测：在新的数据行上，对全部效应的回归的 RMSE 为 ${expected} µm，模型为 ${today} µm。`,
   diagnosis_not_predicted:
-    ({ expected, today }: { expected: string; today: string }) => `也无法预测：在新的数据行上，对全部效应的回归的 RMSE 为 ${expected} µm，模型为 ${today} µm。`,
+    ({ expected, today, constant }: { expected: string; today: string; constant: string }) => `对全部效应的回归并不更好：在新的数据行上，其 RMSE 为 ${expected} µm，模型为 ${today} µm，常数为 ${constant} µm。`,
+  diagnosis_predicted_by:
+    ({ by, left_out }: { by: string; left_out: string }) => `对留出的循环，${by} 的预测 RMSE 为 ${left_out} µm。`,
+  diagnosis_predicted_by_and_model:
+    ({ by, left_out, model }: { by: string; left_out: string; model: string }) => `对留出的循环，${by} 的预测 RMSE 为 ${left_out} µm，模型为 ${model} µm。`,
   diagnosis_to_decide: "判定方法：",
   diagnosis_untestable: "此处无法检验",
   diagnosis_not_searched: "未搜索",

@@ -116,6 +116,13 @@ std::string further_text(const Diagnosis& d) {
   return text;
 }
 
+// " A further effect is open: most likely A (65 %)." Of all groups, beside what is named.
+std::string open_text(const Diagnosis& d) {
+  if (d.equivalent.empty()) return "";
+  return fmt::format(" A further effect is open: most likely {}.{}", group_text(d, d.equivalent.front()),
+                     further_text(d));
+}
+
 // One sentence for each wrong held value.
 std::string own_text(const Diagnosis& d, double least) {
   std::string text;
@@ -270,15 +277,13 @@ std::string verdict_text(const Diagnosis& d) {
       if (!own.empty()) text += (text.empty() ? "" : " ") + own;
       for (const BoundEffect& bound : d.probable)
         text += fmt::format(" Probably also missing: {}.", effect_text(d, bound));
-      if (!d.equivalent.empty())
-        text += fmt::format(" A further effect is open: most likely {}.", group_text(d, d.equivalent.front()));
-      return text + further_text(d) + where_text(d);
+      return text + open_text(d) + where_text(d);
     }
     case Verdict::probable: {
       std::string text = missing_text(d, "Probably missing", "Probably also missing", d.probable);
       const std::string own = own_text(d, kProbable);
       if (!own.empty()) text += (text.empty() ? "" : " ") + own;
-      return text + where_text(d);
+      return text + open_text(d) + where_text(d);
     }
     case Verdict::driver:
       return driver_text(d);

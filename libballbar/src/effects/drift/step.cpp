@@ -29,7 +29,7 @@ extern const Effect kStep{
       -std::numeric_limits<double>::infinity(),
       std::numeric_limits<double>::infinity(),
       {},
-      "time of the jump, in the time of the data; searched over all rows",
+      "time of the jump, in the time of the data; searched over all rows, or refined within a row of the stated start",
       false,
       ShapeOf::onset}},
     by_row<2>(Step{}),
