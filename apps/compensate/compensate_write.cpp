@@ -12,6 +12,7 @@
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/nearest_name.hpp"
 #include "ballbar/predict/batch.hpp"
 #include "ballbar/series/merged_series.hpp"
 #include "ballbar/series/runs.hpp"
@@ -88,7 +89,7 @@ ModelData open_write_data(const Source& data) {
   std::vector<std::string> names;
   for (const ListedRun& run : open_runs(data.path()).runs) {
     runs.push_back(with_source(run.file.string(), [&] {
-      return *with_gaps_closed(std::make_shared<const Series>(open_series(Source(run.file))), kUsualGap_s);
+      return *with_gaps_closed(std::make_shared<const Series>(open_series(Source(run.file))), std::nullopt);
     }));
     names.push_back(run.name);
     opened.files.push_back(run.file);

@@ -87,7 +87,7 @@ MergedSeries merged_series(const std::vector<Source>& logs, const ClockOptions& 
     all.push_back(std::move(part.series));
     result.parts.push_back(std::move(part.merged));
   }
-  result.series = merged(all, clocks.max_gap_s.value_or(kUsualGap_s));
+  result.series = merged(all, clocks.max_gap_s);
   if (!started) return result;
   const double first_s = result.series.time_s.front();
   result.series.started = stamp_text(*started + first_s);

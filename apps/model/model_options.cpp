@@ -98,7 +98,9 @@ void expect_clock(const ModelData& data, std::string_view what) {
 }
 
 void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s) {
-  take_time(*command.add_option("--max-gap", max_gap_s, "longest gap of a signal to interpolate over; default: 10min"),
+  take_time(*command.add_option(
+                "--max-gap", max_gap_s,
+                "longest gap of a signal to interpolate over; default: 3 usual steps of the signal, at least 10min"),
             true);
 }
 
@@ -137,8 +139,7 @@ void add_fit_options(CLI::App& command, ModelOptions& options) {
 }
 
 ModelData open_data(const ModelOptions& options) {
-  ModelData data =
-      open_model_data(options.data, {}, options.max_gap_s.value_or(kUsualGap_s), known_readers(), options.circle);
+  ModelData data = open_model_data(options.data, {}, options.max_gap_s, known_readers(), options.circle);
   tell(data.remarks);
   if (!data.series->has_clock) {
     stderr_line(

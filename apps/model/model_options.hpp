@@ -44,8 +44,6 @@ void add_also_input(CLI::App& command, ModelOptions& options);
 // --robust, --white and --set, for the commands that print the fit.
 void add_fit_options(CLI::App& command, ModelOptions& options);
 
-constexpr double kUsualGap_s = 600.0;
-
 ModelData open_data(const ModelOptions& options);
 
 // Throws Error for data without a clock; `what`: why a clock is needed, "to plan from".

@@ -262,9 +262,8 @@ ReportData report_data(ReportRequest& options) {
   made.files = data.files;
   const bool fits = !of_batches && (has_model || options.diagnose);
   if (fits) {
-    const double max_gap_s = options.model.max_gap_s.value_or(kUsualGap_s);
-    result.for_model = std::make_shared<const ModelData>(
-        without_times(model_data_of(data, options.model.data.front().name(), {}, max_gap_s), options.model.left_out));
+    result.for_model = std::make_shared<const ModelData>(without_times(
+        model_data_of(data, options.model.data.front().name(), {}, options.model.max_gap_s), options.model.left_out));
   }
   tell(fits ? result.for_model->remarks : data.remarks);
   if (data.session) {

@@ -8,6 +8,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "logs/log_cells.hpp"
+#include "logs/text_fold.hpp"
 #include "logs/time_stamp.hpp"
 #include "text/cells.hpp"
 
@@ -15,6 +16,10 @@ namespace ballbar {
 namespace {
 
 void look_at(std::string_view cell, char decimal, ColumnSample& sample) {
+  if (switch_value(cell)) {
+    ++sample.switches;
+    sample.switch_words.insert(folded(trimmed_cell(cell)));
+  }
   if (is_missing(cell)) {
     ++sample.missing;
     return;

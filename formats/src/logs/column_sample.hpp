@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,13 @@ struct ColumnSample {
   bool day_first = false, month_first = false, either = false;
   std::size_t packed_dates = 0, packed_clocks = 0, two_fields = 0;  // 20261122, 130510, 05:10
   std::optional<double> first_s, last_s;                            // stamps and clocks
+  std::size_t switches = 0;                                         // "on", "off"; among texts or missing
+  std::set<std::string> switch_words;
+
+  // A column of two words at most for on and off, and no number. Of "off" alone too: it may be on later.
+  [[nodiscard]] bool is_switch() const {
+    return switches > 0 && numbers + dates + clocks + stamps == 0 && texts <= switches && switch_words.size() <= 2;
+  }
 
   [[nodiscard]] std::size_t written() const { return numbers + dates + clocks + stamps + texts; }
   // Of what is written; a stray word is told when the rows are read.

@@ -33,9 +33,10 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kListedLines = 10;  // of those that are skipped
-constexpr std::size_t kProbesAtMost = 3;  // that no name tells
-constexpr double kBetweenBursts = 5.0;    // times the middle step of time
+constexpr std::size_t kListedLines = 10;   // of those that are skipped
+constexpr std::size_t kListedColumns = 5;  // that are left out
+constexpr std::size_t kProbesAtMost = 3;   // that no name tells
+constexpr double kBetweenBursts = 5.0;     // times the middle step of time
 
 std::string shape_text(const LogShape& shape) {
   const std::string_view delimiter = shape.delimiter == ';'    ? "semicolons"
@@ -134,7 +135,8 @@ void settle_targets(Log& log) {
     if (any && column.role == Role::measured && is_axis(column)) set(one, Role::event, "an axis position, by its name");
     const Extremes range = extremes_of(one.second->values);
     const bool may_be = column.role == Role::event && !column.role_is_stated && column.unit.empty() &&
-                        column.found_unit.empty() && range.most > range.least && could_be_measured(column.source);
+                        column.found_unit.empty() && range.most > range.least && could_be_measured(column.source) &&
+                        !is_switch(one.second->values);
     if (may_be) found.push_back(one);
   }
   const bool none =
@@ -199,10 +201,17 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   if (started_s) log.series.started = stamp_text(*started_s);
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     if (plan.columns[i].kind != ColumnKind::number) continue;
-    const std::string gone = take_missing_values(table.values[i]);
-    if (!gone.empty())
-      log.remarks.push_back(fmt::format("{}: {}: read as a missing value.", plan.columns[i].source, gone));
+    const auto say = [&](const std::string& gone) {
+      if (!gone.empty())
+        log.remarks.push_back(fmt::format("{}: {}: read as a missing value.", plan.columns[i].source, gone));
+    };
+    say(take_missing_values(table.values[i]));
+    const auto unit = temperature_unit(plan.columns[i]);
+    if (!unit) continue;
+    say(take_failed_temperatures(table.values[i], unit->factor, unit->offset));
+    say(take_single_outliers(table.values[i]));
   }
+  take_fahrenheit(plan, table.values);
   std::vector<std::string> assumed(plan.columns.size());
   for (const TemperatureFamily& family : temperatures_among(plan, table.values)) {
     for (const std::size_t i : family.columns) {
@@ -352,6 +361,13 @@ std::string sentence_of(const Log& log) {
   add(of(Role::coolant), "coolant temperature", "coolant temperatures");
   add(others, "other", "others");
   add(left_out, "left out", "left out");
+  std::size_t said = 0;
+  for (const LogColumn& column : log.columns) {
+    if (!column.name.empty() || said > kListedColumns) continue;
+    columns +=
+        said == kListedColumns ? " ..." : fmt::format("{}{} ({})", said == 0 ? ": " : ", ", column.source, column.why);
+    ++said;
+  }
   const std::string time =
       log.series.has_clock ? fmt::format("time {}", log.time) : "numbered, because no column holds the time";
   return fmt::format("read as {}; {} rows from line {}, {}; {}.", log.shape, log.series.time_s.size(),

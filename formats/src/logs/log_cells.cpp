@@ -110,6 +110,20 @@ bool is_missing(std::string_view cell, std::span<const std::string> also) {
   return key.find_first_not_of('+') == std::string::npos;
 }
 
+std::optional<double> switch_value(std::string_view cell) {
+  constexpr std::string_view kOn[] = {"on", "true",   "yes",     "open", "opened", "ein",   "an",  "auf",    "offen",
+                                      "ja", "wahr",   "running", "run",  "active", "aktiv", "oui", "marche", "vrai",
+                                      "si", "acceso", "aperto",  "vero", "high",   "开",    "是",  "オン"};
+  constexpr std::string_view kOff[] = {"off",      "false",       "no",   "close",  "closed",  "aus",
+                                       "zu",       "geschlossen", "nein", "falsch", "stopped", "stop",
+                                       "inactive", "inaktiv",     "non",  "arret",  "faux",    "spento",
+                                       "chiuso",   "falso",       "low",  "关",     "否",      "オフ"};
+  const std::string key = folded(trimmed_cell(cell));
+  if (std::find(std::begin(kOn), std::end(kOn), key) != std::end(kOn)) return 1.0;
+  if (std::find(std::begin(kOff), std::end(kOff), key) != std::end(kOff)) return 0.0;
+  return std::nullopt;
+}
+
 NumberLook look_of(std::string_view cell) {
   NumberLook look;
   const std::string plain = with_plain_signs(trimmed_cell(cell));

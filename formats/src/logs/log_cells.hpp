@@ -14,6 +14,10 @@ std::string_view trimmed_cell(std::string_view cell);  // blanks, unbreakable on
 // "", "NaN", "#NV", "---", "OVER", "BURNOUT" ...: no value; a name of it in `also` too.
 bool is_missing(std::string_view cell, std::span<const std::string> also = {});
 
+// "on", "TRUE", "open", "ein" ...: 1; "off", "false", "closed", "aus" ...: 0. What it is of a valve and of a circuit
+// differs, but only the sign of an effect hangs on it.
+std::optional<double> switch_value(std::string_view cell);
+
 // The signs of a number; `other`: not a number.
 struct NumberLook {
   enum class Kind { other, integer, comma, point, both };

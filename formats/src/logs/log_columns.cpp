@@ -65,9 +65,16 @@ void take_column(const PlannedColumn& planned, std::vector<double>&& values, con
     log.columns.push_back(std::move(column));
     return;
   }
+  // "Valve_A" and "Door_C" are names, where they are 0 and 1.
+  const bool letter_is_name = planned.unit.size() == 1 && stated.unit.empty() && is_switch(values) &&
+                              planned.source.size() > 1 && planned.source.ends_with(planned.unit) &&
+                              planned.source[planned.source.size() - 2] == '_';
+  if (letter_is_name) column.found_unit.clear();
+  const std::string& stem = letter_is_name ? planned.source : planned.name;
   const bool pattern_gives_way =
       planned.unit_by_pattern && (!why.empty() || !found_role(planned.name, "", values).unit.empty());
-  const auto unit = stated.unit.empty() || pattern_gives_way
+  const auto unit = letter_is_name ? std::nullopt
+                    : stated.unit.empty() || pattern_gives_way
                         ? log_unit(planned.unit)
                         : stated_unit(stated.unit, fmt::format("{}: {}", name, planned.source));
   double factor = 1.0, offset = 0.0;
@@ -86,7 +93,7 @@ void take_column(const PlannedColumn& planned, std::vector<double>&& values, con
   if (factor != 1.0 || offset != 0.0) {
     for (double& value : values) value = value * factor + offset;
   }
-  const FoundRole found = found_role(planned.name, column.unit, values);
+  const FoundRole found = found_role(stem, column.unit, values);
   // Whose unit of length a user states is no axis, however far it moves.
   const bool is_length = !stated.unit.empty() && !planned.unit_by_pattern && column.unit == "um";
   column.role = stated.role.value_or(is_length ? Role::measured : found.role);
@@ -95,7 +102,7 @@ void take_column(const PlannedColumn& planned, std::vector<double>&& values, con
                : !why.empty() && found.role == Role::structure ? why
                : is_length                                     ? "by its unit"
                                                                : found.why;
-  if (column.unit.empty() && planned.unit.empty() && (stated.unit.empty() || pattern_gives_way))
+  if (column.unit.empty() && column.found_unit.empty() && (stated.unit.empty() || pattern_gives_way))
     column.unit = found.unit;
   if (!stated.name.empty()) {
     column.name = column_name(stated.name.ends_with("_" + column.unit) && !column.unit.empty()
@@ -103,7 +110,7 @@ void take_column(const PlannedColumn& planned, std::vector<double>&& values, con
                                   : std::string_view(stated.name),
                               column.unit, taken);
   } else {
-    column.name = column_name(planned.name, column.unit, taken);
+    column.name = column_name(stem, column.unit, taken);
   }
   log.series.columns.push_back({column.name, column.role, std::move(values)});
   log.columns.push_back(std::move(column));

@@ -153,6 +153,9 @@ void plan_values(const std::vector<ColumnSample>& samples, const LogRecipe& reci
     } else if (!column.stated.unit.empty() && !column.unit_by_pattern && sample.numbers > 0) {
       column.kind = ColumnKind::number;
       column.unit = column.stated.unit;
+    } else if (sample.is_switch()) {
+      column.kind = ColumnKind::number;
+      column.is_switch = true;
     } else if (sample.written() == 0) {
       const bool headed = column.headed;
       column.kind = headed ? ColumnKind::number : ColumnKind::left_out;  // empty: of a separator at the end of the line

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "ballbar/nearest_name.hpp"
 #include "logs/text_fold.hpp"
@@ -218,6 +219,10 @@ bool names_a_probe(const std::string& key) {
          (name.size() == 1 || (name[1] >= '1' && name[1] <= '3'));
 }
 
+constexpr std::size_t kFewLevels = 6, kRowsOfALevel = 4;
+constexpr double kWholeDegree = 1.0;
+constexpr double kWarmestRoom_degC = 45.0;
+
 FoundRole temperature_role(const std::string& key) {
   if (says(key, kSetPoint)) return {Role::event, "a set point", ""};
   if (nearly_says(key, kBearing)) return {Role::bearing, "by its name", ""};
@@ -241,6 +246,30 @@ Extremes extremes_of(std::span<const double> values, double but) {
   }
   return found;
 }
+
+bool is_switch(std::span<const double> values) {
+  const auto is = [&](double level) { return std::find(values.begin(), values.end(), level) != values.end(); };
+  return is(0.0) && is(1.0) &&
+         std::all_of(values.begin(), values.end(), [](double v) { return std::isnan(v) || v == 0.0 || v == 1.0; });
+}
+
+bool has_few_levels(std::span<const double> values) {
+  std::set<double> levels;
+  std::size_t rows = 0;
+  double largest_step = 0.0, last = NAN;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    ++rows;
+    levels.insert(value);
+    if (levels.size() > kFewLevels) return false;
+    if (std::isfinite(last)) largest_step = std::max(largest_step, std::abs(value - last));
+    last = value;
+  }
+  if (std::all_of(levels.begin(), levels.end(), [](double level) { return level == 0.0 || level == 1.0; })) return true;
+  return levels.size() > 1 && rows >= kRowsOfALevel * levels.size() && largest_step > kWholeDegree;
+}
+
+bool names_the_room(std::string_view name) { return nearly_says(key_of(name), kAmbient); }
 
 bool could_be_measured(std::string_view name) {
   constexpr std::string_view kWords[] = {"x", "y", "z", "pos", "position", "steps", "counts", "count", "probe"};
@@ -295,10 +324,12 @@ FoundRole found_role(std::string_view name, std::string_view unit, std::span<con
   if (unit == "V" && says(key, kMeasured)) return {Role::measured, "by its name", ""};
   if (!unit.empty()) return {Role::event, "", ""};
   // Without a unit.
+  if (is_switch(values)) return {Role::event, "0 and 1, on and off", ""};
   const Extremes range = extremes_of(values);
   const bool temperature = says(key, kTemperature) || says(key, kCoolant) || says(key, kBearing) || says(key, kAmbient);
   if (says(key, kTemperature) || (temperature && !says(key, kLoad) && !says(key, kSpeed))) {
-    if (range.least > -40.0 && range.least < 45.0 && range.most < 150.0) {
+    if (has_few_levels(values)) return {Role::event, "held at few levels, so no temperature", ""};
+    if (range.least > -40.0 && range.least < kWarmestRoom_degC && range.most < 150.0) {
       FoundRole found = temperature_role(key);
       return {found.role, "by its name; no unit, read as degC by its values", "degC"};
     }

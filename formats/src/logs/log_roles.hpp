@@ -22,6 +22,16 @@ struct Extremes {
 };
 Extremes extremes_of(std::span<const double> values, double but = std::numeric_limits<double>::quiet_NaN());
 
+// 0 and 1 alone, both of them: on and off.
+bool is_switch(std::span<const double> values);
+
+// Held at few levels, as a switch, a valve or a tool's number is and no temperature: 0 or 1 alone, or at most six
+// values that come back often. Values that step by 1 at most are those of a sensor that shows whole degrees.
+bool has_few_levels(std::span<const double> values);
+
+// Whether a name is one of the room: "ambient", "Raumluft".
+bool names_the_room(std::string_view name);
+
 // Whether a name is one of a temperature: "T3", "temp 7", "PT100", "TC K", "frame_t".
 bool says_temperature(std::string_view name);
 

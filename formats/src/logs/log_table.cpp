@@ -201,7 +201,11 @@ class Table {
         } else {
           const std::string_view cell = cell_at(at, end);
           row_[column] = kGap;
-          if (!is_missing(cell, recipe_.missing)) {
+          const auto on = plan_.columns[column].is_switch ? switch_value(cell) : std::nullopt;
+          if (on) {
+            row_[column] = *on;
+            ++numbers;
+          } else if (!is_missing(cell, recipe_.missing)) {
             if (const auto slow = cell_number(cell, shape_.decimal)) {
               row_[column] = *slow;
               ++numbers;

@@ -18,29 +18,32 @@ namespace ballbar {
 namespace {
 
 constexpr double kColdest_degC = 5.0, kWarmest_degC = 90.0;
-constexpr double kUsualStep_K = 0.5;  // from row to row: of the noise and the rounding of a sensor
-constexpr double kSlowShare = 0.25;   // of the variance: a smaller mean square step is no noise (von Neumann)
-constexpr double kApart_K = 12.0;     // of a family without a name of temperature, in its first rows
-constexpr double kBeside_K = 6.0;     // from the temperatures beside it
+constexpr double kWarmestHeater_degC = 350.0;  // of a name of a temperature that begins cold
+constexpr double kWarmestRoom_degC = 45.0;     // more is in another unit
+constexpr double kUsualStep_K = 0.5;           // from row to row: of the noise and the rounding of a sensor
+constexpr double kSlowShareOfWord = 0.5;       // where the name says temperature: rows read by hand are few
+constexpr double kSlowShare = 0.25;            // of the variance: a smaller mean square step is no noise (von Neumann)
+constexpr double kApart_K = 12.0;              // of a family without a name of temperature, in its first rows
+constexpr double kBeside_K = 6.0;              // from the temperatures beside it
 constexpr std::size_t kFamily = 3;
 
 // Within the range, but for one value in a hundred.
-bool lies_within(std::span<const double> values) {
+bool lies_within(std::span<const double> values, double warmest_degC) {
   std::size_t inside = 0, all = 0;
   for (const double value : values) {
     if (!std::isfinite(value)) continue;
     ++all;
-    inside += value >= kColdest_degC && value <= kWarmest_degC;
+    inside += value >= kColdest_degC && value <= warmest_degC;
   }
   return all >= 2 && (all - inside) * 100 <= all;
 }
 
 // From row to row it changes by less than a sensor's noise, or by little of how far it moves.
-bool moves_slowly(std::span<const double> values) {
+bool moves_slowly(std::span<const double> values, double warmest_degC, double slow_share) {
   double sum = 0.0, squares = 0.0, steps = 0.0, last = 0.0;
   std::size_t count = 0;
   for (const double value : values) {
-    if (!(value >= kColdest_degC && value <= kWarmest_degC)) continue;  // gaps, and what lies_within forgives
+    if (!(value >= kColdest_degC && value <= warmest_degC)) continue;  // gaps, and what lies_within forgives
     if (count > 0) steps += (value - last) * (value - last);
     sum += value;
     squares += value * value;
@@ -51,7 +54,7 @@ bool moves_slowly(std::span<const double> values) {
   const auto n = static_cast<double>(count);
   const double variance = std::max(0.0, squares / n - (sum / n) * (sum / n));
   const double step = steps / (n - 1.0);
-  return step <= kUsualStep_K * kUsualStep_K || step <= kSlowShare * variance;
+  return step <= kUsualStep_K * kUsualStep_K || step <= slow_share * variance;
 }
 
 // A count, a state or a number of a tool.
@@ -132,9 +135,10 @@ std::vector<std::size_t> beside(const LogPlan& plan, const std::vector<std::vect
   std::vector<std::size_t> found;
   for (const std::size_t column : candidates) {
     const double first = first_of(values[column]);
-    if (first < low - kBeside_K || first > high + kBeside_K || !lies_within(values[column]) ||
-        !moves_slowly(values[column]) || is_whole(values[column]) ||
-        names_another_quantity(plan.columns[column].name) || could_be_measured(plan.columns[column].name))
+    if (first < low - kBeside_K || first > high + kBeside_K || !lies_within(values[column], kWarmest_degC) ||
+        !moves_slowly(values[column], kWarmest_degC, kSlowShare) || has_few_levels(values[column]) ||
+        is_whole(values[column]) || names_another_quantity(plan.columns[column].name) ||
+        could_be_measured(plan.columns[column].name))
       continue;
     found.push_back(column);
   }
@@ -142,6 +146,44 @@ std::vector<std::size_t> beside(const LogPlan& plan, const std::vector<std::vect
 }
 
 }  // namespace
+
+// To degC, of a column that is a temperature by its unit, or by its name where it has none. Not of one that is
+// measured.
+std::optional<LogUnit> temperature_unit(const PlannedColumn& column) {
+  if (column.stated.role == Role::measured || column.stated.role == Role::event) return std::nullopt;
+  const std::string& unit = column.stated.unit.empty() || column.unit_by_pattern ? column.unit : column.stated.unit;
+  if (unit.empty()) {
+    const bool named = says_temperature(column.name) || names_a_part(column.name);
+    return named && !names_another_quantity(column.name) ? std::optional(LogUnit{"degC"}) : std::nullopt;
+  }
+  const auto known = log_unit(unit);
+  return known && known->canonical == "degC" ? known : std::nullopt;
+}
+
+void take_fahrenheit(LogPlan& plan, const std::vector<std::vector<double>>& values) {
+  const auto ends_in_f = [](const PlannedColumn& column) {
+    const std::string_view name = column.name;
+    return column.headed && column.kind == ColumnKind::number && column.unit.empty() && column.stated.unit.empty() &&
+           name.size() > 2 && (name.ends_with(" F") || name.ends_with(" f"));
+  };
+  const auto take = [](PlannedColumn& column) {
+    column.unit = "F";
+    column.name.resize(column.name.size() - 2);
+  };
+  const auto is_degF = [](const PlannedColumn& column) {
+    const auto unit = log_unit(column.unit);
+    return unit && unit->canonical == "degC" && unit->factor != 1.0;
+  };
+  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+    PlannedColumn& column = plan.columns[i];
+    if (ends_in_f(column) && names_the_room(column.name) && extremes_of(values[i]).least > kWarmestRoom_degC)
+      take(column);
+  }
+  if (std::none_of(plan.columns.begin(), plan.columns.end(), is_degF)) return;
+  for (PlannedColumn& column : plan.columns) {
+    if (ends_in_f(column) && (says_temperature(column.name) || names_a_part(column.name))) take(column);
+  }
+}
 
 std::vector<TemperatureFamily> temperatures_among(const LogPlan& plan, const std::vector<std::vector<double>>& values) {
   std::map<std::string, std::vector<std::size_t>> stems;
@@ -163,7 +205,12 @@ std::vector<TemperatureFamily> temperatures_among(const LogPlan& plan, const std
     if (!named && first.headed && is_letter_of_another(stem)) continue;
     const std::vector<std::size_t> all = columns;
     std::erase_if(columns, [&](std::size_t i) {
-      return !lies_within(values[i]) || !moves_slowly(values[i]) || (!by_word && is_whole(values[i]));
+      const bool may_heat = by_word && extremes_of(values[i]).least < kWarmestRoom_degC;
+      const double warmest_degC = may_heat ? kWarmestHeater_degC : kWarmest_degC;
+      return !lies_within(values[i], warmest_degC) ||
+             !moves_slowly(values[i], warmest_degC, by_word ? kSlowShareOfWord : kSlowShare) ||
+             has_few_levels(values[i]) || (!by_word && is_whole(values[i])) ||
+             (names_the_room(plan.columns[i].name) && first_of(values[i]) > kWarmestRoom_degC);
     });
     if (!named) keep_alike(columns, values);
     const std::size_t needed =

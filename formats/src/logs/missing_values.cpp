@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <utility>
 
+#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/series/input_kind.hpp"
 #include "logs/log_roles.hpp"
 #include "logs/log_table.hpp"
 
@@ -19,7 +23,81 @@ constexpr double kSentinels[] = {-999.0,  -9999.0, -99999.0, -999.9,   -999.99, 
                                  -99.99,  -273.15, 999.9,    9999.0,   9999.9,  99999.0, 32767.0,
                                  65535.0, 3276.7,  6553.5,   -32768.0, -1e6,    1e6,     -3276.8};
 
+constexpr double kColdest_degC = -60.0, kWarmest_degC = 400.0, kWarmestOfOthers_degC = 200.0;
+constexpr std::size_t kWindow = 7, kFewestValues = 20;
+constexpr double kFarNoise = 20.0, kFarShare = 0.5, kNoiseOfMad = 1.4826;
+
+double share_of(const std::vector<double>& values, double share) {
+  return order_statistic(values, static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
+}
+
+// Of the changes, or the least change where most are none: the resolution.
+double usual_change(const std::vector<double>& values) {
+  std::vector<double> changes, sizes;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    changes.push_back(values[i] - values[i - 1]);
+    if (changes.back() != 0.0) least = std::min(least, std::abs(changes.back()));
+  }
+  const double middle = median(changes);
+  for (const double change : changes) sizes.push_back(std::abs(change - middle));
+  return std::max(kNoiseOfMad * median(std::move(sizes)), std::isfinite(least) ? least : 0.0);
+}
+
 }  // namespace
+
+std::string take_failed_temperatures(std::vector<double>& values, double factor, double offset) {
+  const auto fails = [&](double value) {
+    const double t_degC = factor * value + offset;
+    return t_degC < kColdest_degC || t_degC > kWarmest_degC;
+  };
+  std::size_t count = 0, known = 0;
+  double example = 0.0;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    ++known;
+    if (fails(value)) {
+      ++count;
+      example = value;
+    } else if (factor * value + offset > kWarmestOfOthers_degC) {
+      return {};  // an oven
+    }
+  }
+  if (count == 0 || 2 * count >= known) return {};
+  for (double& value : values) {
+    if (std::isfinite(value) && fails(value)) value = kGap;
+  }
+  return fmt::format("{} times {:g}{}", count, example, count == 1 ? "" : " and the like");
+}
+
+std::string take_single_outliers(std::vector<double>& values) {
+  std::vector<double> known;
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    if (!std::isfinite(values[row])) continue;
+    known.push_back(values[row]);
+    rows.push_back(row);
+  }
+  if (known.size() < kFewestValues) return {};
+  const double low = share_of(known, 0.05), high = share_of(known, 0.95);
+  const double far = std::max(kFarNoise * usual_change(known), kFarShare * (high - low));
+  std::vector<std::size_t> found;
+  for (std::size_t i = kWindow / 2; i + kWindow / 2 < known.size(); ++i) {
+    if (known[i] >= low && known[i] <= high) continue;
+    const auto begin = known.begin() + static_cast<std::ptrdiff_t>(i - kWindow / 2);
+    const double middle = median(std::vector<double>(begin, begin + kWindow));
+    const auto is_off = [&](std::size_t k) { return std::abs(known[k] - middle) > far; };
+    if (is_off(i) && !is_off(i - 1) && !is_off(i + 1)) found.push_back(i);
+  }
+  if (found.empty() || found.size() > 2 + known.size() / 100) return {};
+  std::vector<double> rest = known;  // a single value far off looks like steps itself
+  for (const std::size_t i : found) rest[i] = kGap;
+  if (input_kind(rest) == InputKind::steps) return {};
+  for (const std::size_t i : found) values[rows[i]] = kGap;
+  const std::size_t first = found.front();
+  return fmt::format("{} single {} far off, such as {:g} between {:g} and {:g}", found.size(),
+                     found.size() == 1 ? "value" : "values", known[first], known[first - 1], known[first + 1]);
+}
 
 std::string take_missing_values(std::vector<double>& values) {
   std::string found;

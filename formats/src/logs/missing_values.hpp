@@ -10,4 +10,14 @@ namespace ballbar {
 // or nothing.
 std::string take_missing_values(std::vector<double>& values);
 
+// Readings of a thermometer that fails: below -60 or above 400 degC, far outside all others, which lie between. An open
+// PT100 shows 850, a short circuit -200. degC = factor value + offset. Returns as above.
+std::string take_failed_temperatures(std::vector<double>& values, double factor, double offset);
+
+// Single readings of a temperature that are far off both neighbours: from the median of 7 by 20 times the usual noise
+// of a change (1.4826 median absolute deviation, or the least change) and by half of the 5 to 95 % range, and outside
+// this range. Not of steps, not among the three values at either end, not of fewer than 20 values, and not where more
+// than 1 % would be taken. Returns as above.
+std::string take_single_outliers(std::vector<double>& values);
+
 }  // namespace ballbar

@@ -23,6 +23,8 @@ constexpr double kLeastArc_rad = 150.0 * kPi / 180.0;
 constexpr double kLeastArcCutOff_rad = 30.0 * kPi / 180.0;
 constexpr double kLeastLength = 5.0;  // mm or um: less is a deviation
 constexpr double kWidestStep_rad = 60.0 * kPi / 180.0;
+constexpr std::size_t kMostSectors = 24, kReadingsOfASector = 4;  // of the arc
+constexpr double kLeastOfASector = 0.2;                           // of the mean: less is a gap, not a feed that varies
 
 constexpr double kBack_rad = 5.0 * kPi / 180.0;
 constexpr double kShortest_rad = 30.0 * kPi / 180.0;
@@ -75,6 +77,25 @@ bool goes_round(const std::vector<double>& x, const std::vector<double>& y, cons
   }
   angle_rad = unwrapped(std::move(angle_rad));
   return span_of(angle_rad) >= least_arc_rad && middle_step_rad(angle_rad) < kWidestStep_rad;
+}
+
+// Whether the readings lie all along the arc. Two temperatures that rest at a few levels lie on a circle too.
+bool covers_arc(const std::vector<double>& x, const std::vector<double>& y, const CoordinateCircle& circle) {
+  std::vector<double> angle_rad;
+  angle_rad.reserve(circle.rows.size());
+  for (const std::size_t row : circle.rows) {
+    angle_rad.push_back(std::atan2(y[row] - circle.centre_b, x[row] - circle.centre_a));
+  }
+  angle_rad = unwrapped(std::move(angle_rad));
+  const double first_rad = *std::min_element(angle_rad.begin(), angle_rad.end());
+  const double arc_rad = std::min(span_of(angle_rad), 2.0 * kPi);
+  std::vector<std::size_t> sectors(std::min(kMostSectors, angle_rad.size() / kReadingsOfASector));
+  for (const double angle : angle_rad) {
+    const double place = std::fmod(angle - first_rad, 2.0 * kPi) / arc_rad * static_cast<double>(sectors.size());
+    ++sectors[std::min(sectors.size() - 1, static_cast<std::size_t>(place))];
+  }
+  const double mean = static_cast<double>(angle_rad.size()) / static_cast<double>(sectors.size());
+  return static_cast<double>(*std::min_element(sectors.begin(), sectors.end())) >= kLeastOfASector * mean;
 }
 
 // Throws Error where there is none: points on one line.
@@ -166,7 +187,8 @@ std::optional<CoordinateCircle> nameless_circle(const ColumnTable& table) {
     if (!could_be_coordinate(table.columns[a])) continue;
     for (std::size_t b = a + 1; b < columns; ++b) {
       if (!could_be_coordinate(table.columns[b])) continue;
-      if (auto circle = circle_or_none(table, a, b, false)) return circle;
+      auto circle = circle_or_none(table, a, b, false);
+      if (circle && covers_arc(table.columns[a].values, table.columns[b].values, *circle)) return circle;
     }
   }
   return std::nullopt;

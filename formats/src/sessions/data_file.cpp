@@ -4,9 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
+#include <span>
 #include <system_error>
 
 #include "ballbar/circle/trace.hpp"
@@ -82,8 +85,19 @@ ModelData data_of_recordings(const std::vector<Source>& sources, std::span<const
   return data;
 }
 
+void say_left_out(std::span<const Series> parts, std::optional<double> max_gap_s, ModelData& data) {
+  for (const RowsWithout& without : rows_without_signal(parts, max_gap_s)) {
+    const bool in_s = without.max_gap_s < 120.0;
+    data.remarks.push_back(
+        fmt::format("{}: {} {} left out, because {} has no value there within {:.10g} {}. State a longer --max-gap to "
+                    "interpolate.",
+                    data.title, without.rows, without.rows == 1 ? "row" : "rows", without.signal,
+                    in_s ? without.max_gap_s : std::round(without.max_gap_s / 60.0), in_s ? "s" : "min"));
+  }
+}
+
 // A series, or a session with its signals.
-ModelData data_of_drift(const Source& source, const DriftOptions& options, double max_gap_s,
+ModelData data_of_drift(const Source& source, const DriftOptions& options, std::optional<double> max_gap_s,
                         std::span<const Reader> readers) {
   expect_data(source, readers);
   return model_data_of(open_drift_data(source, readers), source.name(), options, max_gap_s, readers);
@@ -200,7 +214,7 @@ void expect_one_clock(const std::vector<Source>& sources, const std::vector<Seri
   }
 }
 
-ModelData data_of_runs(const Listing& listing, const DriftOptions& options, double max_gap_s,
+ModelData data_of_runs(const Listing& listing, const DriftOptions& options, std::optional<double> max_gap_s,
                        std::span<const Reader> readers) {
   std::vector<Source> sources;
   std::vector<std::string> names;
@@ -239,8 +253,8 @@ ModelData data_of_runs(const Listing& listing, const DriftOptions& options, doub
 
 }  // namespace
 
-ModelData model_data_of(const DriftData& source, const std::string& name, const DriftOptions& options, double max_gap_s,
-                        std::span<const Reader> readers) {
+ModelData model_data_of(const DriftData& source, const std::string& name, const DriftOptions& options,
+                        std::optional<double> max_gap_s, std::span<const Reader> readers) {
   ModelData data;
   data.title = name;
   data.files = source.files;
@@ -259,9 +273,11 @@ ModelData model_data_of(const DriftData& source, const std::string& name, const 
   try {
     if (parts.size() > 1) {
       data.series = std::make_shared<const Series>(merged(parts, max_gap_s));
+      say_left_out(parts, max_gap_s, data);
     } else {
-      data.series = with_gaps_closed(
-          source.series ? source.series : std::make_shared<const Series>(std::move(parts.front())), max_gap_s);
+      const auto whole = source.series ? source.series : std::make_shared<const Series>(std::move(parts.front()));
+      data.series = with_gaps_closed(whole, max_gap_s);
+      if (data.series != whole) say_left_out({whole.get(), 1}, max_gap_s, data);
     }
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", name, error.what()));
@@ -275,8 +291,9 @@ bool stands_for_runs(const Source& source, std::span<const Reader> readers) {
   return lists_runs(source, readers) || listed({source}, readers).runs.size() > 1;
 }
 
-ModelData open_model_data(const std::vector<Source>& sources, const DriftOptions& options, double max_gap_s,
-                          std::span<const Reader> readers, const StatedCircle& stated) {
+ModelData open_model_data(const std::vector<Source>& sources, const DriftOptions& options,
+                          std::optional<double> max_gap_s, std::span<const Reader> readers,
+                          const StatedCircle& stated) {
   if (is_recording_file(sources.front(), readers)) return data_of_recordings(sources, readers, stated);
   const Listing listing = listed(sources, readers);
   if (listing.runs.size() == 1) return data_of_drift(listing.runs.front().source, options, max_gap_s, readers);

@@ -95,10 +95,19 @@ bool Source::is_archive() const {
 
 const Reader* Source::reader(std::span<const Reader> readers) const {
   if (!is_file()) return nullptr;
-  if (const std::string* const whole = text()) return reader_of(*whole, readers);
+  const auto found_by = [&](std::string_view head) {
+    const Reader* reader = reader_of(head, readers);
+    // Whose columns a user states is a series, even if two of them lie on a circle.
+    while (!recipe().columns.empty() && read_of<ReadCircle>(reader) != nullptr) {
+      readers = readers.subspan(static_cast<std::size_t>(reader - readers.data()) + 1);
+      reader = reader_of(head, readers);
+    }
+    return reader;
+  };
+  if (const std::string* const whole = text()) return found_by(*whole);
   File& known = file();
   if (!known.head) known.head = head(kHeadBytes);
-  return reader_of(*known.head, readers);
+  return found_by(*known.head);
 }
 
 std::string Source::bytes(std::size_t limit) const {

@@ -45,6 +45,12 @@ bool is_counter(const std::vector<double>& changes, double range) {
   return rises == changes.size() || rises_evenly(changes);
 }
 
+// On and off.
+bool is_of_two(const std::vector<double>& changes, double range) {
+  return std::all_of(changes.begin(), changes.end(),
+                     [&](double change) { return change == 0.0 || std::abs(change) == range; });
+}
+
 bool is_stepwise(const std::vector<double>& changes, double range) {
   std::size_t large = 0;
   double by_large = 0.0, all = 0.0;
@@ -77,7 +83,7 @@ InputKind input_kind(std::span<const double> values) {
   const double range = most - least;
   if (!(range > 0.0)) return InputKind::still;
   if (is_counter(changes, range)) return InputKind::counter;
-  return is_stepwise(changes, range) ? InputKind::steps : InputKind::smooth;
+  return is_of_two(changes, range) || is_stepwise(changes, range) ? InputKind::steps : InputKind::smooth;
 }
 
 }  // namespace ballbar

@@ -6,16 +6,26 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <set>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "ballbar/error.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/series/input_kind.hpp"
 #include "ballbar/units.hpp"
 #include "numerics/interpolation.hpp"
 #include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
+
+constexpr double kLeastGap_s = 600.0;  // over which a temperature of a machine is a line
+constexpr double kUsualSteps = 3.0;    // a reading or two may fail
+constexpr double kLeastShare = 2.0 / 3.0;
 
 bool is_signal(const Column& column) { return column.role != Role::measured && column.role != Role::event; }
 
@@ -67,15 +77,8 @@ Range covered(std::span<const Series> parts) {
   return range;
 }
 
-void expect_no_gap(const std::string& name, const Known& values, const Range& range, double max_gap_s) {
-  for (std::size_t i = 1; i < values.time_s.size(); ++i) {
-    const double before_s = values.time_s[i - 1], after_s = values.time_s[i];
-    if (after_s - before_s <= max_gap_s || after_s <= range.from_s || before_s >= range.to_s) continue;
-    const bool in_s = max_gap_s < 120.0;
-    const auto text = [&](double time_s) { return in_s ? fmt::format("{:.10g}", time_s) : min_text(time_s); };
-    throw Error(fmt::format("expected values of {0} at most {1} {4} apart, found none between {2} and {3} {4}.", name,
-                            text(max_gap_s), text(before_s), text(after_s), in_s ? "s" : "min"));
-  }
+double longest_gap_s(const Known& values, const std::optional<double>& max_gap_s) {
+  return max_gap_s.value_or(std::max(kLeastGap_s, kUsualSteps * median_step_s(values.time_s)));
 }
 
 std::string times_of(const Series& part) {
@@ -97,60 +100,165 @@ void expect_common_times(std::span<const Series> parts, const Range& range) {
   }
 }
 
-std::vector<double> on(const std::vector<double>& time_s, const Known& values, Role role) {
+// Not a state, a tool's number, a count: of these, between two rows, one or the other holds.
+bool is_smooth(const std::vector<double>& values) {
+  return input_kind(values) == InputKind::smooth &&
+         std::any_of(values.begin(), values.end(), [](double value) { return value != std::floor(value); });
+}
+
+// An event holds its last value; one that is smooth does so only where it may not be interpolated.
+std::vector<double> on(const std::vector<double>& time_s, const Known& values, Role role, double max_gap_s) {
+  const bool is_held = role == Role::event, is_line = !is_held || is_smooth(values.value);
   std::vector<double> result(time_s.size(), kUnknown);
   std::size_t next = 0;  // first known value after the row
   for (std::size_t row = 0; row < time_s.size(); ++row) {
     while (next < values.time_s.size() && values.time_s[next] <= time_s[row]) ++next;
     if (next == 0) continue;
     const std::size_t last = next - 1;
-    if (values.time_s[last] == time_s[row] || role == Role::event) {
+    if (values.time_s[last] == time_s[row]) {
       result[row] = values.value[last];
-    } else if (role != Role::measured && next < values.time_s.size()) {
+    } else if (role == Role::measured) {
+      continue;
+    } else if (is_line && next < values.time_s.size() && values.time_s[next] - values.time_s[last] <= max_gap_s) {
       const double share = (time_s[row] - values.time_s[last]) / (values.time_s[next] - values.time_s[last]);
       result[row] = value_at(values.value, {last, share});
+    } else if (is_held) {
+      result[row] = values.value[last];
     }
   }
   return result;
 }
 
-Series merged_parts(std::span<const Series> parts, double max_gap_s) {
+// Where a signal has no value: it would have to be invented over a long gap.
+struct Gaps {
+  std::string signal;
+  std::vector<std::size_t> rows;
+  double max_gap_s = 0.0, first_from_s = 0.0, first_to_s = 0.0;
+};
+
+struct Parts {
+  Series series;  // with the rows in the gaps
+  std::vector<Gaps> gaps;
+};
+
+Gaps gaps_of(const std::string& name, const std::vector<double>& time_s, const std::vector<double>& on_rows,
+             const Known& values, double max_gap_s) {
+  Gaps gaps{.signal = name, .max_gap_s = max_gap_s};
+  for (std::size_t row = 0; row < on_rows.size(); ++row) {
+    if (std::isnan(on_rows[row])) gaps.rows.push_back(row);
+  }
+  if (gaps.rows.empty()) return gaps;
+  const double first_s = time_s[gaps.rows.front()];
+  const auto after = std::upper_bound(values.time_s.begin(), values.time_s.end(), first_s);
+  gaps.first_from_s = *(after - 1);
+  gaps.first_to_s = *after;
+  return gaps;
+}
+
+Parts parts_on_one_clock(std::span<const Series> parts, const std::optional<double>& max_gap_s) {
   expect_different_names(parts);
   const Range range = covered(parts);
   expect_common_times(parts, range);
-  Series result;
+  Parts result;
+  Series& series = result.series;
   for (const Series& part : parts) {
-    std::copy_if(part.time_s.begin(), part.time_s.end(), std::back_inserter(result.time_s),
+    std::copy_if(part.time_s.begin(), part.time_s.end(), std::back_inserter(series.time_s),
                  [&](double time_s) { return range.has(time_s); });
-    if (!result.five_probe) result.five_probe = part.five_probe;
-    result.has_clock = result.has_clock && part.has_clock;
+    if (!series.five_probe) series.five_probe = part.five_probe;
+    series.has_clock = series.has_clock && part.has_clock;
   }
-  std::sort(result.time_s.begin(), result.time_s.end());
-  result.time_s.erase(std::unique(result.time_s.begin(), result.time_s.end()), result.time_s.end());
+  std::sort(series.time_s.begin(), series.time_s.end());
+  series.time_s.erase(std::unique(series.time_s.begin(), series.time_s.end()), series.time_s.end());
   for (const Series& part : parts) {
     for (const Column& column : part.columns) {
       const Known values = known(part, column);
-      if (is_signal(column)) expect_no_gap(column.name, values, range, max_gap_s);
-      result.columns.push_back({column.name, column.role, on(result.time_s, values, column.role)});
+      const double gap_s = longest_gap_s(values, max_gap_s);
+      std::vector<double> on_rows = on(series.time_s, values, column.role, gap_s);
+      if (is_signal(column)) {
+        Gaps gaps = gaps_of(column.name, series.time_s, on_rows, values, gap_s);
+        if (!gaps.rows.empty()) result.gaps.push_back(std::move(gaps));
+      }
+      series.columns.push_back({column.name, column.role, std::move(on_rows)});
     }
   }
   return result;
+}
+
+std::vector<char> kept_rows(const Parts& parts) {
+  std::vector<char> kept(parts.series.time_s.size(), 1);
+  for (const Gaps& gaps : parts.gaps) {
+    for (const std::size_t row : gaps.rows) kept[row] = 0;
+  }
+  return kept;
+}
+
+// Of the rows, and of those at which a column was measured.
+bool keeps_enough(const Series& series, const std::vector<char>& kept) {
+  const auto enough = [&](auto counts) {
+    std::size_t all = 0, left = 0;
+    for (std::size_t row = 0; row < kept.size(); ++row) {
+      if (!counts(row)) continue;
+      ++all;
+      left += kept[row] != 0;
+    }
+    return static_cast<double>(left) >= kLeastShare * static_cast<double>(all);
+  };
+  return enough([](std::size_t) { return true; }) &&
+         std::all_of(series.columns.begin(), series.columns.end(), [&](const Column& column) {
+           return column.role != Role::measured ||
+                  enough([&](std::size_t row) { return std::isfinite(column.values[row]); });
+         });
+}
+
+void expect_enough(const Parts& parts, const std::vector<char>& kept) {
+  if (keeps_enough(parts.series, kept)) return;
+  const Gaps& gaps = *std::max_element(parts.gaps.begin(), parts.gaps.end(),
+                                       [](const Gaps& a, const Gaps& b) { return a.rows.size() < b.rows.size(); });
+  const bool in_s = gaps.max_gap_s < 120.0;
+  const auto text = [&](double time_s) { return in_s ? fmt::format("{:.10g}", time_s) : min_text(time_s); };
+  throw Error(fmt::format("expected values of {0} at most {1} {4} apart, found none between {2} and {3} {4}.",
+                          gaps.signal, text(gaps.max_gap_s), text(gaps.first_from_s), text(gaps.first_to_s),
+                          in_s ? "s" : "min"));
+}
+
+void keep(std::vector<double>& values, const std::vector<char>& kept) {
+  std::size_t to = 0;
+  for (std::size_t row = 0; row < kept.size(); ++row) {
+    if (kept[row] != 0) values[to++] = values[row];
+  }
+  values.resize(to);
+}
+
+Series merged_parts(std::span<const Series> parts, const std::optional<double>& max_gap_s) {
+  Parts all = parts_on_one_clock(parts, max_gap_s);
+  if (all.gaps.empty()) return std::move(all.series);
+  const std::vector<char> kept = kept_rows(all);
+  expect_enough(all, kept);
+  keep(all.series.time_s, kept);
+  for (Column& column : all.series.columns) keep(column.values, kept);
+  return std::move(all.series);
 }
 
 }  // namespace
 
-Series merged(const std::vector<Series>& parts, double max_gap_s) { return merged_parts(parts, max_gap_s); }
+Series merged(const std::vector<Series>& parts, std::optional<double> max_gap_s) {
+  return merged_parts(parts, max_gap_s);
+}
 
-std::shared_ptr<const Series> with_gaps_closed(std::shared_ptr<const Series> series, double max_gap_s) {
+std::vector<RowsWithout> rows_without_signal(std::span<const Series> parts, std::optional<double> max_gap_s) {
+  std::vector<RowsWithout> without;
+  for (const Gaps& gaps : parts_on_one_clock(parts, max_gap_s).gaps) {
+    without.push_back({gaps.signal, gaps.rows.size(), gaps.max_gap_s});
+  }
+  return without;
+}
+
+std::shared_ptr<const Series> with_gaps_closed(std::shared_ptr<const Series> series, std::optional<double> max_gap_s) {
   const auto has_gap = [](const Column& column) {
     return column.role != Role::measured &&
            std::any_of(column.values.begin(), column.values.end(), [](double value) { return std::isnan(value); });
   };
-  const std::vector<double>& time_s = series->time_s;
-  const bool is_dense = std::adjacent_find(time_s.begin(), time_s.end(), [&](double before_s, double after_s) {
-                          return after_s - before_s > max_gap_s;
-                        }) == time_s.end();
-  if (is_dense && !time_s.empty() && std::none_of(series->columns.begin(), series->columns.end(), has_gap)) {
+  if (!series->time_s.empty() && std::none_of(series->columns.begin(), series->columns.end(), has_gap)) {
     expect_different_names({series.get(), 1});
     return series;
   }

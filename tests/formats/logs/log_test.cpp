@@ -394,6 +394,76 @@ TEST(log, a_series_of_it_reads_back) {
   EXPECT_EQ(again.started, "2026-11-22T13:05:10");
 }
 
+// Rows of one minute: the cells of a row behind the time.
+std::string minutes(std::string_view names, int rows, const std::function<std::string(int)>& cells) {
+  std::string text = fmt::format("time_min,{}\n", names);
+  for (int row = 0; row < rows; ++row) text += fmt::format("{},{}\n", row, cells(row));
+  return text;
+}
+
+std::string columns_of(const Log& log) {
+  std::string text;
+  for (const Column& column : log.series.columns) text += fmt::format("{} {}; ", column.name, name_of(column.role));
+  return text;
+}
+
+TEST(log, what_is_held_at_few_levels_is_no_temperature) {
+  const Log log = read_log(minutes("coolant on,Chiller,chiller 2 (C),Valve_A,T_C,room", 40,
+                                   [](int row) {
+                                     const int on = row / 5 % 2;
+                                     return fmt::format("{},{},{},{},{:.1f},{}", on, 18 + 6 * on, 18 + 6 * on, on,
+                                                        20 + 0.1 * row, 20 + row / 20);
+                                   }),
+                           "log.csv");
+  EXPECT_EQ(columns_of(log),
+            "coolant_on event; Chiller event; chiller_2_degC coolant; Valve_A event; T_degC structure; room_degC "
+            "ambient; ");
+}
+
+TEST(log, words_for_on_and_off_are_1_and_0) {
+  const Log log = read_log(
+      "time_s,door,Pumpe,Coolant,mode,z_um\n0,open,aus,off,auto,1\n1,closed,ein,off,hand,2\n2,open,ein,on,auto,3\n"
+      "3,,aus,OFF,auto,3\n",
+      "log.csv");
+  EXPECT_EQ(text_of(log),
+            "door event: 1 0 1 nan; Pumpe event: 0 1 1 0; Coolant event: 0 0 1 0; z_um measured: 1 2 3 3; ");
+  EXPECT_TRUE(sentence_of(log).ends_with("1 measured column, 3 others, 1 left out: mode (text).")) << sentence_of(log);
+  // Of a thermocouple, "open" is a broken wire.
+  EXPECT_EQ(text_of(read_log("time_s,T1 (C),z_um\n0,20,1\n1,open,2\n2,20.5,3\n", "log.csv")),
+            "T1_degC structure: 20 nan 20.5; z_um measured: 1 2 3; ");
+}
+
+TEST(log, a_room_in_degrees_fahrenheit) {
+  const auto warm = [](int row) {
+    return fmt::format("{:.1f},{:.1f},{:.1f}", 68 + 0.1 * row, 86 + 0.1 * row, 0.1 * row);
+  };
+  // 68 degF are 20 degC, 86 degF 30 degC.
+  const Log log = read_log(minutes("Room F,Motor F,z (um)", 20, warm), "log.csv");
+  EXPECT_EQ(columns_of(log), "Room_degC ambient; Motor_degC structure; z_um measured; ");
+  EXPECT_NEAR(log.series.columns[0].values[0], 20.0, 1e-9);
+  EXPECT_NEAR(log.series.columns[1].values[0], 30.0, 1e-9);
+  // No letter says which unit: no room is at 68 degC.
+  EXPECT_EQ(columns_of(read_log(minutes("Room,Motor,z (um)", 20, warm), "log.csv")).substr(0, 11), "Room event;");
+}
+
+// 850 and -242 degC of a broken wire, 60 K off for one row; a pulse of one row of a pump and of a chiller stay, and so
+// does what is measured.
+TEST(log, failed_temperatures_are_gaps_and_pulses_are_none) {
+  const auto cells = [](int row) {
+    const double motor = row == 30 || row == 31 ? 850.0 : row == 60 ? -242.0 : row == 80 ? 95.0 : 20.0 + 0.1 * row;
+    return fmt::format("{:.1f},{},{},{:.1f}", motor, row == 50 ? 1 : 0, row == 50 ? 24 : 18,
+                       row == 70 ? 300.0 : 0.1 * row);
+  };
+  const Log log = read_log(minutes("motor (C),pump,chiller (C),z (um)", 100, cells), "log.csv");
+  const auto gaps = [&](std::size_t column) { return log.columns[column].gaps; };
+  EXPECT_EQ(gaps(0), 4U);
+  EXPECT_EQ(gaps(1) + gaps(2) + gaps(3), 0U);
+  ASSERT_EQ(log.remarks.size(), 2U);
+  EXPECT_EQ(log.remarks[0], "motor (C): 3 times -242 and the like: read as a missing value.");
+  EXPECT_EQ(log.remarks[1],
+            "motor (C): 1 single value far off, such as 95 between 27.9 and 28.1: read as a missing value.");
+}
+
 TEST(log, sentinels_go_only_where_they_stand_far_outside) {
   const auto values = [](const std::string& a, const std::string& b, const std::string& c) {
     return read_log("t [s],a [°C]\n0," + a + "\n1," + b + "\n2," + c + "\n", "log.csv").series.columns.front().values;

@@ -47,10 +47,15 @@ TEST(input_kind, what_rises_alone_need_not_count) {
 TEST(input_kind, steps_are_fewer_than_15_percent_of_the_changes) {
   std::vector<double> values(21, 0.0);
   std::fill_n(values.begin() + 3, 4, 1.0);
-  std::fill_n(values.begin() + 10, 11, 1.0);
+  std::fill_n(values.begin() + 10, 11, 2.0);
   EXPECT_EQ(input_kind(values), InputKind::smooth);
-  values.push_back(1.0);
+  values.push_back(2.0);
   EXPECT_EQ(input_kind(values), InputKind::steps);
+}
+
+TEST(input_kind, two_values_are_steps_however_often_they_change) {
+  EXPECT_EQ(input_kind(std::vector<double>{0.0, 1.0, 0.0}), InputKind::steps);
+  EXPECT_EQ(input_kind(rows(100, [](double row) { return 18.0 + 6.0 * std::fmod(row, 2.0); })), InputKind::steps);
 }
 
 // A pulse of one row, up and down, by 1: movement 2. Beside it 96 changes of 0.02, together 1.92, or of 0.025, 2.4.

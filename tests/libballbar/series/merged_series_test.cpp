@@ -71,6 +71,66 @@ TEST(Merged, order_does_not_matter_and_again_changes_nothing) {
   }
 }
 
+// T fails at 800 s: between 400 and 1200 s it is not known within 700 s.
+TEST(Merged, a_row_within_a_long_gap_of_a_signal_is_left_out) {
+  Series often = signals();
+  for (Column& column : often.columns) column.values[2] = column.values[1];
+  often.columns[0].values[2] = kGap;
+  const Series early{{0.0, 100.0, 200.0, 300.0, 380.0, 1200.0},
+                     {{"x_um", Role::measured, {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}}},
+                     std::nullopt};
+  const Series series = merged({early, often}, 700.0);
+  EXPECT_EQ(series.time_s, (std::vector<double>{0.0, 100.0, 200.0, 300.0, 380.0, 400.0, 1200.0}));
+  expect_values(series, "T_degC", {20.0, 21.0, 22.0, 23.0, 23.8, 24.0, 28.0});
+  const std::vector<Series> parts{early, often};
+  const std::vector<RowsWithout> without = rows_without_signal(parts, 700.0);
+  ASSERT_EQ(without.size(), 1U);
+  EXPECT_EQ(without[0].signal, "T_degC");
+  EXPECT_EQ(without[0].rows, 1U);
+  EXPECT_EQ(without[0].max_gap_s, 700.0);
+}
+
+// Read by hand every 20 min, with a pause of 3 h and the night: nothing is invented, so that nothing is missing.
+TEST(Merged, a_pause_without_rows_is_no_gap) {
+  const Series hand{{0.0, 1200.0, 2400.0, 13200.0, 14400.0, 72000.0},
+                    {{"T_degC", Role::structure, {20.0, 21.0, 22.0, 23.0, 24.0, 20.0}},
+                     {"z_um", Role::measured, {0.0, 1.0, 2.0, 3.0, 4.0, 0.0}}},
+                    std::nullopt};
+  const auto series = std::make_shared<const Series>(hand);
+  EXPECT_EQ(with_gaps_closed(series, std::nullopt), series);
+  EXPECT_EQ(merged({hand}, 60.0).time_s, hand.time_s);
+}
+
+// Of 20 min: 3 usual steps are 60 min, so that one value that failed is interpolated, and three are not.
+TEST(Merged, the_usual_longest_gap_is_3_steps_of_the_signal) {
+  Series hand;
+  Column t{"T_degC", Role::structure, {}}, z{"z_um", Role::measured, {}};
+  for (int row = 0; row < 20; ++row) {
+    hand.time_s.push_back(1200.0 * row);
+    t.values.push_back(20.0 + row);
+    z.values.push_back(row);
+  }
+  t.values[3] = t.values[10] = t.values[11] = t.values[12] = kGap;
+  hand.columns = {t, z};
+  const Series series = merged({hand}, std::nullopt);
+  EXPECT_EQ(series.time_s.size(), 17U);
+  EXPECT_NEAR(series.columns[0].values[3], 23.0, 1e-12);
+}
+
+// A level of a tank is a line, a tool's number and a switch hold.
+TEST(Merged, an_event_that_is_smooth_is_interpolated) {
+  const Series slow{{0.0, 100.0, 200.0, 300.0},
+                    {{"level", Role::event, {0.5, 1.5, 2.0, 2.4}},
+                     {"tool", Role::event, {1.0, 7.0, 3.0, 5.0}},
+                     {"pump", Role::event, {0.0, 0.5, 0.0, 0.5}}},
+                    std::nullopt};
+  const Series drift{{50.0, 150.0}, {{"x_um", Role::measured, {0.0, 1.0}}}, std::nullopt};
+  const Series series = merged({drift, slow}, 600.0);
+  expect_values(series, "level", {0.5, 1.0, 1.5, 1.75, 2.0, 2.4});
+  expect_values(series, "tool", {1.0, 1.0, 7.0, 7.0, 3.0, 5.0});
+  expect_values(series, "pump", {0.0, 0.0, 0.5, 0.5, 0.0, 0.5});
+}
+
 std::string message_of(const std::vector<Series>& parts, double max_gap_s) {
   try {
     merged(parts, max_gap_s);

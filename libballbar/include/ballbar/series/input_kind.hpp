@@ -18,7 +18,8 @@ enum class InputKind {
 //   too. Where it is one, there are at least 10 rises at about equal distances: the inner runs of equal values differ
 //   by a factor of 2 and one row at most. So a single switch, a staircase of few speeds and a sensor of coarse
 //   resolution that warms up are no counters; the number of a day is none before the eleventh day.
-// steps: fewer than 15 % of the changes exceed 3 % of the range, and these make more than half of all movement.
+// steps: two values, however often they change, or fewer than 15 % of the changes exceed 3 % of the range, and these
+//   make more than half of all movement.
 // O(n).
 InputKind input_kind(std::span<const double> values);
 

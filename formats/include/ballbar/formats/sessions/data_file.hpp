@@ -28,17 +28,18 @@ struct ModelData {
 };
 
 // A session gives its drift (drift_of() with the options) merged with its signals. A series has its gaps closed as in
-// merged(). One or more recordings (.b5r, logs) of one plane give their trace. Several runs come from a list of runs,
-// the sheets of a workbook with the same column names, or the logs of a folder without recordings. Throws Error for
-// anything else, a mixture, or the same file twice.
-ModelData open_model_data(const std::vector<Source>& sources, const DriftOptions& options, double max_gap_s,
-                          std::span<const Reader> readers = known_readers(), const StatedCircle& stated = {});
+// merged(), which max_gap_s is for; rows that this leaves out are a remark. One or more recordings (.b5r, logs) of one
+// plane give their trace. Several runs come from a list of runs, the sheets of a workbook with the same column names,
+// or the logs of a folder without recordings. Throws Error for anything else, a mixture, or the same file twice.
+ModelData open_model_data(const std::vector<Source>& sources, const DriftOptions& options,
+                          std::optional<double> max_gap_s, std::span<const Reader> readers = known_readers(),
+                          const StatedCircle& stated = {});
 
 // Whether a source contains several runs. Throws Error for a damaged workbook.
 bool stands_for_runs(const Source& source, std::span<const Reader> readers = known_readers());
 
 // The same for a series or a session that is already open. A series without gaps is not copied.
-ModelData model_data_of(const DriftData& source, const std::string& name, const DriftOptions& options, double max_gap_s,
-                        std::span<const Reader> readers = known_readers());
+ModelData model_data_of(const DriftData& source, const std::string& name, const DriftOptions& options,
+                        std::optional<double> max_gap_s, std::span<const Reader> readers = known_readers());
 
 }  // namespace ballbar
