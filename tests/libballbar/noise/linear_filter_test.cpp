@@ -7,7 +7,7 @@
 #include <string>
 
 #include "diagnosis/evidence/dense.hpp"
-#include "noise/noise_grid.hpp"
+#include "noise/discrepancy_grid.hpp"
 #include "noise/restricted_likelihood.hpp"
 #include "noise/whitening.hpp"
 
@@ -265,15 +265,9 @@ double sum_of_priors(const std::vector<Covariance>& grid) {
   return sum;
 }
 
-TEST(CovarianceGrid, is_a_prior) {
+TEST(DiscrepancyGrid, is_a_prior) {
   for (const Rows& rows : {even(400), uneven(400), runs()}) {
-    const std::vector<Covariance> noises = noise_grid(rows.time_s);
-    EXPECT_NEAR(sum_of_priors(noises), 1.0, 1e-12);
-    for (const Covariance& one : noises) {
-      EXPECT_NEAR(one.white + one.correlated, 1.0, 1e-12);
-      EXPECT_GT(one.white, 0.0);
-      EXPECT_TRUE(one.correlated == 0.0 || one.time_s > 0.0);
-      EXPECT_EQ(one.slow, 0.0);
+    for (const Covariance& one : {white(), memory()}) {
       EXPECT_NEAR(sum_of_priors(with_discrepancy(one, rows.time_s)), std::exp(one.log_prior), 1e-12);
       for (const Covariance& slow : with_discrepancy(one, rows.time_s)) {
         EXPECT_GT(slow.slow, 0.0);
@@ -281,41 +275,7 @@ TEST(CovarianceGrid, is_a_prior) {
       }
     }
   }
-}
-
-TEST(CovarianceGrid, noises_about_one_are_nearer_than_its_neighbours) {
-  const std::vector<double> time_s = even(400).time_s;
-  const std::vector<Covariance> grid = noise_grid(time_s);
-  const auto longer = std::find_if(grid.begin(), grid.end(), [](const Covariance& one) { return one.time_s > 100.0; });
-  ASSERT_NE(longer, grid.end());
-  const std::vector<Covariance> about = noises_about(*longer, time_s);
-  EXPECT_EQ(about.size(), 8U);
-  for (const Covariance& one : about) {
-    EXPECT_NEAR(one.white + one.correlated, 1.0, 1e-12);
-    EXPECT_LT(std::abs(std::log(one.time_s / longer->time_s)), std::log(2.0));
-  }
-  EXPECT_TRUE(noises_about(white(), time_s).empty());
-}
-
-TEST(CovarianceGrid, of_few_rows_is_white_alone) {
-  for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{29}}) {
-    const std::vector<Covariance> grid = noise_grid(even(n).time_s);
-    ASSERT_EQ(grid.size(), 1U);
-    EXPECT_EQ(grid.front().white, 1.0);
-    EXPECT_EQ(grid.front().log_prior, 0.0);
-    EXPECT_TRUE(with_discrepancy(grid.front(), even(n).time_s).empty());
-  }
-}
-
-// The rows' own units of time: a grid over days is that over seconds, stretched.
-TEST(CovarianceGrid, goes_with_the_steps) {
-  const std::vector<Covariance> seconds = noise_grid(even(100, 0.001).time_s),
-                                days = noise_grid(even(100, 86400.0).time_s);
-  ASSERT_EQ(seconds.size(), days.size());
-  for (std::size_t i = 0; i < days.size(); ++i) {
-    EXPECT_NEAR(seconds[i].white, days[i].white, 1e-9);
-    EXPECT_NEAR(seconds[i].time_s * 86400.0 / 0.001, days[i].time_s, 1e-6 * days[i].time_s);
-  }
+  EXPECT_TRUE(with_discrepancy(white(), even(29).time_s).empty());
 }
 
 }  // namespace

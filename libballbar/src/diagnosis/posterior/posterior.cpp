@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <numeric>
-#include <string>
 #include <utility>
 
 #include "ballbar/numerics/parallel.hpp"
@@ -93,32 +90,6 @@ class Average {
       found[g] = std::move(best);
     });
     sort_by_weight(found);
-    if (getenv("DBG"))
-      for (const WeightedAscent& one : found) {
-        const Covariance& c = one.point.covariance;
-        fprintf(stderr,
-                "DBG w %.2f bound %.2f prior %.2f white %.4f corr %.4f tau %.0f slow %.3f len %.0f rough %d scatter "
-                "%.4f effects %zu\n",
-                one.log_weight, one.ascent.bound, c.log_prior, std::sqrt(c.white * one.ascent.variance),
-                std::sqrt(c.correlated * one.ascent.variance), c.time_s, std::sqrt(c.slow * one.ascent.variance),
-                c.slow_time_s, (int)c.slow_is_rough, std::sqrt(one.ascent.variance), likeliest_set(one.ascent).size());
-        for (const SingleEffect& e : one.ascent.effects) {
-          const std::size_t i = likeliest_identity(e);
-          fprintf(stderr, "   p %.3f %s %s\n", e.p[i],
-                  i < problem_.library.families.size()
-                      ? std::string(problem_.library.families[i].bound.effect->name).c_str()
-                      : "own",
-                  i < problem_.library.families.size() && !problem_.library.families[i].bound.columns.empty()
-                      ? problem_.library.families[i].bound.columns.front().c_str()
-                      : "");
-        }
-      }
-    if (getenv("DBG")) {
-      int far = 0;
-      for (std::size_t i = 0; i < problem_.relative_variance.size(); ++i) far += problem_.relative_variance[i] > 3;
-      fprintf(stderr, "DBG far %d of %zu jumps %zu\n", far, problem_.relative_variance.size(),
-              problem_.level_jumps.size());
-    }
   }
 
   // A better optimum at the likeliest covariance is one everywhere.

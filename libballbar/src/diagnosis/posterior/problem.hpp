@@ -17,7 +17,7 @@
 #include "diagnosis/evidence/evidence.hpp"
 #include "diagnosis/evidence/logged_inputs.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
-#include "noise/noise_grid.hpp"
+#include "noise/linear_filter.hpp"
 #include "noise/whitening.hpp"
 
 namespace ballbar {

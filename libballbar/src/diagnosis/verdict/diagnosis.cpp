@@ -36,12 +36,16 @@ namespace {
 constexpr std::size_t kMostShown = 12;  // candidates
 constexpr double kCancelled = 1.5;      // amplitude of a member relative to that of all together
 
-// No statement about effects that are not searched.
+// No statement about effects that are not searched: those left out, and those of time alone but a jump, which describe a
+// slow drift.
 std::vector<Detectability> detectability_but(const SearchOptions& options, std::vector<Detectability> detectability) {
   const auto left_out = [&](const std::string& name) {
     return std::find(options.without.begin(), options.without.end(), name) != options.without.end();
   };
-  std::erase_if(detectability, [&](const Detectability& one) { return left_out(one.effect->name); });
+  std::erase_if(detectability, [&](const Detectability& one) {
+    const Effect& effect = *one.effect;
+    return left_out(effect.name) || (effect.level == Level::series && effect.time_only && !is_jump(effect));
+  });
   for (Detectability& detectable : detectability) {
     std::erase_if(detectable.imitated_by, [&](const Likeness& likeness) { return left_out(likeness.with); });
   }

@@ -5,7 +5,7 @@
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "diagnosis/posterior/inference.hpp"
-#include "noise/noise_grid.hpp"
+#include "noise/linear_filter.hpp"
 
 namespace ballbar {
 

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "noise/noise_grid.hpp"
+#include "noise/linear_filter.hpp"
 
 namespace ballbar::dense {
 
@@ -27,8 +27,8 @@ inline Eigen::MatrixXd matrix_of(const Covariance& one, const std::vector<double
         const double apart_s = std::abs(time_s[i] - time_s[j]);
         if (one.correlated > 0.0) value += one.correlated * std::exp(-apart_s / one.time_s);
         if (one.slow > 0.0) {
-          const double s = std::sqrt(3.0) * apart_s / one.slow_time_s;
-          value += one.slow * (1.0 + s) * std::exp(-s);
+          const double s = (one.slow_is_rough ? 1.0 : std::sqrt(3.0)) * apart_s / one.slow_time_s;
+          value += one.slow * (one.slow_is_rough ? 1.0 : 1.0 + s) * std::exp(-s);
         }
       }
       if (i == j) value += one.white * (relative_variance.empty() ? 1.0 : relative_variance[i]);

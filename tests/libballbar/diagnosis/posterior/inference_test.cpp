@@ -19,8 +19,8 @@ ProblemOptions usual() {
 }
 
 std::size_t unknown_rows(const Problem& problem) {
-  return static_cast<std::size_t>(std::count_if(problem.relative_variance.begin(), problem.relative_variance.end(),
-                                                [](double one) { return one >= kUnknownRow; }));
+  return static_cast<std::size_t>(std::count_if(problem.stated_variance.begin(), problem.stated_variance.end(),
+                                                [](double one) { return one >= kUnknownVariance; }));
 }
 
 // Exact rows: every change of the speed is between two of them, and all tell.
@@ -52,7 +52,7 @@ TEST(Problem, frees_the_rows_at_the_ends_of_jumps) {
     for (const Jump& jump : input.jumps) {
       ++jumps;
       for (std::size_t row = jump.first - (jump.last - jump.first); row <= jump.last; ++row)
-        EXPECT_GE(problem->relative_variance[row], kUnknownRow) << row;
+        EXPECT_EQ(problem->stated_variance[row], kUnknownVariance) << row;
     }
   }
   EXPECT_EQ(jumps, 3U);
@@ -94,7 +94,7 @@ TEST(Inference, readings_far_from_the_others_count_less) {
   const std::size_t far[] = {50, 101, 180, 251};
   for (const std::size_t row : far) made::values_of(data, "z_um")[row] += row % 2 == 0 ? 6.0 : -6.0;
   const Inference found = inference(made::by_speed(), data, 0, usual());
-  for (const std::size_t row : far) EXPECT_GT(found.problem->relative_variance[row], 10.0) << row;
+  for (const std::size_t row : far) EXPECT_EQ(found.problem->stated_variance[row], kUnknownVariance) << row;
   std::size_t others = 0;
   for (const double one : found.problem->relative_variance) others += one > 1.0 ? 1 : 0;
   EXPECT_LE(others, 12U);
@@ -113,8 +113,8 @@ TEST(Inference, a_jump_that_stays_is_no_reading_far_from_the_others) {
   for (const std::size_t row : {50, 101, 251}) values[row] += 6.0;
   for (std::size_t row = 150; row < 300; ++row) values[row] += 6.0;
   const Inference found = inference(made::by_speed(), data, 0, usual());
-  EXPECT_GT(found.problem->relative_variance[50], 10.0);
-  EXPECT_EQ(found.problem->relative_variance[150], 1.0);
+  EXPECT_EQ(found.problem->stated_variance[50], kUnknownVariance);
+  EXPECT_EQ(found.problem->stated_variance[150], 0.0);
   const EffectSet& best = found.posterior.sets[found.posterior.best];
   ASSERT_EQ(best.families.size(), 1U);
   EXPECT_EQ(found.problem->library.families[best.families[0]].bound.effect->name, "step");

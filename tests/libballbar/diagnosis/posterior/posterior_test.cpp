@@ -100,7 +100,7 @@ struct OfOne {
       const Eigen::VectorXd column = column_of(shape);
       const double left = dense::left_of(column, x, c)(0, 0);
       std::vector<double> sizes;
-      for (const double d : {4.0, 8.0, 16.0, 32.0, 64.0, 128.0})
+      for (const double d : kGainSizes)
         sizes.push_back(evidence(c + d * d / left * column * column.transpose()) - none);
       of[shape.identity].push_back(dense::log_mean(sizes) + shape.log_prior + identities.log_prior[shape.identity]);
     }
