@@ -6,10 +6,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/formats/text/log_recipe.hpp"
+#include "ballbar/formats/text/reader.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/model/recording_base_model.hpp"
 #include "ballbar/model/run_terms.hpp"
@@ -60,13 +64,29 @@ void expect_also_inputs(const ModelOptions& options, const Model& model, const S
   }
 }
 
-// Puts the model's own targets aside where others are chosen.
-void choose_targets(Model& model, const ModelOptions& options) {
-  if (options.target.empty()) return;
-  for (const std::string& target : model.targets) {
-    if (!is_in(options.target, target) && !is_in(options.also_input, target)) model.not_inputs.push_back(target);
+// The columns that --target names, with their units or without: `pos_steps` is pos_steps_um where no other column is.
+std::vector<std::string> named_targets(const ModelOptions& options, const Series& data) {
+  std::vector<std::string> targets = options.target;
+  for (std::string& target : targets) {
+    if (find_column(data, target) != nullptr) continue;
+    std::vector<std::string> found;
+    for (const Column& column : data.columns) {
+      const std::string_view unit = unit_of(column.name);
+      if (!unit.empty() && column.name == fmt::format("{}_{}", target, unit)) found.push_back(column.name);
+    }
+    if (found.size() == 1) target = found.front();
   }
-  model.targets = options.target;
+  return targets;
+}
+
+// Puts the model's own targets aside where others are chosen.
+void choose_targets(Model& model, const ModelOptions& options, const Series& data) {
+  if (options.target.empty()) return;
+  const std::vector<std::string> targets = named_targets(options, data);
+  for (const std::string& target : model.targets) {
+    if (!is_in(targets, target) && !is_in(options.also_input, target)) model.not_inputs.push_back(target);
+  }
+  model.targets = targets;
 }
 
 // A model's numbers are in um where its target is.
@@ -85,6 +105,19 @@ void expect_clock_of_model(const Model& model, const ModelOptions& options, cons
     if (needs_clock(*term.effect))
       with_source(options.model.name(), [&] { expect_clock(data, "for " + label_of(term)); });
   }
+}
+
+// A table in which two columns lie on a circle is a series all the same, where --target names one of its columns.
+std::vector<Source> with_stated_targets(const ModelOptions& options) {
+  std::vector<Source> data = options.data;
+  if (options.target.empty() || is_in(options.target, "deviation_um")) return data;  // the latter is that of a circle
+  for (Source& source : data) {
+    if (!source.recipe().columns.empty() || read_of<ReadCircle>(source.reader()) == nullptr) continue;
+    auto recipe = std::make_shared<LogRecipe>(source.recipe());
+    for (const std::string& target : options.target) recipe->columns.push_back({target, "", "", Role::measured, false});
+    source.set_recipe(std::move(recipe));
+  }
+  return data;
 }
 
 }  // namespace
@@ -139,7 +172,8 @@ void add_fit_options(CLI::App& command, ModelOptions& options) {
 }
 
 ModelData open_data(const ModelOptions& options) {
-  ModelData data = open_model_data(options.data, {}, options.max_gap_s, known_readers(), options.circle);
+  ModelData data =
+      open_model_data(with_stated_targets(options), {}, options.max_gap_s, known_readers(), options.circle);
   tell(data.remarks);
   if (!data.series->has_clock) {
     stderr_line(
@@ -179,7 +213,7 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
   }
   expect_clock_of_model(model, options, data);
   model = with_held_values(with_run_terms(std::move(model), *data.series), options.set);
-  choose_targets(model, options);
+  choose_targets(model, options, *data.series);
   if (model.targets.empty())
     throw Error(fmt::format("{}: expected a measured column to explain, found none; --target names one, of {}.",
                             data.title, fmt::join(column_names(*data.series), ", ")));

@@ -34,7 +34,7 @@ CellKind kind_of(std::string_view cell) {
   if (cell.empty()) return CellKind::empty;
   if (look_of(cell).kind != NumberLook::Kind::other) return CellKind::number;
   if (time_stamp(cell, DateOrder::day_first)) return CellKind::stamp;
-  return is_missing(cell) ? CellKind::missing : CellKind::text;
+  return is_missing(cell) || switch_value(cell) ? CellKind::missing : CellKind::text;
 }
 
 // What the cells of a line are.
