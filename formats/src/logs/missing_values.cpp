@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/series/input_kind.hpp"
+#include "ballbar/series/signal_kind.hpp"
 #include "logs/log_roles.hpp"
 #include "logs/log_table.hpp"
 
@@ -92,7 +92,7 @@ std::string take_single_outliers(std::vector<double>& values) {
   if (found.empty() || found.size() > 2 + known.size() / 100) return {};
   std::vector<double> rest = known;  // a single value far off looks like steps itself
   for (const std::size_t i : found) rest[i] = kGap;
-  if (input_kind(rest) == InputKind::steps) return {};
+  if (signal_kind(rest) == SignalKind::steps) return {};
   for (const std::size_t i : found) values[rows[i]] = kGap;
   const std::size_t first = found.front();
   return fmt::format("{} single {} far off, such as {:g} between {:g} and {:g}", found.size(),

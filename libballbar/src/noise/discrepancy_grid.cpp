@@ -5,11 +5,10 @@
 #include <cmath>
 #include <cstddef>
 
-
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kFewestForDiscrepancy = 30;  // rows
+constexpr std::size_t kFewestForDiscrepancy = 30;                                 // rows
 constexpr std::array<double, 3> kSlowLengths{1.0 / 40.0, 1.0 / 12.0, 1.0 / 4.0};  // of the time
 constexpr std::array<double, 3> kSlowSizes{0.8, 2.5, 8.0};  // standard deviation, in units of the noise
 

@@ -15,7 +15,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/series/input_kind.hpp"
+#include "ballbar/series/signal_kind.hpp"
 #include "ballbar/units.hpp"
 #include "numerics/interpolation.hpp"
 #include "numerics/not_finite.hpp"
@@ -102,7 +102,7 @@ void expect_common_times(std::span<const Series> parts, const Range& range) {
 
 // Not a state, a tool's number, a count: of these, between two rows, one or the other holds.
 bool is_smooth(const std::vector<double>& values) {
-  return input_kind(values) == InputKind::smooth &&
+  return signal_kind(values) == SignalKind::smooth &&
          std::any_of(values.begin(), values.end(), [](double value) { return value != std::floor(value); });
 }
 

@@ -17,7 +17,7 @@ namespace ballbar {
 // measured and event) are interpolated linearly across gaps of at most max_gap_s; nullopt: 3 median steps of the
 // signal's own values, and at least 10 min. A row within a longer gap is left out. A gap without a row in it costs
 // nothing: rows read by hand may stop for the night. An event keeps its last value, and is interpolated as a signal
-// where its values are smooth (input_kind) and not whole numbers; before the first value it is a gap. The first
+// where its values are smooth (signal_kind) and not whole numbers; before the first value it is a gap. The first
 // [five_probe] table is kept. O(rows times columns).
 //
 // Throws Error: a column in two parts, a signal without any value, parts without common time, less than two thirds of

@@ -10,8 +10,8 @@
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/numerics/interruption.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/series/input_kind.hpp"
 #include "ballbar/series/runs.hpp"
+#include "ballbar/series/signal_kind.hpp"
 #include "noise/linear_filter.hpp"
 #include "series/resolution.hpp"
 
@@ -364,14 +364,14 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
       input.is_stepped = changes_in_jumps(column.values, input.jumps);
       if (!input.is_stepped) input.jumps.clear();
       for (const Jump& jump : input.jumps) draw_step(column.values, jump);
-    } else if (const InputKind kind = input_kind(column.values);
-               kind == InputKind::steps && column.role != Role::measured) {
+    } else if (const SignalKind kind = signal_kind(column.values);
+               kind == SignalKind::steps && column.role != Role::measured) {
       input.sample_s = step_s;
       input.jumps = jumps_of(data.time_s, column.values, 1, kLongestRamp_s);
       input.is_stepped = changes_in_jumps(column.values, input.jumps);
       if (!input.is_stepped) input.jumps.clear();
       for (const Jump& jump : input.jumps) draw_step(column.values, jump);
-    } else if (is_temperature(column) || (kind == InputKind::smooth && column.role != Role::measured)) {
+    } else if (is_temperature(column) || (kind == SignalKind::smooth && column.role != Role::measured)) {
       input.at_end = rows_at_end(column.values);
       const std::size_t rows = even ? held_rows(column.values) : 1;
       const std::size_t sample = std::max(rows, even ? ramped_rows(column.values) : 1);

@@ -1,6 +1,6 @@
 // Reconstructs the true inputs from a log, because a logger holds, rounds and delays values.
 //
-//   stepped     speed, load, and what is held and switched (input_kind.hpp): between two rows with different values,
+//   stepped     speed, load, and what is held and switched (signal_kind.hpp): between two rows with different values,
 //   the input steps from the old to the new value.
 //               The step is placed in the middle of the possible interval, which is one sample of the logger: the rows
 //               over which a value is held, or the rows of a straight line between two samples

@@ -14,6 +14,7 @@
 #include "ballbar/numerics/parallel.hpp"
 #include "ballbar/series/runs.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
+#include "noise/discrepancy_grid.hpp"
 #include "numerics/random_streams.hpp"
 #include "series/resolution.hpp"
 

@@ -81,15 +81,17 @@ bool acts_at_once(const Effect& effect, const std::vector<double>& point) {
 
 bool is_time(const Parameter& parameter) { return parameter.kind == ParameterKind::shape && parameter.unit == "s"; }
 
-// Whether the lags of the effect are so short that a delayed clock could cause them, and the catalogue has the effect
-// without a lag.
+// Whether the lags of the effect are so short that the sampling of a logger could cause them, and the catalogue has the
+// effect without a lag; or whether it is a shift of the clock by as little.
 bool is_without_its_lag(const SignatureLibrary& library, const LoggedInputs& logged, const BoundEffect& bound,
                         const std::vector<double>& point) {
-  const bool is_twin = std::any_of(library.families.begin(), library.families.end(), [&](const Family& other) {
-    const Effect& effect = *other.bound.effect;
-    return effect.name == bound.effect->rules.becomes && other.bound.columns == bound.columns &&
-           std::none_of(effect.parameters.begin(), effect.parameters.end(), is_time);
-  });
+  const bool is_shift = !bound.effect->inputs.empty() && bound.effect->inputs.front().of_another_effect;
+  const bool is_twin =
+      is_shift || std::any_of(library.families.begin(), library.families.end(), [&](const Family& other) {
+        const Effect& effect = *other.bound.effect;
+        return effect.name == bound.effect->rules.becomes && other.bound.columns == bound.columns &&
+               std::none_of(effect.parameters.begin(), effect.parameters.end(), is_time);
+      });
   if (!is_twin) return false;
   double sample_s = 0.0;
   for (const LoggedInput& input : logged.inputs) {
@@ -97,7 +99,7 @@ bool is_without_its_lag(const SignatureLibrary& library, const LoggedInputs& log
       sample_s = std::max(sample_s, input.sample_s);
   }
   for (std::size_t k = 0; k < point.size(); ++k) {
-    if (is_time(bound.effect->parameters[k]) && point[k] < kShortestLag * sample_s) return true;
+    if (is_time(bound.effect->parameters[k]) && std::abs(point[k]) < kShortestLag * sample_s) return true;
   }
   return false;
 }

@@ -12,7 +12,7 @@
 #include "ballbar/number_text.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/numerics/range.hpp"
-#include "ballbar/series/input_kind.hpp"
+#include "ballbar/series/signal_kind.hpp"
 #include "diagnosis/posterior/inference.hpp"
 #include "diagnosis/posterior/set_regression.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
@@ -36,8 +36,8 @@ namespace {
 constexpr std::size_t kMostShown = 12;  // candidates
 constexpr double kCancelled = 1.5;      // amplitude of a member relative to that of all together
 
-// No statement about effects that are not searched: those left out, and those of time alone but a jump, which describe a
-// slow drift.
+// No statement about effects that are not searched: those left out, and those of time alone but a jump, which describe
+// a slow drift.
 std::vector<Detectability> detectability_but(const SearchOptions& options, std::vector<Detectability> detectability) {
   const auto left_out = [&](const std::string& name) {
     return std::find(options.without.begin(), options.without.end(), name) != options.without.end();
@@ -186,9 +186,9 @@ class Decision {
     for (const Column& column : problem().logged.series.columns) {
       if (column.role == Role::measured || column.name.find("_sigma_") != std::string::npos) continue;
       const auto is_it = [&](const std::string& name) { return name == column.name; };
-      const InputKind kind = input_kind(column.values);
+      const SignalKind kind = signal_kind(column.values);
       const auto reads = [&](const auto& one) { return std::any_of(one.columns.begin(), one.columns.end(), is_it); };
-      if ((kind != InputKind::steps && kind != InputKind::smooth) ||
+      if ((kind != SignalKind::steps && kind != SignalKind::smooth) ||
           std::any_of(model_.targets.begin(), model_.targets.end(), is_it) ||
           std::any_of(model_.not_inputs.begin(), model_.not_inputs.end(), is_it) ||
           std::any_of(model_.terms.begin(), model_.terms.end(), reads) ||
@@ -240,6 +240,20 @@ class Decision {
     for (Driver& driver : result_.drivers) driver.is_clear = driver.is_clear && is_in_clear(driver.column);
   }
 
+  // Where an effect of the best set reads the column, at least one of them has evidence.
+  void doubt_weak_drivers() {
+    for (Driver& driver : result_.drivers) {
+      std::size_t reading = 0, strong = 0;
+      for (const Candidate& one : result_.candidates) {
+        const std::vector<std::string>& columns = one.bound.columns;
+        if (std::find(columns.begin(), columns.end(), driver.column) == columns.end()) continue;
+        ++reading;
+        strong += one.likelihood_ratio >= kLeastLikelihoodRatio ? 1 : 0;
+      }
+      driver.is_clear = reading == 0 || strong > 0;
+    }
+  }
+
   void doubt_beside_discrepancy() {
     const double beside_um = discrepancy_beside_um();
     if (!(beside_um > 0.0)) return;
@@ -253,7 +267,7 @@ class Decision {
         one.doubts.emplace_back("a slow drift without a cause is larger");
       }
     }
-    for (Driver& driver : result_.drivers) driver.is_clear = clear.contains(driver.column);
+    for (Driver& driver : result_.drivers) driver.is_clear = driver.is_clear && clear.contains(driver.column);
   }
 
   void add_own() {
@@ -294,6 +308,7 @@ class Decision {
         one.doubts.emplace_back("another effect of the set nearly cancels it");
       result_.candidates.push_back(std::move(one));
     }
+    doubt_weak_drivers();
     doubt_beside_discrepancy();
     doubt_few_readings();
     if (!options_.leave_out || model_.level != Level::series) return;
@@ -330,8 +345,9 @@ class Decision {
     Diagnosis& d = result_;
     bool own_named = false, own_probable = false;
     for (const OwnValue& own : d.own) {
-      own_named = own_named || own.p >= kNamed;
-      own_probable = own_probable || own.p >= kProbable;
+      const bool is_clear = !(discrepancy_beside_um() > 0.0);
+      own_named = own_named || (own.p >= kNamed && is_clear);
+      own_probable = own_probable || (own.p >= kProbable && is_clear);
     }
     for (std::size_t m = 0; m < d.candidates.size(); ++m) {
       const Candidate& one = d.candidates[m];

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/series/input_kind.hpp"
+#include "ballbar/series/signal_kind.hpp"
 #include "numerics/orthonormal.hpp"
 
 namespace ballbar {
@@ -27,8 +27,8 @@ std::vector<InputColumn> input_columns(const Problem& problem) {
     const std::vector<std::string>& targets = problem.model.targets;
     if (column.role == Role::measured || std::find(targets.begin(), targets.end(), column.name) != targets.end())
       continue;
-    const InputKind kind = input_kind(column.values);
-    if (kind != InputKind::steps && kind != InputKind::smooth) continue;
+    const SignalKind kind = signal_kind(column.values);
+    if (kind != SignalKind::steps && kind != SignalKind::smooth) continue;
     InputColumn one{column.name, Eigen::VectorXd(problem.y.size())};
     for (Eigen::Index i = 0; i < one.values.size(); ++i)
       one.values[i] = column.values[problem.base.row[static_cast<std::size_t>(i)]];

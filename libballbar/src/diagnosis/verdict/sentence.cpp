@@ -123,11 +123,27 @@ std::string open_text(const Diagnosis& d) {
                      further_text(d));
 }
 
+// "About ±4.2 um of slow drift has no cause among these columns (like settling, time constant 1 h 20 min)."
+std::string slow_text(const Diagnosis& d) {
+  if (!(d.discrepancy_um > 0.0) || d.p_discrepancy < kDiscrepancy) return "";
+  std::string like;
+  if (!d.discrepancy_like.empty()) {
+    like = fmt::format(" (like {}{})", d.discrepancy_like,
+                       d.discrepancy_parameter.empty()
+                           ? ""
+                           : fmt::format(", {} {}", d.discrepancy_parameter, duration_text(d.discrepancy_time_s)));
+  }
+  return fmt::format(
+      "About ±{} um of slow drift{} has no cause among these columns{}. Log another sensor, such as the "
+      "temperature of the coolant, the structure or the room.",
+      size_text(d.discrepancy_um), d.target.empty() ? "" : fmt::format(" of {}", d.target), like);
+}
+
 // One sentence for each wrong held value.
 std::string own_text(const Diagnosis& d, double least) {
   std::string text;
   for (const OwnValue& own : d.own) {
-    if (own.p < least) continue;
+    if (own.p < least || !slow_text(d).empty()) continue;
     text += fmt::format("{}In {}, the {} of {} is held at {:.4g}, but the data say {:.4g} ({:.4g} to {:.4g}, {}).",
                         text.empty() ? "" : " ", model_text(d), own.parameter, own.effect, own.held, own.fitted,
                         own.interval.low, own.interval.high, sure_text(own.p));
@@ -214,22 +230,6 @@ std::string best_candidate_text(const Diagnosis& d) {
     p = own.p;
   }
   return what.empty() ? "" : fmt::format(" The best candidate, {} ({}), is not proven.", what, percent_text(p));
-}
-
-// "About ±4.2 um of slow drift has no cause among these columns (like settling, time constant 1 h 20 min)."
-std::string slow_text(const Diagnosis& d) {
-  if (!(d.discrepancy_um > 0.0) || d.p_discrepancy < kDiscrepancy) return "";
-  std::string like;
-  if (!d.discrepancy_like.empty()) {
-    like = fmt::format(" (like {}{})", d.discrepancy_like,
-                       d.discrepancy_parameter.empty()
-                           ? ""
-                           : fmt::format(", {} {}", d.discrepancy_parameter, duration_text(d.discrepancy_time_s)));
-  }
-  return fmt::format(
-      "About ±{} um of slow drift{} has no cause among these columns{}. Log another sensor, such as the "
-      "temperature of the coolant, the structure or the room.",
-      size_text(d.discrepancy_um), d.target.empty() ? "" : fmt::format(" of {}", d.target), like);
 }
 
 // What was not used is said first.

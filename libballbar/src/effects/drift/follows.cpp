@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "ballbar/series/input_kind.hpp"
+#include "ballbar/series/signal_kind.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/low_pass.hpp"
 
@@ -22,8 +22,8 @@ bool has_no_other_effect(const Column& column) {
   constexpr std::array<std::string_view, 10> kTaken{"degC", "K", "rpm", "W", "A", "Nm", "percent", "um", "mm", "urad"};
   if (column.role == Role::measured) return false;
   if (std::find(kTaken.begin(), kTaken.end(), unit_of(column.name)) != kTaken.end()) return false;
-  const InputKind kind = input_kind(column.values);
-  return kind == InputKind::steps || kind == InputKind::smooth;
+  const SignalKind kind = signal_kind(column.values);
+  return kind == SignalKind::steps || kind == SignalKind::smooth;
 }
 
 }  // namespace

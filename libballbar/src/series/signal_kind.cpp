@@ -1,4 +1,4 @@
-#include "ballbar/series/input_kind.hpp"
+#include "ballbar/series/signal_kind.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ bool is_stepwise(const std::vector<double>& changes, double range) {
 
 }  // namespace
 
-InputKind input_kind(std::span<const double> values) {
+SignalKind signal_kind(std::span<const double> values) {
   std::vector<double> changes;
   double least = 0.0, most = 0.0, last = NAN;
   for (const double value : values) {
@@ -81,9 +81,9 @@ InputKind input_kind(std::span<const double> values) {
     last = value;
   }
   const double range = most - least;
-  if (!(range > 0.0)) return InputKind::still;
-  if (is_counter(changes, range)) return InputKind::counter;
-  return is_of_two(changes, range) || is_stepwise(changes, range) ? InputKind::steps : InputKind::smooth;
+  if (!(range > 0.0)) return SignalKind::still;
+  if (is_counter(changes, range)) return SignalKind::counter;
+  return is_of_two(changes, range) || is_stepwise(changes, range) ? SignalKind::steps : SignalKind::smooth;
 }
 
 }  // namespace ballbar

@@ -5,7 +5,7 @@
 
 namespace ballbar {
 
-enum class InputKind {
+enum class SignalKind {
   still,    // one value, or none
   counter,  // row numbers, seconds, dates: tells where in the record a row stands, drives nothing
   steps,    // held and switched: speed, door, pump, tool number; between rows the last value holds
@@ -21,6 +21,6 @@ enum class InputKind {
 // steps: two values, however often they change, or fewer than 15 % of the changes exceed 3 % of the range, and these
 //   make more than half of all movement.
 // O(n).
-InputKind input_kind(std::span<const double> values);
+SignalKind signal_kind(std::span<const double> values);
 
 }  // namespace ballbar
