@@ -1,0 +1,194 @@
+// Logs in the conventions of strangers: what the values say counts, and what the diagnosis does not know it says.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "effects/low_pass.hpp"
+
+namespace ballbar {
+namespace {
+
+// A machine over 12 h in rows of 60 s: speed in blocks of an hour, a bearing that it warms, a room, a switch. Noise of
+// z: 0.3 um.
+struct Log {
+  Series data;
+  std::vector<double> bearing, room, on;
+  std::mt19937_64 random{11};
+
+  explicit Log(std::size_t n = 720, double step_s = 60.0) {
+    std::vector<double> power;
+    for (std::size_t i = 0; i < n; ++i) {
+      data.time_s.push_back(step_s * static_cast<double>(i));
+      const double hours = data.time_s.back() / 3600.0;
+      const double speeds[] = {0.0, 6000.0, 2000.0, 9000.0, 0.0, 4000.0, 8000.0};
+      const double speed = speeds[static_cast<std::size_t>(hours) % 7];
+      speed_.push_back(speed);
+      power.push_back(std::pow(speed / 9000.0, 1.6));
+      room.push_back(20.0 + 1.5 * std::sin(0.37 * hours) + 0.4 * std::sin(1.9 * hours));
+      on.push_back(std::fmod(hours, 2.6) > 1.4 ? 1.0 : 0.0);
+    }
+    bearing = behind(power, 2400.0);
+    for (std::size_t i = 0; i < n; ++i) bearing[i] = room[i] + 25.0 * bearing[i];
+    add("speed_rpm", Role::speed, speed_, 0.0);
+    add("room_degC", Role::ambient, room, 0.01);
+    add("bearing_degC", Role::bearing, bearing, 0.02);
+  }
+
+  std::vector<double> behind(const std::vector<double>& input, double tau_s) const {
+    std::vector<double> out(input.size());
+    low_pass<double>(data.time_s, [&](std::size_t i) { return input[i]; }, tau_s, out.data());
+    return out;
+  }
+
+  double normal() { return std::normal_distribution<double>()(random); }
+
+  void add(const std::string& name, Role role, std::vector<double> values, double noise) {
+    for (double& value : values) value = noise > 0.0 ? std::round(100.0 * (value + noise * normal())) / 100.0 : value;
+    data.columns.push_back({name, role, std::move(values)});
+  }
+
+  Diagnosis diagnosed(std::vector<double> z_um) {
+    for (double& value : z_um) value = std::round(100.0 * (value + 0.3 * normal())) / 100.0;
+    data.columns.push_back({"z_um", Role::measured, std::move(z_um)});
+    Model constant;
+    constant.targets = {"z_um"};
+    return diagnose(constant, data);
+  }
+
+  std::vector<double> half_of_bearing() const {
+    std::vector<double> z_um;
+    for (const double value : bearing) z_um.push_back(0.5 * (value - bearing.front()));
+    return z_um;
+  }
+
+ private:
+  std::vector<double> speed_;
+};
+
+double p_of(const Diagnosis& found, const std::string& column) {
+  for (const Driver& driver : found.drivers) {
+    if (driver.column == column && driver.is_clear) return driver.p;
+  }
+  return 0.0;
+}
+
+std::vector<std::string> labels(const std::vector<BoundEffect>& bounds) {
+  std::vector<std::string> names;
+  for (const BoundEffect& bound : bounds) names.push_back(label_of(bound));
+  return names;
+}
+
+// The true driver has no unit.
+TEST(StrangersLog, a_column_without_a_unit_can_drive) {
+  Log log;
+  std::vector<double> bed = log.behind(log.on, 1500.0), z_um = bed;
+  for (double& value : bed) value = 400.0 + 60.0 * value;
+  log.add("bed", Role::event, bed, 0.05);
+  for (double& value : z_um) value *= 12.0;
+  const Diagnosis found = log.diagnosed(z_um);
+  EXPECT_EQ(labels(found.named), std::vector<std::string>{"follows(bed)"}) << found.sentence;
+  EXPECT_EQ(found.p_discrepancy < 0.5, true) << found.sentence;
+}
+
+// On and off, with a first-order body, beside a temperature.
+TEST(StrangersLog, a_switch_is_exact) {
+  Log log;
+  log.add("coolant_on", Role::event, log.on, 0.0);
+  std::vector<double> z_um = log.half_of_bearing();
+  const std::vector<double> body = log.behind(log.on, 1200.0);
+  for (std::size_t i = 0; i < z_um.size(); ++i) z_um[i] -= 6.0 * body[i];
+  const Diagnosis found = log.diagnosed(z_um);
+  EXPECT_GE(p_of(found, "coolant_on"), 0.95) << found.sentence;
+  EXPECT_GE(p_of(found, "bearing_degC"), 0.95) << found.sentence;
+  EXPECT_EQ(p_of(found, "room_degC"), 0.0) << found.sentence;
+}
+
+// A slow driver that nobody logged is no noise: 3 um, an hour and a half.
+TEST(StrangersLog, an_unlogged_driver_is_a_slow_drift_without_a_cause) {
+  Log log;
+  std::vector<double> z_um = log.half_of_bearing();
+  double first = 0.0, second = 0.0;
+  for (double& value : z_um) {
+    first += -first / 90.0 + std::sqrt(2.0 / 90.0) * log.normal();
+    second += (first - second) / 30.0;
+    value += 4.0 * second;
+  }
+  const Diagnosis found = log.diagnosed(z_um);
+  EXPECT_NE(found.verdict, Verdict::nothing) << found.sentence;
+  EXPECT_GE(found.p_discrepancy, 0.9) << found.sentence;
+  EXPECT_GT(found.discrepancy_um, 1.0);
+  EXPECT_LT(found.noise.white_um, 0.5);
+  EXPECT_NE(found.sentence.find("has no cause among these columns"), std::string::npos) << found.sentence;
+  EXPECT_TRUE(found.named.empty() || label_of(found.named.front()) == "expansion(bearing_degC)") << found.sentence;
+}
+
+// Some readings 300 um off.
+TEST(StrangersLog, a_few_readings_far_off_are_set_aside) {
+  Log log;
+  std::vector<double> z_um = log.half_of_bearing();
+  for (const std::size_t row : {40, 41, 200, 377, 500, 640}) z_um[row] += 300.0;
+  const Diagnosis found = log.diagnosed(z_um);
+  EXPECT_EQ(found.set_aside, 6U);
+  EXPECT_LT(found.noise.white_um, 0.5);
+  EXPECT_GE(p_of(found, "bearing_degC"), 0.95) << found.sentence;
+  EXPECT_EQ(found.sentence.find("6 readings far from the others are set aside."), 0U) << found.sentence;
+}
+
+// The control moves the target to and fro.
+TEST(StrangersLog, jumps_of_the_target_are_no_effects) {
+  Log log;
+  std::vector<double> z_um = log.half_of_bearing();
+  double level = 0.0;
+  for (std::size_t i = 0; i < z_um.size(); ++i) {
+    if (i % 37 == 20) level += i % 2 == 0 ? 2.5 : -2.5;
+    z_um[i] += level;
+  }
+  const Diagnosis found = log.diagnosed(z_um);
+  EXPECT_GE(found.level_jumps, 12U);
+  EXPECT_NEAR(found.level_jump_um, 2.5, 0.6);
+  EXPECT_NE(found.verdict, Verdict::nothing) << found.sentence;
+  for (const Candidate& one : found.candidates) EXPECT_NE(one.bound.effect->name, "step");
+}
+
+// A sensor stops at the end of its range.
+TEST(StrangersLog, rows_of_a_saturated_sensor_are_set_aside) {
+  Log log;
+  std::vector<double>& logged = log.data.columns.back().values;
+  for (double& value : logged) value = std::min(value, 27.0);
+  const Diagnosis found = log.diagnosed(log.half_of_bearing());
+  ASSERT_EQ(found.saturated.size(), 1U) << found.sentence;
+  EXPECT_EQ(found.saturated[0].column, "bearing_degC");
+  EXPECT_GE(p_of(found, "bearing_degC"), 0.95) << found.sentence;
+  EXPECT_EQ(p_of(found, "speed_rpm"), 0.0) << found.sentence;
+}
+
+// Nothing is certain beside a column that could not be searched.
+TEST(StrangersLog, nothing_is_named_beside_a_column_with_gaps) {
+  Log log;
+  log.add("door", Role::event, log.on, 0.0);
+  log.data.columns.back().values[3] = std::nan("");
+  const Diagnosis found = log.diagnosed(log.half_of_bearing());
+  ASSERT_EQ(found.columns_not_searched.size(), 1U) << found.sentence;
+  EXPECT_EQ(found.columns_not_searched[0].column, "door");
+  EXPECT_TRUE(found.named.empty()) << found.sentence;
+  EXPECT_EQ(found.sentence.find("door was not searched: it has gaps."), 0U) << found.sentence;
+}
+
+// Read by hand every 20 min: two temperatures, and least squares over all subsets of two agrees.
+TEST(StrangersLog, a_few_rows_by_hand_are_enough_for_two_columns) {
+  Log log(40, 1200.0);
+  std::vector<double> z_um = log.half_of_bearing();
+  for (std::size_t i = 0; i < z_um.size(); ++i) z_um[i] += 1.5 * (log.room[i] - log.room.front());
+  const Diagnosis found = log.diagnosed(z_um);
+  EXPECT_GE(p_of(found, "bearing_degC"), 0.9) << found.sentence;
+  EXPECT_GE(p_of(found, "room_degC"), 0.9) << found.sentence;
+  EXPECT_EQ(p_of(found, "speed_rpm"), 0.0) << found.sentence;
+}
+
+}  // namespace
+}  // namespace ballbar
