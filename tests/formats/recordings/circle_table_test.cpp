@@ -190,8 +190,8 @@ TEST(circle_table, other_tables_are_none) {
 }
 
 // Of a longer file only the head is looked at.
-// Two heaters, each off at 25 or on at 95 and 100: the corners of a rectangle, which a circle passes, with a few rows on
-// the way between them.
+// Two heaters, each off at 25 or on at 95 and 100: the corners of a rectangle, which a circle passes, with a few rows
+// on the way between them.
 TEST(circle_table, temperatures_that_rest_at_levels_are_none) {
   std::string text = "sample,bed_t,he_t\n";
   double bed = 25.0, he = 25.0;
