@@ -190,6 +190,20 @@ TEST(circle_table, other_tables_are_none) {
 }
 
 // Of a longer file only the head is looked at.
+// Two heaters, each off at 25 or on at 95 and 100: the corners of a rectangle, which a circle passes, with a few rows
+// on the way between them.
+TEST(circle_table, temperatures_that_rest_at_levels_are_none) {
+  std::string text = "sample,bed_t,he_t\n";
+  double bed = 25.0, he = 25.0;
+  for (int i = 0; i < 400; ++i) {
+    const double bed_wanted = i / 100 % 2 == 0 ? 25.0 : 95.0, he_wanted = i / 100 < 2 ? 25.0 : 100.0;
+    bed += 0.6 * (bed_wanted - bed);
+    he += 0.6 * (he_wanted - he);
+    text += fmt::format("0,{:.3f},{:.3f}\n", bed + 0.2 * std::sin(7.0 * i), he + 0.2 * std::cos(5.0 * i));
+  }
+  EXPECT_FALSE(holds_circle(text));
+}
+
 TEST(circle_table, is_known_by_the_first_part_of_a_long_file) {
   std::string text = "Radius;50\nX;Y\n";
   for (int i = 0; i < 20000; ++i) {
