@@ -82,6 +82,15 @@ std::string command_of(const std::string& verb, const std::vector<std::string>& 
   return shortened(command, command.size()) == command ? command : "";  // a name that a terminal would obey
 }
 
+// Whether each column that the effect reads drives something for all that is known.
+bool reads_drivers(const Diagnosis& found, const BoundEffect& bound) {
+  return std::all_of(bound.columns.begin(), bound.columns.end(), [&](const std::string& column) {
+    return std::any_of(found.drivers.begin(), found.drivers.end(), [&](const Driver& driver) {
+      return driver.column == column && driver.p >= kNamed && driver.is_clear;
+    });
+  });
+}
+
 // The first that is worth a try: of what is in question, else of the most probable set.
 std::vector<BoundEffect> worth_a_try(const Diagnosis& found) {
   std::vector<BoundEffect> bounds;
@@ -93,7 +102,8 @@ std::vector<BoundEffect> worth_a_try(const Diagnosis& found) {
   }
   for (const BoundEffect& bound : bounds) {
     const Candidate* one = candidate_of(found, bound);
-    if (one != nullptr && is_proposed(*one)) return {bound};
+    const bool is_sure = bound.effect->level == Level::recording || reads_drivers(found, bound);
+    if (one != nullptr && is_proposed(*one) && is_sure) return {bound};
   }
   return {};
 }

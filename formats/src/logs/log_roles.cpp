@@ -221,7 +221,6 @@ bool names_a_probe(const std::string& key) {
 
 constexpr std::size_t kFewLevels = 6, kRowsOfALevel = 4;
 constexpr double kWholeDegree = 1.0;
-constexpr double kWarmestRoom_degC = 45.0;
 
 FoundRole temperature_role(const std::string& key) {
   if (says(key, kSetPoint)) return {Role::event, "a set point", ""};

@@ -19,7 +19,6 @@ namespace {
 
 constexpr double kColdest_degC = 5.0, kWarmest_degC = 90.0;
 constexpr double kWarmestHeater_degC = 350.0;  // of a name of a temperature that begins cold
-constexpr double kWarmestRoom_degC = 45.0;     // more is in another unit
 constexpr double kUsualStep_K = 0.5;           // from row to row: of the noise and the rounding of a sensor
 constexpr double kSlowShareOfWord = 0.5;       // where the name says temperature: rows read by hand are few
 constexpr double kSlowShare = 0.25;            // of the variance: a smaller mean square step is no noise (von Neumann)

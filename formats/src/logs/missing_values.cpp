@@ -23,7 +23,7 @@ constexpr double kSentinels[] = {-999.0,  -9999.0, -99999.0, -999.9,   -999.99, 
                                  -99.99,  -273.15, 999.9,    9999.0,   9999.9,  99999.0, 32767.0,
                                  65535.0, 3276.7,  6553.5,   -32768.0, -1e6,    1e6,     -3276.8};
 
-constexpr double kColdest_degC = -60.0, kWarmest_degC = 400.0, kWarmestOfOthers_degC = 200.0;
+constexpr double kLeastPossible_degC = -60.0, kMostPossible_degC = 400.0, kWarmestOfOthers_degC = 200.0;
 constexpr std::size_t kWindow = 7, kFewestValues = 20;
 constexpr double kFarNoise = 20.0, kFarShare = 0.5, kNoiseOfMad = 1.4826;
 
@@ -49,7 +49,7 @@ double usual_change(const std::vector<double>& values) {
 std::string take_failed_temperatures(std::vector<double>& values, double factor, double offset) {
   const auto fails = [&](double value) {
     const double t_degC = factor * value + offset;
-    return t_degC < kColdest_degC || t_degC > kWarmest_degC;
+    return t_degC < kLeastPossible_degC || t_degC > kMostPossible_degC;
   };
   std::size_t count = 0, known = 0;
   double example = 0.0;

@@ -66,7 +66,10 @@ class Average {
 
   void ascend_at(WeightedAscent& one) const {
     ColumnsAt at(problem_, identities(), searched_.variant, one.point);
-    one.ascent = ascended(at, identities(), ascent_options(problem_, identities(), largest_), one.ascent);
+    const AscentOptions options = ascent_options(problem_, identities(), largest_, Forms::yes);
+    one.ascent = ascended(at, identities(), options, one.ascent);
+    Ascent other = best_ascent(at, problem_, identities(), options, {});
+    if (other.bound > one.ascent.bound + kBetterOptimum) one.ascent = std::move(other);
     one.log_weight = one.ascent.bound + one.point.covariance.log_prior;
   }
 
@@ -95,8 +98,8 @@ class Average {
   // A better optimum at the likeliest covariance is one everywhere.
   void take_better_optimum(std::vector<WeightedAscent>& found) {
     const ColumnsAt at(problem_, identities(), searched_.variant, found.front().point);
-    const Ascent best =
-        rearranged(at, identities(), ascent_options(problem_, identities(), largest_), found.front().ascent);
+    const Ascent best = rearranged(at, identities(), ascent_options(problem_, identities(), largest_, Forms::yes),
+                                   found.front().ascent);
     if (!(best.bound > found.front().ascent.bound + kBetterOptimum)) return;
     for (WeightedAscent& one : found) one.ascent.effects = best.effects;
     ascend(found, 1);
@@ -123,8 +126,8 @@ class Average {
       in_parallel(count, [&](std::size_t g) {
         WeightedAscent& one = found[first + g];
         ColumnsAt at(problem_, identities(), searched_.variant, one.point);
-        one.ascent =
-            ascended_from(at, identities(), ascent_options(problem_, identities(), largest_, mode.without), mode.set);
+        one.ascent = ascended_from(
+            at, identities(), ascent_options(problem_, identities(), largest_, Forms::yes, mode.without), mode.set);
         one.log_weight = one.ascent.bound + one.point.covariance.log_prior + represented;
       });
     }

@@ -344,7 +344,8 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   signatures.causes_only = true;
   problem->library = signature_library_of(options.search.catalogue, model, problem->logged.series, base, signatures);
   problem->effects = problem->library.families.size();
-  if (model.level == Level::series) add_any_forms(problem->library, problem->logged.series, base.row);
+  if (model.level == Level::series && base.row.size() > kFewReadings)
+    add_any_forms(problem->library, problem->logged.series, base.row);
   problem->signatures = problem->library.columns;
   problem->deviation = Eigen::VectorXd::Ones(problem->signatures.cols());
   for (Eigen::Index k = 0; k < problem->signatures.cols(); ++k) {

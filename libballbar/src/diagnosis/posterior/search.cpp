@@ -22,6 +22,7 @@ constexpr double kUsualTime_s = 1500.0;      // for the time constants of a mode
 constexpr std::size_t kSharpenedRivals = 4;  // rivals of a single effect whose shapes are refined
 constexpr double kFarRival = 7.0;            // ln: a rival so much weaker than the strongest is ignored
 constexpr double kFarMode = 7.0;             // ln: a mode so much less likely than the best is ignored
+constexpr double kOfGrid = 0.1;              // more, of the evidence gained: a coarse grid may cost so much
 constexpr double kBetter = 0.01;             // ln: smallest improvement
 
 class Search {
@@ -157,7 +158,7 @@ class Search {
     in_parallel(pilots_.size(), [&](std::size_t g) {
       found[g].point = point_at(problem_, pilots_[g]);
       ColumnsAt at(problem_, identities, variant, found[g].point);
-      const AscentOptions options = ascent_options(problem_, identities, largest_);
+      const AscentOptions options = ascent_options(problem_, identities, largest_, Forms::no);
       found[g].ascent = set.empty() ? best_ascent(at, problem_, identities, options, {})
                                     : ascended_from(at, identities, options, set);
       found[g].log_weight = found[g].ascent.bound + pilots_[g].log_prior;
@@ -177,8 +178,10 @@ class Search {
                      [&](std::size_t a, std::size_t b) { return one.strength[a] > one.strength[b]; });
     const std::size_t likeliest = likeliest_identity(one);
     const bool is_form = likeliest >= problem_.effects && !identities_.is_own(likeliest);
-    while (order.size() > 1 && !is_form && one.strength[order.back()] < one.strength[order.front()] - kFarRival)
-      order.pop_back();
+    if (order.empty()) return order;
+    const double strongest = one.strength[order.front()];
+    const double far = strongest - kFarRival - kOfGrid * std::max(0.0, strongest);
+    while (order.size() > 1 && !is_form && one.strength[order.back()] < far) order.pop_back();
     return order;
   }
 
@@ -286,6 +289,11 @@ class Search {
     });
   }
 
+  double bound_without_effects() const {
+    ColumnsAt at(problem_, identities_, *variant_, best_.point);
+    return ascended(at, identities_, ascent_options(problem_, identities_, 0, Forms::no)).bound;
+  }
+
   // Sums without one of the best sum's identities that are nearly as likely, the shapes of their effects at their
   // likeliest. A sum that proves likelier becomes the best one: is_better.
   std::vector<Mode> other_modes(bool& is_better) {
@@ -295,13 +303,14 @@ class Search {
     std::vector<Ascent> others(best_set.size());
     in_parallel(best_set.size(), [&](std::size_t k) {
       ColumnsAt at(problem_, identities_, *variant_, best_.point);
-      const AscentOptions options = ascent_options(problem_, identities_, largest_, best_set[k]);
+      const AscentOptions options = ascent_options(problem_, identities_, largest_, Forms::no, best_set[k]);
       others[k] = best_ascent(at, problem_, identities_, options, {});
     });
+    const double gained = best_.ascent.bound - bound_without_effects();
     ConditionalFit open = open_;
     const std::size_t before = problem_.library.signatures.size();
     for (std::size_t k = 0; k < others.size(); ++k) {
-      if (others[k].bound < best_.ascent.bound - kFarMode) continue;
+      if (others[k].bound < best_.ascent.bound - kFarMode - kOfGrid * gained) continue;
       modes.push_back({best_set[k], likeliest_set(others[k])});
       const Rivals rivals = rivals_of(others[k]);
       sharpened_with_rivals(rivals, {rivals.signatures, variant_->parameters, {}}, open);
@@ -315,7 +324,7 @@ class Search {
     std::vector<Ascent> sharper(modes.size());
     in_parallel(modes.size(), [&](std::size_t m) {
       ColumnsAt at(problem_, identities_, *variant_, best_.point);
-      const AscentOptions options = ascent_options(problem_, identities_, largest_, modes[m].without);
+      const AscentOptions options = ascent_options(problem_, identities_, largest_, Forms::no, modes[m].without);
       sharper[m] = ascended_from(at, identities_, options, modes[m].set);
     });
     const double bound = best_.ascent.bound;

@@ -18,12 +18,14 @@ void sort_by_weight(std::vector<WeightedAscent>& found) {
                    [](const WeightedAscent& a, const WeightedAscent& b) { return a.log_weight > b.log_weight; });
 }
 
-AscentOptions ascent_options(const Problem& problem, const Identities& identities, std::size_t largest,
+AscentOptions ascent_options(const Problem& problem, const Identities& identities, std::size_t largest, Forms forms,
                              std::size_t without) {
   AscentOptions options;
   SinglePrior prior{std::log(kPriorOfNone), identities.log_prior};
   for (double& one : prior.log_identity) one += std::log1p(-kPriorOfNone);
   if (without != kNoSignature) prior.log_identity[without] = kLogZero;
+  for (std::size_t i = problem.effects; i < identities.families && forms == Forms::no; ++i)
+    prior.log_identity[i] = kLogZero;
   options.priors = {std::move(prior)};
   options.largest = largest;
   options.known = problem.known;
@@ -34,7 +36,11 @@ AscentOptions ascent_options(const Problem& problem, const Identities& identitie
 Ascent best_ascent(ColumnsAt& at, const Problem& problem, const Identities& identities, const AscentOptions& options,
                    const Ascent& start) {
   Ascent best = ascended(at, identities, options, start);
-  if (identities.families == problem.effects) return best;
+  const SinglePrior& first = options.priors.front();
+  const bool has_forms = std::any_of(first.log_identity.begin() + static_cast<std::ptrdiff_t>(problem.effects),
+                                     first.log_identity.begin() + static_cast<std::ptrdiff_t>(identities.families),
+                                     [](double one) { return one > kLogZero; });
+  if (!has_forms) return best;
   AscentOptions of_effects = options;
   for (SinglePrior& prior : of_effects.priors) {
     for (std::size_t i = problem.effects; i < identities.families; ++i) prior.log_identity[i] = kLogZero;

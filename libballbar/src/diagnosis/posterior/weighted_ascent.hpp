@@ -19,8 +19,12 @@ struct WeightedAscent {
 // Sorted, the most likely first.
 void sort_by_weight(std::vector<WeightedAscent>& found);
 
+// Whether inputs in any form are identities. While the shapes of effects are as coarse as their grid they are not: the
+// error of the grid is many times the noise where an effect is large, and a form would take it.
+enum class Forms { no, yes };
+
 // largest: largest number of single effects. without: an identity to exclude, or kNoSignature.
-AscentOptions ascent_options(const Problem& problem, const Identities& identities, std::size_t largest,
+AscentOptions ascent_options(const Problem& problem, const Identities& identities, std::size_t largest, Forms forms,
                              std::size_t without = kNoSignature);
 
 // Starts the ascent with and without blocks, because a block of many columns can replace several effects.
