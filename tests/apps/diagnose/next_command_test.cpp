@@ -58,6 +58,9 @@ TEST(NextCommand, what_is_probable_is_added_and_what_is_in_question_tried) {
               "ballbar add linear_drift 'run 1.csv' --model model.toml --target y_um --dry-run");
     diagnosis.equivalent = {{bound("expansion", {"T_room_degC"}), bound("linear_drift", {})}};
     diagnosis.candidates.push_back(candidate(bound("expansion", {"T_room_degC"}), 0.58));
+    EXPECT_EQ(next_command(options(), diagnosis),  // not of a sure driver
+              "ballbar add linear_drift 'run 1.csv' --model model.toml --target y_um --dry-run");
+    diagnosis.drivers = {{"T_room_degC", 0.95}};
     EXPECT_EQ(next_command(options(), diagnosis),
               "ballbar add 'expansion(T_room_degC)' 'run 1.csv' --model model.toml --target y_um --dry-run");
     for (Candidate& one : diagnosis.candidates) one.p = 0.49;

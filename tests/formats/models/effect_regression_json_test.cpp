@@ -255,7 +255,8 @@ TEST(effect_regression_json, bad_keys) {
 // Of the catalogue in its order those of one gain that read a column, and that of a run's start.
 constexpr const char* kEffects =
     "expansion, lagged_expansion, speed_heating, centrifugal_shift, cooling_asymmetry, viscosity_feedback, "
-    "load_heating, gradient_bending, bearing_rings, bearing_clearance, preload_loss, axial_crosstalk, play_hysteresis, "
+    "load_heating, follows, gradient_bending, bearing_rings, bearing_clearance, preload_loss, axial_crosstalk, "
+    "play_hysteresis, "
     "bar_temperature, clock_offset, start";
 
 TEST(effect_regression_json, bad_names) {

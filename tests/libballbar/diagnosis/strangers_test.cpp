@@ -41,7 +41,8 @@ struct Log {
 
   std::vector<double> behind(const std::vector<double>& input, double tau_s) const {
     std::vector<double> out(input.size());
-    low_pass<double>(data.time_s, [&](std::size_t i) { return input[i]; }, tau_s, out.data());
+    low_pass<double>(
+        data.time_s, [&](std::size_t i) { return input[i]; }, tau_s, out.data());
     return out;
   }
 

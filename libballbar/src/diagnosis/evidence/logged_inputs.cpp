@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/numerics/interruption.hpp"
@@ -26,6 +27,7 @@ constexpr double kJump = 0.03;                  // of a column's range, from row
 constexpr std::size_t kLongestHeld = 12;        // rows
 constexpr double kBends = 0.9;                  // share of the square of a column's bends, at the samples it joins
 constexpr double kClimbs = 0.8;                 // share of the runs of a coarse column that differ by one resolution
+constexpr std::size_t kMostLevelsOfSwitch = 6;  // of a temperature
 constexpr std::size_t kFewestAtEnd = 10;        // rows in which a saturated sensor stands at the end of its range
 constexpr double kLeastAtEnd = 0.05;            // share of the rows
 constexpr std::size_t kFewestToSaturate = 100;  // rows
@@ -330,6 +332,13 @@ bool is_temperature(const Column& column) {
   return unit == "degC" || unit == "K";
 }
 
+// A temperature that a logger holds for some rows changes in steps as well, but hardly comes back to a level.
+bool is_switched(const Column& column, SignalKind kind) {
+  if (kind != SignalKind::steps || column.role == Role::measured) return false;
+  if (!is_temperature(column)) return true;
+  return std::set<double>(column.values.begin(), column.values.end()).size() <= kMostLevelsOfSwitch;
+}
+
 LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& targets) {
   LoggedInputs result;
   result.series = data;
@@ -365,7 +374,7 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
       if (!input.is_stepped) input.jumps.clear();
       for (const Jump& jump : input.jumps) draw_step(column.values, jump);
     } else if (const SignalKind kind = signal_kind(column.values);
-               kind == SignalKind::steps && column.role != Role::measured) {
+               is_switched(column, kind)) {
       input.sample_s = step_s;
       input.jumps = jumps_of(data.time_s, column.values, 1, kLongestRamp_s);
       input.is_stepped = changes_in_jumps(column.values, input.jumps);

@@ -160,19 +160,41 @@ TEST(Sentence, of_many_that_cannot_be_told_apart) {
             "most likely expansion(T1_degC) (16 %).");
 }
 
+TEST(Sentence, says_first_what_was_not_used) {
+  Diagnosis found = with_verdict(Verdict::unexplained);
+  found.p_discrepancy = 0.9;
+  found.discrepancy_um = 2.5;
+  found.columns_not_searched = {{"door", "it has gaps"}};
+  found.saturated = {{"T1_degC", 0.42}};
+  found.set_aside = 8;
+  found.level_jumps = 18;
+  found.level_jump_um = 2.1;
+  EXPECT_TRUE(sentence_of(found).starts_with(
+      "door was not searched: it has gaps. T1_degC stands at the end of its range for 42 % of the rows, as a saturated "
+      "sensor does. These rows are set aside. 8 readings far from the others are set aside. z_um jumps 18 times, by "
+      "2.1 "
+      "um: corrections of the control or of the probe, no drift. About ±2.5 um of slow drift"))
+      << sentence_of(found);
+}
+
 TEST(Sentence, of_what_no_effect_explains) {
   Diagnosis found = with_verdict(Verdict::unexplained);
   found.p_discrepancy = 0.9;
   found.discrepancy_um = 2.5;
   EXPECT_EQ(sentence_of(found),
-            "About ±2.5 um of slow drift remains in z_um that no known effect explains (90 % sure). No logged column "
-            "follows it. "
-            "Log another sensor, such as the temperature of the coolant, the structure or the room.");
+            "About ±2.5 um of slow drift of z_um has no cause among these columns. Log another sensor, such as the "
+            "temperature of the coolant, the structure or the room.");
+  found.discrepancy_like = "settling";
+  found.discrepancy_parameter = "time constant";
+  found.discrepancy_time_s = 4800.0;
+  EXPECT_EQ(sentence_of(found),
+            "About ±2.5 um of slow drift of z_um has no cause among these columns (like settling, time constant 1 h 20 "
+            "min). Log another sensor, such as the temperature of the coolant, the structure or the room.");
+  found.discrepancy_like.clear();
   found.drivers = {{"T1_degC", 0.64}};
   EXPECT_EQ(sentence_of(found),
-            "About ±2.5 um of slow drift remains in z_um that no known effect explains (90 % sure). Likely driver: "
-            "T1_degC (64 "
-            "%).");
+            "About ±2.5 um of slow drift of z_um has no cause among these columns. Log another sensor, such as the "
+            "temperature of the coolant, the structure or the room. Likely driver: T1_degC (64 %).");
   found.drivers.clear();
   found.p_discrepancy = 0.1;
   found.base.rmse_um = 3.7;
