@@ -11,12 +11,16 @@
 namespace ballbar {
 namespace {
 
-constexpr double kFreedom = 4.0;         // nu of Student's t
-constexpr std::size_t kHampelReach = 3;  // rows on either side
-constexpr double kHampelOff = 6.0;       // scaled median deviations
-constexpr double kFarOff = 20.0;         // of the same factor: such a reading is set aside, about 10 sigma
-constexpr double kOutlier = 2.0;         // (r^2 + nu) / (nu + 1) of a white innovation r
-constexpr double kJumpOff = 6.0;         // usual changes
+constexpr double kFreedom = 4.0;              // nu of Student's t
+constexpr std::size_t kHampelReach = 3;       // rows on either side
+constexpr double kHampelOff = 6.0;            // scaled median deviations
+constexpr double kFarOff = 20.0;              // of the same factor: such a reading is set aside, about 10 sigma
+constexpr double kOutlier = 2.0;              // (r^2 + nu) / (nu + 1) of a white innovation r
+constexpr std::size_t kFewestForLevels = 30;  // readings
+constexpr std::size_t kRowsOfLevel = 3;       // on either side of a jump
+constexpr double kUsualShare = 0.85;          // of the steps that are no jumps
+constexpr double kSharp = 0.5;                // of a jump from one row to the next
+constexpr double kJumpOff = 6.0;              // usual changes
 constexpr std::size_t kFewestLevels = 3;
 constexpr std::size_t kMostLevels = 80;
 constexpr double kMadToSigma = 1.4826;
@@ -96,26 +100,40 @@ bool weigh_down_outliers(Problem& problem, const Variant& variant, const Point& 
 }
 
 std::vector<LevelJump> level_jumps(const Problem& problem, const Eigen::VectorXd& residual_um) {
-  Eigen::VectorXd r = residual_um;
-  const auto n = static_cast<std::size_t>(r.size());
   std::vector<std::size_t> known;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (problem.stated_variance[i] == 0.0 && problem.relative_variance[i] < 1.0 / 0.3) known.push_back(i);
+  std::vector<double> r;
+  for (std::size_t i = 0; i < problem.time_s.size(); ++i) {
+    if (problem.stated_variance[i] > 0.0) continue;
+    known.push_back(i);
+    r.push_back(residual_um[static_cast<Eigen::Index>(i)]);
   }
-  if (known.size() < 30 || !std::is_sorted(problem.time_s.begin(), problem.time_s.end())) return {};
-  Eigen::VectorXd of_known(static_cast<Eigen::Index>(known.size()));
-  for (std::size_t k = 0; k < known.size(); ++k)
-    of_known[static_cast<Eigen::Index>(k)] = r[static_cast<Eigen::Index>(known[k])];
-  std::vector<double> changes = changes_of(of_known);
-  std::vector<double> sorted = changes;
+  if (known.size() < kFewestForLevels || !std::is_sorted(problem.time_s.begin(), problem.time_s.end())) return {};
+  // The mean of a few rows less that of the rows before.
+  std::vector<double> steps(r.size(), 0.0), sizes;
+  const auto mean_from = [&](std::size_t first) {
+    return std::accumulate(r.begin() + static_cast<std::ptrdiff_t>(first),
+                           r.begin() + static_cast<std::ptrdiff_t>(first + kRowsOfLevel), 0.0) /
+           static_cast<double>(kRowsOfLevel);
+  };
+  for (std::size_t k = kRowsOfLevel; k + kRowsOfLevel <= r.size(); ++k) {
+    steps[k] = mean_from(k) - mean_from(k - kRowsOfLevel);
+    sizes.push_back(std::abs(steps[k]));
+  }
+  std::vector<double> sorted = sizes;
   std::sort(sorted.begin(), sorted.end());
-  const auto usual = static_cast<std::size_t>(0.85 * static_cast<double>(sorted.size()));
+  const auto usual = static_cast<std::size_t>(kUsualShare * static_cast<double>(sorted.size()));
   const double mean = std::accumulate(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(usual), 0.0) /
                       static_cast<double>(std::max<std::size_t>(1, usual));
+  // Of a normal distribution: the median of the sizes is 0.67 sigma, the mean of the smaller 85 % 0.55 sigma.
   const double sigma = std::max({sorted[sorted.size() / 2] / 0.67, mean / 0.55, resolution_of_readings(problem.y)});
   std::vector<LevelJump> jumps;
-  for (std::size_t k = 0; k < changes.size(); ++k) {
-    if (changes[k] > kJumpOff * sigma) jumps.push_back({known[k + 1], changes[k]});
+  for (std::size_t k = kRowsOfLevel; k + kRowsOfLevel <= r.size(); ++k) {
+    const double size = std::abs(steps[k]);
+    if (!(size > kJumpOff * sigma) || std::abs(r[k] - r[k - 1]) < kSharp * size) continue;
+    bool is_largest = true;
+    for (std::size_t j = k - kRowsOfLevel; j <= k + kRowsOfLevel && j < steps.size(); ++j)
+      is_largest = is_largest && std::abs(steps[j]) <= size;
+    if (is_largest) jumps.push_back({known[k], size});
   }
   if (jumps.size() < kFewestLevels) return {};
   std::stable_sort(jumps.begin(), jumps.end(),
