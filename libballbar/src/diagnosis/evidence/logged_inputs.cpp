@@ -373,8 +373,7 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
       input.is_stepped = changes_in_jumps(column.values, input.jumps);
       if (!input.is_stepped) input.jumps.clear();
       for (const Jump& jump : input.jumps) draw_step(column.values, jump);
-    } else if (const SignalKind kind = signal_kind(column.values);
-               is_switched(column, kind)) {
+    } else if (const SignalKind kind = signal_kind(column.values); is_switched(column, kind)) {
       input.sample_s = step_s;
       input.jumps = jumps_of(data.time_s, column.values, 1, kLongestRamp_s);
       input.is_stepped = changes_in_jumps(column.values, input.jumps);

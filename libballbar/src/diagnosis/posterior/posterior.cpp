@@ -168,6 +168,7 @@ class Average {
     const auto families = static_cast<std::ptrdiff_t>(identities().families);
     result.family.assign(p.begin(), p.begin() + families);
     result.own.assign(p.begin() + families, p.end());
+    result.kinds = searched_.covariances;
     result.variants.push_back(std::move(searched_.variant));
     const Ascent likeliest = std::move(found.front().ascent);
     for (WeightedAscent& one : found) result.points.push_back(std::move(one.point));

@@ -36,6 +36,7 @@ struct EffectSet {
 struct Posterior {
   std::vector<Point> points;      // covariances, the most likely first
   std::vector<double> weight;     // of each
+  std::vector<Covariance> kinds;  // the likeliest covariance of each kind of discrepancy, as the search found it
   std::vector<Variant> variants;  // the model at its most likely parameters, then with one held parameter free
   std::vector<SinglePosterior> effects;
   std::vector<double> family, own;  // P of each family and each held value

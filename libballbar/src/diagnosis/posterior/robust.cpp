@@ -14,6 +14,7 @@ namespace {
 constexpr double kFreedom = 4.0;              // nu of Student's t
 constexpr std::size_t kHampelReach = 3;       // rows on either side
 constexpr double kHampelOff = 6.0;            // scaled median deviations
+constexpr double kStays = 0.5;                // share of a change that the next row has as well
 constexpr double kFarOff = 20.0;              // of the same factor: such a reading is set aside, about 10 sigma
 constexpr double kOutlier = 2.0;              // (r^2 + nu) / (nu + 1) of a white innovation r
 constexpr std::size_t kFewestForLevels = 30;  // readings
@@ -80,13 +81,18 @@ Eigen::VectorXd residual_beside(const Problem& problem, const Variant& variant, 
 
 bool weigh_down_outliers(Problem& problem, const Variant& variant, const Point& point) {
   const LinearSolution solution = linear_solution(gram_of(point.filter, variant.pool), variant.line, problem.known);
-  const Eigen::VectorXd r =
-      whitened(point.filter, residual_beside(problem, variant, point)) / std::sqrt(solution.variance);
+  const Eigen::VectorXd residual = residual_beside(problem, variant, point);
+  const Eigen::VectorXd r = whitened(point.filter, residual) / std::sqrt(solution.variance);
+  // A jump after which the residual stays is no reading far from the others.
+  const auto stays = [&](Eigen::Index i) {
+    if (i == 0 || i + 1 == residual.size()) return false;
+    return (residual[i + 1] - residual[i - 1]) / (residual[i] - residual[i - 1]) > kStays;
+  };
   if (!has_heavy_tails(r)) return false;
   bool any = false;
   for (Eigen::Index i = 0; i < r.size(); ++i) {
     const double factor = (r[i] * r[i] + kFreedom) / (kFreedom + 1.0);
-    if (factor < kOutlier) continue;
+    if (factor < kOutlier || stays(i)) continue;
     const auto row = static_cast<std::size_t>(i);
     if (factor > kFarOff && problem.stated_variance[row] == 0.0) {
       problem.stated_variance[row] = kUnknownVariance;

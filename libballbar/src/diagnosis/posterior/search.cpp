@@ -30,17 +30,23 @@ class Search {
   Search(Problem& problem, std::size_t largest) : problem_(problem), largest_(largest) {}
 
   SearchResult run() {
-    start();
-    settle();
-    std::vector<Mode> modes;
-    for (int round = 0; round < kRelinearised; ++round) {
-      int step = 0;
-      while (step < kRelinearised && relinearise()) ++step;
-      bool is_better = false;
-      modes = other_modes(is_better);
-      if (!is_better) break;
+    const std::vector<double> fit = fitted_parameters(problem_);
+    note_outliers(fit);
+    std::vector<Variant> starts{variant_at(problem_, 0, fit)};
+    take_covariances(beside_any_forms(problem_, starts.front()));
+    add_starts(fit, starts);
+    std::vector<Variant> of_own;
+    for (OwnParameter& own : problem_.own) of_own.push_back(variant_with_own(own, fit, starts.front().times));
+    const std::vector<Covariance> covariances = covariances_, pilots = pilots_;
+    SearchResult best = found_from(std::move(starts));
+    // Where a held value is another one, the model has other parameters, too far for the linear model.
+    for (Variant& variant : of_own) {
+      covariances_ = covariances;
+      pilots_ = pilots;
+      SearchResult other = found_from({std::move(variant)});
+      if (other.best.log_weight > best.best.log_weight + kBetter) best = std::move(other);
     }
-    return {std::move(covariances_), std::move(*variant_), std::move(identities_), std::move(best_), std::move(modes)};
+    return best;
   }
 
  private:
@@ -95,12 +101,29 @@ class Search {
     best_ = best_at_pilots(*variant_, identities_, likeliest_set(best_.ascent));
   }
 
-  // The model about its fit by least squares, and about what noise with a memory makes of it.
-  void start() {
-    const std::vector<double> fit = fitted_parameters(problem_);
-    note_outliers(fit);
-    std::vector<Variant> starts{variant_at(problem_, 0, fit)};
-    take_covariances(beside_any_forms(problem_, starts.front()));
+  SearchResult found_from(std::vector<Variant> starts) {
+    variant_.reset();
+    open_ = {};
+    for (Variant& variant : starts) {
+      Identities identities = identities_of(problem_, variant);
+      WeightedAscent found = best_at_pilots(variant, identities, {});
+      if (variant_ && !(found.log_weight > best_.log_weight + kBetter)) continue;
+      take(std::move(variant), std::move(identities), std::move(found));
+    }
+    settle();
+    std::vector<Mode> modes;
+    for (int round = 0; round < kRelinearised; ++round) {
+      int step = 0;
+      while (step < kRelinearised && relinearise()) ++step;
+      bool is_better = false;
+      modes = other_modes(is_better);
+      if (!is_better) break;
+    }
+    return {covariances_, std::move(*variant_), std::move(identities_), std::move(best_), std::move(modes)};
+  }
+
+  // The model about what noise with a memory makes of it.
+  void add_starts(const std::vector<double>& fit, std::vector<Variant>& starts) const {
     const auto add = [&](const Point& point, std::vector<double> from, int rounds) {
       const GaussNewtonFit there = gauss_newton_fit(*problem_.base_model, std::move(from), {}, starts.front().times,
                                                     point.filter, problem_.known, {rounds});
@@ -116,13 +139,6 @@ class Search {
     }
     // A missing effect biases the fitted time constants, so that one start uses typical ones.
     add(point_at(problem_, pilots_.front()), usual, 0);
-    for (OwnParameter& own : problem_.own) starts.push_back(variant_with_own(own, fit, starts.front().times));
-    for (Variant& variant : starts) {
-      Identities identities = identities_of(problem_, variant);
-      WeightedAscent found = best_at_pilots(variant, identities, {});
-      if (variant_ && !(found.log_weight > best_.log_weight + kBetter)) continue;
-      take(std::move(variant), std::move(identities), std::move(found));
-    }
   }
 
   // The model where a held value is another one, which is remembered; of the line it is held.

@@ -107,15 +107,7 @@ GivenEffects given_effects(const Problem& problem, const Posterior& posterior,
   const Variant& variant = posterior.variants.front();
   result.identities = restricted(identities_of(problem, variant), families);
   const bool is_given = !problem.covariances.empty();
-  result.covariances = problem.covariances;
-  if (!is_given) {
-    for (const Discrepancy kind : discrepancies_of(problem)) {
-      const auto near = std::find_if(posterior.points.begin(), posterior.points.end(),
-                                     [&](const Point& one) { return discrepancy_of(one.covariance) == kind; });
-      result.covariances.push_back(near != posterior.points.end() ? near->covariance
-                                                                  : likeliest_covariance(problem, variant, kind));
-    }
-  }
+  result.covariances = is_given ? problem.covariances : posterior.kinds;
   AscentOptions options;
   options.known = problem.known;
   options.least_variance = least_variance_of(problem);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ballbar/series/runs.hpp"
+#include "diagnosis/posterior/hyperparameters.hpp"
 #include "diagnosis/posterior/variant.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "numerics/orthonormal.hpp"
@@ -75,7 +76,24 @@ SetRegression set_with_gains_by_run(const Problem& problem, const Posterior& pos
   SetRegression best;
   double most = kLogZero;
   set.point = 0;
-  for (const Point& point : posterior.points) {
+  std::vector<Point> points = posterior.points;
+  const Variant with = with_signatures(problem, posterior.variants[set.variant], set.signatures);
+  const Eigen::MatrixXd columns =
+      columns_by_run(Eigen::MatrixXd(with.pool(Eigen::all, with.line.columns)), gains, runs);
+  Variant by_run = with;
+  by_run.line = {};
+  for (std::size_t k = 0; k < with.line.is_free.size(); ++k) {
+    if (std::find(gains.begin(), gains.end(), static_cast<Eigen::Index>(k)) == gains.end())
+      by_run.line.is_free.push_back(with.line.is_free[k]);
+  }
+  by_run.line.is_free.resize(static_cast<std::size_t>(columns.cols()), 1);
+  by_run.pool.resize(columns.rows(), 1 + columns.cols());
+  by_run.pool.col(0) = with.pool.col(0);
+  by_run.pool.rightCols(columns.cols()) = columns;
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) by_run.line.columns.push_back(1 + k);
+  for (const Discrepancy kind : discrepancies_of(problem))
+    points.push_back(point_at(problem, likeliest_covariance(problem, by_run, kind)));
+  for (const Point& point : points) {
     Posterior there;
     there.points = {point};
     there.variants = posterior.variants;
