@@ -12,7 +12,8 @@ constexpr std::size_t kFewestForDiscrepancy = 30;                               
 constexpr std::array<double, 3> kSlowLengths{1.0 / 40.0, 1.0 / 12.0, 1.0 / 4.0};  // of the time
 constexpr std::array<double, 3> kSlowSizes{0.8, 2.5, 8.0};  // standard deviation, in units of the noise
 
-// The longest stretch in which time goes on.
+}  // namespace
+
 double span_of_time_s(std::span<const double> time_s) {
   double longest = 0.0, begin = time_s.empty() ? 0.0 : time_s.front();
   for (std::size_t i = 1; i < time_s.size(); ++i) {
@@ -21,8 +22,6 @@ double span_of_time_s(std::span<const double> time_s) {
   }
   return longest;
 }
-
-}  // namespace
 
 std::vector<Covariance> with_discrepancy(const Covariance& noise, std::span<const double> time_s) {
   std::vector<Covariance> grid;

@@ -86,4 +86,9 @@ SignalKind signal_kind(std::span<const double> values) {
   return is_of_two(changes, range) || is_stepwise(changes, range) ? SignalKind::steps : SignalKind::smooth;
 }
 
+bool may_drive(std::span<const double> values) {
+  const SignalKind kind = signal_kind(values);
+  return kind == SignalKind::steps || kind == SignalKind::smooth;
+}
+
 }  // namespace ballbar

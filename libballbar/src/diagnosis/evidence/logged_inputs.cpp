@@ -339,6 +339,14 @@ bool is_switched(const Column& column, SignalKind kind) {
   return std::set<double>(column.values.begin(), column.values.end()).size() <= kMostLevelsOfSwitch;
 }
 
+// Where the column is mostly constant it is stepped by these jumps.
+void draw_steps(std::vector<Jump> jumps, LoggedInput& input, std::vector<double>& values) {
+  input.is_stepped = changes_in_jumps(values, jumps);
+  if (!input.is_stepped) return;
+  for (const Jump& jump : jumps) draw_step(values, jump);
+  input.jumps = std::move(jumps);
+}
+
 LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& targets) {
   LoggedInputs result;
   result.series = data;
@@ -369,16 +377,10 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
                                    : (static_cast<double>(own) * step_s <= kLongestSample_s ? own : 1);
       const double longest_s = std::max(kLongestRamp_s, 1.5 * static_cast<double>(rows) * step_s);
       input.sample_s = static_cast<double>(rows) * step_s;
-      input.jumps = jumps_of(data.time_s, column.values, ramped > 1 ? 1 : rows, longest_s);
-      input.is_stepped = changes_in_jumps(column.values, input.jumps);
-      if (!input.is_stepped) input.jumps.clear();
-      for (const Jump& jump : input.jumps) draw_step(column.values, jump);
+      draw_steps(jumps_of(data.time_s, column.values, ramped > 1 ? 1 : rows, longest_s), input, column.values);
     } else if (const SignalKind kind = signal_kind(column.values); is_switched(column, kind)) {
       input.sample_s = step_s;
-      input.jumps = jumps_of(data.time_s, column.values, 1, kLongestRamp_s);
-      input.is_stepped = changes_in_jumps(column.values, input.jumps);
-      if (!input.is_stepped) input.jumps.clear();
-      for (const Jump& jump : input.jumps) draw_step(column.values, jump);
+      draw_steps(jumps_of(data.time_s, column.values, 1, kLongestRamp_s), input, column.values);
     } else if (is_temperature(column) || (kind == SignalKind::smooth && column.role != Role::measured)) {
       input.at_end = rows_at_end(column.values);
       const std::size_t rows = even ? held_rows(column.values) : 1;

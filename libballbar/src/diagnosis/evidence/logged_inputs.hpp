@@ -1,13 +1,12 @@
 // Reconstructs the true inputs from a log, because a logger holds, rounds and delays values.
 //
 //   stepped     speed, load, and what is held and switched (signal_kind.hpp): between two rows with different values,
-//   the input steps from the old to the new value.
-//               The step is placed in the middle of the possible interval, which is one sample of the logger: the rows
-//               over which a value is held, or the rows of a straight line between two samples
-//   continuous  temperatures, and other columns as they are: for a coarse column (few values, long runs of equal ones)
-//   the smoothest curve within the
-//               runs, by a Kalman smoother of an integrated random walk; for a held column through the first row of
-//               each run
+//               the input steps from the old to the new value. The step is placed in the middle of the possible
+//               interval, which is one sample of the logger: the rows over which a value is held, or the rows of a
+//               straight line between two samples
+//   continuous  other columns as they are, but temperatures: for a coarse one (its runs of equal values differ by one
+//               resolution) the smoothest curve within the runs, by a Kalman smoother of an integrated random walk; for
+//               a held column through the first row of each run
 #pragma once
 
 #include <cstddef>

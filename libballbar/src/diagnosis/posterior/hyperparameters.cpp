@@ -1,13 +1,14 @@
 #include "diagnosis/posterior/hyperparameters.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/evidence/evidence.hpp"
+#include "noise/discrepancy_grid.hpp"
 
 namespace ballbar {
 namespace {
@@ -36,15 +37,6 @@ struct Bounds {
     return count;
   }
 };
-
-double span_of_time_s(std::span<const double> time_s) {
-  double longest = 0.0, begin = time_s.empty() ? 0.0 : time_s.front();
-  for (std::size_t i = 1; i < time_s.size(); ++i) {
-    if (time_s[i] < time_s[i - 1]) begin = time_s[i];
-    longest = std::max(longest, time_s[i] - begin);
-  }
-  return longest;
-}
 
 Bounds bounds_of(const Problem& problem, Discrepancy kind) {
   Bounds bounds;

@@ -81,8 +81,7 @@ class Average {
       for (int round = 0; round < (is_given ? 1 : rounds); ++round) {
         WeightedAscent next = found[g];
         if (!is_given) {
-          Variant beside = searched_.variant;
-          beside.pool.col(0) -= mean_of(next.ascent, identities());
+          const Variant beside = beside_mean_of(next.ascent, identities(), searched_.variant);
           const Covariance& before = next.point.covariance;
           next.point = point_at(problem_, likeliest_covariance(problem_, beside, discrepancy_of(before), &before));
         }

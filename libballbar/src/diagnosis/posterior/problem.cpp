@@ -58,7 +58,7 @@ std::vector<double> log_priors_of_columns(const SignatureLibrary& library) {
 }
 
 // Of recordings: effects alike, columns of an effect alike.
-std::vector<double> log_priors_of(const SignatureLibrary& library) {  // those of any form are an effect as well
+std::vector<double> log_priors_of(const SignatureLibrary& library) {
   std::map<const Effect*, double> families;
   for (const Family& family : library.families) families[family.bound.effect] += 1.0;
   std::vector<double> result;

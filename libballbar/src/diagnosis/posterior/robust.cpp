@@ -34,7 +34,7 @@ std::vector<double> changes_of(const Eigen::VectorXd& values) {
   return changes;
 }
 
-// The least difference of two readings that occurs.
+// The median difference of neighbours among the values that occur.
 double resolution_of_readings(const Eigen::VectorXd& y) {
   std::vector<double> sorted(y.begin(), y.end());
   std::sort(sorted.begin(), sorted.end());
@@ -44,6 +44,17 @@ double resolution_of_readings(const Eigen::VectorXd& y) {
     if (difference > 1e-9 * (sorted.back() - sorted.front())) differences.push_back(difference);
   }
   return median_of(std::move(differences));
+}
+
+LinearSolution solution_beside(const Problem& problem, const Variant& variant, const Point& point) {
+  return linear_solution(gram_of(point.filter, variant.pool), variant.line, problem.known);
+}
+
+Eigen::VectorXd residual_of(const Variant& variant, const LinearSolution& solution) {
+  Eigen::VectorXd residual = variant.pool.col(0);
+  for (std::size_t k = 0; k < variant.line.columns.size(); ++k)
+    residual -= solution.coefficients[static_cast<Eigen::Index>(k)] * variant.pool.col(variant.line.columns[k]);
+  return residual;
 }
 
 }  // namespace
@@ -72,16 +83,12 @@ std::vector<std::size_t> far_readings(const Eigen::VectorXd& y) {
 }
 
 Eigen::VectorXd residual_beside(const Problem& problem, const Variant& variant, const Point& point) {
-  const LinearSolution solution = linear_solution(gram_of(point.filter, variant.pool), variant.line, problem.known);
-  Eigen::VectorXd residual = variant.pool.col(0);
-  for (std::size_t k = 0; k < variant.line.columns.size(); ++k)
-    residual -= solution.coefficients[static_cast<Eigen::Index>(k)] * variant.pool.col(variant.line.columns[k]);
-  return residual;
+  return residual_of(variant, solution_beside(problem, variant, point));
 }
 
 bool weigh_down_outliers(Problem& problem, const Variant& variant, const Point& point) {
-  const LinearSolution solution = linear_solution(gram_of(point.filter, variant.pool), variant.line, problem.known);
-  const Eigen::VectorXd residual = residual_beside(problem, variant, point);
+  const LinearSolution solution = solution_beside(problem, variant, point);
+  const Eigen::VectorXd residual = residual_of(variant, solution);
   const Eigen::VectorXd r = whitened(point.filter, residual) / std::sqrt(solution.variance);
   // A jump after which the residual stays is no reading far from the others.
   const auto stays = [&](Eigen::Index i) {

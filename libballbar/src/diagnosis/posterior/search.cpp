@@ -95,9 +95,7 @@ class Search {
   // The covariances beside what the best sum explains.
   void settle() {
     if (!problem_.covariances.empty()) return;
-    Variant beside = *variant_;
-    beside.pool.col(0) -= mean_of(best_.ascent, identities_);
-    take_covariances(beside);
+    take_covariances(beside_mean_of(best_.ascent, identities_, *variant_));
     best_ = best_at_pilots(*variant_, identities_, likeliest_set(best_.ascent));
   }
 
@@ -175,8 +173,7 @@ class Search {
       found[g].point = point_at(problem_, pilots_[g]);
       ColumnsAt at(problem_, identities, variant, found[g].point);
       const AscentOptions options = ascent_options(problem_, identities, largest_, Forms::no);
-      found[g].ascent = set.empty() ? best_ascent(at, problem_, identities, options, {})
-                                    : ascended_from(at, identities, options, set);
+      found[g].ascent = ascended_from(at, identities, options, set);
       found[g].log_weight = found[g].ascent.bound + pilots_[g].log_prior;
     });
     sort_by_weight(found);
@@ -192,12 +189,10 @@ class Search {
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return one.strength[a] > one.strength[b]; });
-    const std::size_t likeliest = likeliest_identity(one);
-    const bool is_form = likeliest >= problem_.effects && !identities_.is_own(likeliest);
     if (order.empty()) return order;
     const double strongest = one.strength[order.front()];
     const double far = strongest - kFarRival - kOfGrid * std::max(0.0, strongest);
-    while (order.size() > 1 && !is_form && one.strength[order.back()] < far) order.pop_back();
+    while (order.size() > 1 && one.strength[order.back()] < far) order.pop_back();
     return order;
   }
 
@@ -320,7 +315,7 @@ class Search {
     in_parallel(best_set.size(), [&](std::size_t k) {
       ColumnsAt at(problem_, identities_, *variant_, best_.point);
       const AscentOptions options = ascent_options(problem_, identities_, largest_, Forms::no, best_set[k]);
-      others[k] = best_ascent(at, problem_, identities_, options, {});
+      others[k] = ascended(at, identities_, options);
     });
     const double gained = best_.ascent.bound - bound_without_effects();
     ConditionalFit open = open_;

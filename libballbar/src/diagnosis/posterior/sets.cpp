@@ -124,26 +124,30 @@ GivenEffects given_effects(const Problem& problem, const Posterior& posterior,
   result.ascents.resize(result.covariances.size());
   result.log_weight.assign(result.covariances.size(), kLogZero);
   in_parallel(result.covariances.size(), [&](std::size_t g) {
-    const Covariance before = result.covariances[g];
+    const Covariance start = result.covariances[g];
     for (const Variant* one : variants) {
-      Covariance covariance = before;
+      Covariance covariance = start;
       Ascent ascent;
-      for (int round = 0; round < 2; ++round) {
-        if (round > 0 || families.empty()) {
-          if (is_given && round > 0) break;
-          Variant beside = *one;
-          if (!families.empty()) beside.pool.col(0) -= mean_of(ascent, result.identities);
-          if (!is_given) covariance = likeliest_covariance(problem, beside, discrepancy_of(covariance), &covariance);
-        }
+      const auto settle = [&] {
+        if (is_given) return;
+        const Variant beside = beside_mean_of(ascent, result.identities, *one);
+        covariance = likeliest_covariance(problem, beside, discrepancy_of(covariance), &covariance);
+      };
+      const auto ascend = [&] {
         const Point point = point_at(problem, covariance);
         ColumnsAt at(problem, result.identities, *one, point);
         ascent = ascended(at, result.identities, options, std::move(ascent));
         const double log_weight = ascent.bound + covariance.log_prior;
-        if (!(log_weight > result.log_weight[g])) continue;
+        if (!(log_weight > result.log_weight[g])) return;
         result.log_weight[g] = log_weight;
         result.ascents[g] = ascent;
         result.covariances[g] = covariance;
-      }
+      };
+      if (families.empty()) settle();  // the covariance was found beside effects
+      ascend();
+      if (is_given) continue;
+      settle();
+      ascend();
     }
   });
   return result;

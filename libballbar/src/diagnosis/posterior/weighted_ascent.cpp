@@ -75,7 +75,7 @@ std::vector<std::size_t> likeliest_set(const Ascent& ascent) {
   return set;
 }
 
-Eigen::VectorXd mean_of(const Ascent& ascent, const Identities& identities) {
+Variant beside_mean_of(const Ascent& ascent, const Identities& identities, Variant variant) {
   const Eigen::Index n = identities.columns.rows(), c = identities.columns.cols();
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(n), jumps = mean;
   for (const SingleEffect& one : ascent.effects) {
@@ -88,7 +88,8 @@ Eigen::VectorXd mean_of(const Ascent& ascent, const Identities& identities) {
     }
   }
   std::partial_sum(jumps.begin(), jumps.end(), jumps.begin());
-  return mean + jumps;
+  variant.pool.col(0) -= mean + jumps;
+  return variant;
 }
 
 }  // namespace ballbar

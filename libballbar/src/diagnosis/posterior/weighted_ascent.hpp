@@ -31,7 +31,7 @@ AscentOptions ascent_options(const Problem& problem, const Identities& identitie
 Ascent best_ascent(ColumnsAt& at, const Problem& problem, const Identities& identities, const AscentOptions& options,
                    const Ascent& start);
 
-// Starts the ascent with one single effect for each of these identities.
+// Starts the ascent with one single effect for each of these identities; with none, anew.
 Ascent ascended_from(ColumnsAt& at, const Identities& identities, const AscentOptions& options,
                      const std::vector<std::size_t>& set);
 
@@ -40,7 +40,7 @@ std::size_t likeliest_identity(const SingleEffect& one);
 // The identity of each single effect that is more likely present than absent.
 std::vector<std::size_t> likeliest_set(const Ascent& ascent);
 
-// What the single effects explain on average, n readings.
-Eigen::VectorXd mean_of(const Ascent& ascent, const Identities& identities);
+// The readings less what the single effects explain on average.
+Variant beside_mean_of(const Ascent& ascent, const Identities& identities, Variant variant);
 
 }  // namespace ballbar

@@ -77,6 +77,10 @@ bool is_jump(const Effect& effect) {
          effect.parameters[1].shape_of == ShapeOf::onset;
 }
 
+bool describes_drift(const Effect& effect) {
+  return effect.level == Level::series && effect.time_only && !is_jump(effect);
+}
+
 std::vector<std::size_t> shapes_of(const Family& family) {
   std::vector<std::size_t> shapes(family.count);
   std::iota(shapes.begin(), shapes.end(), family.first);
@@ -174,7 +178,7 @@ std::vector<EffectShapes> effect_shapes_of(const Catalogue& catalogue, const Mod
     if (options.motion && !applies_to(*effect, *options.motion)) continue;
     if (!data.has_clock && needs_clock(*effect)) continue;
     if (!is_resolved(*effect, options.highest_Hz)) continue;
-    if (options.causes_only && effect->level == Level::series && effect->time_only && !is_jump(*effect)) continue;
+    if (options.causes_only && describes_drift(*effect)) continue;
     if (std::find(options.without.begin(), options.without.end(), effect->name) != options.without.end()) continue;
     for (std::vector<std::string>& names : bindings_of(*effect, model, data)) {
       if (has_term(model, *effect, names) && !effect->rules.may_repeat) continue;

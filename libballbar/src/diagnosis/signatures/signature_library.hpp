@@ -49,6 +49,9 @@ struct SignatureLibrary {
 // Whether an effect of time alone is a jump: a gain, and the time from which it acts.
 bool is_jump(const Effect& effect);
 
+// Whether an effect of time alone describes a slow drift and is no cause of it: any but a jump.
+bool describes_drift(const Effect& effect);
+
 struct SignatureOptions {
   bool causes_only = false;      // of effects of time alone only jumps: others describe a slow drift, no cause of it
   std::optional<Motion> motion;  // of recordings

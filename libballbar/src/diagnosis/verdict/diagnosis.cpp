@@ -36,16 +36,13 @@ namespace {
 constexpr std::size_t kMostShown = 12;  // candidates
 constexpr double kCancelled = 1.5;      // amplitude of a member relative to that of all together
 
-// No statement about effects that are not searched: those left out, and those of time alone but a jump, which describe
-// a slow drift.
+// No statement about effects that are not searched: those left out, and those that describe a slow drift.
 std::vector<Detectability> detectability_but(const SearchOptions& options, std::vector<Detectability> detectability) {
   const auto left_out = [&](const std::string& name) {
     return std::find(options.without.begin(), options.without.end(), name) != options.without.end();
   };
-  std::erase_if(detectability, [&](const Detectability& one) {
-    const Effect& effect = *one.effect;
-    return left_out(effect.name) || (effect.level == Level::series && effect.time_only && !is_jump(effect));
-  });
+  std::erase_if(detectability,
+                [&](const Detectability& one) { return left_out(one.effect->name) || describes_drift(*one.effect); });
   for (Detectability& detectable : detectability) {
     std::erase_if(detectable.imitated_by, [&](const Likeness& likeness) { return left_out(likeness.with); });
   }
@@ -186,10 +183,8 @@ class Decision {
     for (const Column& column : problem().logged.series.columns) {
       if (column.role == Role::measured || column.name.find("_sigma_") != std::string::npos) continue;
       const auto is_it = [&](const std::string& name) { return name == column.name; };
-      const SignalKind kind = signal_kind(column.values);
       const auto reads = [&](const auto& one) { return std::any_of(one.columns.begin(), one.columns.end(), is_it); };
-      if ((kind != SignalKind::steps && kind != SignalKind::smooth) ||
-          std::any_of(model_.targets.begin(), model_.targets.end(), is_it) ||
+      if (!may_drive(column.values) || std::any_of(model_.targets.begin(), model_.targets.end(), is_it) ||
           std::any_of(model_.not_inputs.begin(), model_.not_inputs.end(), is_it) ||
           std::any_of(model_.terms.begin(), model_.terms.end(), reads) ||
           std::any_of(problem().library.families.begin(), problem().library.families.end(),
@@ -344,14 +339,14 @@ class Decision {
   void decide() {
     Diagnosis& d = result_;
     bool own_named = false, own_probable = false;
+    const bool is_clear = !(discrepancy_beside_um() > 0.0);
+    const bool all_searched = d.columns_not_searched.empty();  // else another cause may be among those
     for (const OwnValue& own : d.own) {
-      const bool is_clear = !(discrepancy_beside_um() > 0.0);
       own_named = own_named || (own.p >= kNamed && is_clear);
       own_probable = own_probable || (own.p >= kProbable && is_clear);
     }
     for (std::size_t m = 0; m < d.candidates.size(); ++m) {
       const Candidate& one = d.candidates[m];
-      const bool all_searched = d.columns_not_searched.empty();  // else another cause may be among those
       if (one.doubts.empty() && one.p >= kNamed && all_searched) {
         d.named.push_back(one.bound);
       } else if (one.doubts.empty() && one.p >= kProbable) {

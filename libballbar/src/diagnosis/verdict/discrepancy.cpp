@@ -53,9 +53,8 @@ Eigen::VectorXd discrepancy_mean(const Problem& problem, const Posterior& poster
 
 Description description_of(const Catalogue& catalogue, const Problem& problem, const Eigen::VectorXd& discrepancy_um) {
   Catalogue of_time;
-  std::copy_if(catalogue.begin(), catalogue.end(), std::back_inserter(of_time), [](const auto& effect) {
-    return effect->level == Level::series && effect->time_only && !is_jump(*effect);
-  });
+  std::copy_if(catalogue.begin(), catalogue.end(), std::back_inserter(of_time),
+               [](const auto& effect) { return describes_drift(*effect); });
   Model constant;
   constant.targets = problem.model.targets;
   const SignatureLibrary library =

@@ -27,8 +27,7 @@ std::vector<InputColumn> input_columns(const Problem& problem) {
     const std::vector<std::string>& targets = problem.model.targets;
     if (column.role == Role::measured || std::find(targets.begin(), targets.end(), column.name) != targets.end())
       continue;
-    const SignalKind kind = signal_kind(column.values);
-    if (kind != SignalKind::steps && kind != SignalKind::smooth) continue;
+    if (!may_drive(column.values)) continue;
     InputColumn one{column.name, Eigen::VectorXd(problem.y.size())};
     for (Eigen::Index i = 0; i < one.values.size(); ++i)
       one.values[i] = column.values[problem.base.row[static_cast<std::size_t>(i)]];

@@ -69,14 +69,9 @@ Eigen::MatrixXd columns_by_run(const Eigen::MatrixXd& all, const std::vector<Eig
   return x;
 }
 
-// The set at its most likely parameters with separate gains in each run, and the scatter of that fit. With a common
-// gain the differences would count as noise.
-SetRegression set_with_gains_by_run(const Problem& problem, const Posterior& posterior, EffectSet set,
-                                    const std::vector<Eigen::Index>& gains, const std::vector<RowRange>& runs) {
-  SetRegression best;
-  double most = kLogZero;
-  set.point = 0;
-  std::vector<Point> points = posterior.points;
+// The model with the set, with separate gains in each run.
+Variant variant_by_run(const Problem& problem, const Posterior& posterior, const EffectSet& set,
+                       const std::vector<Eigen::Index>& gains, const std::vector<RowRange>& runs) {
   const Variant with = with_signatures(problem, posterior.variants[set.variant], set.signatures);
   const Eigen::MatrixXd columns =
       columns_by_run(Eigen::MatrixXd(with.pool(Eigen::all, with.line.columns)), gains, runs);
@@ -91,6 +86,18 @@ SetRegression set_with_gains_by_run(const Problem& problem, const Posterior& pos
   by_run.pool.col(0) = with.pool.col(0);
   by_run.pool.rightCols(columns.cols()) = columns;
   for (Eigen::Index k = 0; k < columns.cols(); ++k) by_run.line.columns.push_back(1 + k);
+  return by_run;
+}
+
+// The set at its most likely parameters with separate gains in each run, and the scatter of that fit. With a common
+// gain the differences would count as noise.
+SetRegression set_with_gains_by_run(const Problem& problem, const Posterior& posterior, EffectSet set,
+                                    const std::vector<Eigen::Index>& gains, const std::vector<RowRange>& runs) {
+  SetRegression best;
+  double most = kLogZero;
+  set.point = 0;
+  std::vector<Point> points = posterior.points;
+  const Variant by_run = variant_by_run(problem, posterior, set, gains, runs);
   for (const Discrepancy kind : discrepancies_of(problem))
     points.push_back(point_at(problem, likeliest_covariance(problem, by_run, kind)));
   for (const Point& point : points) {

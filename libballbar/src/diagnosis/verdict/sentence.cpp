@@ -123,9 +123,10 @@ std::string open_text(const Diagnosis& d) {
                      further_text(d));
 }
 
+bool has_slow_drift(const Diagnosis& d) { return d.discrepancy_um > 0.0 && d.p_discrepancy >= kDiscrepancy; }
+
 // "About ±4.2 um of slow drift has no cause among these columns (like settling, time constant 1 h 20 min)."
 std::string slow_text(const Diagnosis& d) {
-  if (!(d.discrepancy_um > 0.0) || d.p_discrepancy < kDiscrepancy) return "";
   std::string like;
   if (!d.discrepancy_like.empty()) {
     like = fmt::format(" (like {}{})", d.discrepancy_like,
@@ -142,8 +143,9 @@ std::string slow_text(const Diagnosis& d) {
 // One sentence for each wrong held value.
 std::string own_text(const Diagnosis& d, double least) {
   std::string text;
+  if (has_slow_drift(d)) return text;
   for (const OwnValue& own : d.own) {
-    if (own.p < least || !slow_text(d).empty()) continue;
+    if (own.p < least) continue;
     text += fmt::format("{}In {}, the {} of {} is held at {:.4g}, but the data say {:.4g} ({:.4g} to {:.4g}, {}).",
                         text.empty() ? "" : " ", model_text(d), own.parameter, own.effect, own.held, own.fitted,
                         own.interval.low, own.interval.high, sure_text(own.p));
@@ -257,7 +259,7 @@ std::string not_used_text(const Diagnosis& d) {
 
 std::string unexplained_text(const Diagnosis& d) {
   const std::string drivers = likely_drivers_text(d);
-  if (std::string slow = slow_text(d); !slow.empty()) return slow + drivers + where_text(d);
+  if (has_slow_drift(d)) return slow_text(d) + drivers + where_text(d);
   if (d.level_jumps > 0) return "No effect is missing beside its jumps, as far as these data show." + where_text(d);
   if (const std::string drifts = drifts_text(d); !drifts.empty() && drivers.empty()) {
     return fmt::format("Something that depends on time alone is missing from {}: {}. No logged column follows it.{}",
@@ -307,9 +309,8 @@ std::string verdict_text(const Diagnosis& d) {
 }  // namespace
 
 std::string sentence_of(const Diagnosis& d) {
-  const bool says_slow = d.verdict == Verdict::unexplained;
-  const std::string slow = says_slow ? "" : slow_text(d);
-  return not_used_text(d) + verdict_text(d) + (slow.empty() ? "" : " " + slow);
+  const std::string text = not_used_text(d) + verdict_text(d);
+  return d.verdict != Verdict::unexplained && has_slow_drift(d) ? text + " " + slow_text(d) : text;
 }
 
 }  // namespace ballbar

@@ -22,8 +22,7 @@ bool has_no_other_effect(const Column& column) {
   constexpr std::array<std::string_view, 10> kTaken{"degC", "K", "rpm", "W", "A", "Nm", "percent", "um", "mm", "urad"};
   if (column.role == Role::measured) return false;
   if (std::find(kTaken.begin(), kTaken.end(), unit_of(column.name)) != kTaken.end()) return false;
-  const SignalKind kind = signal_kind(column.values);
-  return kind == SignalKind::steps || kind == SignalKind::smooth;
+  return may_drive(column.values);
 }
 
 }  // namespace

@@ -2,11 +2,11 @@
 //
 // A smaller error does not prove a cause: if the noise is correlated, a random smooth signal lowers the error too. The
 // missing part is therefore modelled as a sum of single effects. Each of them is nothing, one effect of the catalogue,
-// an input in any form, or a wrong held value of the model. To these come correlated noise, a slow discrepancy and a
-// small contribution of every input. Gains, shapes and noise are integrated out; inputs may be delayed and rounded, as
+// an input in any form, or a wrong held value of the model. To these come correlated noise and a slow
+// discrepancy. Gains and shapes are integrated out, the noise is the likeliest; inputs may be delayed and rounded, as
 // loggers do (src/diagnosis/README.md). An effect is named if P >= 0.9 and none of these doubts holds: its gain differs
-// from cycle to cycle; it does not improve the prediction of left-out cycles; it depends on time alone; it hardly
-// raises the likelihood of the readings. A doubt affects its own effect only.
+// from cycle to cycle; it does not improve the prediction of left-out cycles; a larger discrepancy is beside it; it
+// hardly raises the likelihood of the readings. A doubt affects its own effect only.
 //
 // P is the probability within the catalogue (tests/study/verdicts).
 //
