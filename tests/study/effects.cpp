@@ -32,7 +32,7 @@ struct Case {
 
 std::string column_name(const Effect& effect, const Input& input) {
   if (effect.level == Level::recording) return std::string(trace_column(input.role));
-  return input.role + "_" + input.units.front();
+  return input.units.empty() ? input.role : input.role + "_" + input.units.front();
 }
 
 Case case_of(const Effect& effect) {

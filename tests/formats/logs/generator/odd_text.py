@@ -5,7 +5,7 @@ from datetime import datetime
 import clock
 import table
 from delimited import delimited
-from record import Record
+from record import Record, Signal
 
 FAMILY = "odd_text"
 START = datetime(2026, 11, 25, 15, 20, 0)
@@ -77,8 +77,8 @@ def logs():
     yield odd("odd_13_blanks_and_commas", ["T_room", "Z"], separator=" ", decimal=",", ending=".txt", style="underscore",
               time=lambda r: clock.counted(r, 1, 1, "t_s", ","), edit=lambda rows: rows[0].__setitem__(slice(1, 3), ["T_room_°C", "Z_µm"]))
     yield in_cells()
-    yield odd("odd_15_on_and_off", ["speed", "T_room"], behind=[("Coolant pump", ["ON" if i > 9 else "OFF" for i in range(64)])])
-    yield odd("odd_16_true_and_false", ["speed", "T_room"], behind=[("door_closed", ["True" if i % 9 else "False" for i in range(64)])])
+    yield switched("odd_15_on_and_off", "Coolant pump", ("OFF", "ON"), lambda row: row > 9)
+    yield switched("odd_16_true_and_false", "door_closed", ("False", "True"), lambda row: row % 9 > 0)
     yield nameless()
     yield odd("odd_18_minus_sign", ["X1", "Y1", "Z"], show=every_cell(lambda t: t.replace("-", "\u2212")))
     yield odd("odd_19_bare_points", ["X1", "Y1", "T_room"], show=every_cell(bare_point))
@@ -95,6 +95,14 @@ def in_cells():
     show = {i: [f"{t} {s.text}" for t in table.cells(s)] for i, s in enumerate(signals)}
     return delimited("odd_14_units_in_cells.csv", FAMILY, clock.absolute(r, "iso"), signals, style="none", show=show,
                      extra={"may_refuse": True})
+
+
+def switched(name, head, words, is_on):
+    """A switch in words, behind a speed and a temperature: 0 and 1."""
+    r = Record(name, 64, 10 * US, START)
+    states = [int(is_on(row)) for row in range(64)]
+    signals = r.signals(["speed", "T_room"]) + [Signal(head, "", states, 0)]
+    return delimited(name + ".csv", FAMILY, clock.absolute(r, "iso"), signals, show={2: [words[state] for state in states]})
 
 
 def nameless():
