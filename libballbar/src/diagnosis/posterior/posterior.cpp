@@ -109,6 +109,16 @@ class Average {
     std::erase_if(found, [&](const WeightedAscent& one) { return one.log_weight < far; });
   }
 
+  // The modes of the search; and its best sum, where another one has proved likelier since.
+  std::vector<Mode> modes_beside(const std::vector<std::size_t>& best_set) const {
+    std::vector<Mode> modes = searched_.modes;
+    const std::vector<std::size_t> searched = likeliest_set(searched_.best.ascent);
+    for (const std::size_t i : best_set) {
+      if (std::find(searched.begin(), searched.end(), i) == searched.end()) modes.push_back({i, searched});
+    }
+    return modes;
+  }
+
   // Coordinate ascent finds one mode. Other modes have weight too: an identity that is certain in this mode may be
   // absent in another one.
   void add_modes(std::vector<WeightedAscent>& found) {
@@ -117,7 +127,8 @@ class Average {
         std::count_if(found.begin(), found.end(), [&](const WeightedAscent& one) { return one.log_weight >= near; }));
     const double represented = log_weight_of(found, found.size()) - log_weight_of(found, count);
     const std::vector<SingleEffect> best = found.front().ascent.effects;
-    for (const Mode& mode : searched_.modes) {
+    const std::vector<std::size_t> best_set = likeliest_set(found.front().ascent);
+    for (const Mode& mode : modes_beside(best_set)) {
       const auto is_it = [&](const SingleEffect& one) { return one.p[mode.without] >= kAlone; };
       if (std::none_of(best.begin(), best.end(), is_it)) continue;
       const std::size_t first = found.size();
@@ -171,7 +182,8 @@ class Average {
     result.variants.push_back(std::move(searched_.variant));
     const Ascent likeliest = std::move(found.front().ascent);
     for (WeightedAscent& one : found) result.points.push_back(std::move(one.point));
-    add_sets(problem_, identities(), likeliest, result);
+    result.identities = std::move(searched_.identities);
+    add_sets(problem_, result.identities, likeliest, result);
     return result;
   }
 

@@ -7,6 +7,8 @@
 #include "ballbar/numerics/order_statistic.hpp"
 #include "diagnosis/evidence/evidence.hpp"
 #include "diagnosis/thresholds.hpp"
+#include "noise/whitening.hpp"
+#include "numerics/orthonormal.hpp"
 
 namespace ballbar {
 namespace {
@@ -14,7 +16,7 @@ namespace {
 constexpr double kFreedom = 4.0;              // nu of Student's t
 constexpr std::size_t kHampelReach = 3;       // rows on either side
 constexpr double kHampelOff = 6.0;            // scaled median deviations
-constexpr double kStays = 0.5;                // share of a change that the next row has as well
+constexpr double kStays = 4.4;                // chi^2: so much more falls by a jump that stays
 constexpr double kFarOff = 20.0;              // of the same factor: such a reading is set aside, about 10 sigma
 constexpr double kOutlier = 2.0;              // (r^2 + nu) / (nu + 1) of a white innovation r
 constexpr std::size_t kFewestForLevels = 30;  // readings
@@ -57,6 +59,36 @@ Eigen::VectorXd residual_of(const Variant& variant, const LinearSolution& soluti
   return residual;
 }
 
+// Which of these rows begin a jump that stays, not a large change of the noise that is forgotten within its memory, nor
+// a single reading: the jump explains more.
+std::vector<bool> stay(const Problem& problem, const Variant& variant, const Point& point,
+                       const std::vector<Eigen::Index>& rows, double variance) {
+  std::vector<bool> result(rows.size(), false);
+  const std::vector<double>& time_s = problem.time_s;
+  if (rows.empty() || !std::is_sorted(time_s.begin(), time_s.end())) return result;
+  const Covariance& covariance = point.covariance;
+  const Eigen::MatrixXd white = whitened(point.filter, variant.pool);
+  const Eigen::MatrixXd basis = orthonormal(white(Eigen::all, variant.line.columns));
+  const Eigen::VectorXd left = orthogonal_part(Eigen::VectorXd(white.col(0)), basis);
+  const auto n = static_cast<Eigen::Index>(time_s.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, 3);  // a jump, a change that is forgotten, a reading
+    columns(rows[k], 2) = 1.0;
+    for (Eigen::Index i = rows[k]; i < n; ++i) {
+      const double since_s = time_s[static_cast<std::size_t>(i)] - time_s[static_cast<std::size_t>(rows[k])];
+      columns(i, 0) = 1.0;
+      if (covariance.correlated > 0.0) columns(i, 1) = std::exp(-since_s / covariance.time_s);
+    }
+    const Eigen::MatrixXd own = orthogonal_part(Eigen::MatrixXd(whitened(point.filter, columns)), basis);
+    const auto fall = [&](Eigen::Index column) {
+      const double square = own.col(column).squaredNorm();
+      return square > 1e-9 ? std::pow(own.col(column).dot(left), 2) / square / variance : 0.0;
+    };
+    result[k] = fall(0) > std::max(fall(1), fall(2)) + kStays;
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::size_t> far_readings(const Eigen::VectorXd& y) {
@@ -88,19 +120,19 @@ Eigen::VectorXd residual_beside(const Problem& problem, const Variant& variant, 
 
 bool weigh_down_outliers(Problem& problem, const Variant& variant, const Point& point) {
   const LinearSolution solution = solution_beside(problem, variant, point);
-  const Eigen::VectorXd residual = residual_of(variant, solution);
-  const Eigen::VectorXd r = whitened(point.filter, residual) / std::sqrt(solution.variance);
-  // A jump after which the residual stays is no reading far from the others.
-  const auto stays = [&](Eigen::Index i) {
-    if (i == 0 || i + 1 == residual.size()) return false;
-    return (residual[i + 1] - residual[i - 1]) / (residual[i] - residual[i - 1]) > kStays;
-  };
+  const Eigen::VectorXd r = whitened(point.filter, residual_of(variant, solution)) / std::sqrt(solution.variance);
   if (!has_heavy_tails(r)) return false;
-  bool any = false;
+  const auto factor_of = [&](Eigen::Index i) { return (r[i] * r[i] + kFreedom) / (kFreedom + 1.0); };
+  std::vector<Eigen::Index> off;
   for (Eigen::Index i = 0; i < r.size(); ++i) {
-    const double factor = (r[i] * r[i] + kFreedom) / (kFreedom + 1.0);
-    if (factor < kOutlier || stays(i)) continue;
-    const auto row = static_cast<std::size_t>(i);
+    if (factor_of(i) >= kOutlier) off.push_back(i);
+  }
+  const std::vector<bool> stays = stay(problem, variant, point, off, solution.variance);
+  bool any = false;
+  for (std::size_t k = 0; k < off.size(); ++k) {
+    if (stays[k]) continue;
+    const auto row = static_cast<std::size_t>(off[k]);
+    const double factor = factor_of(off[k]);
     if (factor > kFarOff && problem.stated_variance[row] == 0.0) {
       problem.stated_variance[row] = kUnknownVariance;
       ++problem.far_readings;

@@ -105,7 +105,7 @@ GivenEffects given_effects(const Problem& problem, const Posterior& posterior,
                            const std::vector<std::size_t>& families) {
   GivenEffects result;
   const Variant& variant = posterior.variants.front();
-  result.identities = restricted(identities_of(problem, variant), families);
+  result.identities = restricted(posterior.identities, families);
   const bool is_given = !problem.covariances.empty();
   result.covariances = is_given ? problem.covariances : posterior.kinds;
   AscentOptions options;
