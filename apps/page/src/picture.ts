@@ -141,6 +141,7 @@ export interface First {
 }
 
 export interface Conclusion {
+  before?: readonly Sentence[]; // above it, in smaller letters: what it does not rest on
   verdict: Sentence;
   also?: Sentence; // below it, in smaller letters
   concluded?: string; // the program's own sentence, where the verdict says it in the page's words

@@ -10,7 +10,7 @@ import type { Checked, Diagnosed, Num, Report } from "../report";
 import { plain } from "../drawing/text";
 import { plain_name } from "../machine_errors/error_names";
 import { shown } from "../drawing/theme";
-import { verdict_of } from "./verdict";
+import { said_of, verdict_of } from "./verdict";
 import { waterfall } from "./waterfall";
 import { with_without_picture } from "./with_without";
 import { english, english_after, named, type Sentence, t } from "../texts/texts";
@@ -22,9 +22,11 @@ const predicted_text = ({ predicted, predicted_by }: Diagnosed): Sentence[] => {
     return [model_um === null ? t.diagnosis_predicted_by(said) : t.diagnosis_predicted_by_and_model({ ...said, model: shown(model_um, 2) })];
   }
   if (!predicted) return [];
-  const errors = { expected: shown(predicted.expected_um, 2), today: shown(predicted.today_um, 2) };
-  if (predicted.better) return [t.diagnosis_predicted(errors)];
-  return [t.diagnosis_not_predicted({ ...errors, constant: shown(predicted.constant_um, 2) })];
+  const { expected_um, today_um, constant_um, better } = predicted;
+  const errors = { expected: shown(expected_um, 2), today: shown(today_um, 2), constant: shown(constant_um, 2) };
+  if (better) return [t.diagnosis_predicted(errors)];
+  const hardly = (expected_um ?? Infinity) < Math.min(today_um ?? Infinity, constant_um ?? Infinity);
+  return [hardly ? t.diagnosis_hardly_predicted(errors) : t.diagnosis_not_predicted(errors)];
 };
 
 const sentences_of = (found: Diagnosed, checked: Checked | undefined): Sentence[] => {
@@ -171,7 +173,7 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
       picture: with_without,
       kind: t.model_target,
       label: plain(found.target, 60),
-      conclusion: () => ({ verdict: verdict_of(found, checked), concluded: found.sentence, next: next_of(report, found) }),
+      conclusion: () => ({ ...said_of(found, checked), concluded: found.sentence, next: next_of(report, found) }),
     },
     pictures: [
       ...(checked

@@ -74,7 +74,10 @@ const rows_of = (found: Diagnosed): { what: string; p: Num }[] => [
   ...found.effects
     .filter(({ p }, k) => k < kEffects && (p ?? 0) >= kLeast)
     .map(({ label, p }) => ({ what: t.diagnosis_is_missing({ effect: typed_name(label, 90) }), p })),
-  ...found.drivers.map(({ column, p }) => ({ what: t.diagnosis_drives({ column: plain(column, 60) }), p })),
+  ...found.drivers.map(({ column, p, is_clear }) => {
+    const said = { column: plain(column, 60) };
+    return { what: is_clear ? t.diagnosis_drives(said) : t.diagnosis_may_drive(said), p };
+  }),
   ...found.own.map((own) => ({ what: own_text(own), p: own.p })),
   {
     what: t.diagnosis_slow({ size: (found.discrepancy_um ?? 0) > 0 ? three_digits(found.discrepancy_um) : "" }),

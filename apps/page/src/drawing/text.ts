@@ -72,7 +72,7 @@ export const slug = (text: string): string =>
 export const capital = (text: string): string => text.slice(0, 1).toUpperCase() + text.slice(1);
 
 // Up to the first full stop that another sentence follows; numbers and names go on after theirs.
-export const first_sentence = (text: string): string => /^.*?[.!?](?=\s+\p{Lu})/su.exec(text)?.[0] ?? text;
+export const first_sentence = (text: string): string => /^.*?(?:[.!?](?=\s+\p{Lu})|。(?=.))/su.exec(text)?.[0] ?? text;
 
 // Labels that differ: the second of a name is "name (2)".
 export const labels_once = (labels: readonly string[]): string[] =>

@@ -123,7 +123,7 @@ const named_columns = ({ diagnose }: Report): Set<string> =>
   new Set(
     (diagnose?.targets ?? []).flatMap((found) => {
       if (found.not_diagnosed !== undefined) return [];
-      const driver = found.verdict === "driver" ? found.drivers.slice(0, 1).map(({ column }) => column) : [];
+      const driver = found.verdict === "driver" ? found.drivers.filter(({ is_clear }) => is_clear).slice(0, 1).map(({ column }) => column) : [];
       return [...[...found.named, ...found.probable].flatMap(({ columns }) => Object.values(columns)), ...driver];
     }),
   );

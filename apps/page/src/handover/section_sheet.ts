@@ -6,7 +6,7 @@ import { initial_state, svg_file } from "../figure/still";
 import { micrometres, plain } from "../drawing/text";
 import type { Section, State, TextTable } from "../picture";
 import type { Report } from "../report";
-import { sentence_text, t } from "../texts/texts";
+import { type Sentence, sentence_text, t } from "../texts/texts";
 
 const kFoot_px = 110;
 const kMost_rows = 16; // of a table
@@ -32,7 +32,7 @@ export const section_sheet = (report: Report, section: Section, now: State | und
   const width_px = round ? kRound_px : kDrawn_px;
   const height_px = round ? kRound_px : Math.round(Math.min(0.62 * kDrawn_px, picture.height_px + 60));
   const state = now ?? initial_state(picture, false, width_px);
-  const { verdict, also = "" } = first.conclusion(state.chosen);
+  const { before = [], verdict, also = "" } = first.conclusion(state.chosen);
 
   let drawn = text_at(kLeft, 34, plain(section.heading, 80), { size_px: 10, fill: "#444" });
   drawn += text_at(kLeft, 55, plain(report.title, 56), { size_px: 17, bold: true }) + line_at(kLeft, 64, kRight, "#000");
@@ -48,7 +48,9 @@ export const section_sheet = (report: Report, section: Section, now: State | und
     y = block.below + 1;
   }
   y += 10;
-  for (const [text, bold] of [[verdict, true], [also, false]] as const) {
+  const further = sentence_text(verdict).includes(sentence_text(also)) ? "" : also;
+  const said: [Sentence, boolean][] = [...before.map((one): [Sentence, boolean] => [one, false]), [verdict, true], [further, false]];
+  for (const [text, bold] of said) {
     const block = paragraph_at(kLeft, y, kAcross, micrometres(sentence_text(text)), 5, { size_px: 11.5, bold });
     drawn += block.svg;
     y = block.below + (block.svg === "" ? 0 : 4);

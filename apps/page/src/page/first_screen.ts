@@ -6,7 +6,7 @@ import { folded } from "./folded";
 import type { First, Next, Section } from "../picture";
 import type { Shared } from "./shared";
 import { clamped, first_sentence } from "../drawing/text";
-import { english, language, type Sentence, sentence_text, t } from "../texts/texts";
+import { english, language, type Sentence, sentence_text, t, together } from "../texts/texts";
 
 export interface Proved {
   first: First;
@@ -19,10 +19,11 @@ export interface Proved {
 const said_of = (text: string, sections: readonly Section[]): Sentence => {
   if (language === "en") return english(text);
   for (const { first } of sections) {
-    const { verdict, concluded = "" } = first?.conclusion({}) ?? { verdict: "" };
+    const { before = [], verdict, concluded = "" } = first?.conclusion({}) ?? { verdict: "" };
     if (concluded === "" || typeof verdict !== "string") continue;
-    if (text === concluded) return verdict;
-    if (text.endsWith(`: ${concluded}`)) return text.slice(0, -concluded.length) + verdict;
+    const said = together([...before.map(sentence_text), verdict]);
+    if (text === concluded) return said;
+    if (text.endsWith(`: ${concluded}`)) return text.slice(0, -concluded.length) + said;
   }
   return english(text);
 };
@@ -44,13 +45,20 @@ const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: 
     const now = first.conclusion(chosen);
     const text = sentence_text(now.verdict);
     const sentence = first_sentence(text);
+    const before = now.before ?? [];
     const also = sentence_text(now.also ?? "");
-    if (text + also !== shown) {
+    const all = [...before.map(sentence_text), text, also].join("\n");
+    if (all !== shown) {
+      const above = before.map((one) => {
+        const paragraph = text_in("p", one);
+        paragraph.className = "before";
+        return paragraph;
+      });
       const below = text_in("p", typeof now.also === "object" ? english(first_sentence(also)) : first_sentence(also));
       below.className = "also";
-      verdict.replaceChildren(text_in("p", typeof now.verdict === "string" ? sentence : english(sentence)), ...(also === "" ? [] : [below]));
+      verdict.replaceChildren(...above, text_in("p", typeof now.verdict === "string" ? sentence : english(sentence)), ...(also === "" ? [] : [below]));
     }
-    shown = text + also;
+    shown = all;
     concluded = now.concluded ?? text;
     next.show(now.next);
   });

@@ -462,11 +462,13 @@ export const de: Texts = {
   diagnosis_predicted:
     ({ expected, today }: { expected: string; today: string }) => `Vorhersagen lässt es sich dennoch: Auf neuen Zeilen beträgt der RMSE einer Regression auf alle Effekte ${expected} µm, der des Modells ${today} µm.`,
   diagnosis_not_predicted:
-    ({ expected, today, constant }: { expected: string; today: string; constant: string }) => `Eine Regression auf alle Effekte ist nicht besser: Auf neuen Zeilen beträgt ihr RMSE ${expected} µm, der des Modells ${today} µm, der einer Konstanten ${constant} µm.`,
+    ({ expected, today, constant }: { expected: string; today: string; constant: string }) => `Eine Regression auf alle Effekte sagt es nicht vorher: Auf neuen Zeilen beträgt ihr RMSE ${expected} µm, der des Modells ${today} µm, der einer Konstanten ${constant} µm.`,
+  diagnosis_hardly_predicted:
+    ({ expected, today, constant }: { expected: string; today: string; constant: string }) => `Eine Regression auf alle Effekte sagt es kaum vorher: Auf neuen Zeilen beträgt ihr RMSE ${expected} µm, der des Modells ${today} µm, der einer Konstanten ${constant} µm.`,
   diagnosis_predicted_by:
-    ({ by, left_out }: { by: string; left_out: string }) => `Ausgelassene Zyklen sagt ${by} auf ${left_out} µm RMSE genau voraus.`,
+    ({ by, left_out }: { by: string; left_out: string }) => `Mit ${by} lassen sich ausgelassene Zyklen auf ${left_out} µm RMSE genau vorhersagen.`,
   diagnosis_predicted_by_and_model:
-    ({ by, left_out, model }: { by: string; left_out: string; model: string }) => `Ausgelassene Zyklen sagt ${by} auf ${left_out} µm RMSE genau voraus, das Modell auf ${model} µm.`,
+    ({ by, left_out, model }: { by: string; left_out: string; model: string }) => `Mit ${by} lassen sich ausgelassene Zyklen auf ${left_out} µm RMSE genau vorhersagen, mit dem Modell auf ${model} µm.`,
   diagnosis_to_decide: "Zur Entscheidung:",
   diagnosis_untestable: "Hier nicht prüfbar",
   diagnosis_not_searched: "Nicht durchsucht",
@@ -539,6 +541,7 @@ export const de: Texts = {
   diagnosis_posterior_title: "P für jedes, von 0 bis 1. Mehrere können zugleich wahr sein.",
   diagnosis_what: "was",
   diagnosis_is_missing: ({ effect }) => `${effect} fehlt`,
+  diagnosis_may_drive: ({ column }) => `${column} treibt den fehlenden Teil, in beliebiger Form; eine andere Ursache ist möglich`,
   diagnosis_drives: ({ column }) => `${column} treibt den fehlenden Teil, in beliebiger Form`,
   diagnosis_own:
     ({ parameter, effect, held, range }) => `${parameter} von ${effect} ist nicht ${held}; es wäre ${range}`,
@@ -614,11 +617,27 @@ export const de: Texts = {
   diagnosis_says_effect: ({ effect, size, p }) => `${effect}${size === "" ? "" : `, ${size} µm`} (${p})`,
   diagnosis_says_own: ({ own, p }) => `Im Modell: ${own} (${p}).`,
   diagnosis_says_driver:
-    ({ target, column, p }) => `${column} treibt einen Teil, den das Modell von ${target} nicht erklärt (${p}). Die Form ist offen.`,
+    ({ target, columns, size, p, form }) => `Auf ${columns} ${size === "" ? "geht ein Teil zurück, den" : `gehen etwa ${size} µm zurück, die`} das Modell von ${target} nicht erklärt (${p}). Die Form ist offen${form === "" ? "" : `: am ehesten ${form}`}.`,
   diagnosis_says_equivalent:
     ({ target, effects, p }) => `Dem Modell von ${target} fehlt etwas (${p}). Die Daten entscheiden nicht, welcher dieser Effekte es ist: ${effects}.`,
+  diagnosis_says_group: ({ effect, others }) => `${effect}${others === 0 ? "" : others === 1 ? " oder ein weiterer" : ` oder einer von ${others} weiteren`}`,
+  diagnosis_says_open: ({ group }) => `Ein weiterer Effekt ist offen: am ehesten ${group}.`,
   diagnosis_says_unexplained:
-    ({ target, size, p }) => `Dem Modell von ${target} fehlt etwas, das kein bekannter Effekt erklärt${size === "" ? "" : `: ±${size} µm langsame Drift`} (${p}).`,
+    ({ target, p, rmse }) => `Dem Modell von ${target} fehlt wahrscheinlich noch etwas (${p}). Der Restfehler beträgt ${rmse} µm RMS.`,
+  diagnosis_says_of_time: ({ target, effects }) => `Dem Modell von ${target} fehlt etwas, das nur von der Zeit abhängt: ${effects}. Keine aufgezeichnete Spalte folgt ihm.`,
+  diagnosis_says_jumps_alone: "Außer den Sprüngen fehlt kein Effekt, soweit diese Daten es zeigen.",
+  diagnosis_says_not_proven: ({ effect }) => `Der beste Kandidat, ${effect}, ist nicht belegt.`,
+  diagnosis_says_likely: ({ columns }) => `Wahrscheinlich getrieben von ${columns}.`,
+  diagnosis_says_slow: ({ target, size, like }) => `Für etwa ±${size} µm langsame Drift von ${target}${like} findet sich unter diesen Spalten keine Ursache.`,
+  diagnosis_says_like: ({ effect, time }) => `, ähnlich wie ${effect}${time},`,
+  diagnosis_says_log_more: "Einen weiteren Sensor aufzeichnen, etwa die Temperatur des Kühlmittels, der Maschinenstruktur oder des Raums.",
+  diagnosis_says_column_not_searched: ({ column, why }) => `${column} wurde nicht berücksichtigt: ${why}.`,
+  diagnosis_says_saturated:
+    ({ column, percent }) => `${column} steht bei ${percent} der Zeilen am Ende des Messbereichs, wie bei einem Sensor in Sättigung. Diese Zeilen bleiben außer Betracht.`,
+  diagnosis_says_set_aside: ({ n }) => n === 1 ? "Ein Messwert weit ab von den übrigen bleibt außer Betracht." : `${n} Messwerte weit ab von den übrigen bleiben außer Betracht.`,
+  diagnosis_says_jumps:
+    ({ target, n, size }) => `${target} springt ${n}-mal, um ${size} µm: Korrekturen der Steuerung oder des Tasters, keine Drift.`,
+  diagnosis_says_hidden: ({ size }) => `Bis zu ${size} µm eines Effekts könnten noch verborgen sein.`,
   diagnosis_says_untestable: "Diese Daten hätten einen fehlenden Effekt nicht zeigen können.",
   diagnosis_says_nothing: ({ target, p }) => `Dem Modell von ${target} fehlt nichts Weiteres, was diese Daten zeigen könnten (${p}).`,
 
@@ -880,6 +899,7 @@ export const de: Texts = {
     cooling_asymmetry: "ungleiche Erwärmung und Abkühlung",
     viscosity_feedback: "Rückwirkung der Viskosität",
     load_heating: "Wärme der Last",
+    follows: "Mitgehen mit einer Spalte",
     gradient_bending: "Biegung durch Temperaturgefälle",
     bearing_rings: "ungleiches Wachstum der Lagerringe",
     bearing_clearance: "Lagerluft",
@@ -1251,6 +1271,7 @@ export const de: Texts = {
     temperature: "eine Temperatur",
     speed: "die Drehzahl",
     load: "eine Last",
+    input: "eine Spalte",
     hot: "die wärmere Seite",
     cold: "die kältere Seite",
     inner: "den Innenring",
@@ -1266,6 +1287,7 @@ export const de: Texts = {
     cooling_asymmetry: "Reibung Wärme Asymmetrie",
     viscosity_feedback: "Reibung Wärme Schmierung Viskosität Öl Fett",
     load_heating: "Wärme Motor Leistung Strom Moment",
+    follows: "Schalter Ventil Tür Druck Durchfluss Sensor",
     gradient_bending: "Wärme Wand Gradient",
     bearing_rings: "Wärme Lager",
     bearing_clearance: "Lager Spiel",

@@ -454,7 +454,9 @@ export const en = {
   diagnosis_predicted:
     ({ expected, today }: { expected: string; today: string }) => `It can still be predicted: on new rows the RMSE of a regression on all effects is ${expected} µm, that of the model ${today} µm.`,
   diagnosis_not_predicted:
-    ({ expected, today, constant }: { expected: string; today: string; constant: string }) => `A regression on all effects is no better: on new rows its RMSE is ${expected} µm, that of the model ${today} µm, that of a constant ${constant} µm.`,
+    ({ expected, today, constant }: { expected: string; today: string; constant: string }) => `A regression on all effects does not predict it: on new rows its RMSE is ${expected} µm, that of the model ${today} µm, that of a constant ${constant} µm.`,
+  diagnosis_hardly_predicted:
+    ({ expected, today, constant }: { expected: string; today: string; constant: string }) => `A regression on all effects hardly predicts it: on new rows its RMSE is ${expected} µm, that of the model ${today} µm, that of a constant ${constant} µm.`,
   diagnosis_predicted_by:
     ({ by, left_out }: { by: string; left_out: string }) => `Left-out cycles are predicted to ${left_out} µm RMSE by ${by}.`,
   diagnosis_predicted_by_and_model:
@@ -531,6 +533,7 @@ export const en = {
   diagnosis_what: "what",
   diagnosis_is_missing: ({ effect }: { effect: string }) => `${effect} is missing`,
   diagnosis_drives: ({ column }: { column: string }) => `${column} drives the missing part, in any form`,
+  diagnosis_may_drive: ({ column }: { column: string }) => `${column} drives the missing part, in any form; another cause is possible`,
   diagnosis_own:
     ({ parameter, effect, held, range }: { parameter: string; effect: string; held: string; range: string }) => `the ${parameter} of ${effect} is not ${held}; it would be ${range}`,
   diagnosis_slow:
@@ -604,11 +607,27 @@ export const en = {
     ({ effect, size, p }: { effect: string; size: string; p: string }) => `${effect}${size === "" ? "" : `, ${size} µm`} (${p})`,
   diagnosis_says_own: ({ own, p }: { own: string; p: string }) => `In the model, ${own} (${p}).`,
   diagnosis_says_driver:
-    ({ target, column, p }: { target: string; column: string; p: string }) => `${column} drives a part that the model of ${target} does not explain (${p}). Its form is open.`,
+    ({ target, columns, size, p, form }: { target: string; columns: string; size: string; p: string; form: string }) => `Driven by ${columns}: ${size === "" ? "a part" : `about ${size} µm`} that the model of ${target} does not explain (${p}). The form is open${form === "" ? "" : `: most likely ${form}`}.`,
   diagnosis_says_equivalent:
     ({ target, effects, p }: { target: string; effects: string; p: string }) => `Something is missing from the model of ${target} (${p}). The data do not tell which of these effects it is: ${effects}.`,
+  diagnosis_says_group: ({ effect, others }: { effect: string; others: number }) => `${effect}${others === 0 ? "" : others === 1 ? " or one more" : ` or one of ${others} more`}`,
+  diagnosis_says_open: ({ group }: { group: string }) => `A further effect is open: most likely ${group}.`,
   diagnosis_says_unexplained:
-    ({ target, size, p }: { target: string; size: string; p: string }) => `Something is missing from the model of ${target} that no known effect explains${size === "" ? "" : `: ±${size} µm of slow drift`} (${p}).`,
+    ({ target, p, rmse }: { target: string; p: string; rmse: string }) => `Something is probably still missing from the model of ${target} (${p}). The remaining error is ${rmse} µm RMS.`,
+  diagnosis_says_of_time: ({ target, effects }: { target: string; effects: string }) => `Something that depends on time alone is missing from the model of ${target}: ${effects}. No logged column follows it.`,
+  diagnosis_says_jumps_alone: "No effect is missing beside its jumps, as far as these data show.",
+  diagnosis_says_not_proven: ({ effect }: { effect: string }) => `The best candidate, ${effect}, is not proven.`,
+  diagnosis_says_likely: ({ columns }: { columns: string }) => `Probably driven by ${columns}.`,
+  diagnosis_says_slow: ({ target, size, like }: { target: string; size: string; like: string }) => `About ±${size} µm of slow drift of ${target} has no cause among these columns${like}.`,
+  diagnosis_says_like: ({ effect, time }: { effect: string; time: string }) => ` (like ${effect}${time})`,
+  diagnosis_says_log_more: "Log another sensor, such as the temperature of the coolant, the structure or the room.",
+  diagnosis_says_column_not_searched: ({ column, why }: { column: string; why: string }) => `${column} was not searched: ${why}.`,
+  diagnosis_says_saturated:
+    ({ column, percent }: { column: string; percent: string }) => `${column} stands at the end of its range for ${percent} of the rows, as a saturated sensor does. These rows are set aside.`,
+  diagnosis_says_set_aside: ({ n }: { n: number }) => n === 1 ? "One reading far from the others is set aside." : `${n} readings far from the others are set aside.`,
+  diagnosis_says_jumps:
+    ({ target, n, size }: { target: string; n: number; size: string }) => `${target} jumps ${n} times, by ${size} µm: corrections of the control or of the probe, no drift.`,
+  diagnosis_says_hidden: ({ size }: { size: string }) => `Up to ${size} µm of an effect could still be hidden.`,
   diagnosis_says_untestable: "These data could not have shown a missing effect.",
   diagnosis_says_nothing:
     ({ target, p }: { target: string; p: string }) => `Nothing further is missing from the model of ${target} that these data could show (${p}).`,
@@ -804,6 +823,7 @@ export const en = {
     cooling_asymmetry: "heating by speed, slower cooling",
     viscosity_feedback: "heating by speed, less when warm",
     load_heating: "heating by load",
+    follows: "following a column",
     gradient_bending: "bending by a temperature difference",
     bearing_rings: "unequal growth of the bearing rings",
     preload_loss: "loss of preload",
@@ -1091,6 +1111,7 @@ export const en = {
     temperature: "a temperature",
     speed: "the speed",
     load: "a load",
+    input: "a column",
     hot: "the warmer side",
     cold: "the colder side",
     inner: "the inner ring",
@@ -1106,6 +1127,7 @@ export const en = {
     cooling_asymmetry: "thermal friction asymmetry",
     viscosity_feedback: "thermal friction lubricant viscosity oil grease",
     load_heating: "thermal motor power current torque",
+    follows: "switch valve door pressure flow sensor",
     gradient_bending: "thermal wall gradient",
     bearing_rings: "thermal bearing",
     bearing_clearance: "bearing play",

@@ -63,6 +63,9 @@ export const english_after = (before: string, text: string): Sentence => {
 export const sentence_text = (sentence: Sentence): string =>
   typeof sentence === "string" ? sentence : [sentence.before, sentence.english].filter((part) => part !== "").join(" ");
 
+// Sentences of the page in one paragraph.
+export const together = (sentences: readonly string[]): string => sentences.filter((one) => one !== "").join(language === "zh" ? "" : " ");
+
 // A name of the program by a glossary of the language; one that it does not have stays as it is.
 export const named = (glossary: Readonly<Record<string, string>>, name: string): string =>
   Object.hasOwn(glossary, name) ? (glossary[name] ?? name) : name;
