@@ -155,12 +155,13 @@ const same = (a, b) => {
   return Math.abs(coarse.value - fine.value) <= 0.5 * 10 ** -decimals + (a.decimals === b.decimals ? -0.4 * 10 ** -decimals : 0.51 * 10 ** -fine.decimals);
 };
 const kind_of = (verdict) =>
-  /^Nothing further is missing/i.test(verdict) ? "nothing"
+  /Nothing further is missing/i.test(verdict) ? "nothing"
   : /data do not tell/i.test(verdict) ? "cannot tell"
   : /drives? (about .* um|a part) that/i.test(verdict) ? "a driver"
   : /, but the data say /i.test(verdict) ? "a held value is wrong"
-  : /^Something|depends on time alone|no known effect explains/i.test(verdict) ? "something"
+  : /^Something|[.:] Something |depends on time alone/i.test(verdict) ? "something"
   : /missing from /i.test(verdict) ? "named"
+  : /has no cause among these columns|beside its jumps/i.test(verdict) ? "something"
   : "other";
 const refused_in = (said) => said.find((one) => /do not support|does not support|not kept|too few|cannot be resolved/i.test(one)) ?? "";
 

@@ -8,6 +8,7 @@ import { after, before, test } from "node:test";
 import { launched, opened, seen, unfold } from "./browser.mjs";
 import { long_series } from "./long_series.mjs";
 import { with_errors } from "./machine_errors.mjs";
+import { strange_log } from "./strange_log.mjs";
 import { batch, folder, grown, hidden_effect, history, of_run, report, two_arcs } from "./reports.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -19,7 +20,7 @@ const diagnosis = ["with-without", "candidates", "fall", "coherence"];
 const comparison = ["comparison-x", "comparison-y", "comparison-z"];
 
 const cases = [
-  ["two-arcs", two_arcs, ["drift", "five-probe", "five-probe-tilt", "speed", "temperatures", ...comparison, ...recordings, ...all_tests, ...model("y_um"), ...diagnosis]],
+  ["two-arcs", two_arcs, ["drift", "five-probe", "five-probe-tilt", "speed", "temperatures", ...comparison, ...recordings, ...all_tests, ...model("y_um"), ...diagnosis.filter((one) => one !== "fall")]],
   ["spindle-rotation", (name) => report(name, of_run("spindle-rotation-huang2022")), ["drift", "speed", "temperatures", ...recordings, ...all_tests, "axial"]],
   ["b5r", (name) => report(name, of_run("qc20-style-b5r", "00.b5r"), "--diagnose"), ["machine-errors", "machine-errors-without", ...recordings, ...model("deviation_um").slice(0, 3)]],
   ["b5r-folder", (name) => report(name, of_run("qc20-style-b5r")), ["machine-errors", "machine-errors-without", "drift", ...recordings, ...all_tests]],
@@ -30,6 +31,7 @@ const cases = [
   ],
   ["five-probe", (name) => report(name, of_run("two-arcs-he2015", "five-probe.csv")), ["five-probe", "five-probe-tilt", "measured"]],
   ["hidden-effect", hidden_effect, ["measured", "speed", "temperatures", ...model("y_um"), ...diagnosis, "ledger"]],
+  ["strange-log", strange_log, ["measured", "signals-x", "temperatures", ...model("z_um").slice(0, 2), ...diagnosis]],
   ["grown", grown, ["five-probe", "measured", "speed", "temperatures", ...model("ch1_um"), "ledger-forecasts"]],
   ["batch", batch, ["measured", "speed", "temperatures", "batch", "batch-range", "batch-weights"]],
   ["history", history, ["history-1", "history-2", "history-3"]],

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { drawn, figure, launched, opened, saved, seen } from "./browser.mjs";
-import { folder, json_of, of_run, two_arcs } from "./reports.mjs";
+import { folder, hidden_effect, json_of, of_run, two_arcs } from "./reports.mjs";
 
 const drift = json_of("drift", of_run("two-arcs-he2015"));
 
@@ -338,25 +338,29 @@ test("paper: every picture, in light colours, and the screen as before", async (
 });
 
 test("files: SVG, PNG and CSV of every kind of picture", async () => {
-  for (const name of ["drift", "comparison-x", "recording-circle", "recording-unrolled", "tests-circle", "fall", "coherence"]) {
-    await seen(page, name);
-    const svg = await saved(page, name, "SVG");
+  const lacking = await opened(browser, await hidden_effect());
+  const of_drift = ["drift", "comparison-x", "recording-circle", "recording-unrolled", "tests-circle", "coherence"];
+  for (const [shown, name] of [...of_drift.map((name) => [page, name]), [lacking.page, "fall"]]) {
+    await seen(shown, name);
+    const svg = await saved(shown, name, "SVG");
     assert.equal(svg.name, `${name}.svg`);
     const text = readFileSync(svg.path, "utf8");
     assert.match(text, /^<svg xmlns="http:\/\/www\.w3\.org\/2000\/svg" width="\d+" height="\d+"/);
     assert.doesNotMatch(text, /NaN|undefined|<script|href=/);
-    const png = await saved(page, name, "PNG");
+    const png = await saved(shown, name, "PNG");
     assert.equal(png.name, `${name}.png`);
     const bytes = readFileSync(png.path);
     assert.equal(bytes.subarray(1, 4).toString(), "PNG");
     const [, width, height] = /width="(\d+)" height="(\d+)"/.exec(text);
     assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [2 * width, 2 * height], "two pixels a unit of the drawing");
-    const csv = await saved(page, name, "CSV");
+    const csv = await saved(shown, name, "CSV");
     assert.equal(csv.name, `${name}.csv`);
     const rows = readFileSync(csv.path, "utf8").trimEnd().split("\r\n");
     assert.ok(rows.length > 1);
     assert.doesNotMatch(rows.join("\n"), /NaN|undefined|\[object/);
   }
+  assert.deepEqual(lacking.wrong, []);
+  await lacking.close();
 });
 
 test("of a narrow window: the tools are there, and the drawing is as wide as the window", async () => {

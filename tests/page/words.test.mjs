@@ -4,9 +4,10 @@ import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { drawn, figure, launched, opened, saved, seen } from "./browser.mjs";
-import { with_errors } from "./machine_errors.mjs";
+import { data_of, page_with, with_errors } from "./machine_errors.mjs";
 import { literals_in, literals_of, symbol } from "./literals.mjs";
 import { hidden_effect, history, json_of, of_run, report, two_arcs } from "./reports.mjs";
+import { strange_diagnosis, strange_log } from "./strange_log.mjs";
 import { source, texts, told } from "./texts.mjs";
 
 const { en, de, zh, speak, english: said_of } = texts();
@@ -138,6 +139,7 @@ before(async () => {
     drift: await two_arcs(),
     hidden: await hidden_effect(),
     history: await history(),
+    strange: await strange_log(),
   };
 });
 after(() => browser.close());
@@ -209,3 +211,93 @@ test("choice: the page is written anew, with what was chosen, zoomed and unfolde
   assert.deepEqual(wrong, []);
   await close();
 });
+
+const micrometres = (text) => text.replace(/(?<=[\d±] )um\b/g, "µm");
+// Its paragraphs, each with what it is.
+const conclusion = (page) => page.$$eval(".first .verdict p", (all) => all.map((one) => [one.className, one.textContent]));
+
+test("diagnosis: what was not used is said first, as on the terminal; a slow drift without a cause last", async () => {
+  const { sentence, columns_not_searched, saturated, set_aside, level_jumps } = strange_diagnosis();
+  assert.deepEqual([columns_not_searched.length, saturated.length, set_aside, level_jumps], [1, 1, 2, 4]);
+  const { page, wrong, close } = await opened(browser, pages.strange, { locale: "en-US" });
+  const [, ...of_said] = /^(door was .*?\.) (T_wall_degC .*? These .*?\.) (2 readings .*?\.) (z_um jumps .*?\.) (.*?\)\.) .*(About ±.*?\.) Log /s.exec(micrometres(sentence));
+  assert.equal(of_said.length, 6, sentence);
+  assert.deepEqual(await conclusion(page), of_said.map((one, k) => [k < 4 ? "before" : k === 4 ? "" : "also", one]));
+  assert.equal(await page.locator("section#diagnosis p", { hasText: micrometres(sentence) }).count(), 1);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+// Of a diagnosis that is made up: what stands on the first screen in each language. All else is as the program found it.
+const settling = { p_discrepancy: 0.97, discrepancy_um: 4.23, discrepancy_like: "settling", discrepancy_time_s: 4800 };
+const steady = { p_discrepancy: 0.02, discrepancy_um: 0, discrepancy_like: "", discrepancy_time_s: 0 };
+const all_used = { columns_not_searched: [], saturated: [], set_aside: 0, level_jumps: 0, level_jump_um: 0 };
+const nothing_found = { named: [], probable: [], equivalent: [], drivers: [], own: [], effects: [], candidates: [], ...all_used };
+const driver = (column, p, is_clear = true) => ({ column, p, is_clear });
+const told_cases = [
+  [
+    "a slow drift alone",
+    { ...nothing_found, ...settling, verdict: "unexplained", drivers: [driver("T_room_degC", 0.64, false)] },
+    {
+      de: [
+        ["", "Für etwa ±4,2 µm langsame Drift von z_um, ähnlich wie Setzen, Zeitkonstante 1 h 20 min, findet sich unter diesen Spalten keine Ursache."],
+        ["also", "Einen weiteren Sensor aufzeichnen, etwa die Temperatur des Kühlmittels, der Maschinenstruktur oder des Raums."],
+      ],
+      zh: [
+        ["", "z_um 约 ±4.2 µm 的缓慢漂移（类似沉降，时间常数 1 h 20 min）在这些列中找不到原因。"],
+        ["also", "请再记录一个传感器，例如冷却液、机床结构或室内的温度。"],
+      ],
+    },
+  ],
+  [
+    "jumps alone, one reading set aside",
+    { ...nothing_found, ...steady, verdict: "unexplained", set_aside: 1, level_jumps: 12, level_jump_um: 2.04 },
+    {
+      de: [
+        ["before", "Ein Messwert weit ab von den übrigen bleibt außer Betracht."],
+        ["before", "z_um springt 12-mal, um 2 µm: Korrekturen der Steuerung oder des Tasters, keine Drift."],
+        ["", "Außer den Sprüngen fehlt kein Effekt, soweit diese Daten es zeigen."],
+      ],
+      zh: [
+        ["before", "1 个远离其他读数的读数不予采用。"],
+        ["before", "z_um 跳变 12 次，幅度 2 µm：是控制系统或测头的修正，不是漂移。"],
+        ["", "除跳变外，这些数据未显示缺失任何效应。"],
+      ],
+    },
+  ],
+  [
+    "two drivers beside a column and a sensor that are not used; one that is not clear is not said",
+    {
+      ...nothing_found, ...steady, verdict: "driver",
+      columns_not_searched: [{ column: "flow_lpm", why: "no effect reads it" }], saturated: [{ column: "T_wall_degC", share: 0.998 }],
+      drivers: [driver("T_room_degC", 0.99), driver("door", 0.98, false), driver("T_oil_degC", 0.93)],
+    },
+    {
+      de: [
+        ["before", "flow_lpm wurde nicht berücksichtigt: kein Effekt liest sie."],
+        ["before", "T_wall_degC steht bei über 99 % der Zeilen am Ende des Messbereichs, wie bei einem Sensor in Sättigung. Diese Zeilen bleiben außer Betracht."],
+        ["", "Auf T_room_degC und T_oil_degC geht ein Teil zurück, den das Modell von z_um nicht erklärt (93 % sicher)."],
+      ],
+      zh: [
+        ["before", "flow_lpm 未被搜索：没有效应读取该列。"],
+        ["before", "T_wall_degC 在超过 99 %的数据行中处于量程终点，如同传感器饱和。这些行不予采用。"],
+        ["", "T_room_degC 与 T_oil_degC 驱动了 z_um 的模型未解释的部分（把握 93 %）。"],
+      ],
+    },
+  ],
+];
+
+for (const [name, made_up, expected] of told_cases) {
+  test(`diagnosis: ${name}, in each language`, async () => {
+    const data = data_of(pages.strange);
+    data.diagnose.targets[0] = { ...data.diagnose.targets[0], ...made_up };
+    const file = page_with("told", pages.strange, data);
+    for (const [locale, language] of [["de-DE", "de"], ["zh-CN", "zh"]]) {
+      const { page, wrong, close } = await opened(browser, file, { locale });
+      assert.deepEqual(await conclusion(page), expected[language], language);
+      assert.equal(await page.locator(".first .verdict [lang=en]").count(), 0, language);
+      assert.deepEqual(wrong, []);
+      await close();
+    }
+  });
+}
