@@ -18,6 +18,7 @@ type Misfit = Checked["where"][number];
 // As in the program's sentence.
 const kSure_driver = 0.9; // P
 const kSlow = 0.5; // P of a slow drift without a cause from which it is said
+const kNothing = 0.5; // P of nothing: what is unexplained all the same is more than the stated sigma of the readings
 
 const same = (a: Bound, b: Bound): boolean =>
   a.effect === b.effect && JSON.stringify(a.columns) === JSON.stringify(b.columns);
@@ -157,9 +158,10 @@ const driver_sentence = (found: Diagnosed): string => {
 };
 
 const unexplained_sentences = (found: Diagnosed): string[] => {
-  const { target, candidates, p_nothing, rmse_um, drivers } = found;
+  const { target, candidates, p_nothing, rmse_um, rmse_after_um, drivers } = found;
   if (has_slow_drift(found)) return [slow_sentence(found), t.diagnosis_says_log_more, ...likely_sentences(found)];
   if (found.level_jumps > 0) return [t.diagnosis_says_jumps_alone];
+  if ((p_nothing ?? 0) >= kNothing) return [t.diagnosis_says_rest({ target, rmse: size_text(rmse_after_um ?? rmse_um ?? 0) })];
   const of_time = candidates.filter(({ in_best_set, columns }) => in_best_set && Object.keys(columns).length === 0);
   if (of_time.length > 0 && drivers.length === 0) {
     return [t.diagnosis_says_of_time({ target, effects: of_time.map((one) => effect_text(found, one)).join("; ") })];
