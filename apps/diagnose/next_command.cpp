@@ -30,17 +30,25 @@ std::string word_of(const std::string& label, const std::vector<std::string>& co
 
 std::string word_of(const BoundEffect& bound) { return word_of(label_of(bound), bound.columns); }
 
-// A moment that was found, or a period or a time constant, as the sentence of the verdict says it.
-bool is_said(const FittedParameter& parameter) {
-  if (parameter.shape_of == ShapeOf::onset) return true;
-  return parameter.unit == "s" && is_of_curve(parameter.shape_of) && parameter.state == ParameterState::free &&
-         std::isfinite(parameter.sigma);
+// A sinusoid is only found from near its period, a jump from its own row.
+std::string start_text(const FittedParameter& parameter, double value) {
+  const int digits = parameter.shape_of == ShapeOf::onset ? 8 : parameter.shape_of == ShapeOf::period ? 6 : 4;
+  return fmt::format("{}", std::stod(fmt::format("{:.{}g}", value, digits)));  // 17680, not 1.768e+04
 }
 
-// A sinusoid is only found from near its period, a jump from its own row.
-std::string start_text(const FittedParameter& parameter) {
-  const int digits = parameter.shape_of == ShapeOf::onset ? 8 : parameter.shape_of == ShapeOf::period ? 6 : 4;
-  return fmt::format("{}", std::stod(fmt::format("{:.{}g}", parameter.value, digits)));  // 17680, not 1.768e+04
+std::string start_text(const FittedParameter& parameter) { return start_text(parameter, parameter.value); }
+
+// A moment that was found, a period or a time constant, as the sentence of the verdict says it, or an exponent that the
+// effect holds elsewhere.
+bool is_said(const Effect& effect, const FittedParameter& parameter) {
+  if (parameter.shape_of == ShapeOf::onset) return true;
+  if (parameter.state == ParameterState::held) {
+    const auto known = std::find_if(effect.parameters.begin(), effect.parameters.end(),
+                                    [&](const Parameter& one) { return one.name == parameter.name; });
+    return known != effect.parameters.end() && start_text(parameter) != start_text(parameter, known->start);
+  }
+  return parameter.unit == "s" && is_of_curve(parameter.shape_of) && parameter.state == ParameterState::free &&
+         std::isfinite(parameter.sigma);
 }
 
 // With what was found: "step(onset_s = 33840)", "lagged_expansion(T_room_degC, time_constant_s = 3120)". A fit starts
@@ -50,7 +58,7 @@ std::string word_of(const BoundEffect& bound, const Diagnosis& found) {
   if (one == nullptr) return word_of(bound);
   std::string label = label_of(bound);
   for (const FittedParameter& parameter : one->parameters) {
-    if (!is_said(parameter)) continue;
+    if (!is_said(*bound.effect, parameter)) continue;
     if (label.ends_with(')')) label.back() = ',';
     label += fmt::format("{}{} = {})", label.ends_with(',') ? " " : "(", parameter.name, start_text(parameter));
   }

@@ -221,8 +221,10 @@ class Search {
 
   // The shapes of a set and of its rivals at their likeliest become signatures. In `open`, of all: what logs leave open
   // of the times of an input is open for each effect that reads it, or the one that needs no time would win.
-  ConditionalFit sharpened_with_rivals(const Rivals& rivals, ConditionalFit conditional, ConditionalFit& open) {
-    if (!rivals.signatures.empty()) conditional = sharpened(problem_, *variant_, std::move(conditional), best_.point);
+  // `variant`: the model, with a held value free where it is another one.
+  ConditionalFit sharpened_with_rivals(const Variant& variant, const Rivals& rivals, ConditionalFit conditional,
+                                       ConditionalFit& open) {
+    if (!rivals.signatures.empty()) conditional = sharpened(problem_, variant, std::move(conditional), best_.point);
     const auto add = [&](const ConditionalFit& from, std::size_t place) {
       const std::size_t signature = from.signatures[place];
       if (std::find(open.signatures.begin(), open.signatures.end(), signature) != open.signatures.end()) return;
@@ -238,7 +240,7 @@ class Search {
       for (const std::size_t rival : rivals.others[m]) {
         ConditionalFit other{conditional.signatures, conditional.parameters, {}};
         other.signatures[m] = rival;
-        add(sharpened(problem_, *variant_, std::move(other), best_.point), m);
+        add(sharpened(problem_, variant, std::move(other), best_.point), m);
       }
     }
     return conditional;
@@ -261,22 +263,23 @@ class Search {
     const Rivals rivals = rivals_of(ascent);
     const std::optional<std::size_t> own = likeliest_own(ascent);
     bool is_new = false;
+    ConditionalFit open{{}, {}, {}};
     ConditionalFit conditional;
     if (own) {
       OwnParameter& parameter = problem_.own[*own];
       std::vector<double> parameters = variant_->parameters;
       parameters[parameter.parameter] = parameter.fitted.back();
-      conditional = conditional_fit(problem_, variant_at(problem_, *own + 1, std::move(parameters)), rivals.signatures,
-                                    best_.point);
+      const Variant freed = variant_at(problem_, *own + 1, std::move(parameters));
+      conditional = sharpened_with_rivals(
+          freed, rivals, conditional_fit(problem_, freed, rivals.signatures, best_.point), open);
       const double value = conditional.parameters[parameter.parameter];
       is_new = std::abs(value - parameter.fitted.back()) > kSameModel * std::abs(parameter.held);
       if (is_new) parameter.fitted.push_back(value);
       conditional.parameters = held_again(parameter, std::move(conditional.parameters), variant_->times);
     } else {
-      conditional = conditional_fit(problem_, *variant_, rivals.signatures, best_.point);
+      conditional = sharpened_with_rivals(
+          *variant_, rivals, conditional_fit(problem_, *variant_, rivals.signatures, best_.point), open);
     }
-    ConditionalFit open{{}, {}, {}};
-    conditional = sharpened_with_rivals(rivals, std::move(conditional), open);
     open.parameters = conditional.parameters;
     is_new = is_new || problem_.library.signatures.size() > before || !are_open(open.signatures) ||
              is_elsewhere(problem_, *variant_, conditional.parameters, kSameModel);
@@ -324,7 +327,7 @@ class Search {
       if (others[k].bound < best_.ascent.bound - kFarMode - kOfGrid * gained) continue;
       modes.push_back({best_set[k], likeliest_set(others[k])});
       const Rivals rivals = rivals_of(others[k]);
-      sharpened_with_rivals(rivals, {rivals.signatures, variant_->parameters, {}}, open);
+      sharpened_with_rivals(*variant_, rivals, {rivals.signatures, variant_->parameters, {}}, open);
     }
     if (problem_.library.signatures.size() > before || !are_open(open.signatures)) {
       open.parameters = variant_->parameters;

@@ -34,6 +34,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kMostShown = 12;  // candidates
+constexpr double kRest = 3.0;           // of the stated sigma of the readings: a larger remaining error is unexplained
 constexpr double kCancelled = 1.5;      // amplitude of a member relative to that of all together
 
 // No statement about effects that are not searched: those left out, and those that describe a slow drift.
@@ -66,6 +67,9 @@ class Decision {
     result_.target = problem().base.target;
     result_.where = options.where;
     measured_um_ = range_of(problem().base.measured_um);
+    const std::vector<double>& sigma_um = problem().base.sigma_um;
+    for (const double sigma : sigma_um) result_.stated_um += sigma * sigma / static_cast<double>(sigma_um.size());
+    result_.stated_um = std::sqrt(result_.stated_um);
   }
 
   Diagnosis run() {
@@ -374,11 +378,13 @@ class Decision {
     const bool driver = model_.level == Level::series &&
                         std::any_of(d.drivers.begin(), d.drivers.end(),
                                     [&](const Driver& one) { return one.p >= kSureDriver && one.is_clear; });
+    // More than the readings scatter, as far as their sigma is known: something is missing, without a cause here.
+    const bool has_rest = d.stated_um > 0.0 && d.base.rmse_um > kRest * d.stated_um;
     if (d.p_nothing >= kNothing && d.level_jumps == 0) {
       d.named.clear();
       d.probable.clear();
       d.equivalent.clear();
-      d.verdict = Verdict::nothing;
+      d.verdict = has_rest ? Verdict::unexplained : Verdict::nothing;
     } else if (!d.named.empty() || own_named) {
       d.verdict = Verdict::named;
     } else if (!d.probable.empty() || own_probable) {
