@@ -220,7 +220,8 @@ class Decision {
     return sizes_um;
   }
 
-  // Beside a larger discrepancy no cause can be told (Brynjarsdottir and O'Hagan 2014, Inverse Problems 30, 114007).
+  // Beside a discrepancy the form of an effect cannot be told, and beside a larger one no cause (Brynjarsdottir and
+  // O'Hagan 2014, Inverse Problems 30, 114007).
   double discrepancy_beside_um() const { return result_.p_discrepancy >= kDiscrepancy ? result_.discrepancy_um : 0.0; }
 
   // A few readings: whether the best subset of columns is that of the best set.
@@ -260,11 +261,11 @@ class Decision {
     std::set<std::string> clear;
     for (std::size_t m = 0; m < result_.candidates.size(); ++m) {
       Candidate& one = result_.candidates[m];
-      if (seen_um[m] >= beside_um) {
-        clear.insert(one.bound.columns.begin(), one.bound.columns.end());
-      } else if (!is_jump(*one.bound.effect)) {
-        one.doubts.emplace_back("a slow drift without a cause is larger");
-      }
+      const bool is_larger = seen_um[m] >= beside_um;
+      if (is_larger) clear.insert(one.bound.columns.begin(), one.bound.columns.end());
+      if (is_jump(*one.bound.effect)) continue;
+      one.doubts.emplace_back(is_larger ? "beside a slow drift without a cause its form is open"
+                                        : "a slow drift without a cause is larger");
     }
     for (Driver& driver : result_.drivers) driver.is_clear = driver.is_clear && clear.contains(driver.column);
   }
