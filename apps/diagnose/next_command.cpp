@@ -45,7 +45,8 @@ bool is_said(const Effect& effect, const FittedParameter& parameter) {
   if (parameter.state == ParameterState::held) {
     const auto known = std::find_if(effect.parameters.begin(), effect.parameters.end(),
                                     [&](const Parameter& one) { return one.name == parameter.name; });
-    return known != effect.parameters.end() && start_text(parameter) != start_text(parameter, known->start);
+    return known != effect.parameters.end() && known->kind == ParameterKind::shape &&
+           start_text(parameter) != start_text(parameter, known->start);
   }
   return parameter.unit == "s" && is_of_curve(parameter.shape_of) && parameter.state == ParameterState::free &&
          std::isfinite(parameter.sigma);

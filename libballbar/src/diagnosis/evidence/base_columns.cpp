@@ -132,9 +132,9 @@ Eigen::MatrixXd BaseModel::times_at(const std::vector<double>& parameters) const
         return result;
       };
       Eigen::VectorXd together = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.rows()));
-      if (!input->is_stepped && input->sample_s > 0.0) {
-        together = 0.5 * (moved(shifted(logged_.series.time_s, values, input->sample_s)) -
-                          moved(shifted(logged_.series.time_s, values, -input->sample_s)));
+      if (!input->is_stepped && input->late_s > 0.0) {
+        together = 0.5 * (moved(shifted(logged_.series.time_s, values, input->late_s)) -
+                          moved(shifted(logged_.series.time_s, values, -input->late_s)));
       }
       for (const Jump& jump : input->jumps) {
         const double width = static_cast<double>(jump.last - jump.first);

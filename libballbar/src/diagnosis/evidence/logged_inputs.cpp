@@ -386,8 +386,11 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
       const std::size_t rows = even ? held_rows(column.values) : 1;
       const std::size_t sample = std::max(rows, even ? ramped_rows(column.values) : 1);
       input.sample_s = static_cast<double>(sample) * step_s;
-      if (is_temperature(column)) column.values = continuous(data.time_s, column.values, rows);
-      input.jumps = largest_changes(column.values, sample);
+      // Rows far apart are read one by one, each within a short time: their values are as they are.
+      const bool is_read = sample == 1 && step_s > kLongestSample_s;
+      input.late_s = is_read ? kLongestSample_s : input.sample_s;
+      if (is_temperature(column) && !is_read) column.values = continuous(data.time_s, column.values, rows);
+      if (!is_read) input.jumps = largest_changes(column.values, sample);
     } else {
       continue;
     }
@@ -432,6 +435,7 @@ LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& t
       }
       known->is_stepped = known->is_stepped || input.is_stepped;
       known->sample_s = std::max(known->sample_s, input.sample_s);
+      known->late_s = std::max(known->late_s, input.late_s);
       known->jumps.insert(known->jumps.end(), input.jumps.begin(), input.jumps.end());
       known->at_end.insert(known->at_end.end(), input.at_end.begin(), input.at_end.end());
     }

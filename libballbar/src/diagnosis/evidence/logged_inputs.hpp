@@ -27,6 +27,7 @@ struct LoggedInput {
   std::string column;
   bool is_stepped = false;
   double sample_s = 0.0;            // sampling interval of its logger
+  double late_s = 0.0;              // by so much its clock may be late or early
   std::vector<Jump> jumps;          // for a continuous input its largest changes, of unknown shape
   std::vector<std::size_t> at_end;  // rising rows in which its sensor is saturated
 };
