@@ -21,6 +21,7 @@ constexpr double kFarOff = 20.0;              // of the same factor: such a read
 constexpr double kOutlier = 2.0;              // (r^2 + nu) / (nu + 1) of a white innovation r
 constexpr std::size_t kFewestForLevels = 30;  // readings
 constexpr std::size_t kRowsOfLevel = 3;       // on either side of a jump
+constexpr std::size_t kRowsOfTrend = 9;       // likewise, of the trend: a jump shows in fewer than half of them
 constexpr double kUsualShare = 0.85;          // of the steps that are no jumps
 constexpr double kSharp = 0.5;                // of a jump from one row to the next
 constexpr double kJumpOff = 6.0;              // usual changes
@@ -48,6 +49,19 @@ double resolution_of_readings(const Eigen::VectorXd& y) {
   return median_of(std::move(differences));
 }
 
+// Each value less the median of those about it: what a slow drift does from row to row is no jump.
+std::vector<double> less_the_trend(const std::vector<double>& steps) {
+  std::vector<double> result;
+  result.reserve(steps.size());
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const std::size_t first = k < kRowsOfTrend ? 0 : k - kRowsOfTrend;
+    const std::size_t end = std::min(steps.size(), k + kRowsOfTrend + 1);
+    result.push_back(steps[k] - median_of({steps.begin() + static_cast<std::ptrdiff_t>(first),
+                                           steps.begin() + static_cast<std::ptrdiff_t>(end)}));
+  }
+  return result;
+}
+
 LinearSolution solution_beside(const Problem& problem, const Variant& variant, const Point& point) {
   return linear_solution(gram_of(point.filter, variant.pool), variant.line, problem.known);
 }
@@ -59,11 +73,13 @@ Eigen::VectorXd residual_of(const Variant& variant, const LinearSolution& soluti
   return residual;
 }
 
-// Which of these rows begin a jump that stays, not a large change of the noise that is forgotten within its memory, nor
-// a single reading: the jump explains more.
-std::vector<bool> stay(const Problem& problem, const Variant& variant, const Point& point,
-                       const std::vector<Eigen::Index>& rows, double variance) {
-  std::vector<bool> result(rows.size(), false);
+// What begins at a row far off: a reading alone, a change of the noise that is forgotten within its memory, or a jump
+// that stays: it explains more, or so much more that it is certain.
+enum class Begins { reading, change, likely_jump, jump };
+
+std::vector<Begins> what_begins(const Problem& problem, const Variant& variant, const Point& point,
+                                const std::vector<Eigen::Index>& rows, double variance) {
+  std::vector<Begins> result(rows.size(), Begins::change);
   const std::vector<double>& time_s = problem.time_s;
   if (rows.empty() || !std::is_sorted(time_s.begin(), time_s.end())) return result;
   const Covariance& covariance = point.covariance;
@@ -72,11 +88,11 @@ std::vector<bool> stay(const Problem& problem, const Variant& variant, const Poi
   const Eigen::VectorXd left = orthogonal_part(Eigen::VectorXd(white.col(0)), basis);
   const auto n = static_cast<Eigen::Index>(time_s.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, 3);  // a jump, a change that is forgotten, a reading
-    columns(rows[k], 2) = 1.0;
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, 3);  // as in Begins
+    columns(rows[k], 0) = 1.0;
     for (Eigen::Index i = rows[k]; i < n; ++i) {
       const double since_s = time_s[static_cast<std::size_t>(i)] - time_s[static_cast<std::size_t>(rows[k])];
-      columns(i, 0) = 1.0;
+      columns(i, 2) = 1.0;
       if (covariance.correlated > 0.0) columns(i, 1) = std::exp(-since_s / covariance.time_s);
     }
     const Eigen::MatrixXd own = orthogonal_part(Eigen::MatrixXd(whitened(point.filter, columns)), basis);
@@ -84,7 +100,13 @@ std::vector<bool> stay(const Problem& problem, const Variant& variant, const Poi
       const double square = own.col(column).squaredNorm();
       return square > 1e-9 ? std::pow(own.col(column).dot(left), 2) / square / variance : 0.0;
     };
-    result[k] = fall(0) > std::max(fall(1), fall(2)) + kStays;
+    if (fall(2) > std::max(fall(0), fall(1)) + kStays) {
+      result[k] = Begins::jump;
+    } else if (fall(0) > std::max(fall(1), fall(2))) {
+      result[k] = Begins::reading;
+    } else if (fall(2) > fall(1)) {
+      result[k] = Begins::likely_jump;
+    }
   }
   return result;
 }
@@ -127,10 +149,20 @@ bool weigh_down_outliers(Problem& problem, const Variant& variant, const Point& 
   for (Eigen::Index i = 0; i < r.size(); ++i) {
     if (factor_of(i) >= kOutlier) off.push_back(i);
   }
-  const std::vector<bool> stays = stay(problem, variant, point, off, solution.variance);
+  std::stable_sort(off.begin(), off.end(),
+                   [&](Eigen::Index a, Eigen::Index b) { return std::abs(r[a]) > std::abs(r[b]); });
+  const std::vector<Begins> begins = what_begins(problem, variant, point, off, solution.variance);
+  // One or two jumps are for an effect to explain, if without them the tails are not heavy.
+  Eigen::VectorXd but_jumps = r;
+  for (std::size_t k = 0, jumps = 0; k < off.size() && jumps < kFewestLevels - 1; ++k) {
+    if (begins[k] < Begins::likely_jump) continue;
+    but_jumps[off[k]] = 0.0;
+    ++jumps;
+  }
+  if (!has_heavy_tails(but_jumps)) return false;
   bool any = false;
   for (std::size_t k = 0; k < off.size(); ++k) {
-    if (stays[k]) continue;
+    if (begins[k] == Begins::jump) continue;
     const auto row = static_cast<std::size_t>(off[k]);
     const double factor = factor_of(off[k]);
     if (factor > kFarOff && problem.stated_variance[row] == 0.0) {
@@ -162,8 +194,9 @@ std::vector<LevelJump> level_jumps(const Problem& problem, const Eigen::VectorXd
   };
   for (std::size_t k = kRowsOfLevel; k + kRowsOfLevel <= r.size(); ++k) {
     steps[k] = mean_from(k) - mean_from(k - kRowsOfLevel);
-    sizes.push_back(std::abs(steps[k]));
   }
+  steps = less_the_trend(steps);
+  for (std::size_t k = kRowsOfLevel; k + kRowsOfLevel <= r.size(); ++k) sizes.push_back(std::abs(steps[k]));
   std::vector<double> sorted = sizes;
   std::sort(sorted.begin(), sorted.end());
   const auto usual = static_cast<std::size_t>(kUsualShare * static_cast<double>(sorted.size()));

@@ -163,7 +163,8 @@ std::vector<std::string> doubts_of(const Candidate& tested, const Effect& effect
   if (effect.time_only && !effect.rules.may_repeat && !of_recordings)
     return {"it depends on time alone, as any slow drift does"};
   std::vector<std::string> doubts;
-  if (tested.p_same_gain < kSameGain) {
+  // A jump happens once: cycles have no gains of their own.
+  if (tested.p_same_gain < kSameGain && (of_recordings || !is_jump(effect))) {
     doubts.emplace_back(of_recordings ? "its gain differs from recording to recording"
                                       : "its gain differs from cycle to cycle");
   }
