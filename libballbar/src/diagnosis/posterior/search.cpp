@@ -270,15 +270,15 @@ class Search {
       std::vector<double> parameters = variant_->parameters;
       parameters[parameter.parameter] = parameter.fitted.back();
       const Variant freed = variant_at(problem_, *own + 1, std::move(parameters));
-      conditional = sharpened_with_rivals(
-          freed, rivals, conditional_fit(problem_, freed, rivals.signatures, best_.point), open);
+      conditional =
+          sharpened_with_rivals(freed, rivals, conditional_fit(problem_, freed, rivals.signatures, best_.point), open);
       const double value = conditional.parameters[parameter.parameter];
       is_new = std::abs(value - parameter.fitted.back()) > kSameModel * std::abs(parameter.held);
       if (is_new) parameter.fitted.push_back(value);
       conditional.parameters = held_again(parameter, std::move(conditional.parameters), variant_->times);
     } else {
-      conditional = sharpened_with_rivals(
-          *variant_, rivals, conditional_fit(problem_, *variant_, rivals.signatures, best_.point), open);
+      conditional = sharpened_with_rivals(*variant_, rivals,
+                                          conditional_fit(problem_, *variant_, rivals.signatures, best_.point), open);
     }
     open.parameters = conditional.parameters;
     is_new = is_new || problem_.library.signatures.size() > before || !are_open(open.signatures) ||

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kHeldOutEvidence = 3.0;  // gain in ln likelihood of left-out cycles, without the best one
 
-constexpr double kMoves = 0.05;  // of an effect's square in its largest cycle; with less it stands still: what that cycle
-                                 // gains is only that the others are no longer biased
+constexpr double kMoves = 0.05;  // of an effect's square in its largest cycle; with less it stands still: what that
+                                 // cycle gains is only that the others are no longer biased
 
 constexpr double kLeftOutRidge = 1e-4;  // prior precision of a white column of length 1
 constexpr double kOwnDirection = 1e-3;  // pivot of a gain of one cycle, of the largest, that is one

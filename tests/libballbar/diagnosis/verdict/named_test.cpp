@@ -224,25 +224,28 @@ TEST(Diagnosis, names_a_value_that_the_model_holds) {
 }
 
 // The gain is 0.4 um per krpm^(5/3), the time constant 2300 s. One of them is held at 85 % of it, and the room is
-// missing as well. An exponent of 1.49 does nearly what the gain does.
+// missing as well. An exponent of 1.49, or a body that follows the bearing, does nearly what the gain does.
 TEST(Diagnosis, names_an_effect_beside_a_value_that_the_model_holds) {
   const std::tuple<std::size_t, double, double> values[] = {{0, 0.4, 0.5}, {1, 2300.0, kNamed}};
+  constexpr int kSeeds = 5;
   for (const auto& [parameter, truth, least_p] : values) {
     Model model = by_speed();
     Setting& setting = model.terms.front().settings[parameter];
     setting.start = 0.85 * truth;
     setting.held = true;
-    made::Drift how{3.0, 1};
-    how.noise_um = 0.1;
-    const Diagnosis found = diagnose(model, drift(how));
-    EXPECT_EQ(made::labels_of(found.named), std::vector<std::string>{"lagged_expansion(T_room_degC)"})
-        << found.sentence;
-    ASSERT_FALSE(found.own.empty()) << found.sentence;
-    const OwnValue& own = found.own.front();
-    EXPECT_EQ(own.parameter, model.terms.front().effect->parameters[parameter].name);
-    EXPECT_GE(own.p, least_p);
-    EXPECT_LT(own.interval.low, truth);
-    EXPECT_GT(own.interval.high, truth);
+    int found_own = 0;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      made::Drift how{3.0, seed};
+      how.noise_um = 0.1;
+      const Diagnosis found = diagnose(model, drift(how));
+      EXPECT_EQ(made::labels_of(found.named), std::vector<std::string>{"lagged_expansion(T_room_degC)"})
+          << found.sentence;
+      ASSERT_FALSE(found.own.empty()) << found.sentence;
+      const OwnValue& own = found.own.front();
+      EXPECT_EQ(own.parameter, model.terms.front().effect->parameters[parameter].name);
+      if (own.p >= least_p && own.interval.low < truth && own.interval.high > truth) ++found_own;
+    }
+    EXPECT_GE(found_own, kSeeds - 1) << "parameter " << parameter;
   }
 }
 
