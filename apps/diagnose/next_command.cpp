@@ -174,6 +174,7 @@ std::string replace_command(const ModelOptions& options, const Replacement& repl
 }
 
 bool is_for_plan(const Diagnosis& found) {
+  if (found.verdict == Verdict::unexplained && found.equivalent.empty()) return false;  // another sensor decides
   return found.verdict != Verdict::nothing && found.verdict != Verdict::untestable &&
          (found.verdict != Verdict::named || !found.equivalent.empty() || !found.probable.empty());
 }

@@ -267,10 +267,10 @@ const told_cases = [
   ],
   [
     "more than the stated sigma, without an effect",
-    { ...nothing_found, ...steady, verdict: "unexplained", p_nothing: 0.93, rmse_after_um: 0.201 },
+    { ...nothing_found, ...steady, verdict: "unexplained", p_nothing: 0.93 },
     {
-      de: [["", "Der Restfehler von z_um, 0,2 µm RMS, ist mehr als dreimal so groß wie das angegebene Sigma der Messwerte, und keine aufgezeichnete Spalte erklärt ihn."]],
-      zh: [["", "z_um 的剩余误差为 0.2 µm RMS，超过其读数给定 sigma 的三倍，且没有记录的列能解释它。"]],
+      de: [["", "Der Restfehler von z_um ist mehr als dreimal so groß wie das angegebene Sigma der Messwerte, und keine aufgezeichnete Spalte erklärt ihn."]],
+      zh: [["", "z_um 的剩余误差超过其读数给定 sigma 的三倍，且没有记录的列能解释它。"]],
     },
   ],
   [

@@ -158,10 +158,10 @@ const driver_sentence = (found: Diagnosed): string => {
 };
 
 const unexplained_sentences = (found: Diagnosed): string[] => {
-  const { target, candidates, p_nothing, rmse_um, rmse_after_um, drivers } = found;
+  const { target, candidates, p_nothing, rmse_um, drivers } = found;
   if (has_slow_drift(found)) return [slow_sentence(found), t.diagnosis_says_log_more, ...likely_sentences(found)];
   if (found.level_jumps > 0) return [t.diagnosis_says_jumps_alone];
-  if ((p_nothing ?? 0) >= kNothing) return [t.diagnosis_says_rest({ target, rmse: size_text(rmse_after_um ?? rmse_um ?? 0) })];
+  if ((p_nothing ?? 0) >= kNothing) return [t.diagnosis_says_rest({ target })];
   const of_time = candidates.filter(({ in_best_set, columns }) => in_best_set && Object.keys(columns).length === 0);
   if (of_time.length > 0 && drivers.length === 0) {
     return [t.diagnosis_says_of_time({ target, effects: of_time.map((one) => effect_text(found, one)).join("; ") })];

@@ -626,7 +626,7 @@ export const de: Texts = {
     ({ target, p, rmse }) => `Dem Modell von ${target} fehlt wahrscheinlich noch etwas (${p}). Der Restfehler beträgt ${rmse} µm RMS.`,
   diagnosis_says_of_time: ({ target, effects }) => `Dem Modell von ${target} fehlt etwas, das nur von der Zeit abhängt: ${effects}. Keine aufgezeichnete Spalte folgt ihm.`,
   diagnosis_says_rest:
-    ({ target, rmse }) => `Der Restfehler von ${target}, ${rmse} µm RMS, ist mehr als dreimal so groß wie das angegebene Sigma der Messwerte, und keine aufgezeichnete Spalte erklärt ihn. Entweder wurde eine Ursache nicht aufgezeichnet, oder die Messwerte wiederholen schlechter als ihr Sigma.`,
+    ({ target }) => `Der Restfehler von ${target} ist mehr als dreimal so groß wie das angegebene Sigma der Messwerte, und keine aufgezeichnete Spalte erklärt ihn. Entweder wurde eine Ursache nicht aufgezeichnet, oder die Messwerte wiederholen schlechter als ihr Sigma.`,
   diagnosis_says_jumps_alone: "Außer den Sprüngen fehlt kein Effekt, soweit diese Daten es zeigen.",
   diagnosis_says_not_proven: ({ effect }) => `Der beste Kandidat, ${effect}, ist nicht belegt.`,
   diagnosis_says_likely: ({ columns }) => `Wahrscheinlich getrieben von ${columns}.`,

@@ -616,7 +616,7 @@ export const en = {
     ({ target, p, rmse }: { target: string; p: string; rmse: string }) => `Something is probably still missing from the model of ${target} (${p}). The remaining error is ${rmse} µm RMS.`,
   diagnosis_says_of_time: ({ target, effects }: { target: string; effects: string }) => `Something that depends on time alone is missing from the model of ${target}: ${effects}. No logged column follows it.`,
   diagnosis_says_rest:
-    ({ target, rmse }: { target: string; rmse: string }) => `The remaining error of ${target}, ${rmse} µm RMS, is more than three times the stated sigma of its readings, and no logged column explains it. Either a cause was not logged, or the readings repeat worse than their sigma.`,
+    ({ target }: { target: string }) => `The remaining error of ${target} is more than three times the stated sigma of its readings, and no logged column explains it. Either a cause was not logged, or the readings repeat worse than their sigma.`,
   diagnosis_says_jumps_alone: "No effect is missing beside its jumps, as far as these data show.",
   diagnosis_says_not_proven: ({ effect }: { effect: string }) => `The best candidate, ${effect}, is not proven.`,
   diagnosis_says_likely: ({ columns }: { columns: string }) => `Probably driven by ${columns}.`,

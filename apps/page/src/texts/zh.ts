@@ -583,7 +583,7 @@ export const zh: Texts = {
   diagnosis_says_unexplained: ({ target, p, rmse }) => `${target} 的模型很可能仍有缺失（${p}）。剩余误差为 ${rmse} µm RMS。`,
   diagnosis_says_of_time: ({ target, effects }) => `${target} 的模型缺少只取决于时间的因素：${effects}。没有记录的列随之变化。`,
   diagnosis_says_rest:
-    ({ target, rmse }) => `${target} 的剩余误差为 ${rmse} µm RMS，超过其读数给定 sigma 的三倍，且没有记录的列能解释它。或是某个原因未被记录，或是读数的重复性不如其 sigma。`,
+    ({ target }) => `${target} 的剩余误差超过其读数给定 sigma 的三倍，且没有记录的列能解释它。或是某个原因未被记录，或是读数的重复性不如其 sigma。`,
   diagnosis_says_jumps_alone: "除跳变外，这些数据未显示缺失任何效应。",
   diagnosis_says_not_proven: ({ effect }) => `最佳候选 ${effect} 未得到证实。`,
   diagnosis_says_likely: ({ columns }) => `可能的驱动量：${columns}。`,

@@ -35,6 +35,7 @@ namespace {
 
 constexpr std::size_t kMostShown = 12;  // candidates
 constexpr double kRest = 3.0;           // of the stated sigma of the readings: a larger remaining error is unexplained
+constexpr double kSmall = 0.02;         // of an effect: a discrepancy beside it that leaves its form no doubt
 constexpr double kCancelled = 1.5;      // amplitude of a member relative to that of all together
 
 // No statement about effects that are not searched: those left out, and those that describe a slow drift.
@@ -261,9 +262,9 @@ class Decision {
     std::set<std::string> clear;
     for (std::size_t m = 0; m < result_.candidates.size(); ++m) {
       Candidate& one = result_.candidates[m];
-      const bool is_larger = seen_um[m] >= beside_um;
+      const bool is_larger = seen_um[m] >= beside_um, is_far_larger = seen_um[m] * kSmall >= beside_um;
       if (is_larger) clear.insert(one.bound.columns.begin(), one.bound.columns.end());
-      if (is_jump(*one.bound.effect)) continue;
+      if (is_jump(*one.bound.effect) || is_far_larger) continue;
       one.doubts.emplace_back(is_larger ? "beside a slow drift without a cause its form is open"
                                         : "a slow drift without a cause is larger");
     }

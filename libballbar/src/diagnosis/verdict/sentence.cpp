@@ -262,9 +262,9 @@ std::string unexplained_text(const Diagnosis& d) {
   if (has_slow_drift(d)) return slow_text(d) + drivers + where_text(d);
   if (d.p_nothing >= kNothing && d.level_jumps == 0) {
     return fmt::format(
-        "The remaining error of {}, {} um RMS, is {} times the stated sigma of its readings, and no logged column "
+        "The remaining error of {} is more than three times the stated sigma of its readings, and no logged column "
         "explains it. Either a cause was not logged, or the readings repeat worse than their sigma.",
-        d.target.empty() ? "the target" : d.target, size_text(d.base.rmse_um), size_text(d.base.rmse_um / d.stated_um));
+        d.target.empty() ? "the target" : d.target);
   }
   if (d.level_jumps > 0) return "No effect is missing beside its jumps, as far as these data show." + where_text(d);
   if (const std::string drifts = drifts_text(d); !drifts.empty() && drivers.empty()) {
