@@ -263,13 +263,16 @@ bool climbs_by_one(const std::vector<RowRange>& runs, const std::vector<double>&
   return resolution > 0.0 && static_cast<double>(by_one) > kClimbs * static_cast<double>(runs.size() - 1);
 }
 
-// Runs of a coarse column where it spends several rows each; else its samples.
-std::vector<double> continuous(const std::vector<double>& time_s, const std::vector<double>& values, std::size_t held) {
+// A smooth curve through the runs of a coarse column where it spends several rows each, else through its samples; those
+// of rows that are read one by one are as they are.
+std::vector<double> continuous(const std::vector<double>& time_s, const std::vector<double>& values, std::size_t held,
+                               bool is_read) {
   const std::vector<RowRange> runs = equal_rows(values);
   if (runs.size() < kFewestChanges) return values;
   std::vector<Observation> observations;
   observations.reserve(runs.size());
   const bool coarse = 3 * runs.size() < values.size() / held && climbs_by_one(runs, values);
+  if (is_read && !coarse) return values;
   if (coarse) {
     for (const RowRange& run : runs) {
       const bool is_short = run.end - run.begin < 3 * held;
@@ -386,10 +389,10 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
       const std::size_t rows = even ? held_rows(column.values) : 1;
       const std::size_t sample = std::max(rows, even ? ramped_rows(column.values) : 1);
       input.sample_s = static_cast<double>(sample) * step_s;
-      // Rows far apart are read one by one, each within a short time: their values are as they are.
+      // Rows far apart are read one by one, each within a short time.
       const bool is_read = sample == 1 && step_s > kLongestSample_s;
       input.late_s = is_read ? kLongestSample_s : input.sample_s;
-      if (is_temperature(column) && !is_read) column.values = continuous(data.time_s, column.values, rows);
+      if (is_temperature(column)) column.values = continuous(data.time_s, column.values, rows, is_read);
       if (!is_read) input.jumps = largest_changes(column.values, sample);
     } else {
       continue;
