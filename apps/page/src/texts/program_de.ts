@@ -56,6 +56,7 @@ export const program_de: readonly (readonly [string, string])[] = [
   ["speed", "Drehzahl"],
   ["temperature", "Temperatur"],
   ["– {}", "– {1}"],
+  ["{}: beside a slow drift without a cause its form is open.", "{1}: Neben einer langsamen Drift ohne Ursache ist die Form offen."],
   ["{}: a slow drift without a cause is larger.", "{1}: Eine langsame Drift ohne Ursache ist größer."],
   ["{}: a few readings do not tell it from other columns.", "{1}: Die wenigen Werte unterscheiden ihn nicht von anderen Spalten."],
   ["{}: the same column drives more, in a form that no known effect has.", "{1}: Dieselbe Spalte treibt noch mehr, in einer Form, die kein bekannter Effekt hat."],

@@ -56,6 +56,7 @@ export const program_zh: readonly (readonly [string, string])[] = [
   ["speed", "转速"],
   ["temperature", "温度"],
   ["– {}", "– {1}"],
+  ["{}: beside a slow drift without a cause its form is open.", "{1}：存在原因不明的缓慢漂移时，其形式未定。"],
   ["{}: a slow drift without a cause is larger.", "{1}：原因不明的缓慢漂移更大。"],
   ["{}: a few readings do not tell it from other columns.", "{1}：读数太少，无法将其与其他列区分。"],
   ["{}: the same column drives more, in a form that no known effect has.", "{1}：同一列还驱动了更多变化，其形式不属于任何已知效应。"],
