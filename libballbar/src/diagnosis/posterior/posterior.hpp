@@ -38,7 +38,7 @@ struct Posterior {
   std::vector<double> weight;     // of each
   std::vector<Covariance> kinds;  // the likeliest covariance of each kind of discrepancy, as the search found it
   std::vector<Variant> variants;  // the model at its most likely parameters, then with one held parameter free
-  Identities identities;          // at the first variant; shapes that a later fit adds to the library change no evidence
+  Identities identities;  // at the first variant; shapes that a later fit adds to the library change no evidence
   std::vector<SinglePosterior> effects;
   std::vector<double> family, own;  // P of each family and each held value
   double nothing = 1.0;             // P of no effect, wrong held value and discrepancy
