@@ -391,12 +391,12 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
       input.sample_s = static_cast<double>(sample) * step_s;
       // Rows far apart are read one by one, each within a short time.
       const bool is_read = sample == 1 && step_s > kLongestSample_s;
-      input.late_s = is_read ? kLongestSample_s : input.sample_s;
       if (is_temperature(column)) column.values = continuous(data.time_s, column.values, rows, is_read);
       if (!is_read) input.jumps = largest_changes(column.values, sample);
     } else {
       continue;
     }
+    input.late_s = input.sample_s > step_s ? input.sample_s : std::min(step_s, kLongestSample_s);
     result.inputs.push_back(std::move(input));
   }
   return result;
