@@ -112,15 +112,20 @@ std::vector<std::size_t> folds_of(const Series& data, const std::vector<std::siz
   return none_too_long(stretches_of(data, *speed, rows));
 }
 
-std::vector<std::size_t> folds_that_tell(const Series& data, const std::vector<std::size_t>& rows,
-                                         const std::vector<std::size_t>& fold, const Eigen::MatrixXd& columns) {
-  const Column* recording = recording_numbers(data);
-  if (recording == nullptr) return fold;
+Eigen::MatrixXd squares_by_fold(const Eigen::MatrixXd& columns, const std::vector<std::size_t>& fold) {
   const std::size_t folds = *std::max_element(fold.begin(), fold.end()) + 1;
   Eigen::MatrixXd square = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(folds), columns.cols());
   for (std::size_t i = 0; i < fold.size(); ++i) {
     square.row(static_cast<Eigen::Index>(fold[i])) += columns.row(static_cast<Eigen::Index>(i)).cwiseAbs2();
   }
+  return square;
+}
+
+std::vector<std::size_t> folds_that_tell(const Series& data, const std::vector<std::size_t>& rows,
+                                         const std::vector<std::size_t>& fold, const Eigen::MatrixXd& columns) {
+  const Column* recording = recording_numbers(data);
+  if (recording == nullptr) return fold;
+  const Eigen::MatrixXd square = squares_by_fold(columns, fold);
   const Eigen::RowVectorXd all = square.colwise().sum();
   for (Eigen::Index out = 0; out < square.rows(); ++out) {
     if (((all - square.row(out)).array() <= kNowhere * all.array()).any()) {

@@ -18,4 +18,7 @@ const Column* recording_numbers(const Series& data);
 std::vector<std::size_t> folds_that_tell(const Series& data, const std::vector<std::size_t>& rows,
                                          const std::vector<std::size_t>& fold, const Eigen::MatrixXd& columns);
 
+// The squares of the columns in each fold: one row per fold.
+Eigen::MatrixXd squares_by_fold(const Eigen::MatrixXd& columns, const std::vector<std::size_t>& fold);
+
 }  // namespace ballbar

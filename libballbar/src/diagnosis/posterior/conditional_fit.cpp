@@ -24,12 +24,6 @@ double stepped(const BaseModel& model, const BaseColumn& column, double value, d
                     std::min(setting.lower, value), std::max(setting.upper, value));
 }
 
-bool is_given(const Problem& problem, const BoundEffect& bound) {
-  return std::any_of(problem.terms.begin(), problem.terms.end(), [&](const Term& given) {
-    return given.effect->name == bound.effect->name && given.columns == bound.columns;
-  });
-}
-
 // The model with the set's effects as terms, and its parameters.
 std::pair<Model, std::vector<double>> with_effects(const Problem& problem, const ConditionalFit& conditional) {
   Model model = problem.model;
@@ -44,7 +38,7 @@ std::pair<Model, std::vector<double>> with_effects(const Problem& problem, const
       Setting& setting = model.terms.back().settings[k];
       // An exponent that the catalogue holds lies between the points of its grid as well.
       const Parameter& parameter = bound.effect->parameters[k];
-      if (parameter.held && parameter.grid.size() > 1 && !is_given(problem, bound)) setting.held = false;
+      if (parameter.held && parameter.grid.size() > 1 && given_term(problem, bound) == nullptr) setting.held = false;
       if (bound.effect->parameters[k].kind != ParameterKind::gain || gain == one.width) {
         parameters.push_back(std::clamp(one.point[k], setting.lower, setting.upper));
         continue;

@@ -289,12 +289,16 @@ std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, c
   return library.signatures.size() - 1;
 }
 
+const Term* given_term(const Problem& problem, const BoundEffect& bound) {
+  const auto given = std::find_if(problem.terms.begin(), problem.terms.end(), [&](const Term& one) {
+    return one.effect->name == bound.effect->name && one.columns == bound.columns;
+  });
+  return given == problem.terms.end() ? nullptr : &*given;
+}
+
 Term term_of(const Problem& problem, const BoundEffect& bound) {
-  for (const Term& given : problem.terms) {
-    if (given.effect->name == bound.effect->name && given.columns == bound.columns)
-      return with_resolved_periods(given, problem.highest_Hz);
-  }
-  return with_resolved_periods(term_of(*bound.effect, bound.columns), problem.highest_Hz);
+  const Term* given = given_term(problem, bound);
+  return with_resolved_periods(given != nullptr ? *given : term_of(*bound.effect, bound.columns), problem.highest_Hz);
 }
 
 std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std::size_t target,

@@ -98,6 +98,9 @@ void free_rows_at_jumps(Problem& problem, bool wide);
 // exists already.
 std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, const std::vector<double>& point);
 
+// The term of an effect that the caller has given; nullptr: none.
+const Term* given_term(const Problem& problem, const BoundEffect& bound);
+
 // The given term of an effect, else that of the catalogue.
 Term term_of(const Problem& problem, const BoundEffect& bound);
 

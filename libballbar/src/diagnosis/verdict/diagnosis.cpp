@@ -68,9 +68,6 @@ class Decision {
     result_.target = problem().base.target;
     result_.where = options.where;
     measured_um_ = range_of(problem().base.measured_um);
-    const std::vector<double>& sigma_um = problem().base.sigma_um;
-    for (const double sigma : sigma_um) result_.stated_um += sigma * sigma / static_cast<double>(sigma_um.size());
-    result_.stated_um = std::sqrt(result_.stated_um);
   }
 
   Diagnosis run() {
@@ -381,7 +378,8 @@ class Decision {
                         std::any_of(d.drivers.begin(), d.drivers.end(),
                                     [&](const Driver& one) { return one.p >= kSureDriver && one.is_clear; });
     // More than the readings scatter, as far as their sigma is known: something is missing, without a cause here.
-    const bool has_rest = d.stated_um > 0.0 && d.base.rmse_um > kRest * d.stated_um;
+    const double stated_um = std::sqrt(problem().known.variance);
+    const bool has_rest = stated_um > 0.0 && d.base.rmse_um > kRest * stated_um;
     if (d.p_nothing >= kNothing && d.level_jumps == 0) {
       d.named.clear();
       d.probable.clear();

@@ -88,17 +88,6 @@ LeftOutFit left_out(const SetRegression& at, const Eigen::MatrixXd& white, const
   return result;
 }
 
-// The square in each fold of what the others leave of an effect, of that in its largest.
-std::vector<double> shares_of_folds(const Eigen::MatrixXd& others, const Eigen::MatrixXd& own,
-                                    const std::vector<std::size_t>& fold, std::size_t folds) {
-  const Eigen::MatrixXd left = orthogonal_part(own, orthonormal(others));
-  std::vector<double> square(folds, 0.0);
-  for (std::size_t i = 0; i < fold.size(); ++i) square[fold[i]] += left.row(static_cast<Eigen::Index>(i)).squaredNorm();
-  const double largest = std::max(1e-300, *std::max_element(square.begin(), square.end()));
-  for (double& one : square) one /= largest;
-  return square;
-}
-
 std::size_t family_of_member(const Problem& problem, const EffectSet& set, std::size_t member) {
   return problem.library.signatures[set.signatures[member]].family;
 }
@@ -122,11 +111,12 @@ Candidate with_tests(Candidate one, const Effect& effect, const SetRegression& a
   const LeftOutFit after = left_out(at, with, plain_with, fold, folds);
   one.held_out_before_um = before.rmse_um;
   one.held_out_after_um = after.rmse_um;
-  const std::vector<double> share = shares_of_folds(others, own, fold, folds);
+  // Of what the others leave of the effect.
+  const Eigen::VectorXd square = squares_by_fold(orthogonal_part(own, orthonormal(others)), fold).rowwise().sum();
   double best = 0.0;
   one.held_out_evidence = 0.0;
   for (std::size_t f = 0; f < folds; ++f) {
-    const bool moves = share[f] >= kMoves;
+    const bool moves = square[static_cast<Eigen::Index>(f)] > kMoves * square.maxCoeff();
     const double gained = moves ? after.log_likelihood[f] - before.log_likelihood[f] : 0.0;
     one.held_out_evidence += gained;
     best = std::max(best, gained);

@@ -97,7 +97,6 @@ struct Diagnosis {
   std::vector<GainByRun> gains_by_run;               // several runs: the gains that differ
   double p_nothing = 1.0;                            // no effect, no wrong held value, no discrepancy
   double p_discrepancy = 0.0;
-  double stated_um = 0.0;             // RMS of the stated sigmas of the target; 0: none stated
   double discrepancy_um = 0.0;        // standard deviation of its posterior mean
   std::string discrepancy_like;       // the effect of time alone that it follows: "settling"; empty: none
   std::string discrepancy_parameter;  // "time constant"
