@@ -31,8 +31,10 @@ Workbench workbench_of(const ModelOptions& options, const std::shared_ptr<const 
 std::string heading(const Fit& fit) {
   const std::vector<double> time_s = one_after_another(fit.time_s);
   const std::size_t runs = runs_of(fit.time_s).size();
-  return fmt::format("{}, {} values over {}{}", fit.target, fit.residual_um.size(),
-                     duration_text(time_s.back() - time_s.front()), runs > 1 ? fmt::format(" in {} runs", runs) : "");
+  const std::size_t far = fit.set_aside.size();
+  return fmt::format("{}, {} values over {}{}{}", fit.target, fit.residual_um.size(),
+                     duration_text(time_s.back() - time_s.front()), runs > 1 ? fmt::format(" in {} runs", runs) : "",
+                     far > 0 ? fmt::format("; {} more, far from their neighbours, set aside", far) : "");
 }
 
 void print_sentences(const ResidualReport& residual_report) {

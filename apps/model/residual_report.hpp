@@ -65,7 +65,9 @@ template <>
 inline constexpr auto kResult<ResidualReport> = ResultType{
     "Checked", "A model fitted, and where it fails.",
     std::tuple_cat(kResidualReportFigures, kResidualReportDetails, kResidualReportEnd,
-                   std::tuple{Field{"remarks", [](const ResidualReport& of) { return of.fit.remarks; }, ""}})};
+                   std::tuple{Field{"set_aside", [](const ResidualReport& of) { return of.fit.set_aside.size(); },
+                                    "readings far from their neighbours, which are not in n"},
+                              Field{"remarks", [](const ResidualReport& of) { return of.fit.remarks; }, ""}})};
 
 struct CheckedTargets {
   std::vector<ResidualReport> targets;

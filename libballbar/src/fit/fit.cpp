@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
+#include "fit/far_readings.hpp"
 #include "fit/fit_uncertainty.hpp"
 #include "fit/inlier_rows.hpp"
 #include "fit/irls_and_gls.hpp"
@@ -62,10 +63,12 @@ Bounds refined_bounds(Bounds bounds, const Model& model, const ModelRows& rows, 
   return bounds;
 }
 
-std::vector<std::size_t> rows_with_value(const Column& target) {
+// `without`: rising.
+std::vector<std::size_t> rows_with_value(const Column& target, const std::vector<std::size_t>& without) {
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < target.values.size(); ++row) {
-    if (!std::isnan(target.values[row])) rows.push_back(row);
+    if (!std::isnan(target.values[row]) && !std::binary_search(without.begin(), without.end(), row))
+      rows.push_back(row);
   }
   return rows;
 }
@@ -128,7 +131,8 @@ Fit fit(const Model& stated, const Series& data, std::size_t target, const FitOp
   Fit result;
   result.target = stated.targets.at(target);
   const Column& column = *find_column(data, result.target);
-  result.row = rows_with_value(column);
+  if (stated.level == Level::series) result.set_aside = far_readings(column.values);
+  result.row = rows_with_value(column, result.set_aside);
   if (result.row.size() < 3) {
     throw Error(fmt::format("expected at least 3 values of {}, found {}.", result.target, result.row.size()));
   }

@@ -63,7 +63,9 @@ Said said_of(const Diagnosis& found) {
   said.equivalent.reserve(found.equivalent.size());
   for (const std::vector<BoundEffect>& group : found.equivalent) said.equivalent.push_back(members_of(group));
   for (const EffectProbability& one : found.effects) said.effects.push_back(member_of(one.bound, one.p));
-  for (const Driver& one : found.drivers) said.drivers.push_back({one.column, one.p});
+  for (const Driver& one : found.drivers) {
+    if (one.is_clear) said.drivers.push_back({one.column, one.p});
+  }
   for (const OwnValue& one : found.own) said.own.push_back({one.effect, one.parameter, one.held, one.fitted, one.p});
   said.p_nothing = found.p_nothing;
   said.p_discrepancy = found.p_discrepancy;

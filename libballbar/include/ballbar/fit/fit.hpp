@@ -7,6 +7,9 @@
 // than a tenth of the record indicates misfit rather than noise. The parameters then stay those of ordinary least
 // squares, and sigma is widened (sandwich estimator).
 //
+// Readings of a series far from their neighbours are set aside, such as a fault of the logger: more than 6 sigma off
+// the running median of seven (F. R. Hampel 1974, J. Am. Stat. Assoc. 69, 383).
+//
 // A robust fit weights the whitened residuals by Tukey's biweight. Values with less than a tenth of full weight are
 // discounted: noise, floor, RMSE and number of samples ignore them, and they do not affect the prediction of other
 // rows. Shape parameters start from the best points of their grids, the gains solved at every point (variable
@@ -51,8 +54,9 @@ struct FitOptions {
 
 struct Fit {
   std::string target;
-  std::vector<double> time_s;                                  // n rows where the target has a value
+  std::vector<double> time_s;                                  // n rows where the target has a value, but set_aside
   std::vector<std::size_t> row;                                // index of the row in the data, n values
+  std::vector<std::size_t> set_aside;                          // rows of a series far from their neighbours, not fitted
   std::vector<double> measured_um, predicted_um, residual_um;  // n each; residual = measured - predicted
   std::vector<double> sigma_um;                                // n stated sigmas of the target; empty: none stated
   std::vector<std::vector<double>> contribution_um;            // n values per term

@@ -333,10 +333,6 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   problem->shock.assign(base.row.size(), 1.0);
   if (model.level == Level::series) {
     set_aside_saturated(*problem);
-    for (const std::size_t row : far_readings(problem->y)) {
-      if (problem->stated_variance[row] == 0.0) ++problem->far_readings;
-      problem->stated_variance[row] = kUnknownVariance;
-    }
   } else {
     problem->longest_memory_s = std::numeric_limits<double>::infinity();
   }

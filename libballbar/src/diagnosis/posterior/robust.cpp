@@ -14,8 +14,6 @@ namespace ballbar {
 namespace {
 
 constexpr double kFreedom = 4.0;              // nu of Student's t
-constexpr std::size_t kHampelReach = 3;       // rows on either side
-constexpr double kHampelOff = 6.0;            // scaled median deviations
 constexpr double kStays = 4.4;                // chi^2: so much more falls by a jump that stays
 constexpr double kFarOff = 20.0;              // of the same factor: such a reading is set aside, about 10 sigma
 constexpr double kOutlier = 2.0;              // (r^2 + nu) / (nu + 1) of a white innovation r
@@ -27,15 +25,8 @@ constexpr double kSharp = 0.5;                // of a jump from one row to the n
 constexpr double kJumpOff = 5.0;              // usual changes
 constexpr std::size_t kFewestLevels = 3;
 constexpr std::size_t kMostLevels = 80;
-constexpr double kMadToSigma = 1.4826;
 
 double median_of(std::vector<double> values) { return values.empty() ? 0.0 : median(std::move(values)); }
-
-std::vector<double> changes_of(const Eigen::VectorXd& values) {
-  std::vector<double> changes;
-  for (Eigen::Index i = 1; i < values.size(); ++i) changes.push_back(std::abs(values[i] - values[i - 1]));
-  return changes;
-}
 
 // The median difference of neighbours among the values that occur.
 double resolution_of_readings(const Eigen::VectorXd& y) {
@@ -73,8 +64,7 @@ Eigen::VectorXd residual_of(const Variant& variant, const LinearSolution& soluti
   return residual;
 }
 
-// What begins at a row far off: a reading alone, a change of the noise that is forgotten within its memory, or a jump
-// that stays: it explains more, or so much more that it is certain.
+// What begins at a row far off; a jump that explains much more is certain.
 enum class Begins { reading, change, likely_jump, jump };
 
 std::vector<Begins> what_begins(const Problem& problem, const Variant& variant, const Point& point,
@@ -82,29 +72,17 @@ std::vector<Begins> what_begins(const Problem& problem, const Variant& variant, 
   std::vector<Begins> result(rows.size(), Begins::change);
   const std::vector<double>& time_s = problem.time_s;
   if (rows.empty() || !std::is_sorted(time_s.begin(), time_s.end())) return result;
-  const Covariance& covariance = point.covariance;
   const Eigen::MatrixXd white = whitened(point.filter, variant.pool);
   const Eigen::MatrixXd basis = orthonormal(white(Eigen::all, variant.line.columns));
   const Eigen::VectorXd left = orthogonal_part(Eigen::VectorXd(white.col(0)), basis);
-  const auto n = static_cast<Eigen::Index>(time_s.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, 3);  // as in Begins
-    columns(rows[k], 0) = 1.0;
-    for (Eigen::Index i = rows[k]; i < n; ++i) {
-      const double since_s = time_s[static_cast<std::size_t>(i)] - time_s[static_cast<std::size_t>(rows[k])];
-      columns(i, 2) = 1.0;
-      if (covariance.correlated > 0.0) columns(i, 1) = std::exp(-since_s / covariance.time_s);
-    }
-    const Eigen::MatrixXd own = orthogonal_part(Eigen::MatrixXd(whitened(point.filter, columns)), basis);
-    const auto fall = [&](Eigen::Index column) {
-      const double square = own.col(column).squaredNorm();
-      return square > 1e-9 ? std::pow(own.col(column).dot(left), 2) / square / variance : 0.0;
-    };
-    if (fall(2) > std::max(fall(0), fall(1)) + kStays) {
+    const Eigen::MatrixXd columns = whitened(point.filter, changes_at(problem, point.covariance, rows[k]));
+    const Falls fall = falls_by(orthogonal_part(columns, basis), left, variance);
+    if (fall.jump > std::max(fall.reading, fall.change) + kStays) {
       result[k] = Begins::jump;
-    } else if (fall(0) > std::max(fall(1), fall(2))) {
+    } else if (fall.reading > std::max(fall.change, fall.jump)) {
       result[k] = Begins::reading;
-    } else if (fall(2) > fall(1)) {
+    } else if (fall.jump > fall.change) {
       result[k] = Begins::likely_jump;
     }
   }
@@ -113,27 +91,28 @@ std::vector<Begins> what_begins(const Problem& problem, const Variant& variant, 
 
 }  // namespace
 
-std::vector<std::size_t> far_readings(const Eigen::VectorXd& y) {
-  const auto n = static_cast<std::size_t>(y.size());
-  std::vector<double> off(n, 0.0);
-  std::vector<std::size_t> far;
-  if (n < 4 * kHampelReach) return far;
-  for (std::size_t i = 0; i < n; ++i) {
-    std::vector<double> about;
-    for (std::size_t k = 0; k < 2 * kHampelReach + 1; ++k) {
-      const std::size_t row = std::min(n - 1, i + k < kHampelReach ? 0 : i + k - kHampelReach);
-      about.push_back(y[static_cast<Eigen::Index>(row)]);
-    }
-    off[i] = y[static_cast<Eigen::Index>(i)] - median(std::move(about));
-  }
-  std::vector<double> sizes(n);
-  for (std::size_t i = 0; i < n; ++i) sizes[i] = std::abs(off[i]);
-  const double sigma = std::max(kMadToSigma * median_of(sizes), median_of(changes_of(y)) / 0.954);
-  if (!(sigma > 0.0)) return far;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (sizes[i] > kHampelOff * sigma) far.push_back(i);
-  }
-  return far;
+Eigen::MatrixXd changes_at(const Problem& problem, const Covariance& covariance, Eigen::Index row) {
+  const std::vector<double>& time_s = problem.time_s;
+  const auto n = static_cast<Eigen::Index>(time_s.size());
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, 4);
+  columns(row, 0) = 1.0;
+  columns.col(3).tail(n - row).setOnes();
+  if (!(covariance.correlated > 0.0)) return columns;
+  const auto kept_from = [&](Eigen::Index from, Eigen::Index i) {
+    const double apart_s = time_s[static_cast<std::size_t>(i)] - time_s[static_cast<std::size_t>(from)];
+    return std::exp(-std::abs(apart_s) / covariance.time_s);
+  };
+  for (Eigen::Index i = row; i < n; ++i) columns(i, 1) = kept_from(row, i);
+  for (Eigen::Index i = 0; i < row; ++i) columns(i, 2) = kept_from(row - 1, i);
+  return columns;
+}
+
+Falls falls_by(const Eigen::MatrixXd& changes, const Eigen::VectorXd& left, double variance) {
+  const auto fall = [&](Eigen::Index column) {
+    const double square = changes.col(column).squaredNorm();
+    return square > 1e-9 ? std::pow(changes.col(column).dot(left), 2) / square / variance : 0.0;
+  };
+  return {fall(0), std::max(fall(1), fall(2)), fall(3)};
 }
 
 Eigen::VectorXd residual_beside(const Problem& problem, const Variant& variant, const Point& point) {

@@ -26,6 +26,7 @@
 #include "diagnosis/verdict/probabilities.hpp"
 #include "diagnosis/verdict/sentence.hpp"
 #include "diagnosis/verdict/start_values.hpp"
+#include "fit/far_readings.hpp"
 #include "fit/model_columns.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
@@ -177,7 +178,7 @@ class Decision {
       if (!input.at_end.empty())
         result_.saturated.push_back({input.column, static_cast<double>(input.at_end.size()) / rows});
     }
-    result_.set_aside = problem().far_readings;
+    result_.set_aside = far_readings(find_column(data_, result_.target)->values).size() + problem().far_readings;
     result_.level_jumps = problem().level_jumps.size();
     std::vector<double> sizes_um;
     for (const LevelJump& jump : problem().level_jumps) sizes_um.push_back(jump.size_um);
@@ -309,6 +310,7 @@ class Decision {
     doubt_weak_drivers();
     doubt_beside_discrepancy();
     doubt_few_readings();
+    for (Driver& driver : result_.drivers) driver.is_clear = driver.is_clear && result_.columns_not_searched.empty();
     if (!options_.leave_out || model_.level != Level::series) return;
     tell("leaving cycles out");
     std::vector<std::size_t> terms(result_.candidates.size());
@@ -342,8 +344,8 @@ class Decision {
   void decide() {
     Diagnosis& d = result_;
     bool own_named = false, own_probable = false;
-    const bool is_clear = !(discrepancy_beside_um() > 0.0);
     const bool all_searched = d.columns_not_searched.empty();  // else another cause may be among those
+    const bool is_clear = !(discrepancy_beside_um() > 0.0) && all_searched;
     for (const OwnValue& own : d.own) {
       own_named = own_named || (own.p >= kNamed && is_clear);
       own_probable = own_probable || (own.p >= kProbable && is_clear);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "diagnosis/posterior/robust.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "diagnosis/verdict/start_values.hpp"
 #include "numerics/orthonormal.hpp"
@@ -94,6 +95,25 @@ std::size_t family_of_member(const Problem& problem, const EffectSet& set, std::
 
 const Effect& effect_of_member(const Problem& problem, const EffectSet& set, std::size_t member) {
   return *problem.library.families[family_of_member(problem, set, member)].bound.effect;
+}
+
+// The row before which the column changes most.
+Eigen::Index row_of_jump(const Eigen::VectorXd& column) {
+  Eigen::Index row = 0;
+  (column.tail(column.size() - 1) - column.head(column.size() - 1)).cwiseAbs().maxCoeff(&row);
+  return row + 1;
+}
+
+bool is_jump_that_stays(const Problem& problem, const Point& point, const SetRegression& at, std::size_t member) {
+  const std::vector<double>& time_s = problem.time_s;
+  if (!std::is_sorted(time_s.begin(), time_s.end())) return true;  // several runs
+  const Eigen::VectorXd jump = at.members.col(at.first[member]);
+  Eigen::MatrixXd changes = changes_at(problem, point.covariance, row_of_jump(jump));
+  changes.rightCols(1) = jump;
+  const Eigen::MatrixXd basis = orthonormal(at.white_columns_but(member));
+  const Falls fall = falls_by(orthogonal_part(at.white(point.filter, changes), basis),
+                              orthogonal_part(at.white_y, basis), at.variance);
+  return fall.jump > std::max(fall.reading, fall.change) + kLeastLikelihoodRatio;
 }
 
 }  // namespace
@@ -206,7 +226,11 @@ Candidate tested_member(const Inference& inference, const EffectSet& set, const 
   const std::vector<std::size_t> fold =
       folds_that_tell(problem.logged.series, problem.base.row, folds_of(problem.logged.series, problem.base.row),
                       problem.library.columns.middleCols(signature.first, signature.width));
-  return with_tests(std::move(one), effect_of_member(problem, set, member), at, member, fold);
+  const Effect& effect = effect_of_member(problem, set, member);
+  one = with_tests(std::move(one), effect, at, member, fold);
+  if (is_jump(effect) && !is_jump_that_stays(problem, inference.posterior.points[set.point], at, member))
+    one.doubts.emplace_back("a change that the noise forgets explains nearly as much");
+  return one;
 }
 
 }  // namespace ballbar
