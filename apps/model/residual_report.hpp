@@ -65,7 +65,7 @@ template <>
 inline constexpr auto kResult<ResidualReport> = ResultType{
     "Checked", "A model fitted, and where it fails.",
     std::tuple_cat(kResidualReportFigures, kResidualReportDetails, kResidualReportEnd,
-                   std::tuple{Field{"set_aside", [](const ResidualReport& of) { return of.fit.set_aside.size(); },
+                   std::tuple{Field{"n_set_aside", [](const ResidualReport& of) { return of.fit.set_aside.size(); },
                                     "readings far from their neighbours, which are not in n"},
                               Field{"remarks", [](const ResidualReport& of) { return of.fit.remarks; }, ""}})};
 

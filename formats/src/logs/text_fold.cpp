@@ -55,8 +55,9 @@ std::string small(std::string_view text) {
 std::string folded_unit(std::string_view text) {
   std::string out;
   while (!text.empty()) {
-    const Folding* to = folding_at(kSigns, text);
-    if (to == nullptr) to = folding_at(kLetters, text);
+    const bool is_ascii = static_cast<unsigned char>(text.front()) < 0x80;  // as no sign or letter above
+    const Folding* to = is_ascii ? nullptr : folding_at(kSigns, text);
+    if (to == nullptr && !is_ascii) to = folding_at(kLetters, text);
     if (to != nullptr) {
       out += to->to;
       text.remove_prefix(to->from.size());

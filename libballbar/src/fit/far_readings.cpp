@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "numerics/median.hpp"
 
@@ -9,8 +10,29 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kReach = 3;          // values on either side
-constexpr double kOff = 6.0;               // sigma
+constexpr double kOff = 10.0;              // sigma
+constexpr double kBack = 0.25;             // of the smallest deviation
 constexpr double kMedianOfChange = 0.954;  // sigma, of two independent normal values
+
+double sigma_of(const std::vector<double>& values, const std::vector<double>& off) {
+  std::vector<double> changes;
+  for (std::size_t i = 1; i < values.size(); ++i) changes.push_back(std::abs(values[i] - values[i - 1]));
+  return std::max(median_sigma(off), median(std::move(changes)) / kMedianOfChange);
+}
+
+// Whether the values before first and from end on are those of one level that all between are far from.
+bool come_back(const std::vector<double>& values, std::size_t first, std::size_t end) {
+  std::vector<double> about(values.begin() + static_cast<std::ptrdiff_t>(first > kReach ? first - kReach : 0),
+                            values.begin() + static_cast<std::ptrdiff_t>(first));
+  about.insert(about.end(), values.begin() + static_cast<std::ptrdiff_t>(end),
+               values.begin() + static_cast<std::ptrdiff_t>(std::min(values.size(), end + kReach)));
+  const double level = median(about);
+  const auto off = [&](double value) { return std::abs(value - level); };
+  double least = off(values[first]), most = 0.0;
+  for (std::size_t i = first; i < end; ++i) least = std::min(least, off(values[i]));
+  for (const double value : about) most = std::max(most, off(value));
+  return most <= kBack * least;
+}
 
 }  // namespace
 
@@ -24,17 +46,19 @@ std::vector<std::size_t> far_readings(const std::vector<double>& readings) {
   }
   const std::size_t n = values.size();
   if (n < 4 * kReach) return far;
-  std::vector<double> off, changes, about(2 * kReach + 1);
+  std::vector<double> off, about(2 * kReach + 1);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k < about.size(); ++k)
       about[k] = values[std::min(n - 1, i + k < kReach ? 0 : i + k - kReach)];
     off.push_back(values[i] - median(about));
-    if (i > 0) changes.push_back(std::abs(values[i] - values[i - 1]));
   }
-  const double sigma = std::max(median_sigma(off), median(std::move(changes)) / kMedianOfChange);
-  if (!(sigma > 0.0)) return far;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (std::abs(off[i]) > kOff * sigma) far.push_back(row[i]);
+  const double least = kOff * sigma_of(values, off);
+  if (!(least > 0.0)) return far;
+  for (std::size_t first = 0, end = 0; first < n; first = end + 1) {
+    for (end = first; end < n && std::abs(off[end]) > least;) ++end;
+    if (end == first || end - first > kReach || !come_back(values, first, end)) continue;
+    far.insert(far.end(), row.begin() + static_cast<std::ptrdiff_t>(first),
+               row.begin() + static_cast<std::ptrdiff_t>(end));
   }
   return far;
 }

@@ -131,7 +131,7 @@ Fit fit(const Model& stated, const Series& data, std::size_t target, const FitOp
   Fit result;
   result.target = stated.targets.at(target);
   const Column& column = *find_column(data, result.target);
-  if (stated.level == Level::series) result.set_aside = far_readings(column.values);
+  if (stated.level == Level::series && !options.robust) result.set_aside = far_readings(column.values);
   result.row = rows_with_value(column, result.set_aside);
   if (result.row.size() < 3) {
     throw Error(fmt::format("expected at least 3 values of {}, found {}.", result.target, result.row.size()));

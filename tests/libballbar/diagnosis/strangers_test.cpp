@@ -137,6 +137,8 @@ TEST(StrangersLog, a_few_readings_far_off_are_set_aside) {
   const Diagnosis found = log.diagnosed(z_um);
   EXPECT_EQ(found.set_aside, 6U);
   EXPECT_LT(found.noise.white_um, 0.5);
+  EXPECT_LT(found.rmse_after_um, 0.4);
+  EXPECT_LT(found.base.floor.rms_um, 0.5);
   EXPECT_GE(p_of(found, "bearing_degC"), 0.95) << found.sentence;
   EXPECT_EQ(found.sentence.find("6 readings far from the others are set aside."), 0U) << found.sentence;
 }
@@ -178,7 +180,25 @@ TEST(StrangersLog, nothing_is_named_beside_a_column_with_gaps) {
   ASSERT_EQ(found.columns_not_searched.size(), 1U) << found.sentence;
   EXPECT_EQ(found.columns_not_searched[0].column, "door");
   EXPECT_TRUE(found.named.empty()) << found.sentence;
+  EXPECT_EQ(p_of(found, "bearing_degC"), 0.0) << found.sentence;
   EXPECT_EQ(found.sentence.find("door was not searched: it has gaps."), 0U) << found.sentence;
+}
+
+// The set-up gives way by 1.5 um and comes back within minutes, as noise does: no step.
+TEST(StrangersLog, a_change_that_the_noise_forgets_is_no_step) {
+  const auto with = [](double lasts_s) {
+    Log log;
+    std::vector<double> z_um;
+    double slow_um = 0.0;
+    for (std::size_t i = 0; i < log.data.time_s.size(); ++i) {
+      slow_um = 0.92 * slow_um + 0.3 * log.normal();
+      const double since_s = log.data.time_s[i] - 20000.0;
+      z_um.push_back(slow_um + (since_s >= 0.0 ? 4.0 * std::exp(-since_s / lasts_s) : 0.0));
+    }
+    return log.diagnosed(z_um);
+  };
+  for (const BoundEffect& one : with(900.0).named) EXPECT_NE(one.effect->name, "step");
+  EXPECT_EQ(labels(with(1e9).named), std::vector<std::string>{"step"});
 }
 
 // Read by hand every 20 min: two temperatures, and least squares over all subsets of two agrees.

@@ -194,6 +194,29 @@ TEST(fit, robust_discounts_what_lies_apart) {
   EXPECT_TRUE(found.remarks.empty());
 }
 
+// A fault of the logger is in no figure of the fit, and a step or a ramp is none.
+TEST(fit, readings_far_from_their_neighbours_are_set_aside) {
+  Series data = duty_cycle(400);
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> noise(0.0, 0.1);
+  std::vector<double> target;
+  for (std::size_t i = 0; i < 400; ++i) {
+    const bool is_far = i == 0 || i == 90 || i == 91 || i == 399;
+    target.push_back(0.7 * (data.columns[2].values[i] - 20.0) + noise(random) + (is_far ? 300.0 : 0.0) +
+                     (i >= 200 ? 9.0 : 0.0) + 0.05 * static_cast<double>(i));
+  }
+  add_target(data, target);
+  Model model = model_of({term_of("expansion", {"T_body_degC"}), term_of("step", {}), term_of("linear_drift", {})});
+  const Fit found = fit(model, data);
+  EXPECT_EQ(found.set_aside, (std::vector<std::size_t>{0, 90, 91, 399}));
+  EXPECT_EQ(found.row.size(), 396U);
+  EXPECT_LT(found.rmse_um, 0.12);
+  EXPECT_LT(found.floor.rms_um, 0.12);
+  FitOptions robust;
+  robust.robust = true;
+  EXPECT_TRUE(fit(model, data, 0, robust).set_aside.empty());
+}
+
 // z = 0.7 (T - T0) + noise of 0.1 um, one value in twenty 1 um off: AR(1) with lag-1 correlation phi, or white (0).
 struct Contaminated {
   double phi = 0.0;

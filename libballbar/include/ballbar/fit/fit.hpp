@@ -7,8 +7,9 @@
 // than a tenth of the record indicates misfit rather than noise. The parameters then stay those of ordinary least
 // squares, and sigma is widened (sandwich estimator).
 //
-// Readings of a series far from their neighbours are set aside, such as a fault of the logger: more than 6 sigma off
-// the running median of seven (F. R. Hampel 1974, J. Am. Stat. Assoc. 69, 383).
+// Readings of a series far from their neighbours are set aside, such as faults of the logger: at most three in a row,
+// more than 10 sigma off the running median of seven (F. R. Hampel 1974, J. Am. Stat. Assoc. 69, 383), with readings of
+// one level before and after them. A robust fit discounts them instead.
 //
 // A robust fit weights the whitened residuals by Tukey's biweight. Values with less than a tenth of full weight are
 // discounted: noise, floor, RMSE and number of samples ignore them, and they do not affect the prediction of other

@@ -163,7 +163,7 @@ bool fill(BlindSet& set, BlindKind kind, Random& random) {
     set.model.terms = {friction_heat()};
     for (const HiddenEffect& cause : blind::drawn_causes(workshop, target, random)) {
       const Fit base = base_fit(set.model, set.data, sum_of_others(workshop.causes, target, cause));
-      set.clean_um = base.predicted_um;
+      set.clean_um = predict(set.model, base.parameters, set.data).predicted_um;
       bool offered = false;
       const auto next = [&]() -> std::optional<HiddenEffect> {
         if (offered) return std::nullopt;
