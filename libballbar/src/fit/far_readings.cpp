@@ -46,17 +46,18 @@ std::vector<std::size_t> far_readings(const std::vector<double>& readings) {
   }
   const std::size_t n = values.size();
   if (n < 4 * kReach) return far;
-  std::vector<double> off, about(2 * kReach + 1);
+  std::vector<double> off;
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < about.size(); ++k)
-      about[k] = values[std::min(n - 1, i + k < kReach ? 0 : i + k - kReach)];
-    off.push_back(values[i] - median(about));
+    const auto from = static_cast<std::ptrdiff_t>(i > kReach ? i - kReach : 0);
+    const auto end = static_cast<std::ptrdiff_t>(std::min(n, i + kReach + 1));
+    off.push_back(values[i] - median(std::vector<double>(values.begin() + from, values.begin() + end)));
   }
   const double least = kOff * sigma_of(values, off);
   if (!(least > 0.0)) return far;
   for (std::size_t first = 0, end = 0; first < n; first = end + 1) {
     for (end = first; end < n && std::abs(off[end]) > least;) ++end;
-    if (end == first || end - first > kReach || !come_back(values, first, end)) continue;
+    const bool is_inside = first > 0 && end < n;  // a start is no fault
+    if (end == first || end - first > kReach || !is_inside || !come_back(values, first, end)) continue;
     far.insert(far.end(), row.begin() + static_cast<std::ptrdiff_t>(first),
                row.begin() + static_cast<std::ptrdiff_t>(end));
   }
