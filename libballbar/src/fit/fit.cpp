@@ -123,15 +123,15 @@ Eigen::VectorXd values_of(const std::vector<FittedParameter>& parameters) {
 
 }  // namespace
 
-Fit fit(const Model& stated, const Series& data, std::size_t target, const FitOptions& options) {
-  expect_suits(stated, data);
-  if (options.among_all_errors && is_of_machine_errors(stated, data)) {
-    return fit_of_machine_errors(stated, data, target, joint_error_fit(data, MachineErrorOptions{}));
+Fit fit(const Model& model, const Series& data, std::size_t target, const FitOptions& options) {
+  expect_suits(model, data);
+  if (options.among_all_errors && is_of_machine_errors(model, data)) {
+    return fit_of_machine_errors(model, data, target, joint_error_fit(data, MachineErrorOptions{}));
   }
   Fit result;
-  result.target = stated.targets.at(target);
+  result.target = model.targets.at(target);
   const Column& column = *find_column(data, result.target);
-  if (stated.level == Level::series && !options.robust) result.set_aside = far_readings(column.values);
+  if (model.level == Level::series && !options.robust) result.set_aside = far_readings(column.values);
   result.row = rows_with_value(column, result.set_aside);
   if (result.row.size() < 3) {
     throw Error(fmt::format("expected at least 3 values of {}, found {}.", result.target, result.row.size()));
@@ -144,16 +144,16 @@ Fit fit(const Model& stated, const Series& data, std::size_t target, const FitOp
   result.sigma_um = stated_sigma_um(data, result.target, result.row);
   const Eigen::VectorXd measured = Eigen::VectorXd::Map(result.measured_um.data(), n);
 
-  const Model model = with_resolved_periods(stated, highest_Hz(result.time_s));
-  const ModelRows rows(model, data, result.row);
-  const Bounds bounds = bounds_of(model, rows);
+  const Model resolved = with_resolved_periods(model, highest_Hz(result.time_s));
+  const ModelRows rows(resolved, data, result.row);
+  const Bounds bounds = bounds_of(resolved, rows);
   const auto free = static_cast<std::size_t>(std::count(bounds.held.begin(), bounds.held.end(), false));
-  const Bounds refined = refined_bounds(bounds, model, rows, result.time_s);
+  const Bounds refined = refined_bounds(bounds, resolved, rows, result.time_s);
   const FitProblem problem{rows, measured, refined, free};
   Weighting plain{Eigen::VectorXd::Ones(n)};
   for (std::size_t i = 0; i < result.sigma_um.size(); ++i)
     plain.row[static_cast<Eigen::Index>(i)] /= result.sigma_um[i];
-  SolvedFit best{best_of(problem, plain, starts(model, rows, measured, plain.row, options.starts)), plain, {}};
+  SolvedFit best{best_of(problem, plain, starts(resolved, rows, measured, plain.row, options.starts)), plain, {}};
   if (options.robust) {
     best = reweighted(
         problem, [&](const auto&) { return plain; }, std::move(best));
@@ -176,7 +176,7 @@ Fit fit(const Model& stated, const Series& data, std::size_t target, const FitOp
   Eigen::MatrixXd jacobian;
   const Eigen::VectorXd predicted = rows.sum(best.minimum.parameters, &jacobian);
   const Eigen::VectorXd residual = measured - predicted;
-  result.parameters = parameters_of(model, best.minimum.parameters);
+  result.parameters = parameters_of(resolved, best.minimum.parameters);
   result.predicted_um = vector_of(predicted);
   result.residual_um = vector_of(residual);
   for (std::size_t t = 0; t < rows.terms(); ++t) {
