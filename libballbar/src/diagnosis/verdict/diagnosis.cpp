@@ -157,6 +157,7 @@ class Decision {
     result_.noise = noise_of(covariance, at_.variance);
     describe_discrepancy();
     tell_what_was_not_used();
+    for (Driver& driver : result_.drivers) driver.is_clear = result_.columns_not_searched.empty();
     result_.detectability = detectability_by(result_.noise);
     add_own();
   }
@@ -249,7 +250,7 @@ class Decision {
         ++reading;
         strong += one.likelihood_ratio >= kLeastLikelihoodRatio ? 1 : 0;
       }
-      driver.is_clear = reading == 0 || strong > 0;
+      driver.is_clear = driver.is_clear && (reading == 0 || strong > 0);
     }
   }
 
@@ -310,7 +311,6 @@ class Decision {
     doubt_weak_drivers();
     doubt_beside_discrepancy();
     doubt_few_readings();
-    for (Driver& driver : result_.drivers) driver.is_clear = driver.is_clear && result_.columns_not_searched.empty();
     if (!options_.leave_out || model_.level != Level::series) return;
     tell("leaving cycles out");
     std::vector<std::size_t> terms(result_.candidates.size());
