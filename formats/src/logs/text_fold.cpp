@@ -40,6 +40,13 @@ const Folding* folding_at(const Folding (&table)[kSize], std::string_view text) 
   return found == std::end(table) ? nullptr : found;
 }
 
+// Of the sign or letter that the text begins with; nullptr: it stays. None of them is ASCII.
+const Folding* folding_at(std::string_view text) {
+  if (static_cast<unsigned char>(text.front()) < 0x80) return nullptr;
+  const Folding* sign = folding_at(kSigns, text);
+  return sign != nullptr ? sign : folding_at(kLetters, text);
+}
+
 bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
 }
@@ -55,10 +62,7 @@ std::string small(std::string_view text) {
 std::string folded_unit(std::string_view text) {
   std::string out;
   while (!text.empty()) {
-    const bool is_ascii = static_cast<unsigned char>(text.front()) < 0x80;  // as no sign or letter above
-    const Folding* to = is_ascii ? nullptr : folding_at(kSigns, text);
-    if (to == nullptr && !is_ascii) to = folding_at(kLetters, text);
-    if (to != nullptr) {
+    if (const Folding* to = folding_at(text)) {
       out += to->to;
       text.remove_prefix(to->from.size());
       continue;
