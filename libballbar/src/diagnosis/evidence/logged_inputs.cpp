@@ -343,14 +343,16 @@ bool is_switched(const Column& column, SignalKind kind) {
 }
 
 // Where the column is mostly constant it is stepped by these jumps.
-void draw_steps(std::vector<Jump> jumps, LoggedInput& input, std::vector<double>& values) {
+void draw_steps(std::vector<Jump> jumps, LoggedInput& input, std::vector<double>& values, const Tuning& tuning) {
   input.is_stepped = changes_in_jumps(values, jumps);
   if (!input.is_stepped) return;
-  for (const Jump& jump : jumps) draw_step(values, jump);
+  for (const Jump& jump : jumps) {
+    if (tuning.steps_within_samples) draw_step(values, jump);
+  }
   input.jumps = std::move(jumps);
 }
 
-LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& targets) {
+LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& targets, const Tuning& tuning) {
   LoggedInputs result;
   result.series = data;
   if (data.time_s.size() < kFewestChanges || find_column(data, "angle_rad") != nullptr) return result;
@@ -380,10 +382,10 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
                                    : (static_cast<double>(own) * step_s <= kLongestSample_s ? own : 1);
       const double longest_s = std::max(kLongestRamp_s, 1.5 * static_cast<double>(rows) * step_s);
       input.sample_s = static_cast<double>(rows) * step_s;
-      draw_steps(jumps_of(data.time_s, column.values, ramped > 1 ? 1 : rows, longest_s), input, column.values);
+      draw_steps(jumps_of(data.time_s, column.values, ramped > 1 ? 1 : rows, longest_s), input, column.values, tuning);
     } else if (const SignalKind kind = signal_kind(column.values); is_switched(column, kind)) {
       input.sample_s = step_s;
-      draw_steps(jumps_of(data.time_s, column.values, 1, kLongestRamp_s), input, column.values);
+      draw_steps(jumps_of(data.time_s, column.values, 1, kLongestRamp_s), input, column.values, tuning);
     } else if (is_temperature(column) || (kind == SignalKind::smooth && column.role != Role::measured)) {
       input.at_end = rows_at_end(column.values);
       const std::size_t rows = even ? held_rows(column.values) : 1;
@@ -391,7 +393,7 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
       input.sample_s = static_cast<double>(sample) * step_s;
       // Rows far apart are read one by one, each within a short time.
       const bool is_read = sample == 1 && step_s > kLongestSample_s;
-      if (is_temperature(column)) column.values = continuous(data.time_s, column.values, rows, is_read);
+      if (tuning.smoothing && is_temperature(column)) column.values = continuous(data.time_s, column.values, rows, is_read);
       if (!is_read) input.jumps = largest_changes(column.values, sample);
     } else {
       continue;
@@ -412,14 +414,14 @@ std::vector<double> with_jump_moved(const std::vector<double>& values, const Jum
   return moved;
 }
 
-LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& targets) {
+LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& targets, const Tuning& tuning) {
   const std::vector<RowRange> runs = runs_of(data.time_s);
-  if (runs.size() < 2 || find_column(data, "angle_rad") != nullptr) return inputs_of_run(data, targets);
+  if (runs.size() < 2 || find_column(data, "angle_rad") != nullptr) return inputs_of_run(data, targets, tuning);
   // Each run has a logger of its own; what is stepped in one is so in all.
   LoggedInputs result;
   result.series = data;
   for (const RowRange& run : runs) {
-    LoggedInputs own = inputs_of_run(rows_of(data, run), targets);
+    LoggedInputs own = inputs_of_run(rows_of(data, run), targets, tuning);
     for (std::size_t k = 0; k < data.columns.size(); ++k) {
       std::copy(own.series.columns[k].values.begin(), own.series.columns[k].values.end(),
                 result.series.columns[k].values.begin() + static_cast<std::ptrdiff_t>(run.begin));

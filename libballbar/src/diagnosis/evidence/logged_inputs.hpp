@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/diagnosis/tuning.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -38,7 +39,7 @@ struct LoggedInputs {
 };
 
 // targets: columns that are not inputs. Rows and names do not change.
-LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& targets);
+LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& targets, const Tuning& tuning = {});
 
 // The column with this jump moved earlier (shift > 0) or later (shift < 0) by `shift` times its width, |shift| <= 1.
 std::vector<double> with_jump_moved(const std::vector<double>& values, const Jump& jump, bool earlier);

@@ -128,6 +128,7 @@ ConditionalFit conditional_fit(const Problem& problem, const Variant& variant,
 }
 
 ConditionalFit sharpened(Problem& problem, const Variant& variant, ConditionalFit conditional, const Point& point) {
+  if (!problem.tuning.finer_shapes) return conditional_fit(problem, variant, conditional.signatures, point);
   const auto [model, start] = with_effects(problem, conditional);
   const BaseModel with(model, problem.logged, problem.y, problem.base.row);
   const GaussNewtonFit best = gauss_newton_fit(with, start, free_of(problem, variant.own), variant.times, point.filter,
@@ -144,6 +145,8 @@ std::vector<double> with_times(const Problem& problem, std::vector<double> param
 }
 
 Eigen::MatrixXd input_times_of(const Problem& problem, const ConditionalFit& conditional) {
+  if (!problem.tuning.input_times) return with_levels(problem, Eigen::MatrixXd(problem.y.size(), 0));
+  if (!problem.tuning.input_times_of_effects) return with_levels(problem, problem.base_model->times_at(conditional.parameters));
   const auto [model, parameters] = with_effects(problem, conditional);
   return with_levels(problem, BaseModel(model, problem.logged, problem.y, problem.base.row).times_at(parameters));
 }

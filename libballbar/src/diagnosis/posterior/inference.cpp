@@ -101,14 +101,14 @@ Inference inference(const Model& model, const Series& data, std::size_t target, 
     tell_so_far = [&](const std::vector<double>& p) { options.search.so_far(probable_so_far(*result.problem, p)); };
   tell(fmt::format("weighing {} shapes of {} effects", first.library.signatures.size(), effects.size()));
   result.posterior = posterior_of(*result.problem, result.largest, tell_so_far);
-  if (weigh_all_about_jumps(result, model, data, target, options)) {
+  if (options.search.tuning.whole_about_jumps && weigh_all_about_jumps(result, model, data, target, options)) {
     tell("weighing again, every value about a jump");
     result.posterior = posterior_of(*result.problem, result.largest, tell_so_far);
   }
   Problem& problem = *result.problem;
   const EffectSet& best = result.posterior.sets[result.posterior.best];
   const SetRegression at = set_regression(problem, result.posterior, best);
-  const bool late = model.level == Level::series && has_late_clock(problem, result.posterior, at);
+  const bool late = options.search.tuning.late_clock && model.level == Level::series && has_late_clock(problem, result.posterior, at);
   if (late) free_rows_at_jumps(problem, true);
   // On recordings no input of any form stands for the missing effects before they are found.
   const bool outliers =

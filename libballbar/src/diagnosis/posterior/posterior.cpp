@@ -54,10 +54,11 @@ class Average {
     std::vector<WeightedAscent> found;
     for (const Covariance& one : searched_.covariances)
       found.push_back({point_at(problem_, one), searched_.best.ascent, kLogZero});
-    ascend(found, kRounds);
-    take_better_optimum(found);
+    ascend(found, problem_.tuning.settled_twice ? kRounds : 1);
+    if (problem_.tuning.rivals_in_place) take_better_optimum(found);
     leave_out_far(found);
-    add_modes(found);
+    if (!problem_.tuning.all_kinds) found.resize(1);
+    if (problem_.tuning.other_modes) add_modes(found);
     return averaged(std::move(found));
   }
 

@@ -28,7 +28,7 @@ constexpr double kPriorOfForm = 0.05;         // of a column in a form that no e
 
 // Columns alike, the effects of one column alike; all effects of several columns together kPriorOfPairs; a column in a
 // form that no effect has kPriorOfForm; a jump as one more column.
-std::vector<double> log_priors_of_columns(const SignatureLibrary& library) {
+std::vector<double> log_priors_of_columns(const SignatureLibrary& library, const Tuning& tuning) {
   std::map<std::string, double> effects;  // of each column alone; "" of no column
   double pairs = 0.0, forms = 0.0;
   const auto is_form = [](const Family& family) { return family.bound.effect == &any_form(); };
@@ -43,7 +43,7 @@ std::vector<double> log_priors_of_columns(const SignatureLibrary& library) {
     }
   }
   const double of_form = forms > 0.0 ? kPriorOfForm : 0.0;
-  const double of_pairs = pairs == 0.0 ? 0.0 : effects.empty() ? 1.0 : kPriorOfPairs;
+  const double of_pairs = pairs == 0.0 ? 0.0 : effects.empty() ? 1.0 : tuning.prior_of_pairs ? kPriorOfPairs : 0.5;
   const double of_column = (1.0 - of_pairs) / static_cast<double>(std::max<std::size_t>(1, effects.size()));
   const auto prior_of = [&](const Family& family) {
     const std::vector<std::string>& columns = family.bound.columns;
@@ -104,18 +104,18 @@ bool is_without_its_lag(const SignatureLibrary& library, const LoggedInputs& log
   return false;
 }
 
-std::vector<double> log_priors_of_shapes(const SignatureLibrary& library, const LoggedInputs& logged) {
+std::vector<double> log_priors_of_shapes(const SignatureLibrary& library, const LoggedInputs& logged, const Tuning& tuning) {
   std::vector<double> result(library.signatures.size());
   for (const Family& family : library.families) {
     const auto is_short = [&](std::size_t i) {
-      return is_without_its_lag(library, logged, family.bound, library.signatures[i].point);
+      return tuning.lags_above_sampling && is_without_its_lag(library, logged, family.bound, library.signatures[i].point);
     };
     std::size_t too_short = 0;
     for (std::size_t i = family.first; i < family.first + family.count; ++i) too_short += is_short(i) ? 1 : 0;
     if (too_short == family.count) too_short = 0;
     std::size_t at_once = 0;
     const auto is_at_once = [&](std::size_t i) {
-      return acts_at_once(*family.bound.effect, library.signatures[i].point);
+      return tuning.prior_of_lags && acts_at_once(*family.bound.effect, library.signatures[i].point);
     };
     for (std::size_t i = family.first; i < family.first + family.count; ++i) at_once += is_at_once(i) ? 1 : 0;
     const std::size_t others = family.count - at_once - too_short;
@@ -261,7 +261,7 @@ std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, c
   for (const std::size_t i : of.more) {
     if (library.signatures[i].point == point) return std::nullopt;
   }
-  if (is_without_its_lag(library, problem.logged, of.bound, point)) return std::nullopt;
+  if (problem.tuning.lags_above_sampling && is_without_its_lag(library, problem.logged, of.bound, point)) return std::nullopt;
   const Effect& effect = *of.bound.effect;
   const BoundInputs inputs = inputs_of(effect, of.bound.columns, problem.logged.series);
   const Eigen::MatrixXd gains = effect_at(effect, inputs.rows, point, problem.base.row).gains(effect);
@@ -304,15 +304,18 @@ Term term_of(const Problem& problem, const BoundEffect& bound) {
 std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std::size_t target,
                                     const ProblemOptions& options) {
   auto problem = std::make_unique<Problem>();
+  problem->tuning = options.search.tuning;
+  const Tuning& tuning = problem->tuning;
   const std::string& name = model.targets.at(target);
   const Series rows = subsampled(data, name, options.most_rows, options.whole_about_s);
-  problem->logged = logged_inputs(rows, model.targets);
+  problem->logged = logged_inputs(rows, model.targets, tuning);
   problem->base = base_fit(model, problem->logged.series, target);
   const Fit& base = problem->base;
   problem->time_s = base.time_s;
   problem->highest_Hz = highest_Hz(problem->time_s);
   problem->model = with_resolved_periods(model, problem->highest_Hz);
   problem->at_jump_of_temperature = rows_of_temperature_jumps(rows, base.row);
+  if (!tuning.jumps_of_temperature) problem->at_jump_of_temperature.assign(base.row.size(), 0);
   const auto n = static_cast<Eigen::Index>(base.row.size());
   problem->y = Eigen::VectorXd::Map(base.measured_um.data(), n);
   if (model.level == Level::series && !model.constant_um) {
@@ -328,11 +331,12 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
       problem->relative_variance[i] = base.sigma_um[i] * base.sigma_um[i] / mean;
     problem->known = {4.0, mean};
   }
-  free_rows_at_jumps(*problem, false);
+  if (tuning.rows_at_jumps) free_rows_at_jumps(*problem, false);
   problem->longest_memory_s = options.search.longest_memory_s;
   problem->shock.assign(base.row.size(), 1.0);
   if (model.level == Level::series) {
-    set_aside_saturated(*problem);
+    if (tuning.saturated_rows) set_aside_saturated(*problem);
+    if (!tuning.bounded_memory) problem->longest_memory_s = 1e9;
   } else {
     problem->longest_memory_s = std::numeric_limits<double>::infinity();
   }
@@ -357,9 +361,9 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
     problem->deviation[k] = deviation;
   }
   problem->log_prior =
-      model.level == Level::series ? log_priors_of_columns(problem->library) : log_priors_of(problem->library);
-  problem->log_prior_of_shape = log_priors_of_shapes(problem->library, problem->logged);
-  problem->own = own_of(model);
+      model.level == Level::series ? log_priors_of_columns(problem->library, tuning) : log_priors_of(problem->library);
+  problem->log_prior_of_shape = log_priors_of_shapes(problem->library, problem->logged, tuning);
+  if (tuning.held_values) problem->own = own_of(model);
   problem->terms = options.terms;
   problem->covariances = options.covariances;
   return problem;

@@ -44,6 +44,7 @@ struct LevelJump {
 };
 
 struct Problem {
+  Tuning tuning;
   Model model;
   LoggedInputs logged;
   Fit base;

@@ -120,6 +120,8 @@ Eigen::VectorXd residual_beside(const Problem& problem, const Variant& variant, 
 }
 
 bool weigh_down_outliers(Problem& problem, const Variant& variant, const Point& point) {
+  const Tuning& tuning = problem.tuning;
+  if (!tuning.student_t) return false;
   const LinearSolution solution = solution_beside(problem, variant, point);
   const Eigen::VectorXd r = whitened(point.filter, residual_of(variant, solution)) / std::sqrt(solution.variance);
   if (!has_heavy_tails(r)) return false;
@@ -134,14 +136,14 @@ bool weigh_down_outliers(Problem& problem, const Variant& variant, const Point& 
   // One or two jumps are for an effect to explain, if without them the tails are not heavy.
   Eigen::VectorXd but_jumps = r;
   for (std::size_t k = 0, jumps = 0; k < off.size() && jumps < kFewestLevels - 1; ++k) {
-    if (begins[k] < Begins::likely_jump) continue;
+    if (begins[k] < Begins::likely_jump || !tuning.jumps_spared) continue;
     but_jumps[off[k]] = 0.0;
     ++jumps;
   }
   if (!has_heavy_tails(but_jumps)) return false;
   bool any = false;
   for (std::size_t k = 0; k < off.size(); ++k) {
-    if (begins[k] == Begins::jump) continue;
+    if (begins[k] == Begins::jump && tuning.jumps_spared) continue;
     const auto row = static_cast<std::size_t>(off[k]);
     const double factor = factor_of(off[k]);
     if (factor > kFarOff && problem.stated_variance[row] == 0.0) {
@@ -149,13 +151,14 @@ bool weigh_down_outliers(Problem& problem, const Variant& variant, const Point& 
       ++problem.far_readings;
     }
     problem.relative_variance[row] *= factor;
-    problem.shock[row] *= factor;
+    if (tuning.shock) problem.shock[row] *= factor;
     any = true;
   }
   return any;
 }
 
 std::vector<LevelJump> level_jumps(const Problem& problem, const Eigen::VectorXd& residual_um) {
+  if (!problem.tuning.level_jumps) return {};
   std::vector<std::size_t> known;
   std::vector<double> r;
   for (std::size_t i = 0; i < problem.time_s.size(); ++i) {

@@ -34,11 +34,12 @@ class Search {
     note_outliers(fit);
     std::vector<Variant> starts{variant_at(problem_, 0, fit)};
     take_covariances(beside_any_forms(problem_, starts.front()));
-    add_starts(fit, starts);
+    if (problem_.tuning.starts) add_starts(fit, starts);
     std::vector<Variant> of_own;
     for (OwnParameter& own : problem_.own) of_own.push_back(variant_with_own(own, fit, starts.front().times));
     const std::vector<Covariance> covariances = covariances_, pilots = pilots_;
     SearchResult best = found_from(std::move(starts));
+    if (!problem_.tuning.starts_of_held_values) of_own.clear();
     // Where a held value is another one, the model has other parameters, too far for the linear model.
     for (Variant& variant : of_own) {
       covariances_ = covariances;
@@ -75,7 +76,7 @@ class Search {
       weight[k] = log_evidence(linear_solution(gram, beside.line, problem_.known));
     });
     pilots_ = {covariances_.front()};
-    if (kinds.size() > 1) pilots_.push_back(covariances_[weight[1] > weight[2] ? 1 : 2]);
+    if (kinds.size() > 1 && problem_.tuning.second_pilot) pilots_.push_back(covariances_[weight[1] > weight[2] ? 1 : 2]);
   }
 
   // Readings far from the others count less, and three or more jumps of the target are levels of their own. Both beside
@@ -110,9 +111,9 @@ class Search {
     }
     settle();
     std::vector<Mode> modes;
-    for (int round = 0; round < kRelinearised; ++round) {
+    for (int round = 0; round < (problem_.tuning.relinearised ? kRelinearised : 1); ++round) {
       int step = 0;
-      while (step < kRelinearised && relinearise()) ++step;
+      while (step < (problem_.tuning.relinearised ? kRelinearised : 1) && relinearise()) ++step;
       bool is_better = false;
       modes = other_modes(is_better);
       if (!is_better) break;
@@ -209,7 +210,7 @@ class Search {
       if (identities_.is_own(likeliest_identity(one))) continue;
       const std::vector<std::size_t> order = effects_of(one);
       std::vector<std::size_t> shapes;
-      for (std::size_t k = 0; k < std::min(order.size(), kSharpenedRivals); ++k) {
+      for (std::size_t k = 0; k < std::min(order.size(), problem_.tuning.finer_rivals ? kSharpenedRivals : 1); ++k) {
         if (const auto shape = signature_of(problem_, identities_, one.likeliest[order[k]])) shapes.push_back(*shape);
       }
       if (shapes.empty()) continue;
@@ -314,6 +315,7 @@ class Search {
     std::vector<Mode> modes;
     std::vector<std::size_t> best_set = likeliest_set(best_.ascent);
     std::erase_if(best_set, [&](std::size_t i) { return identities_.is_own(i); });
+    if (!problem_.tuning.other_modes) best_set.clear();
     std::vector<Ascent> others(best_set.size());
     in_parallel(best_set.size(), [&](std::size_t k) {
       ColumnsAt at(problem_, identities_, *variant_, best_.point);

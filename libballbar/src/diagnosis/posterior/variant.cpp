@@ -10,7 +10,9 @@
 namespace ballbar {
 
 Variant variant_at(const Problem& problem, std::size_t own, std::vector<double> parameters) {
-  Eigen::MatrixXd times = with_levels(problem, problem.base_model->times_at(parameters));
+  Eigen::MatrixXd times = problem.base_model->times_at(parameters);
+  if (!problem.tuning.input_times) times.resize(times.rows(), 0);
+  times = with_levels(problem, std::move(times));
   return variant_at(problem, own, std::move(parameters), std::move(times));
 }
 
@@ -27,6 +29,7 @@ std::vector<std::size_t> free_of(const Problem& problem, std::size_t own) {
 }
 
 Variant beside_any_forms(const Problem& problem, Variant variant) {
+  if (!problem.tuning.any_forms_first) return variant;
   constexpr Eigen::Index kEach = 3;  // of the columns of an input
   std::vector<Eigen::Index> columns;
   for (std::size_t f = problem.effects; f < problem.library.families.size(); ++f) {

@@ -24,7 +24,7 @@ AscentOptions ascent_options(const Problem& problem, const Identities& identitie
   SinglePrior prior{std::log(kPriorOfNone), identities.log_prior};
   for (double& one : prior.log_identity) one += std::log1p(-kPriorOfNone);
   if (without != kNoSignature) prior.log_identity[without] = kLogZero;
-  for (std::size_t i = problem.effects; i < identities.families && forms == Forms::no; ++i)
+  for (std::size_t i = problem.effects; i < identities.families && (forms == Forms::no || !problem.tuning.any_forms); ++i)
     prior.log_identity[i] = kLogZero;
   options.priors = {std::move(prior)};
   options.largest = largest;
@@ -40,7 +40,7 @@ Ascent best_ascent(ColumnsAt& at, const Problem& problem, const Identities& iden
   const bool has_forms = std::any_of(first.log_identity.begin() + static_cast<std::ptrdiff_t>(problem.effects),
                                      first.log_identity.begin() + static_cast<std::ptrdiff_t>(identities.families),
                                      [](double one) { return one > kLogZero; });
-  if (!has_forms) return best;
+  if (!has_forms || !problem.tuning.start_without_forms) return best;
   AscentOptions of_effects = options;
   for (SinglePrior& prior : of_effects.priors) {
     for (std::size_t i = problem.effects; i < identities.families; ++i) prior.log_identity[i] = kLogZero;

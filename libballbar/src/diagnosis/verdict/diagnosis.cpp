@@ -84,6 +84,7 @@ class Decision {
   }
 
  private:
+  const Tuning& tuning() const { return options_.search.tuning; }
   const Problem& problem() const { return *inference_.problem; }
   const Posterior& posterior() const { return inference_.posterior; }
   const Family& family(std::size_t f) const { return problem().library.families[f]; }
@@ -157,7 +158,7 @@ class Decision {
     result_.noise = noise_of(covariance, at_.variance);
     describe_discrepancy();
     tell_what_was_not_used();
-    for (Driver& driver : result_.drivers) driver.is_clear = result_.columns_not_searched.empty();
+    for (Driver& driver : result_.drivers) driver.is_clear = !tuning().columns_not_searched || result_.columns_not_searched.empty();
     result_.detectability = detectability_by(result_.noise);
     add_own();
   }
@@ -261,7 +262,7 @@ class Decision {
     std::set<std::string> clear;
     for (std::size_t m = 0; m < result_.candidates.size(); ++m) {
       Candidate& one = result_.candidates[m];
-      const bool is_larger = seen_um[m] >= beside_um, is_far_larger = seen_um[m] * kSmall >= beside_um;
+      const bool is_larger = seen_um[m] >= beside_um, is_far_larger = tuning().form_of_small_discrepancy && seen_um[m] * kSmall >= beside_um;
       if (is_larger) clear.insert(one.bound.columns.begin(), one.bound.columns.end());
       if (is_jump(*one.bound.effect) || is_far_larger) continue;
       one.doubts.emplace_back(is_larger ? "beside a slow drift without a cause its form is open"
@@ -301,16 +302,16 @@ class Decision {
       Candidate one = tested_member(inference_, *best_, fitted, at_, m);
       one.in_best_set = true;
       one.minor = one.amplitude_um < std::max(kMinor * problem().base.rmse_um, options_.tolerance_um);
-      if (!(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.emplace_back("the evidence for it is weak");
-      if (reads_an_open_form(best_->families[m]))
+      if (tuning().weak_evidence && !(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.emplace_back("the evidence for it is weak");
+      if (tuning().open_form && reads_an_open_form(best_->families[m]))
         one.doubts.emplace_back("the same column drives more, in a form that no known effect has");
-      if (one.amplitude_um > kCancelled * fitted.together_um)
+      if (tuning().cancelled && one.amplitude_um > kCancelled * fitted.together_um)
         one.doubts.emplace_back("another effect of the set nearly cancels it");
       result_.candidates.push_back(std::move(one));
     }
-    doubt_weak_drivers();
-    doubt_beside_discrepancy();
-    doubt_few_readings();
+    if (tuning().weak_drivers) doubt_weak_drivers();
+    if (tuning().beside_discrepancy) doubt_beside_discrepancy();
+    if (tuning().few_readings) doubt_few_readings();
     if (!options_.leave_out || model_.level != Level::series) return;
     tell("leaving cycles out");
     std::vector<std::size_t> terms(result_.candidates.size());
@@ -344,8 +345,8 @@ class Decision {
   void decide() {
     Diagnosis& d = result_;
     bool own_named = false, own_probable = false;
-    const bool all_searched = d.columns_not_searched.empty();  // else another cause may be among those
-    const bool is_clear = !(discrepancy_beside_um() > 0.0) && all_searched;
+    const bool all_searched = !tuning().columns_not_searched || d.columns_not_searched.empty();  // else another cause may be among those
+    const bool is_clear = !(tuning().beside_discrepancy && discrepancy_beside_um() > 0.0) && all_searched;
     for (const OwnValue& own : d.own) {
       own_named = own_named || (own.p >= kNamed && is_clear);
       own_probable = own_probable || (own.p >= kProbable && is_clear);

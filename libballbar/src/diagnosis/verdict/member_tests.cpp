@@ -119,7 +119,7 @@ bool is_jump_that_stays(const Problem& problem, const Point& point, const SetReg
 }  // namespace
 
 Candidate with_tests(Candidate one, const Effect& effect, const SetRegression& at, std::size_t member,
-                     const std::vector<std::size_t>& fold) {
+                     const std::vector<std::size_t>& fold, const Tuning& tuning) {
   const std::size_t folds = *std::max_element(fold.begin(), fold.end()) + 1;
   const Eigen::MatrixXd others = at.white_columns_but(member), plain_others = at.columns_but(member);
   const Eigen::MatrixXd own = at.white_members.middleCols(at.first[member], at.width[member]);
@@ -136,13 +136,13 @@ Candidate with_tests(Candidate one, const Effect& effect, const SetRegression& a
   double best = 0.0;
   one.held_out_evidence = 0.0;
   for (std::size_t f = 0; f < folds; ++f) {
-    const bool moves = square[static_cast<Eigen::Index>(f)] > kMoves * square.maxCoeff();
+    const bool moves = square[static_cast<Eigen::Index>(f)] > kMoves * square.maxCoeff() || !tuning.cycles_that_move;
     const double gained = moves ? after.log_likelihood[f] - before.log_likelihood[f] : 0.0;
     one.held_out_evidence += gained;
     best = std::max(best, gained);
   }
   one.held_out_evidence -= best;
-  one.doubts = doubts_of(one, effect);
+  one.doubts = doubts_of(one, effect, tuning);
   return one;
 }
 
@@ -168,17 +168,17 @@ void leave_cycles_out(const Model& model, const std::vector<std::size_t>& terms,
   }
 }
 
-std::vector<std::string> doubts_of(const Candidate& tested, const Effect& effect) {
+std::vector<std::string> doubts_of(const Candidate& tested, const Effect& effect, const Tuning& tuning) {
   const bool of_recordings = effect.level == Level::recording;
   if (effect.time_only && !effect.rules.may_repeat && !of_recordings)
     return {"it depends on time alone, as any slow drift does"};
   std::vector<std::string> doubts;
   // A jump happens once: cycles have no gains of their own.
-  if (tested.p_same_gain < kSameGain && (of_recordings || !is_jump(effect))) {
+  if (tuning.same_gain && tested.p_same_gain < kSameGain && (of_recordings || !is_jump(effect))) {
     doubts.emplace_back(of_recordings ? "its gain differs from recording to recording"
                                       : "its gain differs from cycle to cycle");
   }
-  if (tested.held_out_evidence < kHeldOutEvidence && !effect.time_only) {
+  if (tuning.held_out && tested.held_out_evidence < kHeldOutEvidence && !effect.time_only) {
     doubts.emplace_back(of_recordings ? "it does not predict left-out recordings better"
                                       : "it does not predict left-out cycles better");
   }
@@ -221,14 +221,15 @@ Candidate described_member(const Inference& inference, const EffectSet& set, con
 Candidate tested_member(const Inference& inference, const EffectSet& set, const FittedSet& fitted,
                         const SetRegression& at, std::size_t member) {
   const Problem& problem = *inference.problem;
+  const Tuning& tuning = problem.tuning;
   Candidate one = described_member(inference, set, fitted, member);
   const Signature& signature = problem.library.signatures[set.signatures[member]];
   const std::vector<std::size_t> fold =
       folds_that_tell(problem.logged.series, problem.base.row, folds_of(problem.logged.series, problem.base.row),
                       problem.library.columns.middleCols(signature.first, signature.width));
   const Effect& effect = effect_of_member(problem, set, member);
-  one = with_tests(std::move(one), effect, at, member, fold);
-  if (is_jump(effect) && !is_jump_that_stays(problem, inference.posterior.points[set.point], at, member))
+  one = with_tests(std::move(one), effect, at, member, fold, tuning);
+  if (tuning.jump_that_stays && is_jump(effect) && !is_jump_that_stays(problem, inference.posterior.points[set.point], at, member))
     one.doubts.emplace_back("a change that the noise forgets explains nearly as much");
   return one;
 }

@@ -16,7 +16,7 @@ namespace ballbar {
 // The candidate with its tests: gains by cycle and left-out cycles. effect: of the member. fold: the fold of each of
 // the n rows.
 Candidate with_tests(Candidate one, const Effect& effect, const SetRegression& at, std::size_t member,
-                     const std::vector<std::size_t>& fold);
+                     const std::vector<std::size_t>& fold, const Tuning& tuning = {});
 
 // RMSE of the model in left-out cycles (recordings), each predicted from the others; NaN: unknown. Throws Error as
 // fit() does.
@@ -28,7 +28,7 @@ void leave_cycles_out(const Model& model, const std::vector<std::size_t>& terms,
                       std::vector<Candidate>& candidates);
 
 // Phrases of Candidate::doubts.
-std::vector<std::string> doubts_of(const Candidate& tested, const Effect& effect);
+std::vector<std::string> doubts_of(const Candidate& tested, const Effect& effect, const Tuning& tuning = {});
 
 // `member` of the set: parameters, intervals, amplitude, probability, and likelihood ratio with the other members
 // present.

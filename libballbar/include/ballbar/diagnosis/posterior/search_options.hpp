@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ballbar/circle/recording.hpp"
+#include "ballbar/diagnosis/tuning.hpp"
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/model/bound_effect.hpp"
 
@@ -26,6 +27,7 @@ struct SearchOptions {
   std::vector<std::string> without;            // names of effects to leave out of the search
   // Of the noise, on a drift. What changes more slowly has a cause, known or not.
   double longest_memory_s = 1200.0;
+  Tuning tuning;
   // Called before each step, in the calling thread: "testing 2 effects".
   std::function<void(std::string_view step)> progress;
   // Called with all effects, the most probable first, whenever more sets have been evaluated; in the calling thread.

@@ -1,0 +1,59 @@
+// The devices of the diagnosis, each of which can be switched off to measure what it buys (tests/study/ablation).
+#pragma once
+
+namespace ballbar {
+
+struct Tuning {
+  // The data.
+  bool steps_within_samples = true;
+  bool smoothing = true;
+  bool rows_at_jumps = true;
+  bool saturated_rows = true;
+  bool jumps_of_temperature = true;
+  bool whole_about_jumps = true;
+  bool late_clock = true;
+  // The model of the data.
+  bool discrepancy = true;
+  bool bounded_memory = true;
+  bool cost_of_hyperparameters = true;
+  bool input_times = true;
+  bool input_times_of_effects = true;
+  bool held_values = true;
+  bool any_forms = true;
+  bool any_forms_first = true;
+  bool prior_of_lags = true;
+  bool lags_above_sampling = true;
+  bool prior_of_pairs = true;
+  // Outliers.
+  bool student_t = true;
+  bool shock = true;
+  bool jumps_spared = true;
+  bool level_jumps = true;
+  // The search.
+  bool second_pilot = true;
+  bool starts = true;
+  bool starts_of_held_values = true;
+  bool finer_shapes = true;
+  bool finer_rivals = true;
+  bool relinearised = true;
+  bool other_modes = true;
+  bool start_without_forms = true;
+  bool rivals_in_place = true;
+  bool settled_twice = true;
+  bool all_kinds = true;
+  // Tests of members and drivers.
+  bool same_gain = true;
+  bool held_out = true;
+  bool cycles_that_move = true;
+  bool weak_evidence = true;
+  bool beside_discrepancy = true;
+  bool form_of_small_discrepancy = true;
+  bool few_readings = true;
+  bool open_form = true;
+  bool jump_that_stays = true;
+  bool cancelled = true;
+  bool weak_drivers = true;
+  bool columns_not_searched = true;
+};
+
+}  // namespace ballbar
