@@ -54,7 +54,7 @@ double rms_of(const std::vector<double>& values) {
 Minimum best_of(const FitProblem& problem, const Weighting& weighting, const std::vector<Eigen::VectorXd>& starts) {
   constexpr int kFewSteps = 12;
   const auto minimum_from = [&](const Eigen::VectorXd& start, int most) {
-    return minimise(problem.rows, problem.target_um, weighting, problem.bounds, start, most);
+    return minimise(problem.rows, problem.target_um, weighting, problem.bounds, start, {most});
   };
   Minimum best;
   best.cost = kInfinite;

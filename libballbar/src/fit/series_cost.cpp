@@ -90,6 +90,8 @@ class SeriesCost : public ceres::CostFunction {
     const Eigen::Index n = target_.size();
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(columns + 1, columns + 1);
     RowMajorMatrix state = RowMajorMatrix::Zero(3, columns + 1);
+    const RowMajorMatrix& open = weighting_.open.white;
+    Eigen::MatrixXd with_open = Eigen::MatrixXd::Zero(open.cols(), columns + 1);
     block_.resize(std::min(kBlockRows, n), columns + 1);
     for (Eigen::Index first = 0; first < n; first += kBlockRows) {
       const Eigen::Index rows = std::min(kBlockRows, n - first);
@@ -102,7 +104,11 @@ class SeriesCost : public ceres::CostFunction {
         block.array().colwise() *= weighting_.discount.segment(first, rows).array();
       }
       gram.selfadjointView<Eigen::Upper>().rankUpdate(block.transpose());
+      if (open.cols() > 0) with_open.noalias() += open.middleRows(first, rows).transpose() * block;
     }
+    if (open.cols() == 0) return gram;
+    weighting_.open.factor.matrixL().solveInPlace(with_open);
+    gram.selfadjointView<Eigen::Upper>().rankUpdate(with_open.transpose(), -1.0);
     return gram;
   }
 
@@ -135,6 +141,12 @@ class SeriesCost : public ceres::CostFunction {
 };
 
 }  // namespace
+
+OpenColumns::OpenColumns(RowMajorMatrix columns, double variance) : white(std::move(columns)) {
+  Eigen::MatrixXd normal = white.transpose() * white;
+  normal.diagonal().array() += variance;
+  factor.compute(normal);
+}
 
 Eigen::VectorXd weighted(const Weighting& weighting, const Eigen::VectorXd& residual) {
   Eigen::VectorXd out = residual.cwiseProduct(weighting.row);
@@ -221,8 +233,7 @@ struct Pass {
   int iterations = 0;
 };
 
-Pass pass_of(const Search& search, const Eigen::VectorXd& start, const std::vector<Eigen::Index>& free,
-             int most_iterations) {
+Pass pass_of(const Search& search, const Eigen::VectorXd& start, const std::vector<Eigen::Index>& free, Stop stop) {
   SeriesCost cost = search.cost(start, free);
   std::vector<double> u = cost.unknowns_of(start);
   const std::vector<double> lower = cost.unknowns_of(search.bounds.lower),
@@ -238,11 +249,11 @@ Pass pass_of(const Search& search, const Eigen::VectorXd& start, const std::vect
   StopAtBound until_bound(u, lower, upper);
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = most_iterations;
+  options.max_num_iterations = stop.most_iterations;
   // Ceres would search along every projected step, for four times as many Jacobians; bounds are dealt with here.
   options.max_num_line_search_step_size_iterations = 0;
-  options.function_tolerance = 1e-10;
-  options.parameter_tolerance = 1e-10;
+  options.function_tolerance = stop.tolerance;
+  options.parameter_tolerance = stop.tolerance;
   options.logging_type = ceres::SILENT;
   options.update_state_every_iteration = true;
   options.callbacks.push_back(&until_bound);
@@ -265,7 +276,7 @@ Pass pass_of(const Search& search, const Eigen::VectorXd& start, const std::vect
 // parameter that meets a bound is therefore held there while the others continue. In the end it is released if the
 // gradient points inwards.
 Minimum minimise(const ModelRows& rows, const Eigen::VectorXd& target_um, const Weighting& weighting,
-                 const Bounds& bounds, const Eigen::VectorXd& start, int most_iterations) {
+                 const Bounds& bounds, const Eigen::VectorXd& start, Stop stop) {
   std::vector<Eigen::Index> free;
   for (Eigen::Index k = 0; k < start.size(); ++k) {
     if (!bounds.held[static_cast<std::size_t>(k)]) free.push_back(k);
@@ -277,9 +288,9 @@ Minimum minimise(const ModelRows& rows, const Eigen::VectorXd& target_um, const 
     minimum.cost = 0.5 * weighted(weighting, Eigen::VectorXd(target_um - rows.sum(start, nullptr))).squaredNorm();
     return minimum;
   }
-  while (most_iterations > 0) {
-    Pass pass = pass_of(search, minimum.parameters, moving, most_iterations);
-    most_iterations -= pass.iterations;
+  while (stop.most_iterations > 0) {
+    Pass pass = pass_of(search, minimum.parameters, moving, stop);
+    stop.most_iterations -= pass.iterations;
     minimum = std::move(pass.minimum);
     if (std::isinf(minimum.cost)) return minimum;
     std::vector<Eigen::Index> next = search.movable(minimum.parameters, free);

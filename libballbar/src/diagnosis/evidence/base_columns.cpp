@@ -63,8 +63,7 @@ BaseColumns BaseModel::at(const std::vector<double>& parameters, const std::vect
   result.y = y_;
   std::vector<Eigen::VectorXd> columns;
   const auto n = static_cast<Eigen::Index>(rows_.rows());
-  const bool constant_is_free = model_.level == Level::series && !model_.constant_um;
-  if (constant_is_free) {
+  if (is_constant_free()) {
     columns.emplace_back(Eigen::VectorXd::Ones(n));
     result.columns.push_back({BaseColumn::Kind::constant, 0, 1.0});
   } else if (model_.constant_um) {

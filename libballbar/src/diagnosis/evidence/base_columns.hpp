@@ -39,6 +39,9 @@ class BaseModel {
             const std::vector<std::size_t>& rows);
 
   const Model& model() const { return model_; }
+  const Eigen::VectorXd& y() const { return y_; }
+  const ModelRows& rows() const { return rows_; }
+  bool is_constant_free() const { return model_.level == Level::series && !model_.constant_um; }
   std::size_t parameters() const { return static_cast<std::size_t>(rows_.parameters()); }
 
   // The model linearised about these parameters. free: indices of held shapes to set free. fixed: index of a free

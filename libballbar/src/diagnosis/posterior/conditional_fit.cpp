@@ -2,27 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <span>
 #include <utility>
 
 #include "ballbar/diagnosis/thresholds.hpp"
-#include "diagnosis/evidence/gauss_newton_fit.hpp"
+#include "diagnosis/evidence/shape_fit.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr int kStepsOfSet = 4;          // of Gauss and Newton
-constexpr double kSameShape = 0.01;     // relative
-constexpr double kLongestStep = 0.7;    // of a shape at a time, in its scale
-constexpr double kShortestStep = 0.01;  // smaller steps mean convergence
-
-// A step of Gauss and Newton: a length or a time by a factor, within the bounds of its setting.
-double stepped(const BaseModel& model, const BaseColumn& column, double value, double step) {
-  const Setting& setting = model.setting(column.parameter);
-  const bool is_positive = value > 0.0 && model.parameter(column.parameter).unit != "1";
-  return std::clamp(is_positive ? value * std::exp(step * column.scale / value) : value + step * column.scale,
-                    std::min(setting.lower, value), std::max(setting.upper, value));
-}
+constexpr Stop kStop{6, 1e-4};       // accuracy of a search
+constexpr double kSameShape = 0.01;  // relative
 
 // The model with the set's effects as terms, and its parameters.
 std::pair<Model, std::vector<double>> with_effects(const Problem& problem, const ConditionalFit& conditional) {
@@ -60,31 +50,47 @@ double within_grid(const Parameter& parameter, double value) {
   return std::clamp(value, *low, *high);
 }
 
+void hold_shapes(Term& term) {
+  for (std::size_t k = 0; k < term.settings.size(); ++k)
+    if (term.effect->parameters[k].kind != ParameterKind::gain) term.settings[k].held = true;
+}
+
+// Of the columns of these signatures, from the parameters of their effects one after the other.
+Eigen::VectorXd coefficients_of(const Problem& problem, const std::vector<std::size_t>& signatures,
+                                std::span<const double> parameters) {
+  std::vector<double> coefficients;
+  std::size_t place = 0;
+  for (const std::size_t i : signatures) {
+    const Signature& signature = problem.library.signatures[i];
+    Eigen::Index gain = 0;
+    for (const Parameter& parameter : problem.library.families[signature.family].bound.effect->parameters) {
+      const double value = parameters[place++];
+      if (parameter.kind != ParameterKind::gain || gain == signature.width) continue;
+      coefficients.push_back(value * problem.deviation[signature.first + gain++]);
+    }
+  }
+  return Eigen::VectorXd::Map(coefficients.data(), static_cast<Eigen::Index>(coefficients.size()));
+}
+
 // The set and the model where a fit of both has them: its shapes become signatures.
 ConditionalFit taken_over(Problem& problem, ConditionalFit conditional, const std::vector<double>& fitted) {
-  std::size_t place = conditional.parameters.size();
-  std::copy_n(fitted.begin(), place, conditional.parameters.begin());
-  std::vector<double> coefficients;
+  const std::size_t own = conditional.parameters.size();
+  std::copy_n(fitted.begin(), own, conditional.parameters.begin());
+  std::size_t place = own;
   for (std::size_t& i : conditional.signatures) {
     const std::size_t family = problem.library.signatures[i].family;
     const std::vector<Parameter>& parameters = problem.library.families[family].bound.effect->parameters;
-    std::vector<double> shape = problem.library.signatures[i].point, gains;
+    std::vector<double> shape = problem.library.signatures[i].point;
     bool moved = false;
     for (std::size_t k = 0; k < shape.size(); ++k, ++place) {
-      if (parameters[k].kind == ParameterKind::gain) {
-        gains.push_back(fitted[place]);
-        continue;
-      }
+      if (parameters[k].kind == ParameterKind::gain) continue;
       const double value = within_grid(parameters[k], fitted[place]);
       moved = moved || std::abs(value - shape[k]) > kSameShape * std::abs(shape[k]);
       shape[k] = value;
     }
     if (moved) i = add_signature(problem, family, shape).value_or(i);
-    const Signature& signature = problem.library.signatures[i];
-    for (Eigen::Index k = 0; k < signature.width; ++k)
-      coefficients.push_back(gains[static_cast<std::size_t>(k)] * problem.deviation[signature.first + k]);
   }
-  conditional.coefficients = Eigen::VectorXd::Map(coefficients.data(), static_cast<Eigen::Index>(coefficients.size()));
+  conditional.coefficients = coefficients_of(problem, conditional.signatures, std::span(fitted).subspan(own));
   return conditional;
 }
 
@@ -97,33 +103,15 @@ bool is_free_time(const Problem& problem, std::size_t k) {
 
 ConditionalFit conditional_fit(const Problem& problem, const Variant& variant,
                                const std::vector<std::size_t>& signatures, const Point& point) {
-  const BaseModel& model = *problem.base_model;
-  const std::vector<std::size_t> free = free_of(problem, variant.own);
   ConditionalFit conditional{signatures, variant.parameters, {}};
-  for (int round = 0; round < kStepsOfSet; ++round) {
-    const BaseColumns columns = model.at(conditional.parameters, free);
-    const Eigen::Index times = variant.times.cols();
-    // The set's columns, their gains free, into what moves with the model.
-    const Variant with = with_signatures(
-        problem, {variant.own, {}, {}, pool_of(columns, variant.times), line_of(columns, times)}, signatures);
-    const Gram gram = gram_of(point.filter, with.pool);
-    const LinearSolution solution = linear_solution(gram, with.line, problem.known);
-    conditional.coefficients = solution.coefficients.tail(solution.coefficients.size() - columns.values.cols() - times);
-    double largest = 0.0;
-    for (std::size_t k = 0; k < columns.columns.size(); ++k) {
-      const BaseColumn& column = columns.columns[k];
-      const double coefficient = solution.coefficients[static_cast<Eigen::Index>(k)];
-      double& value = conditional.parameters[column.parameter];
-      if (column.is_free()) {
-        value = coefficient * column.scale;
-        continue;
-      }
-      const double step = std::clamp(coefficient, -kLongestStep, kLongestStep);
-      largest = std::max(largest, std::abs(step));
-      value = stepped(model, column, value, step);
-    }
-    if (largest < kShortestStep) break;
-  }
+  auto [model, start] = with_effects(problem, conditional);
+  for (std::size_t t = problem.model.terms.size(); t < model.terms.size(); ++t) hold_shapes(model.terms[t]);
+  const BaseModel with(model, problem.logged, problem.y, problem.base.row);
+  const ShapeFit best = shape_fit(with, start, free_of(problem, variant.own), variant.times, point.filter,
+                                  problem.known, kStop);
+  const std::size_t own = conditional.parameters.size();
+  conditional.parameters.assign(best.parameters.begin(), best.parameters.begin() + static_cast<std::ptrdiff_t>(own));
+  conditional.coefficients = coefficients_of(problem, signatures, {best.parameters.begin() + static_cast<std::ptrdiff_t>(own), best.parameters.end()});
   return conditional;
 }
 
@@ -131,8 +119,8 @@ ConditionalFit sharpened(Problem& problem, const Variant& variant, ConditionalFi
   if (!problem.tuning.finer_shapes) return conditional_fit(problem, variant, conditional.signatures, point);
   const auto [model, start] = with_effects(problem, conditional);
   const BaseModel with(model, problem.logged, problem.y, problem.base.row);
-  const GaussNewtonFit best = gauss_newton_fit(with, start, free_of(problem, variant.own), variant.times, point.filter,
-                                               problem.known, {kStepsOfSet});
+  const ShapeFit best = shape_fit(with, start, free_of(problem, variant.own), variant.times, point.filter,
+                                  problem.known, kStop);
   return taken_over(problem, std::move(conditional), best.parameters);
 }
 

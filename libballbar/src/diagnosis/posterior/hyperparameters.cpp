@@ -27,7 +27,7 @@ constexpr double kFirstSizes[] = {1.0, 4.0, 16.0};   // likewise, of the noise
 // discrepancy's standard deviation over the noise's, ln of its memory. Those that are not searched have equal bounds.
 using Place = std::array<double, 4>;
 
-struct Bounds {
+struct Limits {
   Place low, high;
   double step_s = 1.0;
   Discrepancy kind = Discrepancy::none;
@@ -38,8 +38,8 @@ struct Bounds {
   }
 };
 
-Bounds bounds_of(const Problem& problem, Discrepancy kind) {
-  Bounds bounds;
+Limits limits_of(const Problem& problem, Discrepancy kind) {
+  Limits bounds;
   bounds.kind = kind;
   const double median_s = median_step_s(problem.time_s), span_s = span_of_time_s(problem.time_s);
   bounds.step_s = median_s > 0.0 ? median_s : 1.0;
@@ -62,7 +62,7 @@ Bounds bounds_of(const Problem& problem, Discrepancy kind) {
   return bounds;
 }
 
-Covariance covariance_at(const Bounds& bounds, const Place& x) {
+Covariance covariance_at(const Limits& bounds, const Place& x) {
   Covariance result;
   if (std::isfinite(x[0])) result = with_memory(1.0, x[0], bounds.step_s, std::exp(x[1]));
   if (bounds.kind == Discrepancy::none) return result;
@@ -77,7 +77,7 @@ Covariance covariance_at(const Bounds& bounds, const Place& x) {
   return result;
 }
 
-Place place_of(const Bounds& bounds, const Covariance& covariance) {
+Place place_of(const Limits& bounds, const Covariance& covariance) {
   Place x = bounds.low;
   if (std::isfinite(x[0]) && covariance.correlated > 0.0) {
     x[0] = -std::log(covariance.correlated / covariance.white * -std::expm1(-2.0 * bounds.step_s / covariance.time_s));
@@ -98,7 +98,7 @@ Place place_of(const Bounds& bounds, const Covariance& covariance) {
 }
 
 // Where a first look begins.
-std::vector<Place> starts_of(const Bounds& bounds) {
+std::vector<Place> starts_of(const Limits& bounds) {
   std::vector<Place> noises;
   Place x = bounds.low;
   if (bounds.high[1] > bounds.low[1]) {
@@ -143,7 +143,7 @@ std::vector<Discrepancy> discrepancies_of(const Problem& problem) {
 
 Covariance likeliest_covariance(const Problem& problem, const Variant& variant, Discrepancy kind,
                                 const Covariance* start) {
-  const Bounds bounds = bounds_of(problem, kind);
+  const Limits bounds = limits_of(problem, kind);
   const auto log_evidence_at = [&](const Place& x) {
     const Point point = point_at(problem, covariance_at(bounds, x));
     return log_evidence(linear_solution(gram_of(point.filter, variant.pool), variant.line, problem.known));

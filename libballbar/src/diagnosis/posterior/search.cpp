@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ballbar/numerics/parallel.hpp"
-#include "diagnosis/evidence/gauss_newton_fit.hpp"
+#include "diagnosis/evidence/shape_fit.hpp"
 #include "diagnosis/posterior/conditional_fit.hpp"
 #include "diagnosis/posterior/hyperparameters.hpp"
 #include "diagnosis/posterior/robust.hpp"
@@ -23,6 +23,7 @@ constexpr std::size_t kSharpenedRivals = 4;  // rivals of a single effect whose 
 constexpr double kFarRival = 7.0;            // ln: a rival so much weaker than the strongest is ignored
 constexpr double kFarMode = 7.0;             // ln: a mode so much less likely than the best is ignored
 constexpr double kOfGrid = 0.1;              // more, of the evidence gained: a coarse grid may cost so much
+constexpr double kSearched = 1e-5;           // tolerance of a search
 constexpr double kBetter = 0.01;             // ln: smallest improvement
 
 class Search {
@@ -124,8 +125,8 @@ class Search {
   // The model about what noise with a memory makes of it.
   void add_starts(const std::vector<double>& fit, std::vector<Variant>& starts) const {
     const auto add = [&](const Point& point, std::vector<double> from, int rounds) {
-      const GaussNewtonFit there = gauss_newton_fit(*problem_.base_model, std::move(from), {}, starts.front().times,
-                                                    point.filter, problem_.known, {rounds});
+      const ShapeFit there = shape_fit(*problem_.base_model, std::move(from), {}, starts.front().times,
+                                                    point.filter, problem_.known, {rounds, kSearched});
       if (std::all_of(starts.begin(), starts.end(), [&](const Variant& other) {
             return is_elsewhere(problem_, other, there.parameters, kOtherStart);
           }))
@@ -142,9 +143,9 @@ class Search {
 
   // The model where a held value is another one, which is remembered; of the line it is held.
   Variant variant_with_own(OwnParameter& own, std::vector<double> from, const Eigen::MatrixXd& times) const {
-    const GaussNewtonFit refined_there =
-        gauss_newton_fit(*problem_.base_model, std::move(from), {own.parameter}, times,
-                         point_at(problem_, pilots_.front()).filter, problem_.known, {});
+    const ShapeFit refined_there =
+        shape_fit(*problem_.base_model, std::move(from), {own.parameter}, times,
+                         point_at(problem_, pilots_.front()).filter, problem_.known, {12, kSearched});
     std::vector<double> parameters = refined_there.parameters;
     own.fitted.push_back(parameters[own.parameter]);
     return variant_at(problem_, 0, held_again(own, std::move(parameters), times));
@@ -155,7 +156,7 @@ class Search {
   std::vector<double> held_again(const OwnParameter& own, std::vector<double> parameters,
                                  const Eigen::MatrixXd& times) const {
     parameters[own.parameter] = own.held;
-    return gauss_newton_fit(*problem_.base_model, std::move(parameters), {}, times,
+    return shape_fit(*problem_.base_model, std::move(parameters), {}, times,
                             point_at(problem_, pilots_.front()).filter, problem_.known, {0})
         .parameters;
   }

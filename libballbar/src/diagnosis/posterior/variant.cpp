@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagnosis/evidence/gauss_newton_fit.hpp"
+#include "diagnosis/evidence/shape_fit.hpp"
 
 namespace ballbar {
 

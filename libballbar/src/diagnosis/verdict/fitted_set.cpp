@@ -10,7 +10,7 @@
 #include <string>
 
 #include "ballbar/numerics/range.hpp"
-#include "diagnosis/evidence/gauss_newton_fit.hpp"
+#include "diagnosis/evidence/shape_fit.hpp"
 #include "model/model_rows.hpp"
 
 namespace ballbar {
@@ -68,7 +68,7 @@ void begin_beside(Term& term, std::span<const Term> others, std::span<const doub
 }
 
 // An end of the 95 % interval: where the profile likelihood has fallen by kFall. towards: a first guess.
-double profile_end(const BaseModel& model, const GaussNewtonFit& best, std::size_t parameter, double towards,
+double profile_end(const BaseModel& model, const ShapeFit& best, std::size_t parameter, double towards,
                    const Eigen::MatrixXd& times, const Whitening& filter, const KnownScatter& known, double degrees) {
   const double value = best.parameters[parameter];
   const Setting& setting = model.setting(parameter);
@@ -83,7 +83,7 @@ double profile_end(const BaseModel& model, const GaussNewtonFit& best, std::size
   std::vector<double> start = best.parameters;
   for (int tries = 0; tries < kMostTries; ++tries) {
     start[parameter] = at(factor);
-    const GaussNewtonFit now = gauss_newton_fit(model, start, {}, times, filter, known, {4}, parameter);
+    const ShapeFit now = shape_fit(model, start, {}, times, filter, known, {4, 1e-6}, parameter);
     const double fall =
         0.5 * (degrees + known.readings) *
         std::log((now.square + known.readings * known.variance) / (best.square + known.readings * known.variance));
@@ -115,7 +115,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     for (const Setting& setting : result.model.terms[t].settings) start.push_back(setting.start);
   }
   const BaseModel model(result.model, problem.logged, problem.y, problem.base.row);
-  const GaussNewtonFit best = gauss_newton_fit(model, start, {}, variant.times, filter, problem.known, kToTheEnd);
+  const ShapeFit best = shape_fit(model, start, {}, variant.times, filter, problem.known);
 
   const BaseColumns columns = model.at(best.parameters);
   const Gram gram = gram_of(filter, pool_of(columns, variant.times));
