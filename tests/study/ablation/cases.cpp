@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kVerdicts[] = {
     "nothing-ar0.9", "nothing-held",   "nothing-ramped",  "nothing-late", "nothing-rounded",    "nothing-20fakes",
     "one-15-exact",  "one-15-held",    "one-15-ramped",   "one-15-late",  "one-15-0.1K",        "two-20",
-    "step-one-20",   "poor-15",        "outside-driven",  "outside-bar",  "outside-not-logged", "outside-left-out",
+    "step-20", "step-one-20",   "poor-15",        "outside-driven",  "outside-bar",  "outside-not-logged", "outside-left-out",
     "own-exponent",  "own-tau"};
 
 Case case_of(verdicts::Made made) {

@@ -35,14 +35,11 @@ constexpr Device kDevices[] = {
     {"smoothing", &Tuning::smoothing, false},
     {"rows at jumps", &Tuning::rows_at_jumps, false},
     {"saturated rows", &Tuning::saturated_rows, false},
-    {"jumps of temperature", &Tuning::jumps_of_temperature, false},
     {"whole about jumps", &Tuning::whole_about_jumps, false},
-    {"late clock", &Tuning::late_clock, false},
     {"discrepancy", &Tuning::discrepancy, false},
     {"bounded memory", &Tuning::bounded_memory, false},
     {"cost of hyperparameters", &Tuning::cost_of_hyperparameters, false},
     {"input times", &Tuning::input_times, false},
-    {"input times of effects", &Tuning::input_times_of_effects, false},
     {"held values", &Tuning::held_values, false},
     {"any forms", &Tuning::any_forms, false},
     {"any forms first", &Tuning::any_forms_first, false},
@@ -53,17 +50,8 @@ constexpr Device kDevices[] = {
     {"shock", &Tuning::shock, false},
     {"jumps spared", &Tuning::jumps_spared, false},
     {"level jumps", &Tuning::level_jumps, false},
-    {"second pilot", &Tuning::second_pilot, false},
-    {"starts", &Tuning::starts, false},
-    {"starts of held values", &Tuning::starts_of_held_values, false},
     {"finer shapes", &Tuning::finer_shapes, false},
     {"finer rivals", &Tuning::finer_rivals, false},
-    {"relinearised", &Tuning::relinearised, false},
-    {"other modes", &Tuning::other_modes, false},
-    {"start without forms", &Tuning::start_without_forms, false},
-    {"rivals in place", &Tuning::rivals_in_place, false},
-    {"settled twice", &Tuning::settled_twice, false},
-    {"all kinds", &Tuning::all_kinds, false},
     {"same gain", &Tuning::same_gain, true},
     {"held out", &Tuning::held_out, true},
     {"cycles that move", &Tuning::cycles_that_move, true},
@@ -108,13 +96,15 @@ void print(const std::string& cell, std::uint64_t seed, const char* device, cons
 
 int main(int argc, char** argv) {
   std::uint64_t count = 2, first = 1;
-  std::string wanted_cells, wanted_devices;
+  std::string wanted_cells, wanted_devices, together;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--first" && i + 1 < argc) {
       first = static_cast<std::uint64_t>(std::atoll(argv[++i]));
     } else if (word == "--cells" && i + 1 < argc) {
       wanted_cells = std::string(",") + argv[++i] + ",";
+    } else if (word == "--together" && i + 1 < argc) {
+      together = std::string(",") + argv[++i] + ",";
     } else if (word == "--devices" && i + 1 < argc) {
       wanted_devices = std::string(",") + argv[++i] + ",";
     } else {
@@ -132,8 +122,15 @@ int main(int argc, char** argv) {
         const DiagnosisOptions all = options_of(one);
         Inference found = inference_of(one.model, one.data, 0, all);
         print(cell.name, seed, "all", outcome(one, all));
+        if (!together.empty()) {
+          DiagnosisOptions without = all;
+          for (const Device& device : kDevices) {
+            if (is_in(together, device.name)) without.search.tuning.*device.is_on = false;
+          }
+          print(cell.name, seed, "together", outcome(one, without));
+        }
         for (const Device& device : kDevices) {
-          if (!is_in(wanted_devices, device.name)) continue;
+          if (!together.empty() || !is_in(wanted_devices, device.name)) continue;
           DiagnosisOptions without = all;
           without.search.tuning.*device.is_on = false;
           if (!device.is_test) {

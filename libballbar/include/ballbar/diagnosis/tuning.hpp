@@ -9,15 +9,12 @@ struct Tuning {
   bool smoothing = true;
   bool rows_at_jumps = true;
   bool saturated_rows = true;
-  bool jumps_of_temperature = true;
   bool whole_about_jumps = true;
-  bool late_clock = true;
   // The model of the data.
   bool discrepancy = true;
   bool bounded_memory = true;
   bool cost_of_hyperparameters = true;
   bool input_times = true;
-  bool input_times_of_effects = true;
   bool held_values = true;
   bool any_forms = true;
   bool any_forms_first = true;
@@ -30,17 +27,8 @@ struct Tuning {
   bool jumps_spared = true;
   bool level_jumps = true;
   // The search.
-  bool second_pilot = true;
-  bool starts = true;
-  bool starts_of_held_values = true;
   bool finer_shapes = true;
   bool finer_rivals = true;
-  bool relinearised = true;
-  bool other_modes = true;
-  bool start_without_forms = true;
-  bool rivals_in_place = true;
-  bool settled_twice = true;
-  bool all_kinds = true;
   // Tests of members and drivers.
   bool same_gain = true;
   bool held_out = true;

@@ -6,7 +6,6 @@
 #include <limits>
 #include <numeric>
 
-#include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/evidence/evidence.hpp"
 #include "diagnosis/thresholds.hpp"
 
@@ -23,9 +22,6 @@ constexpr double kLeftOut = 1e-12;         // P of an identity of a single effec
 constexpr double kNoticed = 1e-4;          // total P of the left-out identities, from which all are evaluated again
 constexpr int kMostChecks = 3;             // at all
 constexpr double kNothingToDouble = 40.0;  // ln: a weight so far below another one is negligible
-constexpr std::size_t kRivals = 6;         // number of rivals tried for a single effect
-constexpr double kLeastRival = 1e-3;       // P of one
-constexpr std::size_t kMostRounds = 3;     // of such replacements
 
 // ln of the evidence ratio of one shape against none, and the posterior of its gains given that shape.
 struct ShapeEvidence {
@@ -398,63 +394,6 @@ Ascent ascended(ColumnsAt& at, const Identities& identities, const AscentOptions
   }
   ascent.bound = bound_of(ascent, at, options.known);
   return ascent;
-}
-
-namespace {
-
-// From where one single effect is an identity and the others follow it.
-Ascent ascended_with(ColumnsAt& at, const Identities& identities, const AscentOptions& options, Ascent start,
-                     std::size_t l, std::size_t identity) {
-  settle(at, start, start.variance);
-  SinglePrior alone = prior_of(options, l);
-  const double log_prior = alone.log_identity[identity];
-  alone.log_identity.assign(alone.log_identity.size(), kLogZero);
-  alone.log_identity[identity] = log_prior;
-  alone.log_none = kLogZero;
-  const auto is_it = [&](std::size_t i) { return i == identity; };
-  fit_again(at, identities, chosen(identities, is_it), alone, start, l);
-  const IdentitySubset all = all_of(identities, options);
-  for (std::size_t j = 0; j < start.effects.size(); ++j) {
-    if (j != l) fit_again(at, identities, all, prior_of(options, j), start, j);
-  }
-  start.variance = scatter_of(at, options, start);  // that of the forced effect, else the next sweep undoes it
-  return ascended(at, identities, options, std::move(start));
-}
-
-// The strongest rivals of a single effect.
-std::vector<std::size_t> rivals_of(const SingleEffect& effect) {
-  std::vector<std::size_t> rivals(effect.p.size());
-  std::iota(rivals.begin(), rivals.end(), std::size_t{0});
-  std::stable_sort(rivals.begin(), rivals.end(),
-                   [&](std::size_t a, std::size_t b) { return effect.p[a] > effect.p[b]; });
-  rivals.resize(std::min(kRivals, rivals.size()));
-  std::erase_if(rivals, [&](std::size_t i) { return !(effect.p[i] > kLeastRival); });
-  const bool is_there = effect.p_any() >= 0.5;
-  if (is_there && !rivals.empty()) rivals.erase(rivals.begin());
-  return rivals;
-}
-
-}  // namespace
-
-Ascent rearranged(const ColumnsAt& at, const Identities& identities, const AscentOptions& options, Ascent best) {
-  for (std::size_t round = 0; round < kMostRounds; ++round) {
-    bool better = false;
-    for (std::size_t l = 0; l < best.effects.size(); ++l) {
-      const std::vector<std::size_t> rivals = rivals_of(best.effects[l]);
-      std::vector<Ascent> others(rivals.size());
-      in_parallel(rivals.size(), [&](std::size_t k) {
-        ColumnsAt there = at;
-        others[k] = ascended_with(there, identities, options, best, l, rivals[k]);
-      });
-      const auto first = std::find_if(others.begin(), others.end(),
-                                      [&](const Ascent& other) { return other.bound > best.bound + 10.0 * kRises; });
-      if (first == others.end()) continue;
-      best = std::move(*first);
-      better = true;
-    }
-    if (!better) break;
-  }
-  return best;
 }
 
 }  // namespace ballbar

@@ -49,8 +49,4 @@ struct AscentOptions {
 // start: the initial state. Settles the columns at the scatter found.
 Ascent ascended(ColumnsAt& at, const Identities& identities, const AscentOptions& options, Ascent start = {});
 
-// Escapes a poor local optimum: replaces each single effect by each of its strongest rivals in turn and keeps the best
-// bound.
-Ascent rearranged(const ColumnsAt& at, const Identities& identities, const AscentOptions& options, Ascent best);
-
 }  // namespace ballbar

@@ -94,11 +94,6 @@ ConditionalFit taken_over(Problem& problem, ConditionalFit conditional, const st
   return conditional;
 }
 
-bool is_free_time(const Problem& problem, std::size_t k) {
-  const Parameter& parameter = problem.base_model->parameter(k);
-  return parameter.kind == ParameterKind::shape && parameter.unit == "s" && !problem.base_model->setting(k).held;
-}
-
 }  // namespace
 
 ConditionalFit conditional_fit(const Problem& problem, const Variant& variant,
@@ -122,31 +117,6 @@ ConditionalFit sharpened(Problem& problem, const Variant& variant, ConditionalFi
   const ShapeFit best = shape_fit(with, start, free_of(problem, variant.own), variant.times, point.filter,
                                   problem.known, kStop);
   return taken_over(problem, std::move(conditional), best.parameters);
-}
-
-std::vector<double> with_times(const Problem& problem, std::vector<double> parameters, double time_s) {
-  for (std::size_t k = 1; k < problem.base_model->parameters(); ++k) {
-    const Setting& setting = problem.base_model->setting(k);
-    if (is_free_time(problem, k)) parameters[k] = std::clamp(time_s, setting.lower, setting.upper);
-  }
-  return parameters;
-}
-
-Eigen::MatrixXd input_times_of(const Problem& problem, const ConditionalFit& conditional) {
-  if (!problem.tuning.input_times) return with_levels(problem, Eigen::MatrixXd(problem.y.size(), 0));
-  if (!problem.tuning.input_times_of_effects) return with_levels(problem, problem.base_model->times_at(conditional.parameters));
-  const auto [model, parameters] = with_effects(problem, conditional);
-  return with_levels(problem, BaseModel(model, problem.logged, problem.y, problem.base.row).times_at(parameters));
-}
-
-bool is_elsewhere(const Problem& problem, const Variant& variant, const std::vector<double>& parameters, double reach) {
-  for (std::size_t k = 1; k < parameters.size(); ++k) {
-    const Parameter& parameter = problem.base_model->parameter(k);
-    if (parameter.kind == ParameterKind::gain) continue;
-    if (std::abs(parameters[k] - variant.parameters[k]) > reach * reach_of(parameter, variant.parameters[k]))
-      return true;
-  }
-  return false;
 }
 
 }  // namespace ballbar

@@ -24,13 +24,4 @@ ConditionalFit conditional_fit(const Problem& problem, const Variant& variant,
 // another effect would explain the residual of a strong effect whose true shape lies between two points of the grid.
 ConditionalFit sharpened(Problem& problem, const Variant& variant, ConditionalFit conditional, const Point& point);
 
-// The variant at these parameters, with all free times.
-std::vector<double> with_times(const Problem& problem, std::vector<double> parameters, double time_s);
-
-// The uncertainty of the input times of the model and of the set: columns of Kind::time.
-Eigen::MatrixXd input_times_of(const Problem& problem, const ConditionalFit& conditional);
-
-// Whether a shape of the model differs from that of the variant by more than this share of its prior sigma.
-bool is_elsewhere(const Problem& problem, const Variant& variant, const std::vector<double>& parameters, double reach);
-
 }  // namespace ballbar

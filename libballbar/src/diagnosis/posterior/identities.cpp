@@ -100,12 +100,8 @@ Identities identities_of(const Problem& problem, const Variant& variant) {
   for (std::size_t i = 0; i < result.log_prior.size(); ++i) {
     result.first.push_back(result.shapes.size());
     if (result.jump == i) {
-      const std::vector<char>& is_confounded = problem.at_jump_of_temperature;
-      for (std::size_t row = kRowsAtEnds; row + kRowsAtEnds < is_confounded.size(); ++row) {
-        if (!is_confounded[row])
-          result.shapes.push_back(
-              {i, result.columns.cols() + static_cast<Eigen::Index>(row), 1, 0.0, kNoSignature, 0.0});
-      }
+      for (std::size_t row = kRowsAtEnds; row + kRowsAtEnds < problem.time_s.size(); ++row)
+        result.shapes.push_back({i, result.columns.cols() + static_cast<Eigen::Index>(row), 1, 0.0, kNoSignature, 0.0});
       // Uniform in time: proportional to the interval before the row.
       double all_s = 0.0;
       for (std::size_t s = result.first.back(); s < result.shapes.size(); ++s) {

@@ -21,44 +21,13 @@
 namespace ballbar {
 namespace {
 
-constexpr double kLateClock = 12.0;            // fall of chi^2 by a delayed clock at the rows of jumps
 constexpr std::size_t kValuesForAnEffect = 4;  // rows beyond the model's
 constexpr double kStill_um = 1e-9;             // rms of constant readings
 
-// Whether rows at the ends of jumps show what a clock that is late would.
-bool has_late_clock(const Problem& problem, const Posterior& posterior, const SetRegression& at) {
-  const Fit& base = problem.base;
-  std::map<std::size_t, Eigen::Index> place;
-  for (std::size_t i = 0; i < base.row.size(); ++i) place[base.row[i]] = static_cast<Eigen::Index>(i);
-  Eigen::MatrixXd pulses =
-      Eigen::MatrixXd::Zero(at.y.size(), 2 * static_cast<Eigen::Index>(problem.logged.inputs.size()));
-  Eigen::Index column = 0;
-  for (const LoggedInput& input : problem.logged.inputs) {
-    if (!input.is_stepped) continue;
-    for (const Jump& jump : input.jumps) {
-      for (const std::size_t row : {jump.first, jump.last}) {
-        if (const auto there = place.find(row); there != place.end())
-          pulses(there->second, column + (row == jump.last ? 1 : 0)) = jump.after - jump.before;
-      }
-    }
-    column += 2;
-  }
-  if (column == 0) return false;
-  const Whitening& filter = posterior.points[posterior.sets[posterior.best].point].filter;
-  const Eigen::MatrixXd basis = orthonormal(at.white_columns());
-  const Eigen::VectorXd r = orthogonal_part(at.white_y, basis);
-  const Eigen::MatrixXd left = orthogonal_part(at.white(filter, pulses.leftCols(column)), basis);
-  for (Eigen::Index k = 0; k < column; ++k) {
-    const double square = left.col(k).squaredNorm();
-    if (square > 1e-9 && std::pow(left.col(k).dot(r), 2) / square / at.variance > kLateClock) return true;
-  }
-  return false;
-}
-
-// Of a long series every k-th value is weighed: where the best set has jumps, all values about them. False: it has
-// none, or all are weighed already.
-bool weigh_all_about_jumps(Inference& inference, const Model& model, const Series& data, std::size_t target,
-                           ProblemOptions options) {
+// Of a long series every k-th value is used: where the best set has jumps, all values about them. False: it has none, or
+// all are used already.
+bool use_all_about_jumps(Inference& inference, const Model& model, const Series& data, std::size_t target,
+                         ProblemOptions options) {
   const Problem& problem = *inference.problem;
   const std::vector<double>& values = find_column(data, model.targets[target])->values;
   const auto known = std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
@@ -101,22 +70,18 @@ Inference inference(const Model& model, const Series& data, std::size_t target, 
     tell_so_far = [&](const std::vector<double>& p) { options.search.so_far(probable_so_far(*result.problem, p)); };
   tell(fmt::format("weighing {} shapes of {} effects", first.library.signatures.size(), effects.size()));
   result.posterior = posterior_of(*result.problem, result.largest, tell_so_far);
-  if (options.search.tuning.whole_about_jumps && weigh_all_about_jumps(result, model, data, target, options)) {
+  if (options.search.tuning.whole_about_jumps && use_all_about_jumps(result, model, data, target, options)) {
     tell("weighing again, every value about a jump");
     result.posterior = posterior_of(*result.problem, result.largest, tell_so_far);
   }
+  // On recordings no input of any form stands for the missing effects before they are found.
   Problem& problem = *result.problem;
   const EffectSet& best = result.posterior.sets[result.posterior.best];
-  const SetRegression at = set_regression(problem, result.posterior, best);
-  const bool late = options.search.tuning.late_clock && model.level == Level::series && has_late_clock(problem, result.posterior, at);
-  if (late) free_rows_at_jumps(problem, true);
-  // On recordings no input of any form stands for the missing effects before they are found.
-  const bool outliers =
-      model.level == Level::recording &&
-      weigh_down_outliers(problem, with_signatures(problem, result.posterior.variants[best.variant], best.signatures),
-                          result.posterior.points[best.point]);
-  if (!late && !outliers) return result;
-  tell(late ? "weighing again without the rows at changes of an input" : "weighing again, outliers less");
+  if (model.level != Level::recording ||
+      !weigh_down_outliers(problem, with_signatures(problem, result.posterior.variants[best.variant], best.signatures),
+                           result.posterior.points[best.point]))
+    return result;
+  tell("weighing again, outliers less");
   result.posterior = posterior_of(problem, result.largest, tell_so_far);
   return result;
 }

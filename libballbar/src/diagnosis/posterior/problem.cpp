@@ -17,10 +17,6 @@
 namespace ballbar {
 namespace {
 
-constexpr double kTemperatureJump = 0.2;  // of its range, from row to row
-constexpr double kMostJumps = 0.02;       // of the rows, and in any case as many as
-constexpr double kFewJumps = 5.0;
-constexpr std::size_t kRowsAboutJump = 2;
 constexpr double kShortestLag = 2.0;          // samples
 constexpr double kMostSaturated = 2.0 / 3.0;  // of the rows
 constexpr double kPriorOfPairs = 0.1;         // of all effects of two columns
@@ -163,33 +159,17 @@ std::vector<OwnParameter> own_of(const Model& model) {
   return own;
 }
 
-// Rows near jumps of a temperature: a jump there may be that of the temperature, which is smoothed.
-std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vector<std::size_t>& rows) {
-  std::vector<char> found(rows.size(), 0);
-  for (const Column& column : data.columns) {
-    const std::string_view unit = unit_of(column.name);
-    if (unit != "degC" && unit != "K") continue;
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const std::size_t row : rows) {
-      low = std::min(low, column.values[row]);
-      high = std::max(high, column.values[row]);
-    }
-    const auto jumps = [&](std::size_t k) {
-      return std::abs(column.values[rows[k]] - column.values[rows[k - 1]]) > kTemperatureJump * (high - low);
-    };
-    std::size_t count = 0;
-    for (std::size_t k = 1; k < rows.size(); ++k) count += jumps(k) ? 1 : 0;
-    if (static_cast<double>(count) > std::max(kFewJumps, kMostJumps * static_cast<double>(rows.size())))
-      continue;  // it is noise
-    for (std::size_t k = 1; k < rows.size(); ++k) {
-      if (!jumps(k)) continue;
-      const std::size_t first = k > kRowsAboutJump ? k - kRowsAboutJump : 0,
-                        last = std::min(rows.size() - 1, k + kRowsAboutJump);
-      std::fill(found.begin() + static_cast<std::ptrdiff_t>(first),
-                found.begin() + static_cast<std::ptrdiff_t>(last) + 1, char{1});
+// Rows in whose sample an input changed tell nothing.
+void set_aside_rows_in_jumps(Problem& problem) {
+  std::set<std::size_t> rows;
+  for (const LoggedInput& input : problem.logged.inputs) {
+    for (const Jump& jump : input.jumps) {
+      for (std::size_t row = jump.first + 1; row < jump.last && input.is_stepped; ++row) rows.insert(row);
     }
   }
-  return found;
+  for (std::size_t i = 0; i < problem.base.row.size(); ++i) {
+    if (rows.contains(problem.base.row[i])) problem.stated_variance[i] = kUnknownVariance;
+  }
 }
 
 // Rows in which a sensor stands at the end of its range tell nothing of it, if at least a third remains.
@@ -224,22 +204,6 @@ double least_variance_of(const Problem& problem) {
   constexpr double kRounding = 1e-4;  // of the standard deviation of the readings: finer than any logger
   return kRounding * kRounding * problem.y.squaredNorm() /
          static_cast<double>(std::max<Eigen::Index>(1, problem.y.size()));
-}
-
-void free_rows_at_jumps(Problem& problem, bool wide) {
-  const Fit& base = problem.base;
-  std::map<std::size_t, std::size_t> place;
-  for (std::size_t i = 0; i < base.row.size(); ++i) place[base.row[i]] = i;
-  for (const LoggedInput& input : problem.logged.inputs) {
-    if (!input.is_stepped) continue;
-    for (const Jump& jump : input.jumps) {
-      const std::size_t inside = wide ? 0 : 1, width = wide ? jump.last - jump.first : 0;
-      const std::size_t first = jump.first + inside > width ? jump.first + inside - width : 0;
-      for (std::size_t row = first; row < jump.last + (wide ? 1 : 0); ++row) {
-        if (const auto at = place.find(row); at != place.end()) problem.stated_variance[at->second] = kUnknownVariance;
-      }
-    }
-  }
 }
 
 Eigen::MatrixXd with_levels(const Problem& problem, Eigen::MatrixXd open) {
@@ -314,8 +278,6 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   problem->time_s = base.time_s;
   problem->highest_Hz = highest_Hz(problem->time_s);
   problem->model = with_resolved_periods(model, problem->highest_Hz);
-  problem->at_jump_of_temperature = rows_of_temperature_jumps(rows, base.row);
-  if (!tuning.jumps_of_temperature) problem->at_jump_of_temperature.assign(base.row.size(), 0);
   const auto n = static_cast<Eigen::Index>(base.row.size());
   problem->y = Eigen::VectorXd::Map(base.measured_um.data(), n);
   if (model.level == Level::series && !model.constant_um) {
@@ -331,7 +293,7 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
       problem->relative_variance[i] = base.sigma_um[i] * base.sigma_um[i] / mean;
     problem->known = {4.0, mean};
   }
-  if (tuning.rows_at_jumps) free_rows_at_jumps(*problem, false);
+  if (tuning.rows_at_jumps) set_aside_rows_in_jumps(*problem);
   problem->longest_memory_s = options.search.longest_memory_s;
   problem->shock.assign(base.row.size(), 1.0);
   if (model.level == Level::series) {

@@ -55,7 +55,6 @@ struct Problem {
   std::vector<LevelJump> level_jumps;        // of the target, none of them an effect
   std::size_t far_readings = 0;              // set aside beside those of the fit
   double longest_memory_s = 0.0;             // of the noise
-  std::vector<char> at_jump_of_temperature;  // per row: a jump near it may be one of a temperature
   Eigen::VectorXd y;                         // minus `centre_um`, if the constant of the model is free
   double centre_um = 0.0;
   double highest_Hz = 0.0;  // half the rate of the rows
@@ -90,10 +89,6 @@ double least_variance_of(const Problem& problem);
 
 // Columns of open levels are added to the open ones of the model: each a step of the jump's size.
 Eigen::MatrixXd with_levels(const Problem& problem, Eigen::MatrixXd open);
-
-// Marks the rows at which the time of an input jump is uncertain: rows strictly inside the interval of a jump; wide:
-// also those at its ends.
-void free_rows_at_jumps(Problem& problem, bool wide);
 
 // Adds the family at another shape (a point for all parameters) to the library; nullopt: it has no effect there, or
 // exists already.

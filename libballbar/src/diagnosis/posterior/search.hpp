@@ -1,25 +1,19 @@
-// Searches for the parameters of the model together with the likely sums of single effects.
+// Searches for the parameters of the model together with the likely sum of single effects.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
-#include "diagnosis/posterior/weighted_ascent.hpp"
+#include "diagnosis/posterior/ascent.hpp"
+#include "diagnosis/posterior/identities.hpp"
 
 namespace ballbar {
 
-// Another mode: a sum of single effects that excludes an identity of the best one.
-struct Mode {
-  std::size_t without = 0;       // the excluded identity
-  std::vector<std::size_t> set;  // the most likely identity of each of its single effects
-};
-
 struct SearchResult {
   std::vector<Covariance> covariances;  // the likeliest of each kind of discrepancy
-  Variant variant;
+  Variant variant;                      // the model about its likeliest parameters
   Identities identities;
-  WeightedAscent best;
-  std::vector<Mode> modes;  // other modes that are nearly as likely
+  Ascent ascent;  // at the first covariance
 };
 
 // largest: largest number of single effects. Shapes of likely effects between the points of the grid are added to the

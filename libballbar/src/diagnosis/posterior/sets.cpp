@@ -262,8 +262,7 @@ std::size_t set_of(Problem& problem, Posterior& posterior, std::vector<std::size
       conditional_fit(problem, posterior.variants.front(), set.signatures, posterior.points[set.point]);
   conditional = sharpened(problem, posterior.variants.front(), std::move(conditional), posterior.points[set.point]);
   set.signatures = conditional.signatures;
-  Eigen::MatrixXd times = input_times_of(problem, conditional);
-  posterior.variants.push_back(variant_at(problem, 0, std::move(conditional.parameters), std::move(times)));
+  posterior.variants.push_back(variant_at(problem, 0, std::move(conditional.parameters)));
   set.variant = posterior.variants.size() - 1;
   posterior.sets.push_back(std::move(set));
   return posterior.sets.size() - 1;

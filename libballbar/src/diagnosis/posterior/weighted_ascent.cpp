@@ -7,23 +7,15 @@
 #include "diagnosis/posterior/posterior.hpp"
 
 namespace ballbar {
-namespace {
-
-constexpr double kSameBound = 0.01;  // ln: two ascents that differ by less are one
-
-}  // namespace
-
 void sort_by_weight(std::vector<WeightedAscent>& found) {
   std::stable_sort(found.begin(), found.end(),
                    [](const WeightedAscent& a, const WeightedAscent& b) { return a.log_weight > b.log_weight; });
 }
 
-AscentOptions ascent_options(const Problem& problem, const Identities& identities, std::size_t largest, Forms forms,
-                             std::size_t without) {
+AscentOptions ascent_options(const Problem& problem, const Identities& identities, std::size_t largest, Forms forms) {
   AscentOptions options;
   SinglePrior prior{std::log(kPriorOfNone), identities.log_prior};
   for (double& one : prior.log_identity) one += std::log1p(-kPriorOfNone);
-  if (without != kNoSignature) prior.log_identity[without] = kLogZero;
   for (std::size_t i = problem.effects; i < identities.families && (forms == Forms::no || !problem.tuning.any_forms); ++i)
     prior.log_identity[i] = kLogZero;
   options.priors = {std::move(prior)};
@@ -31,22 +23,6 @@ AscentOptions ascent_options(const Problem& problem, const Identities& identitie
   options.known = problem.known;
   options.least_variance = least_variance_of(problem);
   return options;
-}
-
-Ascent best_ascent(ColumnsAt& at, const Problem& problem, const Identities& identities, const AscentOptions& options,
-                   const Ascent& start) {
-  Ascent best = ascended(at, identities, options, start);
-  const SinglePrior& first = options.priors.front();
-  const bool has_forms = std::any_of(first.log_identity.begin() + static_cast<std::ptrdiff_t>(problem.effects),
-                                     first.log_identity.begin() + static_cast<std::ptrdiff_t>(identities.families),
-                                     [](double one) { return one > kLogZero; });
-  if (!has_forms || !problem.tuning.start_without_forms) return best;
-  AscentOptions of_effects = options;
-  for (SinglePrior& prior : of_effects.priors) {
-    for (std::size_t i = problem.effects; i < identities.families; ++i) prior.log_identity[i] = kLogZero;
-  }
-  Ascent other = ascended(at, identities, options, ascended(at, identities, of_effects));
-  return other.bound > best.bound + kSameBound ? other : best;
 }
 
 Ascent ascended_from(ColumnsAt& at, const Identities& identities, const AscentOptions& options,
