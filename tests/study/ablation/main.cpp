@@ -52,6 +52,7 @@ constexpr Device kDevices[] = {
     {"level jumps", &Tuning::level_jumps, false},
     {"finer shapes", &Tuning::finer_shapes, false},
     {"finer rivals", &Tuning::finer_rivals, false},
+    {"refine", &Tuning::refine, false},
     {"same gain", &Tuning::same_gain, true},
     {"held out", &Tuning::held_out, true},
     {"cycles that move", &Tuning::cycles_that_move, true},

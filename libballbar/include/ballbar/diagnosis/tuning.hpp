@@ -29,6 +29,7 @@ struct Tuning {
   // The search.
   bool finer_shapes = true;
   bool finer_rivals = true;
+  bool refine = true;
   // Tests of members and drivers.
   bool same_gain = true;
   bool held_out = true;

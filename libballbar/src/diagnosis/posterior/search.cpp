@@ -19,33 +19,16 @@ namespace {
 constexpr std::size_t kSharpenedRivals = 4;  // rivals of a single effect whose shapes are refined
 constexpr double kFarRival = 7.0;            // ln: a rival so much weaker than the strongest is ignored
 constexpr double kOfGrid = 0.1;              // more, of the evidence gained: a coarse grid may cost so much
+constexpr double kBetter = 0.05;             // ln: smallest improvement
 constexpr Stop kSearched{12, 1e-5};
 
-// The most likely covariance of each kind, or the given ones, the most likely first. before: those found last.
-std::vector<Covariance> covariances_beside(const Problem& problem, const Variant& beside,
-                                           const std::vector<Covariance>& before) {
-  std::vector<Covariance> found = problem.covariances;
-  if (found.empty()) {
-    const std::vector<Discrepancy> kinds = discrepancies_of(problem);
-    const auto start_of = [&](Discrepancy kind) {
-      const auto at = std::find_if(before.begin(), before.end(),
-                                   [&](const Covariance& one) { return discrepancy_of(one) == kind; });
-      return at == before.end() ? nullptr : &*at;
-    };
-    found.resize(kinds.size());
-    in_parallel(kinds.size(), [&](std::size_t k) {
-      found[k] = likeliest_covariance(problem, beside, kinds[k], start_of(kinds[k]));
-    });
-  }
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    const Gram gram = gram_of(point_at(problem, found[k]).filter, beside.pool);
-    order.emplace_back(-log_evidence(linear_solution(gram, beside.line, problem.known)) - found[k].log_prior, k);
-  }
-  std::stable_sort(order.begin(), order.end());
-  std::vector<Covariance> sorted;
-  for (const auto& [weight, k] : order) sorted.push_back(found[k]);
-  return sorted;
+// The most likely covariance of each kind, or the given ones.
+std::vector<Covariance> covariances_beside(const Problem& problem, const Variant& beside) {
+  if (!problem.covariances.empty()) return problem.covariances;
+  const std::vector<Discrepancy> kinds = discrepancies_of(problem);
+  std::vector<Covariance> found(kinds.size());
+  in_parallel(kinds.size(), [&](std::size_t k) { found[k] = likeliest_covariance(problem, beside, kinds[k]); });
+  return found;
 }
 
 // Readings far from the others count less, and three or more jumps of the target are levels of their own. Both beside
@@ -146,24 +129,47 @@ SearchResult search_result(Problem& problem, std::size_t largest) {
   note_outliers(problem, fit);
   SearchResult found;
   found.variant = variant_at(problem, 0, fit);
-  found.covariances = covariances_beside(problem, beside_any_forms(problem, found.variant), {});
+  found.covariances = covariances_beside(problem, beside_any_forms(problem, found.variant));
   find_other_values(problem, fit, found.variant, found.covariances.front());
   found.identities = identities_of(problem, found.variant);
-  const auto ascend = [&](const std::vector<std::size_t>& from) {
-    const Point point = point_at(problem, found.covariances.front());
-    ColumnsAt at(problem, found.identities, found.variant, point);
-    found.ascent =
-        ascended_from(at, found.identities, ascent_options(problem, found.identities, largest, Forms::no), from);
+  // The sum at a covariance, from these identities on, without one of them.
+  const auto ascended_in = [&](const SearchResult& of, const Covariance& covariance,
+                               const std::vector<std::size_t>& from, std::size_t without = kNoSignature) {
+    const Point point = point_at(problem, covariance);
+    ColumnsAt at(problem, of.identities, of.variant, point);
+    return ascended_from(at, of.identities, ascent_options(problem, of.identities, largest, Forms::no, without), from);
   };
-  ascend({});
-  if (problem.covariances.empty()) {
-    found.covariances = covariances_beside(
-        problem, beside_mean_of(found.ascent, found.identities, found.variant), found.covariances);
-    ascend(likeliest_set(found.ascent));
+  // Of each kind the sum, and the covariance beside it.
+  std::vector<Ascent> sums(found.covariances.size());
+  in_parallel(sums.size(), [&](std::size_t k) {
+    Covariance& covariance = found.covariances[k];
+    sums[k] = ascended_in(found, covariance, {});
+    if (!problem.covariances.empty()) return;
+    covariance = likeliest_covariance(problem, beside_mean_of(sums[k], found.identities, found.variant),
+                                      discrepancy_of(covariance), &covariance);
+    sums[k] = ascended_in(found, covariance, likeliest_set(sums[k]));
+  });
+  std::size_t best = 0;
+  const auto log_weight = [&](std::size_t k) { return sums[k].bound + found.covariances[k].log_prior; };
+  for (std::size_t k = 1; k < sums.size(); ++k) best = log_weight(k) > log_weight(best) ? k : best;
+  std::swap(found.covariances.front(), found.covariances[best]);
+  found.ascent = std::move(sums[best]);
+  const auto refine = [&](SearchResult& of) {
+    const std::vector<std::size_t> set = likeliest_set(of.ascent);
+    of.variant = variant_at(problem, 0, refined(problem, of, point_at(problem, of.covariances.front())));
+    of.identities = identities_of(problem, of.variant);
+    of.ascent = ascended_in(of, of.covariances.front(), set);
+  };
+  refine(found);
+  if (!problem.tuning.refine) return found;
+  // Coordinate ascent finds one mode: the sums without each of its effects (Zou et al. 2022, `refine`).
+  for (const std::size_t without : likeliest_set(found.ascent)) {
+    if (found.identities.is_own(without)) continue;
+    SearchResult other = found;
+    other.ascent = ascended_in(other, other.covariances.front(), {}, without);
+    refine(other);
+    if (other.ascent.bound > found.ascent.bound + kBetter) found = std::move(other);
   }
-  found.variant = variant_at(problem, 0, refined(problem, found, point_at(problem, found.covariances.front())));
-  found.identities = identities_of(problem, found.variant);
-  ascend(likeliest_set(found.ascent));
   return found;
 }
 

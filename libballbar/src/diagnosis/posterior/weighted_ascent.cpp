@@ -12,10 +12,12 @@ void sort_by_weight(std::vector<WeightedAscent>& found) {
                    [](const WeightedAscent& a, const WeightedAscent& b) { return a.log_weight > b.log_weight; });
 }
 
-AscentOptions ascent_options(const Problem& problem, const Identities& identities, std::size_t largest, Forms forms) {
+AscentOptions ascent_options(const Problem& problem, const Identities& identities, std::size_t largest, Forms forms,
+                             std::size_t without) {
   AscentOptions options;
   SinglePrior prior{std::log(kPriorOfNone), identities.log_prior};
   for (double& one : prior.log_identity) one += std::log1p(-kPriorOfNone);
+  if (without != kNoSignature) prior.log_identity[without] = kLogZero;
   for (std::size_t i = problem.effects; i < identities.families && (forms == Forms::no || !problem.tuning.any_forms); ++i)
     prior.log_identity[i] = kLogZero;
   options.priors = {std::move(prior)};

@@ -23,8 +23,9 @@ void sort_by_weight(std::vector<WeightedAscent>& found);
 // error of the grid is many times the noise where an effect is large, and a form would take it.
 enum class Forms { no, yes };
 
-// largest: largest number of single effects.
-AscentOptions ascent_options(const Problem& problem, const Identities& identities, std::size_t largest, Forms forms);
+// largest: largest number of single effects. without: an identity to exclude, or kNoSignature.
+AscentOptions ascent_options(const Problem& problem, const Identities& identities, std::size_t largest, Forms forms,
+                             std::size_t without = kNoSignature);
 
 // Starts the ascent with one single effect for each of these identities; with none, anew.
 Ascent ascended_from(ColumnsAt& at, const Identities& identities, const AscentOptions& options,
