@@ -36,6 +36,11 @@ inline constexpr auto kResult<Candidate> = ResultType{
             Field{"parameters", &parameters_of, ""}})};
 
 template <>
+inline constexpr auto kResult<ColumnNotSearched> =
+    ResultType{"ColumnNotSearched", "A column that changes and that no effect of the search could read.",
+               std::tuple{Field{"column", &ColumnNotSearched::column, ""}, Field{"why", &why_not_searched, ""}}};
+
+template <>
 inline constexpr auto kResult<StandIn> =
     ResultType{"StandIn", "An effect added earlier that others explain better.",
                std::tuple{Field{"effect", &StandIn::effect, ""}, Field{"by", &StandIn::by, "the others"},

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <string_view>
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/number_text.hpp"
@@ -238,7 +237,7 @@ std::string best_candidate_text(const Diagnosis& d) {
 std::string not_used_text(const Diagnosis& d) {
   std::string text;
   for (const ColumnNotSearched& one : d.columns_not_searched)
-    text += fmt::format("{} was not searched: {}. ", one.column, one.why);
+    text += fmt::format("{} was not searched: {}. ", one.column, why_not_searched(one));
   for (const Saturated& one : d.saturated) {
     text += fmt::format(
         "{} stands at the end of its range for {} of the rows, as a saturated sensor does. These rows "
@@ -318,6 +317,10 @@ std::string sentence_of(const Diagnosis& d) {
   if (d.obstacle == Obstacle::still_readings) return "The readings do not change: there is nothing to explain.";
   const std::string text = not_used_text(d) + verdict_text(d);
   return d.verdict != Verdict::unexplained && has_slow_drift(d) ? text + " " + slow_text(d) : text;
+}
+
+std::string_view why_not_searched(const ColumnNotSearched& column) {
+  return column.has_gaps ? "it has gaps" : "no effect reads it";
 }
 
 std::vector<std::string> reasons_of(const Diagnosis& d) {

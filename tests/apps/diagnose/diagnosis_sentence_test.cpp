@@ -178,13 +178,14 @@ TEST(Sentence, says_first_what_was_not_used) {
   Diagnosis found = with_verdict(Verdict::unexplained);
   found.p_discrepancy = 0.9;
   found.discrepancy_um = 2.5;
-  found.columns_not_searched = {{"door", "it has gaps"}};
+  found.columns_not_searched = {{"door", true}, {"pallet", false}};
   found.saturated = {{"T1_degC", 0.42}};
   found.set_aside = 8;
   found.level_jumps = 18;
   found.level_jump_um = 2.1;
   EXPECT_TRUE(sentence_of(found).starts_with(
-      "door was not searched: it has gaps. T1_degC stands at the end of its range for 42 % of the rows, as a saturated "
+      "door was not searched: it has gaps. pallet was not searched: no effect reads it. T1_degC stands at the end of "
+      "its range for 42 % of the rows, as a saturated "
       "sensor does. These rows are set aside. 8 readings far from the others are set aside. z_um jumps 18 times, by "
       "2.1 "
       "um: corrections of the control or of the probe, no drift. About ±2.5 um of slow drift"))

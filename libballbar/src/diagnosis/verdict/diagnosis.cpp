@@ -192,7 +192,7 @@ class Decision {
         continue;
       const bool has_gaps =
           std::any_of(column.values.begin(), column.values.end(), [](double value) { return !std::isfinite(value); });
-      result_.columns_not_searched.push_back({column.name, has_gaps ? "it has gaps" : "no effect reads it"});
+      result_.columns_not_searched.push_back({column.name, has_gaps});
     }
   }
 

@@ -41,11 +41,6 @@ inline constexpr auto kResult<Driver> =
                                 "false: beside a larger slow drift, or other columns of a few readings"}}};
 
 template <>
-inline constexpr auto kResult<ColumnNotSearched> =
-    ResultType{"ColumnNotSearched", "A column that changes and that no effect of the search could read.",
-               std::tuple{Field{"column", &ColumnNotSearched::column, ""}, Field{"why", &ColumnNotSearched::why, ""}}};
-
-template <>
 inline constexpr auto kResult<Saturated> =
     ResultType{"Saturated", "A column whose sensor stands at the end of its range.",
                std::tuple{Field{"column", &Saturated::column, ""},

@@ -84,7 +84,7 @@ struct GainByRun {
 // A column that changes and that no effect of the search could read.
 struct ColumnNotSearched {
   std::string column;
-  std::string why;  // "it has gaps"
+  bool has_gaps = false;  // else no effect reads it
 };
 
 // A sensor that stands at the end of its range.
