@@ -11,6 +11,7 @@
 #include "ballbar/machine_errors/machine_errors.hpp"
 #include "ballbar/number_text.hpp"
 #include "diagnose/diagnosis_report.hpp"
+#include "diagnose/diagnosis_sentence.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/next_command.hpp"
 #include "terminal/stderr_line.hpp"
@@ -37,7 +38,8 @@ std::string either_text(const std::vector<std::vector<BoundEffect>>& groups) {
 
 // Why the search goes no further.
 std::string stop_text(const AutomaticAddition& how, const Diagnosis& diagnosis) {
-  const std::string why = diagnosis.reasons.empty() ? "" : fmt::format(" {}", fmt::join(diagnosis.reasons, " "));
+  const std::vector<std::string> reasons = reasons_of(diagnosis);
+  const std::string why = reasons.empty() ? "" : fmt::format(" {}", fmt::join(reasons, " "));
   const std::string hint = next_hint(how.written, diagnosis);
   switch (diagnosis.verdict) {
     case Verdict::nothing:
@@ -47,9 +49,9 @@ std::string stop_text(const AutomaticAddition& how, const Diagnosis& diagnosis) 
                  : fmt::format("Stopped: no further effect is found.{}", why);
     case Verdict::named:
     case Verdict::probable:
-      return fmt::format("Stopped. {}{}{}{}", diagnosis.sentence, hint.empty() ? "" : " ", hint, why);
+      return fmt::format("Stopped. {}{}{}{}", sentence_of(diagnosis), hint.empty() ? "" : " ", hint, why);
     case Verdict::driver:
-      return fmt::format("Stopped. {}{}", diagnosis.sentence, why);
+      return fmt::format("Stopped. {}{}", sentence_of(diagnosis), why);
     case Verdict::equivalent:
       return fmt::format("Stopped: an effect is missing, but the data do not tell which: {}.{}",
                          either_text(diagnosis.equivalent), why);

@@ -9,8 +9,36 @@
 #include "ballbar/diagnosis/posterior/search_options.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
 #include "diagnose/diagnosis_report.hpp"
+#include "diagnose/diagnosis_sentence.hpp"
+#include "diagnose/doubt_text.hpp"
 
 namespace ballbar {
+
+template <>
+inline constexpr auto kResult<Candidate> = ResultType{
+    "Candidate", "An effect that may be missing, beside the rest of its likeliest set.",
+    std::tuple_cat(
+        fields_through(&Candidate::bound, kResult<BoundEffect>.fields),
+        std::tuple{
+            Field{"p", &Candidate::p, "probability that it is missing"},
+            Field{"likelihood_ratio", &Candidate::likelihood_ratio,
+                  "2 ln of how much likelier the readings are with it than without"},
+            Field{"amplitude_um", &Candidate::amplitude_um, "largest less smallest of what it adds"},
+            Field{"amplitude_sigma_um", &Candidate::amplitude_sigma_um, "null: not determined"},
+            Field{"rmse_after_um", &Candidate::rmse_after_um, "that the model leaves with it alone, as `add` fits it"},
+            Field{"held_out_before_um", &Candidate::held_out_before_um, "error in cycles left out, without it"},
+            Field{"held_out_after_um", &Candidate::held_out_after_um, "error in cycles left out, with it"},
+            Field{"p_same_gain", &Candidate::p_same_gain, "of gains as different from cycle to cycle, by chance"},
+            Field{"in_best_set", &Candidate::in_best_set, "whether it is of the likeliest set"},
+            Field{"minor", &Candidate::minor, "whether it is too small to matter"},
+            Field{"doubts", &doubt_texts, "why it is not named"},
+            Field{"inseparable_from", &Candidate::inseparable_from, "effects that these data do not tell from it"},
+            Field{"parameters", &parameters_of, ""}})};
+
+template <>
+inline constexpr auto kResult<ColumnNotSearched> =
+    ResultType{"ColumnNotSearched", "A column that changes and that no effect of the search could read.",
+               std::tuple{Field{"column", &ColumnNotSearched::column, ""}, Field{"why", &why_not_searched, ""}}};
 
 template <>
 inline constexpr auto kResult<StandIn> =
@@ -53,7 +81,7 @@ inline constexpr std::string_view kDiagnosisReportEffects = "from p = 0.01 on";
 inline constexpr std::string_view kDiagnosisReportCandidates = "the likeliest set, then others by probability";
 inline constexpr auto kDiagnosisReportOfDiagnosis = std::tuple{
     Field{"verdict", &Diagnosis::verdict, "named, probable, driver, equivalent, unexplained, untestable, nothing"},
-    Field{"sentence", &Diagnosis::sentence, "what it says in plain words"}};
+    Field{"sentence", [](const Diagnosis& of) { return sentence_of(of); }, "what it says in plain words"}};
 inline constexpr auto kDiagnosisReportFound = std::tuple{
     Field{"named", &Diagnosis::named, "that are missing"},
     Field{"probable", &Diagnosis::probable, "that are probably missing"},
@@ -78,7 +106,7 @@ inline constexpr auto kDiagnosisReportHidden = std::tuple{
     Field{"untestable", [](const Diagnosis& of) { return untestable_of(of); }, "effects that these data cannot show"},
     Field{"not_searched", [](const Diagnosis& of) { return not_searched_of(of); },
           "effects with more choices of columns than were searched"},
-    Field{"reasons", &Diagnosis::reasons, "why it is not named, or not all of it"},
+    Field{"reasons", [](const Diagnosis& of) { return reasons_of(of); }, "why it is not named, or not all of it"},
     Field{"gains_by_run", &Diagnosis::gains_by_run, "of several runs: gains that differ"}};
 // Of the report, about its effects and its candidates, which a page has more of.
 inline constexpr auto kDiagnosisReportVerdictFields =

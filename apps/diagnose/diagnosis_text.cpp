@@ -7,6 +7,7 @@
 #include <set>
 
 #include "diagnose/diagnosis_report.hpp"
+#include "diagnose/diagnosis_sentence.hpp"
 #include "diagnose/next_command.hpp"
 #include "model/preflight.hpp"
 #include "terminal/terminal_table.hpp"
@@ -174,10 +175,12 @@ void print_verdict(const DiagnosisReport& diagnosis_report) {
 }
 
 void print_reasons(const Diagnosis& found, bool details) {
+  const std::vector<std::string> reasons = reasons_of(found);
+  if (reasons.empty() || found.verdict == Verdict::nothing) return;
   fmt::print("\nWhy{}:\n", found.verdict == Verdict::untestable ? "" : " it is not named, or not all of it");
-  const std::size_t shown = details ? found.reasons.size() : std::min(found.reasons.size(), kReasons);
-  for (std::size_t k = 0; k < shown; ++k) fmt::print("{}", wrapped("- " + found.reasons[k]));
-  if (shown < found.reasons.size()) fmt::print("- {} more\n", found.reasons.size() - shown);
+  const std::size_t shown = details ? reasons.size() : std::min(reasons.size(), kReasons);
+  for (std::size_t k = 0; k < shown; ++k) fmt::print("{}", wrapped("- " + reasons[k]));
+  if (shown < reasons.size()) fmt::print("- {} more\n", reasons.size() - shown);
 }
 
 }  // namespace
@@ -193,7 +196,7 @@ void print_text(const DiagnosisReport& diagnosis_report, const std::string& titl
   fmt::print("{}{}\n\n", heading(diagnosis_report.residual_report.fit),
              is_whole ? "" : fmt::format(". Verdict: {}.", name_of(found.verdict)));
   if (!diagnosis_report.unsupported.empty()) fmt::print("{}", wrapped(unsupported_text(diagnosis_report)));
-  fmt::print("{}", wrapped(found.sentence));
+  fmt::print("{}", wrapped(sentence_of(found)));
   if (!diagnosis_report.command.empty()) fmt::print("\n{}\n", diagnosis_report.command);
   if (!diagnosis_report.hint.empty()) fmt::print("\n{}", wrapped(diagnosis_report.hint));
   for (const StandIn& one : diagnosis_report.stand_ins)
@@ -203,7 +206,7 @@ void print_text(const DiagnosisReport& diagnosis_report, const std::string& titl
   const std::size_t rows = details ? found.candidates.size() : is_whole ? kRows : kRowsOfSeveral;
   if (is_whole || length.targets <= kTargetsWithRows) print_candidates(found, rows, details);
   if (!is_whole) return;
-  if (!found.reasons.empty() && found.verdict != Verdict::nothing) print_reasons(found, details);
+  print_reasons(found, details);
   print_gains_by_run(found);
   if (details && found.verdict != Verdict::untestable) fmt::print("\n{}", wrapped(posterior_text(found)));
   fmt::print("\n");

@@ -10,6 +10,7 @@
 #include "ballbar/fit/residual.hpp"
 #include "ballbar/number_text.hpp"
 #include "ballbar/numerics/range.hpp"
+#include "diagnose/doubt_text.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "terminal/terminal_table.hpp"
@@ -122,8 +123,8 @@ std::string conclusion(const EffectTest& effect_test) {
   std::vector<std::string> doubts;
   for (const Candidate& tried : effect_test.added) {
     if (tried.doubts.empty()) continue;
-    doubts.push_back(
-        fmt::format("{}{}", effect_test.added.size() == 1 ? "" : tried.label + ": ", fmt::join(tried.doubts, ", ")));
+    doubts.push_back(fmt::format("{}{}", effect_test.added.size() == 1 ? "" : tried.label + ": ",
+                                 fmt::join(doubt_texts(tried), ", ")));
   }
   std::string text = fmt::format("{}. {}", first_words(effect_test, doubts.empty()), error_words(effect_test));
   if (!effect_test.beside.empty()) {

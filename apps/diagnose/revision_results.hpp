@@ -9,6 +9,7 @@
 #include "ballbar/predict/growth.hpp"
 #include "ballbar/revision/effect_test.hpp"
 #include "ballbar/revision/ledger.hpp"
+#include "diagnose/doubt_text.hpp"
 #include "diagnose/effect_test_text.hpp"
 
 namespace ballbar {
@@ -84,10 +85,11 @@ inline constexpr auto kResult<AddedEffect> = ResultType{
                       "2 ln of how much likelier the readings are with it than without"},
                 Field{"threshold", &Candidate::threshold, "from which that counts"},
                 Field{"p_same_gain", &Candidate::p_same_gain, "of gains as different from cycle to cycle, by chance"}}),
-        std::tuple{Field{"time_only", [](const AddedEffect& of) { return of.bound.effect->time_only; },
-                         "whether it needs nothing but time"},
-                   Field{"doubts", [](const AddedEffect& of) { return of.tried.doubts; }, "why it is not supported"},
-                   Field{"parameters", &AddedEffect::parameters, ""}})};
+        std::tuple{
+            Field{"time_only", [](const AddedEffect& of) { return of.bound.effect->time_only; },
+                  "whether it needs nothing but time"},
+            Field{"doubts", [](const AddedEffect& of) { return doubt_texts(of.tried); }, "why it is not supported"},
+            Field{"parameters", &AddedEffect::parameters, ""}})};
 
 template <>
 inline constexpr auto kResult<DropTest> = ResultType{

@@ -10,6 +10,7 @@
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/model/effect_argument.hpp"
+#include "diagnose/diagnosis_sentence.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "model/effect_options.hpp"
 #include "model/held_values.hpp"
@@ -131,7 +132,7 @@ void ReportSubject::add_target(ModelPart& made, RevisedModel& model, Parts parts
   overlay_effects(made, checked.fit, bench.model(), *data.series);
   if (!found) return;
   value_of(made.diagnose).targets.emplace_back(diagnosis_part(*found, data));
-  made.summary.push_back(fmt::format("{}: {}", bench.model().targets.front(), found->diagnosis.sentence));
+  made.summary.push_back(fmt::format("{}: {}", bench.model().targets.front(), sentence_of(found->diagnosis)));
   overlay_candidates(made, *found, data);
 }
 

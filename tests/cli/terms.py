@@ -67,7 +67,7 @@ faults += [f"`ballbar effects --terms` explains {term}, which nothing prints" fo
 
 # First sentences: of every kind of verdict, as its test has them, and of the transcripts.
 first = []
-verdicts = (source / "tests/libballbar/diagnosis/verdict/sentence_test.cpp").read_text(encoding="utf-8")
+verdicts = (source / "tests/apps/diagnose/diagnosis_sentence_test.cpp").read_text(encoding="utf-8")
 for expected in re.findall(r'EXPECT_EQ\(sentence_of\(found\),\s*((?:"[^"]*"\s*)+)\)', verdicts):
     first.append(re.sub(r'"\s*"', "", expected).strip('" \n'))
 for kind in ("named", "probable", "driver", "equivalent", "unexplained", "nothing", "untestable"):

@@ -30,10 +30,7 @@ inline constexpr std::array<double, 9> kGainSizes{4.0, 8.0, 16.0, 32.0, 64.0, 12
 inline constexpr double kSameGain = 0.01;  // gains differ if p_same_gain is smaller
 
 // Verdict.
-inline constexpr double kNothing = 0.5;      // P of nothing from which the verdict is `nothing`
-inline constexpr double kSureDriver = 0.9;   // P
-inline constexpr double kDiscrepancy = 0.5;  // P of a slow drift without a cause from which it is reported
-inline constexpr double kMinor = 0.05;       // share of the RMSE
+inline constexpr double kMinor = 0.05;  // share of the RMSE
 
 // The next test.
 inline constexpr double kSureEnough = 0.95;    // P(right) of a test from which no longer test is considered

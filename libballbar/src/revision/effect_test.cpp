@@ -23,8 +23,6 @@
 namespace ballbar {
 namespace {
 
-constexpr const char* kLowLikelihoodRatio = "the evidence for it is weak";
-
 std::size_t free_parameters(const Term& term) {
   return static_cast<std::size_t>(
       std::count_if(term.settings.begin(), term.settings.end(), [](const Setting& setting) { return !setting.held; }));
@@ -35,7 +33,7 @@ Candidate untestable_candidate(const BoundEffect& bound) {
   Candidate one;
   one.bound = bound;
   one.label = label_of(bound);
-  one.doubts.emplace_back("the model can already produce what it adds");
+  one.doubts.push_back(Doubt::in_the_model);
   return one;
 }
 
@@ -93,7 +91,7 @@ void test_added(Inference& found, const std::vector<Term>& terms, const Series& 
     one.label = label_of(terms[t]);
     relabel(one.parameters, one.parameters.front().effect, one.label);
     relabel(result.parameters, label_of(fitted.model.terms[places.back()]), one.label);
-    if (!(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.emplace(one.doubts.begin(), kLowLikelihoodRatio);
+    if (!(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.insert(one.doubts.begin(), Doubt::weak_evidence);
     result.added.push_back(std::move(one));
   }
   if (result.model.level == Level::series) leave_cycles_out(fitted.model, places, data, target, result.added);

@@ -15,7 +15,6 @@ namespace ballbar {
 namespace {
 
 constexpr double kDropTestOfErrors = 0.001;  // p of chi^2, the same of errors of the axes
-constexpr const char* kNotClear = "it is not significant beside the other errors of the axes";
 
 struct Errors {
   JointErrorFit fitted;
@@ -71,7 +70,7 @@ Candidate candidate_of_error(const Model& model, std::size_t place, const Fit& a
   const RankedError* ranked = ranked_of(errors, term.effect.get());
   if (ranked == nullptr) {
     candidate.threshold = Candidate::kUnknown;
-    candidate.doubts.emplace_back("these readings do not show it");
+    candidate.doubts.push_back(Doubt::not_shown);
     return candidate;
   }
   candidate.likelihood_ratio = ranked->chi2;
@@ -79,9 +78,8 @@ Candidate candidate_of_error(const Model& model, std::size_t place, const Fit& a
   candidate.amplitude_um = ranked->individual_circularity_um;
   candidate.amplitude_sigma_um =
       ranked->chi2 > 0.0 ? candidate.amplitude_um / std::sqrt(ranked->chi2) : Candidate::kUnknown;
-  if (!ranked->significant) candidate.doubts.emplace_back(kNotClear);
-  if (ranked->predicts_other_run == false)
-    candidate.doubts.emplace_back("it does not predict left-out recordings better");
+  if (!ranked->significant) candidate.doubts.push_back(Doubt::not_significant);
+  if (ranked->predicts_other_run == false) candidate.doubts.push_back(Doubt::not_predictive);
   return candidate;
 }
 

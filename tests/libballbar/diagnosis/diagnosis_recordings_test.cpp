@@ -5,6 +5,7 @@
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/machine_errors/next_measurement.hpp"
+#include "diagnosis/outcome.hpp"
 #include "made_recordings.hpp"
 
 namespace ballbar {
@@ -79,7 +80,7 @@ TEST(DiagnosisOfRecordings, both_ways_name_a_scale_mismatch) {
 TEST(DiagnosisOfRecordings, of_one_direction_nothing_drives) {
   const Series trace = made::recordings(plan_of(made::one_way(), 200), find_effect("squareness", Level::recording), 1);
   const Diagnosis found = diagnose(recording_base_model(trace), trace, 0, linear_axes());
-  EXPECT_EQ(found.verdict, Verdict::equivalent) << found.sentence;
+  EXPECT_EQ(found.verdict, Verdict::equivalent) << made::outcome_of(found);
   EXPECT_TRUE(found.drivers.empty());
 }
 

@@ -5,6 +5,7 @@
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/model/run_terms.hpp"
+#include "diagnosis/outcome.hpp"
 
 namespace ballbar {
 namespace {
@@ -55,7 +56,7 @@ TEST(gains_by_run, an_effect_is_named_from_two_runs) {
   Model model;
   model.targets = {"z_um"};
   const Diagnosis found = diagnose(with_run_terms(model, data), data);
-  ASSERT_EQ(found.named.size(), 1U) << found.sentence;
+  ASSERT_EQ(found.named.size(), 1U) << made::outcome_of(found);
   EXPECT_EQ(label_of(found.named.front()), "expansion(T_room_degC)");
 }
 

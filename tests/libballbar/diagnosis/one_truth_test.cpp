@@ -5,6 +5,7 @@
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "diagnosis/made_drift.hpp"
+#include "diagnosis/outcome.hpp"
 #include "revision/effect_test_of.hpp"
 
 namespace ballbar {
@@ -83,8 +84,8 @@ TEST(OneTruth, an_effect_beside_a_wrong_held_value_has_the_numbers_of_its_test) 
   model.terms.front().settings[1].start = 0.85 * 2300.0;
   model.terms.front().settings[1].held = true;
   const Diagnosis found = diagnose(model, data);
-  ASSERT_EQ(found.named.size(), 1U) << found.sentence;
-  ASSERT_FALSE(found.own.empty()) << found.sentence;
+  ASSERT_EQ(found.named.size(), 1U) << made::outcome_of(found);
+  ASSERT_FALSE(found.own.empty()) << made::outcome_of(found);
   const EffectTest tested = effect_test(model, {term_of(found.named[0].effect->name, found.named[0].columns)}, data);
   expect_same(found.candidates.front(), tested.added.front());
   EXPECT_EQ(tested.freed, "time_constant_s of speed_heating(speed_rpm)");
@@ -97,7 +98,7 @@ TEST(OneTruth, two_effects_have_the_numbers_of_their_test) {
   const Diagnosis found = diagnose(made::by_speed(), data);
   ASSERT_EQ(made::labels_of(found.named),
             (std::vector<std::string>{"centrifugal_shift(speed_rpm)", "lagged_expansion(T_room_degC)"}))
-      << found.sentence;
+      << made::outcome_of(found);
   std::vector<Term> terms;
   for (const BoundEffect& bound : found.named) terms.push_back(term_of(bound.effect->name, bound.columns));
   const EffectTest tested = effect_test(made::by_speed(), terms, data);

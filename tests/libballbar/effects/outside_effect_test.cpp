@@ -15,6 +15,7 @@
 #include "ballbar/model/effect_argument.hpp"
 #include "ballbar/model/live_model.hpp"
 #include "ballbar/model/recording_base_model.hpp"
+#include "diagnosis/outcome.hpp"
 
 namespace ballbar {
 namespace {
@@ -160,7 +161,7 @@ TEST(outside_effect, is_found_where_its_catalogue_is_searched) {
 // Its grid is halved from point to point, and the truth lies between two of them.
 TEST(outside_effect, is_named_alone) {
   const Diagnosis found = diagnose(by_room(), made(0.02), 0, quick(with_hose_creep()));
-  EXPECT_EQ(found.verdict, Verdict::named) << found.sentence;
+  EXPECT_EQ(found.verdict, Verdict::named) << made::outcome_of(found);
   ASSERT_EQ(found.named.size(), 1U);
   EXPECT_EQ(label_of(found.named.front()), "hose_creep(pump_W)");
   EXPECT_TRUE(found.equivalent.empty());

@@ -15,8 +15,11 @@ inline constexpr double kIdentifiable = 7.5;  // d
 inline constexpr double kLeastLikelihoodRatio = 10.0;  // 2 ln of a likelihood ratio; 10 is about 150 to 1
 
 // Verdict.
-inline constexpr double kNamed = 0.9;     // P
-inline constexpr double kProbable = 0.8;  // P
+inline constexpr double kNamed = 0.9;        // P
+inline constexpr double kProbable = 0.8;     // P
+inline constexpr double kNothing = 0.5;      // P of nothing from which the verdict is `nothing`
+inline constexpr double kSureDriver = 0.9;   // P
+inline constexpr double kDiscrepancy = 0.5;  // P of a slow drift without a cause from which it is reported
 
 // Effects of a model.
 inline constexpr double kDropTest = 0.05;  // an effect is needed if P that it is not is smaller

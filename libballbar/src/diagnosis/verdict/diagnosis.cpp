@@ -9,7 +9,6 @@
 #include <set>
 #include <utility>
 
-#include "ballbar/number_text.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/numerics/range.hpp"
 #include "ballbar/series/signal_kind.hpp"
@@ -24,7 +23,6 @@
 #include "diagnosis/verdict/gains_by_run.hpp"
 #include "diagnosis/verdict/member_tests.hpp"
 #include "diagnosis/verdict/probabilities.hpp"
-#include "diagnosis/verdict/sentence.hpp"
 #include "diagnosis/verdict/start_values.hpp"
 #include "fit/far_readings.hpp"
 #include "fit/model_columns.hpp"
@@ -79,7 +77,6 @@ class Decision {
     decide();
     show_candidates();
     if (options_.fit_candidates) fit_candidates();
-    result_.sentence = sentence_of(result_);
     return std::move(result_);
   }
 
@@ -96,7 +93,7 @@ class Decision {
   Diagnosis still() {
     result_.detectability = detectability_by(problem().base.noise);
     result_.rmse_after_um = problem().base.rmse_um;
-    result_.sentence = "The readings do not change: there is nothing to explain.";
+    result_.obstacle = Obstacle::still_readings;
     return std::move(result_);
   }
 
@@ -104,9 +101,7 @@ class Decision {
     result_.verdict = Verdict::untestable;
     result_.noise = problem().base.noise;
     result_.detectability = detectability_by(problem().base.noise);
-    result_.reasons.emplace_back(too_few ? "There are too few values to test anything more."
-                                         : "No effect of the catalogue can be tested on these data.");
-    result_.sentence = sentence_of(result_);
+    result_.obstacle = too_few ? Obstacle::too_few_values : Obstacle::no_effect;
     return std::move(result_);
   }
 
@@ -197,7 +192,7 @@ class Decision {
         continue;
       const bool has_gaps =
           std::any_of(column.values.begin(), column.values.end(), [](double value) { return !std::isfinite(value); });
-      result_.columns_not_searched.push_back({column.name, has_gaps ? "it has gaps" : "no effect reads it"});
+      result_.columns_not_searched.push_back({column.name, has_gaps});
     }
   }
 
@@ -236,7 +231,7 @@ class Decision {
     for (const Candidate& one : result_.candidates) found.insert(one.bound.columns.begin(), one.bound.columns.end());
     const bool agree = found.size() == clear.size() && std::all_of(found.begin(), found.end(), is_in_clear);
     for (Candidate& one : result_.candidates) {
-      if (!agree) one.doubts.emplace_back("a few readings do not tell it from other columns");
+      if (!agree) one.doubts.push_back(Doubt::few_readings);
     }
     for (Driver& driver : result_.drivers) driver.is_clear = driver.is_clear && is_in_clear(driver.column);
   }
@@ -265,8 +260,7 @@ class Decision {
       const bool is_larger = seen_um[m] >= beside_um, is_far_larger = tuning().form_of_small_discrepancy && seen_um[m] * kSmall >= beside_um;
       if (is_larger) clear.insert(one.bound.columns.begin(), one.bound.columns.end());
       if (is_jump(*one.bound.effect) || is_far_larger) continue;
-      one.doubts.emplace_back(is_larger ? "beside a slow drift without a cause its form is open"
-                                        : "a slow drift without a cause is larger");
+      one.doubts.push_back(is_larger ? Doubt::drift_beside : Doubt::larger_drift);
     }
     for (Driver& driver : result_.drivers) driver.is_clear = driver.is_clear && clear.contains(driver.column);
   }
@@ -302,11 +296,11 @@ class Decision {
       Candidate one = tested_member(inference_, *best_, fitted, at_, m);
       one.in_best_set = true;
       one.minor = one.amplitude_um < std::max(kMinor * problem().base.rmse_um, options_.tolerance_um);
-      if (tuning().weak_evidence && !(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.emplace_back("the evidence for it is weak");
-      if (tuning().open_form && reads_an_open_form(best_->families[m]))
-        one.doubts.emplace_back("the same column drives more, in a form that no known effect has");
+      if (tuning().weak_evidence && !(one.likelihood_ratio >= kLeastLikelihoodRatio))
+        one.doubts.push_back(Doubt::weak_evidence);
+      if (tuning().open_form && reads_an_open_form(best_->families[m])) one.doubts.push_back(Doubt::open_form);
       if (tuning().cancelled && one.amplitude_um > kCancelled * fitted.together_um)
-        one.doubts.emplace_back("another effect of the set nearly cancels it");
+        one.doubts.push_back(Doubt::cancelled);
       result_.candidates.push_back(std::move(one));
     }
     if (tuning().weak_drivers) doubt_weak_drivers();
@@ -352,7 +346,7 @@ class Decision {
       own_probable = own_probable || (own.p >= kProbable && is_clear);
     }
     for (std::size_t m = 0; m < d.candidates.size(); ++m) {
-      const Candidate& one = d.candidates[m];
+      Candidate& one = d.candidates[m];
       if (one.doubts.empty() && one.p >= kNamed && all_searched) {
         d.named.push_back(one.bound);
       } else if (one.doubts.empty() && one.p >= kProbable) {
@@ -365,17 +359,9 @@ class Decision {
         }
         if (std::find(group.begin(), group.end(), one.bound) == group.end()) group.push_back(one.bound);
         const bool is_reported = std::find(d.equivalent.begin(), d.equivalent.end(), group) != d.equivalent.end();
-        if (is_of_any_form(l)) {
-          d.reasons.push_back(fmt::format("{}: another form of the same column is more likely.", one.label));
-        } else if (!is_reported) {
-          d.equivalent.push_back(std::move(group));
-        }
+        one.other_form_likelier = is_of_any_form(l);
+        if (!one.other_form_likelier && !is_reported) d.equivalent.push_back(std::move(group));
       }
-      for (const GainByRun& gain : d.gains_by_run) {
-        if (gain.effect == one.label)
-          d.reasons.push_back(fmt::format("{}: its gain differs from run to run.", one.label));
-      }
-      for (const std::string& doubt : one.doubts) d.reasons.push_back(fmt::format("{}: {}.", one.label, doubt));
     }
     const bool driver = model_.level == Level::series &&
                         std::any_of(d.drivers.begin(), d.drivers.end(),

@@ -168,20 +168,15 @@ void leave_cycles_out(const Model& model, const std::vector<std::size_t>& terms,
   }
 }
 
-std::vector<std::string> doubts_of(const Candidate& tested, const Effect& effect, const Tuning& tuning) {
+std::vector<Doubt> doubts_of(const Candidate& tested, const Effect& effect, const Tuning& tuning) {
   const bool of_recordings = effect.level == Level::recording;
-  if (effect.time_only && !effect.rules.may_repeat && !of_recordings)
-    return {"it depends on time alone, as any slow drift does"};
-  std::vector<std::string> doubts;
+  if (effect.time_only && !effect.rules.may_repeat && !of_recordings) return {Doubt::time_alone};
+  std::vector<Doubt> doubts;
   // A jump happens once: cycles have no gains of their own.
-  if (tuning.same_gain && tested.p_same_gain < kSameGain && (of_recordings || !is_jump(effect))) {
-    doubts.emplace_back(of_recordings ? "its gain differs from recording to recording"
-                                      : "its gain differs from cycle to cycle");
-  }
-  if (tuning.held_out && tested.held_out_evidence < kHeldOutEvidence && !effect.time_only) {
-    doubts.emplace_back(of_recordings ? "it does not predict left-out recordings better"
-                                      : "it does not predict left-out cycles better");
-  }
+  if (tuning.same_gain && tested.p_same_gain < kSameGain && (of_recordings || !is_jump(effect)))
+    doubts.push_back(Doubt::gain_differs);
+  if (tuning.held_out && tested.held_out_evidence < kHeldOutEvidence && !effect.time_only)
+    doubts.push_back(Doubt::not_predictive);
   return doubts;
 }
 
@@ -230,7 +225,7 @@ Candidate tested_member(const Inference& inference, const EffectSet& set, const 
   const Effect& effect = effect_of_member(problem, set, member);
   one = with_tests(std::move(one), effect, at, member, fold, tuning);
   if (tuning.jump_that_stays && is_jump(effect) && !is_jump_that_stays(problem, inference.posterior.points[set.point], at, member))
-    one.doubts.emplace_back("a change that the noise forgets explains nearly as much");
+    one.doubts.push_back(Doubt::forgotten_change);
   return one;
 }
 

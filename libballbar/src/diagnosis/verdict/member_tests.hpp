@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "ballbar/diagnosis/verdict/candidate.hpp"
@@ -27,8 +26,8 @@ double held_out_um(const Model& model, const Series& data, std::size_t target);
 void leave_cycles_out(const Model& model, const std::vector<std::size_t>& terms, const Series& data, std::size_t target,
                       std::vector<Candidate>& candidates);
 
-// Phrases of Candidate::doubts.
-std::vector<std::string> doubts_of(const Candidate& tested, const Effect& effect, const Tuning& tuning = {});
+// Candidate::doubts, as far as these tests go.
+std::vector<Doubt> doubts_of(const Candidate& tested, const Effect& effect, const Tuning& tuning = {});
 
 // `member` of the set: parameters, intervals, amplitude, probability, and likelihood ratio with the other members
 // present.

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "diagnosis/made_drift.hpp"
+#include "diagnosis/outcome.hpp"
 #include "diagnosis/thresholds.hpp"
 
 namespace ballbar {
@@ -105,7 +106,7 @@ TEST(Inference, readings_far_from_the_others_are_set_aside) {
   ASSERT_FALSE(with.effects.empty());
   ASSERT_FALSE(without.effects.empty());
   EXPECT_EQ(label_of(with.effects.front().bound), label_of(without.effects.front().bound));
-  EXPECT_GE(with.effects.front().p, kProbable) << with.sentence;
+  EXPECT_GE(with.effects.front().p, kProbable) << made::outcome_of(with);
 }
 
 // Beside readings that are far off a step of the readings stays one.

@@ -138,7 +138,6 @@ TEST(Posterior, ascends_to_effects_that_show_together_alone) {
   for (std::size_t i = 170; i < values.size(); ++i) values[i] -= 2.5;
   const Diagnosis found = diagnose(made::by_speed(), data);
   ASSERT_EQ(found.verdict, Verdict::named);
-  EXPECT_NE(found.sentence.find("a jump of -2."), std::string::npos) << found.sentence;
   const auto step = std::find_if(found.candidates.begin(), found.candidates.end(),
                                  [](const Candidate& one) { return one.bound.effect->name == "step"; });
   ASSERT_NE(step, found.candidates.end());

@@ -57,7 +57,7 @@ TEST(MemberTests, cycles_left_out) {
   EXPECT_NEAR(tests.held_out_after_um, std::abs(a - b), 1e-3);
 }
 
-TEST(MemberTests, doubts_in_words) {
+TEST(MemberTests, doubts) {
   const Effect& expansion = *find_effect("expansion", Level::series);
   Candidate passed;
   passed.held_out_evidence = 10.0;
@@ -65,16 +65,14 @@ TEST(MemberTests, doubts_in_words) {
   Candidate failed;
   failed.held_out_evidence = 0.0;
   failed.p_same_gain = 0.5 * kSameGain;
-  EXPECT_EQ(doubts_of(failed, expansion), (std::vector<std::string>{"its gain differs from cycle to cycle",
-                                                                    "it does not predict left-out cycles better"}));
+  EXPECT_EQ(doubts_of(failed, expansion), (std::vector{Doubt::gain_differs, Doubt::not_predictive}));
   const Effect& slip = *find_effect("mounting_slip", Level::recording);
-  EXPECT_EQ(doubts_of(failed, slip).front(), "its gain differs from recording to recording");
+  EXPECT_EQ(doubts_of(failed, slip).front(), Doubt::gain_differs);
 }
 
 // A drift is no cause that one run could tell; a jump happens once, and a cycle repeats.
 TEST(MemberTests, what_goes_with_time_alone) {
-  EXPECT_EQ(doubts_of({}, *find_effect("settling", Level::series)),
-            (std::vector<std::string>{"it depends on time alone, as any slow drift does"}));
+  EXPECT_EQ(doubts_of({}, *find_effect("settling", Level::series)), std::vector{Doubt::time_alone});
   EXPECT_TRUE(doubts_of({}, *find_effect("step", Level::series)).empty());
   EXPECT_TRUE(doubts_of({}, *find_effect("thermostat_cycle", Level::series)).empty());
 }

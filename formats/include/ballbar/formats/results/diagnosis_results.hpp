@@ -34,37 +34,11 @@ inline constexpr auto kResult<CandidateParameter> = ResultType{
                Field{"unit", [](const CandidateParameter& of) { return of.parameter.unit; }, ""}}};
 
 template <>
-inline constexpr auto kResult<Candidate> = ResultType{
-    "Candidate", "An effect that may be missing, beside the rest of its likeliest set.",
-    std::tuple_cat(
-        fields_through(&Candidate::bound, kResult<BoundEffect>.fields),
-        std::tuple{
-            Field{"p", &Candidate::p, "probability that it is missing"},
-            Field{"likelihood_ratio", &Candidate::likelihood_ratio,
-                  "2 ln of how much likelier the readings are with it than without"},
-            Field{"amplitude_um", &Candidate::amplitude_um, "largest less smallest of what it adds"},
-            Field{"amplitude_sigma_um", &Candidate::amplitude_sigma_um, "null: not determined"},
-            Field{"rmse_after_um", &Candidate::rmse_after_um, "that the model leaves with it alone, as `add` fits it"},
-            Field{"held_out_before_um", &Candidate::held_out_before_um, "error in cycles left out, without it"},
-            Field{"held_out_after_um", &Candidate::held_out_after_um, "error in cycles left out, with it"},
-            Field{"p_same_gain", &Candidate::p_same_gain, "of gains as different from cycle to cycle, by chance"},
-            Field{"in_best_set", &Candidate::in_best_set, "whether it is of the likeliest set"},
-            Field{"minor", &Candidate::minor, "whether it is too small to matter"},
-            Field{"doubts", &Candidate::doubts, "why it is not named"},
-            Field{"inseparable_from", &Candidate::inseparable_from, "effects that these data do not tell from it"},
-            Field{"parameters", &parameters_of, ""}})};
-
-template <>
 inline constexpr auto kResult<Driver> =
     ResultType{"Driver", "A column that drives what is missing, whatever its form.",
                std::tuple{Field{"column", &Driver::column, ""}, Field{"p", &Driver::p, "probability"},
                           Field{"is_clear", &Driver::is_clear,
                                 "false: beside a larger slow drift, or other columns of a few readings"}}};
-
-template <>
-inline constexpr auto kResult<ColumnNotSearched> =
-    ResultType{"ColumnNotSearched", "A column that changes and that no effect of the search could read.",
-               std::tuple{Field{"column", &ColumnNotSearched::column, ""}, Field{"why", &ColumnNotSearched::why, ""}}};
 
 template <>
 inline constexpr auto kResult<Saturated> =

@@ -17,6 +17,23 @@ struct Interval {
   double high = std::numeric_limits<double>::quiet_NaN();
 };
 
+// Why an effect is not named, or not supported where it was added.
+enum class Doubt {
+  time_alone,        // it reads no column: any slow drift looks like it
+  gain_differs,      // its gain differs between cycles, or recordings
+  not_predictive,    // it does not improve the prediction of left-out cycles, or recordings
+  forgotten_change,  // of a jump: one reading, or a change within the memory of the noise, explains nearly as much
+  weak_evidence,     // its likelihood ratio is below kLeastLikelihoodRatio
+  open_form,         // its column drives more, in a form that no effect of the catalogue has
+  cancelled,         // another effect of the set nearly cancels it
+  drift_beside,      // a smaller slow drift without a cause is beside it, so that its form is open
+  larger_drift,      // a larger slow drift without a cause is beside it
+  few_readings,      // a few readings fit other columns as well
+  in_the_model,      // the model can produce what it adds
+  not_shown,         // of an error of the axes: these recordings cannot show it
+  not_significant,   // of an error of the axes: beside the others it is not significant
+};
+
 // Figures are those of the effect in its most probable set, with the other effects of that set. NaN: not known.
 struct Candidate {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -37,7 +54,9 @@ struct Candidate {
   double held_out_before_um = 0.0, held_out_after_um = 0.0;
   double held_out_evidence = kUnknown;  // gain in ln likelihood of the left-out cycles, without the best cycle
   double p_same_gain = 1.0;             // p-value of equal gains in all cycles
-  std::vector<std::string> doubts;      // phrases, why it is not named: "its gain differs from cycle to cycle"
+  std::vector<Doubt> doubts;            // none: it may be named
+  // An input in any form is more likely in its place than all effects of the catalogue together.
+  bool other_form_likelier = false;
   bool in_best_set = false;
   bool minor = false;                         // below max(5 % of the RMSE, the tolerance)
   std::vector<std::string> inseparable_from;  // labels of other effects

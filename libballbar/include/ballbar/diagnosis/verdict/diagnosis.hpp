@@ -44,6 +44,14 @@ enum class Verdict {
 };
 std::string_view name_of(Verdict verdict);
 
+// Why no effect was looked for.
+enum class Obstacle {
+  none,            // effects were looked for
+  still_readings,  // the readings do not change; the verdict is `nothing`
+  too_few_values,  // for one more parameter; the verdict is `untestable`
+  no_effect,       // of the catalogue can be tested on these data; the verdict is `untestable`
+};
+
 struct EffectProbability {
   BoundEffect bound;
   double p = 0.0;
@@ -76,7 +84,7 @@ struct GainByRun {
 // A column that changes and that no effect of the search could read.
 struct ColumnNotSearched {
   std::string column;
-  std::string why;  // "it has gaps"
+  bool has_gaps = false;  // else no effect reads it
 };
 
 // A sensor that stands at the end of its range.
@@ -89,6 +97,7 @@ struct Diagnosis {
   std::string target;
   Fit base;
   Verdict verdict = Verdict::nothing;
+  Obstacle obstacle = Obstacle::none;
   std::vector<BoundEffect> named, probable;
   std::vector<std::vector<BoundEffect>> equivalent;  // groups; one effect of each is missing; the most probable first
   std::vector<Driver> drivers;                       // with P >= 0.5, the most probable first
@@ -116,9 +125,7 @@ struct Diagnosis {
   BoundEffect hidden;                        // that effect
   double rmse_after_um = 0.0;                // of the fit with the best set
   std::vector<Detectability> detectability;  // as in Preflight
-  std::vector<std::string> reasons;          // whole sentences: why the verdict is not `named`
   std::string where;                         // where the model fails most, from the options: "while warming"
-  std::string sentence;                      // the verdict; its first sentence has no statistical terms
 };
 
 // nullptr: none of the candidates.
@@ -130,7 +137,7 @@ struct DiagnosisOptions {
   std::size_t most_rows = 1000;  // largest number of target values used
   bool fit_candidates = true;    // compute Candidate::rmse_after_um
   bool leave_out = true;         // compute Candidate::held_out_before_um and _after_um as the ledger of a model does
-  std::string where = {};        // worst_place(), for the sentence
+  std::string where = {};        // worst_place()
 };
 
 // Diagnoses one target of the model (an index into model.targets). Throws Error as fit() does.

@@ -1,5 +1,5 @@
 // Verdicts in plain words.
-#include "diagnosis/verdict/sentence.hpp"
+#include "diagnose/diagnosis_sentence.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,6 +59,20 @@ TEST(Sentence, of_one_with_a_time) {
       "Missing from the model of z_um: lagged_expansion(T1_degC), a body that follows a temperature with a delay: 12 "
       "um (over 99 % "
       "sure), time constant 4 min 25 s.");
+}
+
+TEST(Sentence, of_a_jump) {
+  Diagnosis found = with_verdict(Verdict::named);
+  const BoundEffect step{find_effect("step", Level::series), {}};
+  add(found, step, 0.999, 2.4);
+  FittedParameter gain, onset;
+  gain.value = -2.4;
+  onset.shape_of = ShapeOf::onset;
+  onset.value = 33840.0;
+  found.candidates[0].parameters = {gain, onset};
+  found.named = {step};
+  EXPECT_EQ(sentence_of(found),
+            "Missing from the model of z_um: step, a jump of -2.4 um at 9 h 24 min (over 99 % sure).");
 }
 
 TEST(Sentence, of_one_that_is_certain_and_one_that_is_open) {
@@ -164,13 +178,14 @@ TEST(Sentence, says_first_what_was_not_used) {
   Diagnosis found = with_verdict(Verdict::unexplained);
   found.p_discrepancy = 0.9;
   found.discrepancy_um = 2.5;
-  found.columns_not_searched = {{"door", "it has gaps"}};
+  found.columns_not_searched = {{"door", true}, {"pallet", false}};
   found.saturated = {{"T1_degC", 0.42}};
   found.set_aside = 8;
   found.level_jumps = 18;
   found.level_jump_um = 2.1;
   EXPECT_TRUE(sentence_of(found).starts_with(
-      "door was not searched: it has gaps. T1_degC stands at the end of its range for 42 % of the rows, as a saturated "
+      "door was not searched: it has gaps. pallet was not searched: no effect reads it. T1_degC stands at the end of "
+      "its range for 42 % of the rows, as a saturated "
       "sensor does. These rows are set aside. 8 readings far from the others are set aside. z_um jumps 18 times, by "
       "2.1 "
       "um: corrections of the control or of the probe, no drift. About ±2.5 um of slow drift"))
@@ -207,6 +222,15 @@ TEST(Sentence, of_what_no_effect_explains) {
       " The best candidate, another exponent of speed_heating(n_rpm) (45 %), is not proven."));
 }
 
+TEST(Sentence, of_an_error_above_the_stated_sigma) {
+  Diagnosis found = with_verdict(Verdict::unexplained);
+  found.p_nothing = 0.9;
+  EXPECT_TRUE(sentence_of(found).starts_with(
+      "The remaining error of z_um is more than three times the stated sigma of its readings, and no logged column "
+      "explains it."))
+      << sentence_of(found);
+}
+
 TEST(Sentence, of_nothing) {
   Diagnosis found = with_verdict(Verdict::nothing);
   found.p_nothing = 0.91;
@@ -223,6 +247,42 @@ TEST(Sentence, of_nothing) {
             "expansion(T1_degC) could still be hidden, because the model imitates it.");
   found.verdict = Verdict::untestable;
   EXPECT_EQ(sentence_of(found), "These data could not have shown a missing effect.");
+}
+
+TEST(Sentence, of_readings_that_do_not_change) {
+  Diagnosis found = with_verdict(Verdict::nothing);
+  found.obstacle = Obstacle::still_readings;
+  EXPECT_EQ(sentence_of(found), "The readings do not change: there is nothing to explain.");
+  EXPECT_TRUE(reasons_of(found).empty());
+}
+
+TEST(Reasons, of_what_is_untestable) {
+  Diagnosis found = with_verdict(Verdict::untestable);
+  found.obstacle = Obstacle::too_few_values;
+  EXPECT_EQ(reasons_of(found), std::vector<std::string>{"There are too few values to test anything more."});
+  found.obstacle = Obstacle::no_effect;
+  EXPECT_EQ(reasons_of(found), std::vector<std::string>{"No effect of the catalogue can be tested on these data."});
+}
+
+// Of each member of the best set in turn: its form, its gains by run, its doubts.
+TEST(Reasons, of_each_member) {
+  Diagnosis found = with_verdict(Verdict::equivalent);
+  for (int k = 1; k <= 3; ++k) add(found, expansion("T" + std::to_string(k) + "_degC"), 0.9, 5.0);
+  EXPECT_TRUE(reasons_of(found).empty());
+  found.candidates[0].doubts = {Doubt::weak_evidence};
+  found.candidates[1].other_form_likelier = true;
+  found.candidates[1].doubts = {Doubt::gain_differs, Doubt::open_form};
+  found.candidates[2].doubts = {Doubt::weak_evidence};
+  found.candidates[2].in_best_set = false;
+  found.gains_by_run.resize(1);
+  found.gains_by_run[0].effect = "expansion(T2_degC)";
+  EXPECT_EQ(reasons_of(found),
+            (std::vector<std::string>{
+                "expansion(T1_degC): the evidence for it is weak.",
+                "expansion(T2_degC): another form of the same column is more likely.",
+                "expansion(T2_degC): its gain differs from run to run.",
+                "expansion(T2_degC): its gain differs from cycle to cycle.",
+                "expansion(T2_degC): the same column drives more, in a form that no known effect has."}));
 }
 
 }  // namespace

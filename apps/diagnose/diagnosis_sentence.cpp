@@ -1,4 +1,4 @@
-#include "diagnosis/verdict/sentence.hpp"
+#include "diagnose/diagnosis_sentence.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <string_view>
-#include <vector>
 
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/number_text.hpp"
-#include "diagnosis/thresholds.hpp"
+#include "diagnose/doubt_text.hpp"
 
 namespace ballbar {
 namespace {
@@ -238,7 +237,7 @@ std::string best_candidate_text(const Diagnosis& d) {
 std::string not_used_text(const Diagnosis& d) {
   std::string text;
   for (const ColumnNotSearched& one : d.columns_not_searched)
-    text += fmt::format("{} was not searched: {}. ", one.column, one.why);
+    text += fmt::format("{} was not searched: {}. ", one.column, why_not_searched(one));
   for (const Saturated& one : d.saturated) {
     text += fmt::format(
         "{} stands at the end of its range for {} of the rows, as a saturated sensor does. These rows "
@@ -315,8 +314,29 @@ std::string verdict_text(const Diagnosis& d) {
 }  // namespace
 
 std::string sentence_of(const Diagnosis& d) {
+  if (d.obstacle == Obstacle::still_readings) return "The readings do not change: there is nothing to explain.";
   const std::string text = not_used_text(d) + verdict_text(d);
   return d.verdict != Verdict::unexplained && has_slow_drift(d) ? text + " " + slow_text(d) : text;
+}
+
+std::string_view why_not_searched(const ColumnNotSearched& column) {
+  return column.has_gaps ? "it has gaps" : "no effect reads it";
+}
+
+std::vector<std::string> reasons_of(const Diagnosis& d) {
+  if (d.obstacle == Obstacle::too_few_values) return {"There are too few values to test anything more."};
+  if (d.obstacle == Obstacle::no_effect) return {"No effect of the catalogue can be tested on these data."};
+  std::vector<std::string> reasons;
+  for (const Candidate& one : d.candidates) {
+    if (!one.in_best_set) continue;
+    if (one.other_form_likelier)
+      reasons.push_back(fmt::format("{}: another form of the same column is more likely.", one.label));
+    for (const GainByRun& gain : d.gains_by_run) {
+      if (gain.effect == one.label) reasons.push_back(fmt::format("{}: its gain differs from run to run.", one.label));
+    }
+    for (const std::string& doubt : doubt_texts(one)) reasons.push_back(fmt::format("{}: {}.", one.label, doubt));
+  }
+  return reasons;
 }
 
 }  // namespace ballbar

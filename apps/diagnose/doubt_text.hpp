@@ -1,0 +1,17 @@
+// Why an effect is not named, or not supported, in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ballbar/diagnosis/verdict/candidate.hpp"
+
+namespace ballbar {
+
+// A phrase of the effect: "its gain differs from cycle to cycle", of one on recordings "from recording to recording".
+std::string text_of(Doubt doubt, const Effect& effect);
+
+// Of all its doubts, in their order.
+std::vector<std::string> doubt_texts(const Candidate& candidate);
+
+}  // namespace ballbar
