@@ -12,20 +12,12 @@ std::string text_of(Doubt doubt, const Effect& effect) {
     case Doubt::not_predictive:
       return of_recordings ? "it does not predict left-out recordings better"
                            : "it does not predict left-out cycles better";
-    case Doubt::forgotten_change:
-      return "a change that the noise forgets explains nearly as much";
     case Doubt::weak_evidence:
       return "the evidence for it is weak";
-    case Doubt::open_form:
-      return "the same column drives more, in a form that no known effect has";
-    case Doubt::cancelled:
-      return "another effect of the set nearly cancels it";
     case Doubt::drift_beside:
       return "beside a slow drift without a cause its form is open";
     case Doubt::larger_drift:
       return "a slow drift without a cause is larger";
-    case Doubt::few_readings:
-      return "a few readings do not tell it from other columns";
     case Doubt::in_the_model:
       return "the model can already produce what it adds";
     case Doubt::not_shown:

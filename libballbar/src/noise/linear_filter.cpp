@@ -115,7 +115,6 @@ LinearFilter::LinearFilter(std::span<const double> time_s, const RowScatter& row
     const double share = known(rows.memory_share, i, 1.0);
     const Stretch now{known(rows.variance, i, 0.0),
                       known(rows.relative_variance, i, 1.0),
-                      goes_on ? known(rows.shock, i, 1.0) : 1.0,
                       share,
                       known(rows.memory_variance, i, share * share),
                       is_next(left_out, i)};
@@ -151,7 +150,6 @@ LinearFilter::Gains LinearFilter::gains_with_discrepancy(const Covariance& noise
         Eigen::Vector3d(noise.correlated * stretch.share * stretch.share, noise.slow, slope_variance).asDiagonal();
     const Eigen::Matrix3d usual = transition_of(noise, rate, step_s_[static_cast<Eigen::Index>(k)]);
     Eigen::Matrix3d added = stationary - usual * stationary * usual.transpose(), transition = usual, last = added;
-    added(0, 0) *= stretch.shock;
     transition(0, 0) *= growth_of_share(k);
     const double white = stretch.white(noise) + noise.correlated * (stretch.own - stretch.share * stretch.share);
     bool settled = false;

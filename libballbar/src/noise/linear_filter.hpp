@@ -48,7 +48,6 @@ Covariance with_memory(double total, double log_white, double step_s, double mem
 struct RowScatter {
   std::span<const double> variance = {};           // stated: added to the white part
   std::span<const double> relative_variance = {};  // factor on the white part; 1: a normal reading
-  std::span<const double> shock = {};              // factor on the variance of the innovation of s in this row
   std::span<const double> memory_share = {};       // h
   // Variance of the memory in the row, of q^2; h^2 unless given. Of a mean of many readings it is far below h^2: what
   // the row shares with others goes on to grow within it.
@@ -122,11 +121,11 @@ class LinearFilter {
  private:
   // Rows of the same step that are known alike, or one that is left out.
   struct Stretch {
-    double stated = 0.0, relative = 1.0, shock = 1.0, share = 1.0, own = 1.0;
+    double stated = 0.0, relative = 1.0, share = 1.0, own = 1.0;
     bool is_left_out = false;
     Eigen::Index rows = 1;
     bool goes_on_with(const Stretch& next) const {
-      return stated == next.stated && relative == next.relative && shock == next.shock && share == next.share &&
+      return stated == next.stated && relative == next.relative && share == next.share &&
              own == next.own && !is_left_out && !next.is_left_out;
     }
     bool is_mean() const { return own != share * share; }
@@ -173,7 +172,7 @@ double LinearFilter::for_each_gain(const Covariance& noise, Take&& take) const {
     const Stretch& stretch = stretches_[static_cast<std::size_t>(k)];
     double a = decay[k % kDecays] * growth_of_share(static_cast<std::size_t>(k));
     const double kept = decay[k % kDecays] * decay[k % kDecays];
-    const double added = noise.correlated * stretch.share * stretch.share * stretch.shock * (1.0 - kept);
+    const double added = noise.correlated * stretch.share * stretch.share * (1.0 - kept);
     const double r = stretch.white(noise), own = noise.correlated * stretch.own;
     const double known = noise.correlated * stretch.share * stretch.share * kept;
     double last = -1.0;

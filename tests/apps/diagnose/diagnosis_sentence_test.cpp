@@ -271,7 +271,7 @@ TEST(Reasons, of_each_member) {
   EXPECT_TRUE(reasons_of(found).empty());
   found.candidates[0].doubts = {Doubt::weak_evidence};
   found.candidates[1].other_form_likelier = true;
-  found.candidates[1].doubts = {Doubt::gain_differs, Doubt::open_form};
+  found.candidates[1].doubts = {Doubt::gain_differs, Doubt::drift_beside};
   found.candidates[2].doubts = {Doubt::weak_evidence};
   found.candidates[2].in_best_set = false;
   found.gains_by_run.resize(1);
@@ -282,7 +282,7 @@ TEST(Reasons, of_each_member) {
                 "expansion(T2_degC): another form of the same column is more likely.",
                 "expansion(T2_degC): its gain differs from run to run.",
                 "expansion(T2_degC): its gain differs from cycle to cycle.",
-                "expansion(T2_degC): the same column drives more, in a form that no known effect has."}));
+                "expansion(T2_degC): beside a slow drift without a cause its form is open."}));
 }
 
 }  // namespace

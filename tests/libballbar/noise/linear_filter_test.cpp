@@ -157,14 +157,6 @@ TEST(Covariance, squares_of_steps) {
   }
 }
 
-// What is new in the memory from row 0 to row 1 has four times its variance: C(1, 1) is r^2 + 4 (1 - r^2) of it.
-TEST(Covariance, a_shock_by_hand) {
-  const std::vector<double> time_s{0.0, 50.0}, shock{1.0, 4.0};
-  const Whitening filter(memory(), time_s, {.shock = shock});
-  const double r = std::exp(-0.25), c01 = 0.8 * r, c11 = 0.2 + 0.8 * (r * r + 4.0 * (1.0 - r * r));
-  EXPECT_NEAR(filter.log_determinant(), std::log(c11 - c01 * c01), 1e-12);
-}
-
 // Rows that are means share less, or more, of the memory (h), and have a variance of their own, which may be below 0; a
 // start remembers nothing, though time goes on: C(i, j) = h_i h_j q^2 exp(-|dt| / theta) within a part, written out.
 // Many readings of a standstill, 200 memories long, are one row: of it and its neighbours, single readings that each

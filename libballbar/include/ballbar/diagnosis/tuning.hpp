@@ -23,8 +23,6 @@ struct Tuning {
   bool prior_of_pairs = true;
   // Outliers.
   bool student_t = true;
-  bool shock = true;
-  bool jumps_spared = true;
   bool level_jumps = true;
   // The search.
   bool finer_shapes = true;
@@ -33,15 +31,7 @@ struct Tuning {
   // Tests of members and drivers.
   bool same_gain = true;
   bool held_out = true;
-  bool cycles_that_move = true;
-  bool weak_evidence = true;
   bool beside_discrepancy = true;
-  bool form_of_small_discrepancy = true;
-  bool few_readings = true;
-  bool open_form = true;
-  bool jump_that_stays = true;
-  bool cancelled = true;
-  bool weak_drivers = true;
   bool columns_not_searched = true;
 };
 

@@ -189,8 +189,7 @@ void set_aside_saturated(Problem& problem) {
 Point point_at(const Problem& problem, const Covariance& covariance) {
   return {covariance, Whitening(covariance, problem.time_s,
                                 {.variance = problem.stated_variance,
-                                 .relative_variance = problem.relative_variance,
-                                 .shock = problem.shock})};
+                                 .relative_variance = problem.relative_variance})};
 }
 
 std::vector<double> fitted_parameters(const Problem& problem) {
@@ -295,7 +294,6 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   }
   if (tuning.rows_at_jumps) set_aside_rows_in_jumps(*problem);
   problem->longest_memory_s = options.search.longest_memory_s;
-  problem->shock.assign(base.row.size(), 1.0);
   if (model.level == Level::series) {
     if (tuning.saturated_rows) set_aside_saturated(*problem);
     if (!tuning.bounded_memory) problem->longest_memory_s = 1e9;

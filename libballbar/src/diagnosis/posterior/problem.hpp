@@ -51,7 +51,6 @@ struct Problem {
   std::vector<double> time_s;
   std::vector<double> stated_variance;       // kUnknownVariance of rows without information, else 0
   std::vector<double> relative_variance;     // of the white noise; larger for readings far from the others
-  std::vector<double> shock;                 // relative variance of the innovation of the noise, per row
   std::vector<LevelJump> level_jumps;        // of the target, none of them an effect
   std::size_t far_readings = 0;              // set aside beside those of the fit
   double longest_memory_s = 0.0;             // of the noise

@@ -14,7 +14,6 @@ namespace ballbar {
 namespace {
 
 constexpr double kFreedom = 4.0;              // nu of Student's t
-constexpr double kStays = 4.4;                // chi^2: so much more falls by a jump that stays
 constexpr double kFarOff = 20.0;              // of the same factor: such a reading is set aside, about 10 sigma
 constexpr double kOutlier = 2.0;              // (r^2 + nu) / (nu + 1) of a white innovation r
 constexpr std::size_t kFewestForLevels = 30;  // readings
@@ -64,94 +63,26 @@ Eigen::VectorXd residual_of(const Variant& variant, const LinearSolution& soluti
   return residual;
 }
 
-// What begins at a row far off; a jump that explains much more is certain.
-enum class Begins { reading, change, likely_jump, jump };
-
-std::vector<Begins> what_begins(const Problem& problem, const Variant& variant, const Point& point,
-                                const std::vector<Eigen::Index>& rows, double variance) {
-  std::vector<Begins> result(rows.size(), Begins::change);
-  const std::vector<double>& time_s = problem.time_s;
-  if (rows.empty() || !std::is_sorted(time_s.begin(), time_s.end())) return result;
-  const Eigen::MatrixXd white = whitened(point.filter, variant.pool);
-  const Eigen::MatrixXd basis = orthonormal(white(Eigen::all, variant.line.columns));
-  const Eigen::VectorXd left = orthogonal_part(Eigen::VectorXd(white.col(0)), basis);
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Eigen::MatrixXd columns = whitened(point.filter, changes_at(problem, point.covariance, rows[k]));
-    const Falls fall = falls_by(orthogonal_part(columns, basis), left, variance);
-    if (fall.jump > std::max(fall.reading, fall.change) + kStays) {
-      result[k] = Begins::jump;
-    } else if (fall.reading > std::max(fall.change, fall.jump)) {
-      result[k] = Begins::reading;
-    } else if (fall.jump > fall.change) {
-      result[k] = Begins::likely_jump;
-    }
-  }
-  return result;
-}
-
 }  // namespace
-
-Eigen::MatrixXd changes_at(const Problem& problem, const Covariance& covariance, Eigen::Index row) {
-  const std::vector<double>& time_s = problem.time_s;
-  const auto n = static_cast<Eigen::Index>(time_s.size());
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, 4);
-  columns(row, 0) = 1.0;
-  columns.col(3).tail(n - row).setOnes();
-  if (!(covariance.correlated > 0.0)) return columns;
-  const auto kept_from = [&](Eigen::Index from, Eigen::Index i) {
-    const double apart_s = time_s[static_cast<std::size_t>(i)] - time_s[static_cast<std::size_t>(from)];
-    return std::exp(-std::abs(apart_s) / covariance.time_s);
-  };
-  for (Eigen::Index i = row; i < n; ++i) columns(i, 1) = kept_from(row, i);
-  for (Eigen::Index i = 0; i < row; ++i) columns(i, 2) = kept_from(row - 1, i);
-  return columns;
-}
-
-Falls falls_by(const Eigen::MatrixXd& changes, const Eigen::VectorXd& left, double variance) {
-  const auto fall = [&](Eigen::Index column) {
-    const double square = changes.col(column).squaredNorm();
-    return square > 1e-9 ? std::pow(changes.col(column).dot(left), 2) / square / variance : 0.0;
-  };
-  return {fall(0), std::max(fall(1), fall(2)), fall(3)};
-}
 
 Eigen::VectorXd residual_beside(const Problem& problem, const Variant& variant, const Point& point) {
   return residual_of(variant, solution_beside(problem, variant, point));
 }
 
 bool weigh_down_outliers(Problem& problem, const Variant& variant, const Point& point) {
-  const Tuning& tuning = problem.tuning;
-  if (!tuning.student_t) return false;
+  if (!problem.tuning.student_t) return false;
   const LinearSolution solution = solution_beside(problem, variant, point);
   const Eigen::VectorXd r = whitened(point.filter, residual_of(variant, solution)) / std::sqrt(solution.variance);
   if (!has_heavy_tails(r)) return false;
-  const auto factor_of = [&](Eigen::Index i) { return (r[i] * r[i] + kFreedom) / (kFreedom + 1.0); };
-  std::vector<Eigen::Index> off;
-  for (Eigen::Index i = 0; i < r.size(); ++i) {
-    if (factor_of(i) >= kOutlier) off.push_back(i);
-  }
-  std::stable_sort(off.begin(), off.end(),
-                   [&](Eigen::Index a, Eigen::Index b) { return std::abs(r[a]) > std::abs(r[b]); });
-  const std::vector<Begins> begins = what_begins(problem, variant, point, off, solution.variance);
-  // One or two jumps are for an effect to explain, if without them the tails are not heavy.
-  Eigen::VectorXd but_jumps = r;
-  for (std::size_t k = 0, jumps = 0; k < off.size() && jumps < kFewestLevels - 1; ++k) {
-    if (begins[k] < Begins::likely_jump || !tuning.jumps_spared) continue;
-    but_jumps[off[k]] = 0.0;
-    ++jumps;
-  }
-  if (!has_heavy_tails(but_jumps)) return false;
   bool any = false;
-  for (std::size_t k = 0; k < off.size(); ++k) {
-    if (begins[k] == Begins::jump && tuning.jumps_spared) continue;
-    const auto row = static_cast<std::size_t>(off[k]);
-    const double factor = factor_of(off[k]);
+  for (std::size_t row = 0; row < problem.time_s.size(); ++row) {
+    const double factor = (std::pow(r[static_cast<Eigen::Index>(row)], 2) + kFreedom) / (kFreedom + 1.0);
+    if (factor < kOutlier) continue;
     if (factor > kFarOff && problem.stated_variance[row] == 0.0) {
       problem.stated_variance[row] = kUnknownVariance;
       ++problem.far_readings;
     }
     problem.relative_variance[row] *= factor;
-    if (tuning.shock) problem.shock[row] *= factor;
     any = true;
   }
   return any;

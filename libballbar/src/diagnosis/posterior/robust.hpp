@@ -1,8 +1,8 @@
 // Readings far from the others, and jumps of the target: what no effect should explain.
 //
 // The fit sets readings aside that are off the running median (far_readings.hpp). Where the innovations have heavy
-// tails, readings and changes of the noise count as in Student's t with four degrees of freedom, a mixture of normal
-// distributions (Lange, Little and Taylor 1989, J. Am. Stat. Assoc. 84, 881).
+// tails, readings count as in Student's t with four degrees of freedom, a mixture of normal distributions (Lange, Little
+// and Taylor 1989, J. Am. Stat. Assoc. 84, 881).
 //
 // Three or more jumps of the residual are a process of the target, such as corrections by the control. Each is a level
 // of its own, and none is an effect.
@@ -15,18 +15,6 @@
 #include "diagnosis/posterior/variant.hpp"
 
 namespace ballbar {
-
-// Columns of one reading, of a change that is forgotten afterwards, of one that has been forgotten the further the
-// reading is before the row, and of a jump.
-Eigen::MatrixXd changes_at(const Problem& problem, const Covariance& covariance, Eigen::Index row);
-
-// Falls of chi^2 by a reading alone, a change of the noise that it forgets, and a jump that stays.
-struct Falls {
-  double reading = 0.0, change = 0.0, jump = 0.0;
-};
-
-// changes: these columns whitened, without what the line explains. left: of the readings, likewise.
-Falls falls_by(const Eigen::MatrixXd& changes, const Eigen::VectorXd& left, double variance);
 
 // The residual of the readings in the first column of the pool, beside the line.
 Eigen::VectorXd residual_beside(const Problem& problem, const Variant& variant, const Point& point);

@@ -18,7 +18,6 @@
 #include "diagnosis/thresholds.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/discrepancy.hpp"
-#include "diagnosis/verdict/few_readings.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"
 #include "diagnosis/verdict/gains_by_run.hpp"
 #include "diagnosis/verdict/member_tests.hpp"
@@ -34,8 +33,6 @@ namespace {
 
 constexpr std::size_t kMostShown = 12;  // candidates
 constexpr double kRest = 3.0;           // of the stated sigma of the readings: a larger remaining error is unexplained
-constexpr double kSmall = 0.02;         // of an effect: a discrepancy beside it that leaves its form no doubt
-constexpr double kCancelled = 1.5;      // amplitude of a member relative to that of all together
 
 // No statement about effects that are not searched: those left out, and those that describe a slow drift.
 std::vector<Detectability> detectability_but(const SearchOptions& options, std::vector<Detectability> detectability) {
@@ -220,36 +217,6 @@ class Decision {
   // O'Hagan 2014, Inverse Problems 30, 114007).
   double discrepancy_beside_um() const { return result_.p_discrepancy >= kDiscrepancy ? result_.discrepancy_um : 0.0; }
 
-  // A few readings: whether the best subset of columns is that of the best set.
-  void doubt_few_readings() {
-    if (model_.level != Level::series || problem().time_s.size() > kFewReadings) return;
-    const std::vector<std::string> clear = clear_subset(problem(), posterior().variants.front());
-    const auto is_in_clear = [&](const std::string& name) {
-      return std::find(clear.begin(), clear.end(), name) != clear.end();
-    };
-    std::set<std::string> found;
-    for (const Candidate& one : result_.candidates) found.insert(one.bound.columns.begin(), one.bound.columns.end());
-    const bool agree = found.size() == clear.size() && std::all_of(found.begin(), found.end(), is_in_clear);
-    for (Candidate& one : result_.candidates) {
-      if (!agree) one.doubts.push_back(Doubt::few_readings);
-    }
-    for (Driver& driver : result_.drivers) driver.is_clear = driver.is_clear && is_in_clear(driver.column);
-  }
-
-  // Where an effect of the best set reads the column, at least one of them has evidence.
-  void doubt_weak_drivers() {
-    for (Driver& driver : result_.drivers) {
-      std::size_t reading = 0, strong = 0;
-      for (const Candidate& one : result_.candidates) {
-        const std::vector<std::string>& columns = one.bound.columns;
-        if (std::find(columns.begin(), columns.end(), driver.column) == columns.end()) continue;
-        ++reading;
-        strong += one.likelihood_ratio >= kLeastLikelihoodRatio ? 1 : 0;
-      }
-      driver.is_clear = driver.is_clear && (reading == 0 || strong > 0);
-    }
-  }
-
   void doubt_beside_discrepancy() {
     const double beside_um = discrepancy_beside_um();
     if (!(beside_um > 0.0)) return;
@@ -257,9 +224,9 @@ class Decision {
     std::set<std::string> clear;
     for (std::size_t m = 0; m < result_.candidates.size(); ++m) {
       Candidate& one = result_.candidates[m];
-      const bool is_larger = seen_um[m] >= beside_um, is_far_larger = tuning().form_of_small_discrepancy && seen_um[m] * kSmall >= beside_um;
+      const bool is_larger = seen_um[m] >= beside_um;
       if (is_larger) clear.insert(one.bound.columns.begin(), one.bound.columns.end());
-      if (is_jump(*one.bound.effect) || is_far_larger) continue;
+      if (is_jump(*one.bound.effect)) continue;
       one.doubts.push_back(is_larger ? Doubt::drift_beside : Doubt::larger_drift);
     }
     for (Driver& driver : result_.drivers) driver.is_clear = driver.is_clear && clear.contains(driver.column);
@@ -296,16 +263,10 @@ class Decision {
       Candidate one = tested_member(inference_, *best_, fitted, at_, m);
       one.in_best_set = true;
       one.minor = one.amplitude_um < std::max(kMinor * problem().base.rmse_um, options_.tolerance_um);
-      if (tuning().weak_evidence && !(one.likelihood_ratio >= kLeastLikelihoodRatio))
-        one.doubts.push_back(Doubt::weak_evidence);
-      if (tuning().open_form && reads_an_open_form(best_->families[m])) one.doubts.push_back(Doubt::open_form);
-      if (tuning().cancelled && one.amplitude_um > kCancelled * fitted.together_um)
-        one.doubts.push_back(Doubt::cancelled);
+      if (!(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.push_back(Doubt::weak_evidence);
       result_.candidates.push_back(std::move(one));
     }
-    if (tuning().weak_drivers) doubt_weak_drivers();
     if (tuning().beside_discrepancy) doubt_beside_discrepancy();
-    if (tuning().few_readings) doubt_few_readings();
     if (!options_.leave_out || model_.level != Level::series) return;
     tell("leaving cycles out");
     std::vector<std::size_t> terms(result_.candidates.size());
@@ -319,21 +280,6 @@ class Decision {
     const auto first = p.begin() + static_cast<std::ptrdiff_t>(problem().effects),
                end = p.begin() + static_cast<std::ptrdiff_t>(problem().library.families.size());
     return std::accumulate(first, end, 0.0) > std::accumulate(p.begin(), first, 0.0);
-  }
-
-  // Whether a column that the effect reads is probably missing in any form as well.
-  bool reads_an_open_form(std::size_t f) const {
-    const std::vector<std::string>& columns = family(f).bound.columns;
-    double without = 1.0;
-    for (const SinglePosterior& one : posterior().effects) {
-      double p = 0.0;
-      for (std::size_t form = problem().effects; form < problem().library.families.size(); ++form) {
-        const std::string& column = family(form).bound.columns.front();
-        if (std::find(columns.begin(), columns.end(), column) != columns.end()) p += one.p[form];
-      }
-      without *= 1.0 - std::min(1.0, p);
-    }
-    return 1.0 - without >= 0.5 && family(f).bound.effect->level == Level::series;
   }
 
   void decide() {

@@ -7,7 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "diagnosis/posterior/robust.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "diagnosis/verdict/start_values.hpp"
 #include "numerics/orthonormal.hpp"
@@ -18,9 +17,6 @@ namespace ballbar {
 namespace {
 
 constexpr double kHeldOutEvidence = 3.0;  // gain in ln likelihood of left-out cycles, without the best one
-
-constexpr double kMoves = 0.05;  // of an effect's square in its largest cycle; with less it stands still: what that
-                                 // cycle gains is only that the others are no longer biased
 
 constexpr double kLeftOutRidge = 1e-4;  // prior precision of a white column of length 1
 constexpr double kOwnDirection = 1e-3;  // pivot of a gain of one cycle, of the largest, that is one
@@ -97,25 +93,6 @@ const Effect& effect_of_member(const Problem& problem, const EffectSet& set, std
   return *problem.library.families[family_of_member(problem, set, member)].bound.effect;
 }
 
-// The row before which the column changes most.
-Eigen::Index row_of_jump(const Eigen::VectorXd& column) {
-  Eigen::Index row = 0;
-  (column.tail(column.size() - 1) - column.head(column.size() - 1)).cwiseAbs().maxCoeff(&row);
-  return row + 1;
-}
-
-bool is_jump_that_stays(const Problem& problem, const Point& point, const SetRegression& at, std::size_t member) {
-  const std::vector<double>& time_s = problem.time_s;
-  if (!std::is_sorted(time_s.begin(), time_s.end())) return true;  // several runs
-  const Eigen::VectorXd jump = at.members.col(at.first[member]);
-  Eigen::MatrixXd changes = changes_at(problem, point.covariance, row_of_jump(jump));
-  changes.rightCols(1) = jump;
-  const Eigen::MatrixXd basis = orthonormal(at.white_columns_but(member));
-  const Falls fall = falls_by(orthogonal_part(at.white(point.filter, changes), basis),
-                              orthogonal_part(at.white_y, basis), at.variance);
-  return fall.jump > std::max(fall.reading, fall.change) + kLeastLikelihoodRatio;
-}
-
 }  // namespace
 
 Candidate with_tests(Candidate one, const Effect& effect, const SetRegression& at, std::size_t member,
@@ -131,13 +108,10 @@ Candidate with_tests(Candidate one, const Effect& effect, const SetRegression& a
   const LeftOutFit after = left_out(at, with, plain_with, fold, folds);
   one.held_out_before_um = before.rmse_um;
   one.held_out_after_um = after.rmse_um;
-  // Of what the others leave of the effect.
-  const Eigen::VectorXd square = squares_by_fold(orthogonal_part(own, orthonormal(others)), fold).rowwise().sum();
   double best = 0.0;
   one.held_out_evidence = 0.0;
   for (std::size_t f = 0; f < folds; ++f) {
-    const bool moves = square[static_cast<Eigen::Index>(f)] > kMoves * square.maxCoeff() || !tuning.cycles_that_move;
-    const double gained = moves ? after.log_likelihood[f] - before.log_likelihood[f] : 0.0;
+    const double gained = after.log_likelihood[f] - before.log_likelihood[f];
     one.held_out_evidence += gained;
     best = std::max(best, gained);
   }
@@ -216,17 +190,13 @@ Candidate described_member(const Inference& inference, const EffectSet& set, con
 Candidate tested_member(const Inference& inference, const EffectSet& set, const FittedSet& fitted,
                         const SetRegression& at, std::size_t member) {
   const Problem& problem = *inference.problem;
-  const Tuning& tuning = problem.tuning;
   Candidate one = described_member(inference, set, fitted, member);
   const Signature& signature = problem.library.signatures[set.signatures[member]];
   const std::vector<std::size_t> fold =
       folds_that_tell(problem.logged.series, problem.base.row, folds_of(problem.logged.series, problem.base.row),
                       problem.library.columns.middleCols(signature.first, signature.width));
   const Effect& effect = effect_of_member(problem, set, member);
-  one = with_tests(std::move(one), effect, at, member, fold, tuning);
-  if (tuning.jump_that_stays && is_jump(effect) && !is_jump_that_stays(problem, inference.posterior.points[set.point], at, member))
-    one.doubts.push_back(Doubt::forgotten_change);
-  return one;
+  return with_tests(std::move(one), effect, at, member, fold, problem.tuning);
 }
 
 }  // namespace ballbar

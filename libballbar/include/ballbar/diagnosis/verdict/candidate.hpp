@@ -22,13 +22,9 @@ enum class Doubt {
   time_alone,        // it reads no column: any slow drift looks like it
   gain_differs,      // its gain differs between cycles, or recordings
   not_predictive,    // it does not improve the prediction of left-out cycles, or recordings
-  forgotten_change,  // of a jump: one reading, or a change within the memory of the noise, explains nearly as much
   weak_evidence,     // its likelihood ratio is below kLeastLikelihoodRatio
-  open_form,         // its column drives more, in a form that no effect of the catalogue has
-  cancelled,         // another effect of the set nearly cancels it
   drift_beside,      // a smaller slow drift without a cause is beside it, so that its form is open
   larger_drift,      // a larger slow drift without a cause is beside it
-  few_readings,      // a few readings fit other columns as well
   in_the_model,      // the model can produce what it adds
   not_shown,         // of an error of the axes: these recordings cannot show it
   not_significant,   // of an error of the axes: beside the others it is not significant
