@@ -35,6 +35,7 @@ constexpr Device kDevices[] = {
     {"smoothing", &Tuning::smoothing, false},
     {"rows at jumps", &Tuning::rows_at_jumps, false},
     {"saturated rows", &Tuning::saturated_rows, false},
+    {"jumps of temperature", &Tuning::jumps_of_temperature, false},
     {"whole about jumps", &Tuning::whole_about_jumps, false},
     {"discrepancy", &Tuning::discrepancy, false},
     {"bounded memory", &Tuning::bounded_memory, false},

@@ -9,6 +9,7 @@ struct Tuning {
   bool smoothing = true;
   bool rows_at_jumps = true;
   bool saturated_rows = true;
+  bool jumps_of_temperature = true;
   bool whole_about_jumps = true;
   // The model of the data.
   bool discrepancy = true;

@@ -11,7 +11,7 @@
 namespace ballbar {
 namespace {
 
-constexpr Stop kStop{6, 1e-4};       // accuracy of a search
+constexpr Stop kStop{12, 1e-5};      // accuracy of a search
 constexpr double kSameShape = 0.01;  // relative
 
 // The model with the set's effects as terms, and its parameters.
@@ -107,6 +107,7 @@ ConditionalFit conditional_fit(const Problem& problem, const Variant& variant,
   const std::size_t own = conditional.parameters.size();
   conditional.parameters.assign(best.parameters.begin(), best.parameters.begin() + static_cast<std::ptrdiff_t>(own));
   conditional.coefficients = coefficients_of(problem, signatures, {best.parameters.begin() + static_cast<std::ptrdiff_t>(own), best.parameters.end()});
+  conditional.square = best.square;
   return conditional;
 }
 
@@ -116,6 +117,7 @@ ConditionalFit sharpened(Problem& problem, const Variant& variant, ConditionalFi
   const BaseModel with(model, problem.logged, problem.y, problem.base.row);
   const ShapeFit best = shape_fit(with, start, free_of(problem, variant.own), variant.times, point.filter,
                                   problem.known, kStop);
+  conditional.square = best.square;
   return taken_over(problem, std::move(conditional), best.parameters);
 }
 

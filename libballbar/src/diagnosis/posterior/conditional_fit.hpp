@@ -13,7 +13,8 @@ namespace ballbar {
 struct ConditionalFit {
   std::vector<std::size_t> signatures;  // the set
   std::vector<double> parameters;       // of the model, in their own units
-  Eigen::VectorXd coefficients;         // of the columns of Problem::signatures
+  Eigen::VectorXd coefficients = {};    // of the columns of Problem::signatures
+  double square = 0.0;                  // residual sum of squares of the white readings
 };
 
 // Gauss-Newton from the parameters of the variant.

@@ -55,6 +55,34 @@ std::vector<OwnColumn> own_columns(const Problem& problem, const Variant& varian
   return found;
 }
 
+// The point of the grid that is nearest to a shape: lengths and times by their ratio.
+std::size_t nearest_of_grid(const SignatureLibrary& library, const Family& family, const std::vector<double>& point) {
+  const auto distance = [&](std::size_t s) {
+    double square = 0.0;
+    for (std::size_t k = 0; k < point.size(); ++k) {
+      const double a = library.signatures[s].point[k], b = point[k];
+      if (a == b) continue;
+      const double apart = a > 0.0 && b > 0.0 ? std::log(a / b) : 1.0;
+      square += apart * apart;
+    }
+    return square;
+  };
+  std::size_t nearest = family.first;
+  for (std::size_t s = family.first; s < family.first + family.count; ++s)
+    nearest = distance(s) < distance(nearest) ? s : nearest;
+  return nearest;
+}
+
+// A shape between the points of the grid shares the prior of the nearest one, so that finer shapes add no prior.
+double log_prior_of_shape(const Problem& problem, const Family& family, std::size_t shape) {
+  const SignatureLibrary& library = problem.library;
+  const std::size_t cell = nearest_of_grid(library, family, library.signatures[shape].point);
+  double sharing = 1.0;
+  for (const std::size_t s : family.more)
+    sharing += nearest_of_grid(library, family, library.signatures[s].point) == cell ? 1.0 : 0.0;
+  return problem.log_prior_of_shape[cell] - std::log(sharing);
+}
+
 }  // namespace
 
 bool jumps(const Problem& problem, std::size_t family) {
@@ -101,6 +129,7 @@ Identities identities_of(const Problem& problem, const Variant& variant) {
     result.first.push_back(result.shapes.size());
     if (result.jump == i) {
       for (std::size_t row = kRowsAtEnds; row + kRowsAtEnds < problem.time_s.size(); ++row)
+        if (problem.at_jump_of_temperature[row] == 0)
         result.shapes.push_back({i, result.columns.cols() + static_cast<Eigen::Index>(row), 1, 0.0, kNoSignature, 0.0});
       // Uniform in time: proportional to the interval before the row.
       double all_s = 0.0;
@@ -113,17 +142,11 @@ Identities identities_of(const Problem& problem, const Variant& variant) {
       for (std::size_t s = result.first.back(); s < result.shapes.size(); ++s)
         result.shapes[s].log_prior -= std::log(all_s);
     } else if (i < result.families) {
-      std::vector<double> log_priors, log_priors_of_grid;
-      for (const std::size_t s : shapes_of(library.families[i])) {
+      const Family& family = library.families[i];
+      for (const std::size_t s : shapes_of(family)) {
         const Signature& one = library.signatures[s];
-        const double log_prior = problem.log_prior_of_shape[s];
-        result.shapes.push_back({i, one.first, one.width, log_prior, s, 0.0});
-        log_priors.push_back(log_prior);
-        if (log_priors.size() <= library.families[i].count) log_priors_of_grid.push_back(log_prior);
+        result.shapes.push_back({i, one.first, one.width, log_prior_of_shape(problem, family, s), s, 0.0});
       }
-      // Shapes added between the points of the grid share the prior of these.
-      const double added = log_priors.empty() ? 0.0 : log_sum(log_priors) - log_sum(log_priors_of_grid);
-      for (std::size_t s = result.first.back(); s < result.shapes.size(); ++s) result.shapes[s].log_prior -= added;
     } else {
       for (const OwnColumn& column : own) {
         if (column.shape.identity == i) result.shapes.push_back(column.shape);

@@ -17,6 +17,10 @@
 namespace ballbar {
 namespace {
 
+constexpr double kTemperatureJump = 0.2;  // of its range, from row to row
+constexpr double kMostJumps = 0.02;       // of the rows, and in any case as many as
+constexpr double kFewJumps = 5.0;
+constexpr std::size_t kRowsAboutJump = 2;
 constexpr double kShortestLag = 2.0;          // samples
 constexpr double kMostSaturated = 2.0 / 3.0;  // of the rows
 constexpr double kPriorOfPairs = 0.1;         // of all effects of two columns
@@ -172,6 +176,35 @@ void set_aside_rows_in_jumps(Problem& problem) {
   }
 }
 
+// Rows near jumps of a temperature: a jump there may be that of the temperature, which is smoothed.
+std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vector<std::size_t>& rows) {
+  std::vector<char> found(rows.size(), 0);
+  for (const Column& column : data.columns) {
+    const std::string_view unit = unit_of(column.name);
+    if (unit != "degC" && unit != "K") continue;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const std::size_t row : rows) {
+      low = std::min(low, column.values[row]);
+      high = std::max(high, column.values[row]);
+    }
+    const auto jumps = [&](std::size_t k) {
+      return std::abs(column.values[rows[k]] - column.values[rows[k - 1]]) > kTemperatureJump * (high - low);
+    };
+    std::size_t count = 0;
+    for (std::size_t k = 1; k < rows.size(); ++k) count += jumps(k) ? 1 : 0;
+    if (static_cast<double>(count) > std::max(kFewJumps, kMostJumps * static_cast<double>(rows.size())))
+      continue;  // it is noise
+    for (std::size_t k = 1; k < rows.size(); ++k) {
+      if (!jumps(k)) continue;
+      const std::size_t first = k > kRowsAboutJump ? k - kRowsAboutJump : 0,
+                        last = std::min(rows.size() - 1, k + kRowsAboutJump);
+      std::fill(found.begin() + static_cast<std::ptrdiff_t>(first),
+                found.begin() + static_cast<std::ptrdiff_t>(last) + 1, char{1});
+    }
+  }
+  return found;
+}
+
 // Rows in which a sensor stands at the end of its range tell nothing of it, if at least a third remains.
 void set_aside_saturated(Problem& problem) {
   std::set<std::size_t> rows;
@@ -277,6 +310,8 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   problem->time_s = base.time_s;
   problem->highest_Hz = highest_Hz(problem->time_s);
   problem->model = with_resolved_periods(model, problem->highest_Hz);
+  problem->at_jump_of_temperature = rows_of_temperature_jumps(rows, base.row);
+  if (!tuning.jumps_of_temperature) problem->at_jump_of_temperature.assign(base.row.size(), 0);
   const auto n = static_cast<Eigen::Index>(base.row.size());
   problem->y = Eigen::VectorXd::Map(base.measured_um.data(), n);
   if (model.level == Level::series && !model.constant_um) {

@@ -52,8 +52,8 @@ struct Problem {
   std::vector<double> stated_variance;       // kUnknownVariance of rows without information, else 0
   std::vector<double> relative_variance;     // of the white noise; larger for readings far from the others
   std::vector<LevelJump> level_jumps;        // of the target, none of them an effect
-  std::size_t far_readings = 0;              // set aside beside those of the fit
   double longest_memory_s = 0.0;             // of the noise
+  std::vector<char> at_jump_of_temperature;  // per row: a jump near it may be one of a temperature
   Eigen::VectorXd y;                         // minus `centre_um`, if the constant of the model is free
   double centre_um = 0.0;
   double highest_Hz = 0.0;  // half the rate of the rows

@@ -14,7 +14,6 @@ namespace ballbar {
 namespace {
 
 constexpr double kFreedom = 4.0;              // nu of Student's t
-constexpr double kFarOff = 20.0;              // of the same factor: such a reading is set aside, about 10 sigma
 constexpr double kOutlier = 2.0;              // (r^2 + nu) / (nu + 1) of a white innovation r
 constexpr std::size_t kFewestForLevels = 30;  // readings
 constexpr std::size_t kRowsOfLevel = 3;       // on either side of a jump
@@ -78,10 +77,6 @@ bool weigh_down_outliers(Problem& problem, const Variant& variant, const Point& 
   for (std::size_t row = 0; row < problem.time_s.size(); ++row) {
     const double factor = (std::pow(r[static_cast<Eigen::Index>(row)], 2) + kFreedom) / (kFreedom + 1.0);
     if (factor < kOutlier) continue;
-    if (factor > kFarOff && problem.stated_variance[row] == 0.0) {
-      problem.stated_variance[row] = kUnknownVariance;
-      ++problem.far_readings;
-    }
     problem.relative_variance[row] *= factor;
     any = true;
   }

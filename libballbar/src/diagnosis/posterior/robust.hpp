@@ -19,8 +19,8 @@ namespace ballbar {
 // The residual of the readings in the first column of the pool, beside the line.
 Eigen::VectorXd residual_beside(const Problem& problem, const Variant& variant, const Point& point);
 
-// Sets readings aside that are far from the others, given the covariance and the line beside it, and makes the
-// variances of less far ones larger. False: there are none.
+// Makes the variances of readings larger that are far from the others, given the covariance and the line beside it.
+// False: there are none.
 bool weigh_down_outliers(Problem& problem, const Variant& variant, const Point& point);
 
 // Where the residual has another level; fewer than three: none.

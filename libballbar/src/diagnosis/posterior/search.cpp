@@ -17,8 +17,13 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kSharpenedRivals = 4;  // rivals of a single effect whose shapes are refined
+constexpr double kFarMode = 7.0;             // ln: a sum so much less likely is no rival
 constexpr double kFarRival = 7.0;            // ln: a rival so much weaker than the strongest is ignored
 constexpr double kOfGrid = 0.1;              // more, of the evidence gained: a coarse grid may cost so much
+constexpr int kMostRefined = 3;              // times: the model is linear about where it was last
+constexpr double kBetterFit = 1e-3;          // of the square
+constexpr double kUsualTime_s = 1500.0;      // of a model whose fit has diverged
+constexpr double kSameModel = 0.02;          // of a shape's reach
 constexpr double kBetter = 0.05;             // ln: smallest improvement
 constexpr Stop kSearched{12, 1e-5};
 
@@ -80,6 +85,17 @@ std::optional<std::size_t> likeliest_own(const Identities& identities, const Asc
   return std::nullopt;
 }
 
+// The parameters with all free times of the model at this one.
+std::vector<double> with_times(const Problem& problem, std::vector<double> parameters, double time_s) {
+  for (std::size_t k = 1; k < problem.base_model->parameters(); ++k) {
+    const Setting& setting = problem.base_model->setting(k);
+    const Parameter& parameter = problem.base_model->parameter(k);
+    if (parameter.kind == ParameterKind::shape && parameter.unit == "s" && !setting.held)
+      parameters[k] = std::clamp(time_s, setting.lower, setting.upper);
+  }
+  return parameters;
+}
+
 // The shapes of the sum's effects, and of the rivals of each, at their most likely become signatures; the parameters of
 // the model beside these effects.
 std::vector<double> refined(Problem& problem, const SearchResult& found, const Point& point) {
@@ -105,6 +121,10 @@ std::vector<double> refined(Problem& problem, const SearchResult& found, const P
     variant = variant_at(problem, *own + 1, std::move(parameters));
   }
   ConditionalFit best = sharpened(problem, variant, {set, variant.parameters, {}}, point);
+  // Without the effects the fit may have driven a time constant to its bound, from where no step leads back.
+  const ConditionalFit usual =
+      sharpened(problem, variant, {set, with_times(problem, variant.parameters, kUsualTime_s), {}}, point);
+  if (usual.square < (1.0 - kBetterFit) * best.square) best = usual;
   for (std::size_t m = 0; m < rivals.size(); ++m) {
     for (const std::size_t rival : rivals[m]) {
       ConditionalFit other{best.signatures, best.parameters, {}};
@@ -121,6 +141,19 @@ std::vector<double> refined(Problem& problem, const SearchResult& found, const P
                    problem.known, {0})
       .parameters;
 }
+
+// Whether a shape of the model has moved by more than this share of its prior sigma.
+bool is_elsewhere(const Problem& problem, const Variant& variant, const std::vector<double>& parameters) {
+  for (std::size_t k = 1; k < parameters.size(); ++k) {
+    const Parameter& parameter = problem.base_model->parameter(k);
+    if (parameter.kind == ParameterKind::gain) continue;
+    if (std::abs(parameters[k] - variant.parameters[k]) > kSameModel * reach_of(parameter, variant.parameters[k]))
+      return true;
+  }
+  return false;
+}
+
+double log_weight_of(const SearchResult& of) { return of.ascent.bound + of.covariances.front().log_prior; }
 
 }  // namespace
 
@@ -139,28 +172,44 @@ SearchResult search_result(Problem& problem, std::size_t largest) {
     ColumnsAt at(problem, of.identities, of.variant, point);
     return ascended_from(at, of.identities, ascent_options(problem, of.identities, largest, Forms::no, without), from);
   };
-  // Of each kind the sum, and the covariance beside it.
-  std::vector<Ascent> sums(found.covariances.size());
-  in_parallel(sums.size(), [&](std::size_t k) {
-    Covariance& covariance = found.covariances[k];
-    sums[k] = ascended_in(found, covariance, {});
-    if (!problem.covariances.empty()) return;
-    covariance = likeliest_covariance(problem, beside_mean_of(sums[k], found.identities, found.variant),
-                                      discrepancy_of(covariance), &covariance);
-    sums[k] = ascended_in(found, covariance, likeliest_set(sums[k]));
-  });
-  std::size_t best = 0;
-  const auto log_weight = [&](std::size_t k) { return sums[k].bound + found.covariances[k].log_prior; };
-  for (std::size_t k = 1; k < sums.size(); ++k) best = log_weight(k) > log_weight(best) ? k : best;
-  std::swap(found.covariances.front(), found.covariances[best]);
-  found.ascent = std::move(sums[best]);
+  // Of each kind the covariance beside the sum, and the sum there; the most likely first.
+  const auto settle = [&](SearchResult& of) {
+    std::vector<Ascent> sums(of.covariances.size(), of.ascent);
+    in_parallel(sums.size(), [&](std::size_t k) {
+      Covariance& covariance = of.covariances[k];
+      if (sums[k].effects.empty()) sums[k] = ascended_in(of, covariance, {});
+      if (problem.covariances.empty())
+        covariance = likeliest_covariance(problem, beside_mean_of(sums[k], of.identities, of.variant),
+                                          discrepancy_of(covariance), &covariance);
+      sums[k] = ascended_in(of, covariance, likeliest_set(sums[k]));
+    });
+    std::size_t best = 0;
+    const auto log_weight = [&](std::size_t k) { return sums[k].bound + of.covariances[k].log_prior; };
+    for (std::size_t k = 1; k < sums.size(); ++k) best = log_weight(k) > log_weight(best) ? k : best;
+    std::swap(of.covariances.front(), of.covariances[best]);
+    of.ascent = std::move(sums[best]);
+  };
+  // The model and the shapes about where the sum has them. False: they are there already.
   const auto refine = [&](SearchResult& of) {
+    const std::size_t shapes = problem.library.signatures.size();
     const std::vector<std::size_t> set = likeliest_set(of.ascent);
-    of.variant = variant_at(problem, 0, refined(problem, of, point_at(problem, of.covariances.front())));
+    Variant next = variant_at(problem, 0, refined(problem, of, point_at(problem, of.covariances.front())));
+    const bool is_new = problem.library.signatures.size() > shapes || is_elsewhere(problem, of.variant, next.parameters);
+    of.variant = std::move(next);
     of.identities = identities_of(problem, of.variant);
     of.ascent = ascended_in(of, of.covariances.front(), set);
+    return is_new;
   };
-  refine(found);
+  const auto converge = [&](SearchResult& of) {
+    for (int round = 0; round < kMostRefined; ++round) {
+      const double before = log_weight_of(of);
+      const bool is_new = refine(of);
+      settle(of);
+      if (!is_new && log_weight_of(of) < before + kBetter) break;
+    }
+  };
+  settle(found);
+  converge(found);
   if (!problem.tuning.refine) return found;
   // Coordinate ascent finds one mode: the sums without each of its effects (Zou et al. 2022, `refine`).
   for (const std::size_t without : likeliest_set(found.ascent)) {
@@ -168,7 +217,9 @@ SearchResult search_result(Problem& problem, std::size_t largest) {
     SearchResult other = found;
     other.ascent = ascended_in(other, other.covariances.front(), {}, without);
     refine(other);
-    if (other.ascent.bound > found.ascent.bound + kBetter) found = std::move(other);
+    if (other.ascent.bound < found.ascent.bound - kFarMode) continue;
+    converge(other);
+    if (log_weight_of(other) > log_weight_of(found) + kBetter) found = std::move(other);
   }
   return found;
 }

@@ -172,7 +172,7 @@ class Decision {
       if (!input.at_end.empty())
         result_.saturated.push_back({input.column, static_cast<double>(input.at_end.size()) / rows});
     }
-    result_.set_aside = far_readings(find_column(data_, result_.target)->values).size() + problem().far_readings;
+    result_.set_aside = far_readings(find_column(data_, result_.target)->values).size();
     result_.level_jumps = problem().level_jumps.size();
     std::vector<double> sizes_um;
     for (const LevelJump& jump : problem().level_jumps) sizes_um.push_back(jump.size_um);

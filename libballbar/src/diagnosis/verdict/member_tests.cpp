@@ -18,6 +18,8 @@ namespace {
 
 constexpr double kHeldOutEvidence = 3.0;  // gain in ln likelihood of left-out cycles, without the best one
 
+constexpr double kMoves = 0.05;  // of an effect's square in its largest cycle; with less it stands still: what that
+                                 // cycle gains is only that the others are no longer biased
 constexpr double kLeftOutRidge = 1e-4;  // prior precision of a white column of length 1
 constexpr double kOwnDirection = 1e-3;  // pivot of a gain of one cycle, of the largest, that is one
 
@@ -108,10 +110,13 @@ Candidate with_tests(Candidate one, const Effect& effect, const SetRegression& a
   const LeftOutFit after = left_out(at, with, plain_with, fold, folds);
   one.held_out_before_um = before.rmse_um;
   one.held_out_after_um = after.rmse_um;
+  // Of what the others leave of the effect.
+  const Eigen::VectorXd square = squares_by_fold(orthogonal_part(own, orthonormal(others)), fold).rowwise().sum();
   double best = 0.0;
   one.held_out_evidence = 0.0;
   for (std::size_t f = 0; f < folds; ++f) {
-    const double gained = after.log_likelihood[f] - before.log_likelihood[f];
+    const bool moves = square[static_cast<Eigen::Index>(f)] > kMoves * square.maxCoeff();
+    const double gained = moves ? after.log_likelihood[f] - before.log_likelihood[f] : 0.0;
     one.held_out_evidence += gained;
     best = std::max(best, gained);
   }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "diagnosis/evidence/gauss_newton_fit.hpp"
+#include "diagnosis/evidence/shape_fit.hpp"
 #include "diagnosis/thresholds.hpp"
 
 namespace ballbar {
@@ -157,7 +157,7 @@ TEST(BaseColumns, time_of_a_clock_by_hand) {
   EXPECT_LT(worst_um, 1e-9);
 }
 
-TEST(GaussNewtonFit, finds_the_parameters_again) {
+TEST(ShapeFit, finds_the_parameters_again) {
   const auto rows = made();
   const BaseModel base = base_of(*rows);
   std::vector<double> time_s;
@@ -165,13 +165,13 @@ TEST(GaussNewtonFit, finds_the_parameters_again) {
   const Whitening filter(Covariance{0.5, 0.5, 200.0}, time_s);
   const std::vector<double> start{0.0, 0.3, 1400.0, 5.0 / 3.0, 1.0, 250.0, 0.0, 2.0};
   const Eigen::MatrixXd none(80, 0);
-  const GaussNewtonFit found = gauss_newton_fit(base, start, {}, none, filter, {}, {60});
+  const ShapeFit found = shape_fit(base, start, {}, none, filter, {}, {60});
   for (std::size_t k = 0; k < rows->truth.size(); ++k)
     EXPECT_NEAR(found.parameters[k], rows->truth[k], 2e-3 * std::max(1.0, std::abs(rows->truth[k]))) << k;
   EXPECT_LT(found.variance, 1e-4);
 }
 
-TEST(GaussNewtonFit, finds_a_held_exponent_again) {
+TEST(ShapeFit, finds_a_held_exponent_again) {
   auto rows = made();
   rows->model.terms.pop_back();
   rows->truth = {4.0, 0.7, 900.0, 1.0, 3.0, 400.0};
@@ -181,20 +181,20 @@ TEST(GaussNewtonFit, finds_a_held_exponent_again) {
   std::vector<double> time_s;
   for (const std::size_t row : rows->rows) time_s.push_back(rows->data.time_s[row]);
   const Whitening filter(Covariance{}, time_s);
-  const GaussNewtonFit found =
-      gauss_newton_fit(base, {4.0, 0.7, 900.0, 5.0 / 3.0, 3.0, 400.0}, {3}, Eigen::MatrixXd(80, 0), filter, {}, {60});
+  const ShapeFit found =
+      shape_fit(base, {4.0, 0.7, 900.0, 5.0 / 3.0, 3.0, 400.0}, {3}, Eigen::MatrixXd(80, 0), filter, {}, {60});
   EXPECT_NEAR(found.parameters[3], 1.0, 0.01);
   EXPECT_NEAR(found.parameters[2], 900.0, 10.0);
 }
 
 // Shapes stay within their bounds, wherever the line points.
-TEST(GaussNewtonFit, stays_within_the_bounds) {
+TEST(ShapeFit, stays_within_the_bounds) {
   auto rows = made();
   rows->model.terms[0].settings[1].lower = 1100.0;
   const BaseModel base = base_of(*rows);
   std::vector<double> time_s;
   for (const std::size_t row : rows->rows) time_s.push_back(rows->data.time_s[row]);
-  const GaussNewtonFit found = gauss_newton_fit(base, {0.0, 0.3, 1400.0, 5.0 / 3.0, 1.0, 250.0, 0.0, 2.0}, {},
+  const ShapeFit found = shape_fit(base, {0.0, 0.3, 1400.0, 5.0 / 3.0, 1.0, 250.0, 0.0, 2.0}, {},
                                                 Eigen::MatrixXd(80, 0), Whitening(Covariance{}, time_s), {}, {30});
   EXPECT_NEAR(found.parameters[2], 1100.0, 1e-9);
 }

@@ -44,21 +44,25 @@ TEST(Problem, takes_readings_about_their_mean) {
   EXPECT_EQ(problem_of(held, data, 0, usual())->centre_um, 0.0);
 }
 
-// Changes every 5400 s in rows of 100 s: the rows at both ends, and the one before for what its logger may be late.
-TEST(Problem, frees_the_rows_at_the_ends_of_jumps) {
-  const auto problem = problem_of(made::by_speed(), made::drift({1.0, 1, 200}), 0, usual());
-  free_rows_at_jumps(*problem, true);
-  std::size_t jumps = 0;
+// Changes every 5400 s in rows of 100 s, of a logger that holds all inputs for four rows: three rows within each sample.
+TEST(Problem, sets_rows_aside_in_whose_sample_an_input_changed) {
+  Series data = made::drift({1.0, 1, 200});
+  for (const char* name : {"speed_rpm", "T_room_degC", "T_bearing_degC"}) {
+    std::vector<double>& values = made::values_of(data, name);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = values[i - i % 4];
+  }
+  const auto problem = problem_of(made::by_speed(), data, 0, usual());
+  std::size_t within = 0;
   for (const LoggedInput& input : problem->logged.inputs) {
     if (!input.is_stepped) continue;
     for (const Jump& jump : input.jumps) {
-      ++jumps;
-      for (std::size_t row = jump.first - (jump.last - jump.first); row <= jump.last; ++row)
+      EXPECT_EQ(jump.last - jump.first, 4U);
+      for (std::size_t row = jump.first + 1; row < jump.last; ++row, ++within)
         EXPECT_EQ(problem->stated_variance[row], kUnknownVariance) << row;
     }
   }
-  EXPECT_EQ(jumps, 3U);
-  EXPECT_EQ(unknown_rows(*problem), 9U);
+  EXPECT_EQ(within, 9U);
+  EXPECT_EQ(unknown_rows(*problem), within);
 }
 
 // The room steps by 1.5 degC at row 211; in few rows one jump is no noise.
