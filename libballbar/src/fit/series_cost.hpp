@@ -21,8 +21,8 @@ struct OpenColumns {
   // columns: n by q, white. variance: of the scatter that remains, in units of the filter's covariance.
   OpenColumns(RowMajorMatrix columns, double variance);
 
-  RowMajorMatrix white;                 // n by q
-  Eigen::LLT<Eigen::MatrixXd> factor;   // of E'E + variance
+  RowMajorMatrix white;                // n by q
+  Eigen::LLT<Eigen::MatrixXd> factor;  // of E'E + variance
 };
 
 // The weighting of residuals: a weight per row, then the filter of the noise, then the weights of a robust fit.

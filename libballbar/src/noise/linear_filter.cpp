@@ -113,11 +113,8 @@ LinearFilter::LinearFilter(std::span<const double> time_s, const RowScatter& row
   for (std::size_t i = 0; i < time_s.size(); ++i) {
     const bool goes_on = !is_next(starts, i) && i > 0 && !(time_s[i] < time_s[i - 1]);
     const double share = known(rows.memory_share, i, 1.0);
-    const Stretch now{known(rows.variance, i, 0.0),
-                      known(rows.relative_variance, i, 1.0),
-                      share,
-                      known(rows.memory_variance, i, share * share),
-                      is_next(left_out, i)};
+    const Stretch now{known(rows.variance, i, 0.0), known(rows.relative_variance, i, 1.0), share,
+                      known(rows.memory_variance, i, share * share), is_next(left_out, i)};
     double step = std::numeric_limits<double>::infinity();
     if (goes_on) {
       step = time_s[i] - time_s[i - 1];

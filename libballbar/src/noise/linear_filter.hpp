@@ -125,8 +125,8 @@ class LinearFilter {
     bool is_left_out = false;
     Eigen::Index rows = 1;
     bool goes_on_with(const Stretch& next) const {
-      return stated == next.stated && relative == next.relative && share == next.share &&
-             own == next.own && !is_left_out && !next.is_left_out;
+      return stated == next.stated && relative == next.relative && share == next.share && own == next.own &&
+             !is_left_out && !next.is_left_out;
     }
     bool is_mean() const { return own != share * share; }
     double white(const Covariance& noise) const {

@@ -13,10 +13,10 @@ namespace ballbar::ablation {
 namespace {
 
 constexpr const char* kVerdicts[] = {
-    "nothing-ar0.9", "nothing-held",   "nothing-ramped",  "nothing-late", "nothing-rounded",    "nothing-20fakes",
-    "one-15-exact",  "one-15-held",    "one-15-ramped",   "one-15-late",  "one-15-0.1K",        "two-20",
-    "step-20", "step-one-20",   "poor-15",        "outside-driven",  "outside-bar",  "outside-not-logged", "outside-left-out",
-    "own-exponent",  "own-tau"};
+    "nothing-ar0.9",    "nothing-held", "nothing-ramped", "nothing-late",   "nothing-rounded", "nothing-20fakes",
+    "one-15-exact",     "one-15-held",  "one-15-ramped",  "one-15-late",    "one-15-0.1K",     "two-20",
+    "step-20",          "step-one-20",  "poor-15",        "outside-driven", "outside-bar",     "outside-not-logged",
+    "outside-left-out", "own-exponent", "own-tau"};
 
 Case case_of(verdicts::Made made) {
   Case one{made.data, made.model, made.without, std::nullopt, {}};
@@ -43,7 +43,9 @@ Case recordings(std::uint64_t seed) {
     one.motion = Motion::rotary_axis;
   one.judged = [hidden](const verdicts::Said& said) {
     verdicts::Judged judged;
-    const auto is_it = [&](const verdicts::Member& member) { return hidden != nullptr && member.effect == hidden->name; };
+    const auto is_it = [&](const verdicts::Member& member) {
+      return hidden != nullptr && member.effect == hidden->name;
+    };
     judged.wrong = !std::all_of(said.named.begin(), said.named.end(), is_it);
     judged.nothing_said = said.word == verdicts::Word::nothing;
     judged.right = hidden == nullptr ? judged.nothing_said : said.named.size() == 1 && !judged.wrong;

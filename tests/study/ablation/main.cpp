@@ -26,7 +26,7 @@ using namespace ballbar;
 
 struct Device {
   const char* name;
-  bool Tuning::* is_on;
+  bool Tuning::*is_on;
   bool is_test;  // of members alone: the posterior is the same
 };
 

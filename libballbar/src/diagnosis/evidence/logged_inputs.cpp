@@ -393,7 +393,8 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
       input.sample_s = static_cast<double>(sample) * step_s;
       // Rows far apart are read one by one, each within a short time.
       const bool is_read = sample == 1 && step_s > kLongestSample_s;
-      if (tuning.smoothing && is_temperature(column)) column.values = continuous(data.time_s, column.values, rows, is_read);
+      if (tuning.smoothing && is_temperature(column))
+        column.values = continuous(data.time_s, column.values, rows, is_read);
       if (!is_read) input.jumps = largest_changes(column.values, sample);
     } else {
       continue;

@@ -73,9 +73,8 @@ ShapeFit shape_fit(const BaseModel& base, std::vector<double> parameters, const 
                             filter,
                             {},
                             {whitened_rows(filter, open), std::max(start.variance, 1e-300)}};
-  const Minimum minimum =
-      minimise(base.rows(), base.y(), weighting, bounds_at(base, start.parameters, free, fixed),
-               Eigen::VectorXd::Map(start.parameters.data(), count), stop);
+  const Minimum minimum = minimise(base.rows(), base.y(), weighting, bounds_at(base, start.parameters, free, fixed),
+                                   Eigen::VectorXd::Map(start.parameters.data(), count), stop);
   if (!std::isfinite(minimum.cost)) return start;
   return with_gains(base, {minimum.parameters.begin(), minimum.parameters.end()}, free, open, filter, known, fixed);
 }

@@ -102,11 +102,12 @@ ConditionalFit conditional_fit(const Problem& problem, const Variant& variant,
   auto [model, start] = with_effects(problem, conditional);
   for (std::size_t t = problem.model.terms.size(); t < model.terms.size(); ++t) hold_shapes(model.terms[t]);
   const BaseModel with(model, problem.logged, problem.y, problem.base.row);
-  const ShapeFit best = shape_fit(with, start, free_of(problem, variant.own), variant.times, point.filter,
-                                  problem.known, kStop);
+  const ShapeFit best =
+      shape_fit(with, start, free_of(problem, variant.own), variant.times, point.filter, problem.known, kStop);
   const std::size_t own = conditional.parameters.size();
   conditional.parameters.assign(best.parameters.begin(), best.parameters.begin() + static_cast<std::ptrdiff_t>(own));
-  conditional.coefficients = coefficients_of(problem, signatures, {best.parameters.begin() + static_cast<std::ptrdiff_t>(own), best.parameters.end()});
+  conditional.coefficients = coefficients_of(
+      problem, signatures, {best.parameters.begin() + static_cast<std::ptrdiff_t>(own), best.parameters.end()});
   conditional.square = best.square;
   return conditional;
 }
@@ -115,8 +116,8 @@ ConditionalFit sharpened(Problem& problem, const Variant& variant, ConditionalFi
   if (!problem.tuning.finer_shapes) return conditional_fit(problem, variant, conditional.signatures, point);
   const auto [model, start] = with_effects(problem, conditional);
   const BaseModel with(model, problem.logged, problem.y, problem.base.row);
-  const ShapeFit best = shape_fit(with, start, free_of(problem, variant.own), variant.times, point.filter,
-                                  problem.known, kStop);
+  const ShapeFit best =
+      shape_fit(with, start, free_of(problem, variant.own), variant.times, point.filter, problem.known, kStop);
   conditional.square = best.square;
   return taken_over(problem, std::move(conditional), best.parameters);
 }

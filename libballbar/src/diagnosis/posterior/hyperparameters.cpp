@@ -56,7 +56,8 @@ Limits limits_of(const Problem& problem, Discrepancy kind) {
   if (kind == Discrepancy::none) return bounds;
   bounds.low[2] = std::log(0.3);
   bounds.high[2] = std::log(300.0);
-  const double shortest_s = std::max(kShortestDiscrepancy * (problem.tuning.bounded_memory ? problem.longest_memory_s : 1200.0), 2.0 * bounds.step_s);
+  const double shortest_s = std::max(
+      kShortestDiscrepancy * (problem.tuning.bounded_memory ? problem.longest_memory_s : 1200.0), 2.0 * bounds.step_s);
   bounds.low[3] = std::log(shortest_s);
   bounds.high[3] = std::log(std::max(3.0 * span_s, 2.0 * shortest_s));
   return bounds;
@@ -137,7 +138,8 @@ Discrepancy discrepancy_of(const Covariance& covariance) {
 }
 
 std::vector<Discrepancy> discrepancies_of(const Problem& problem) {
-  if (problem.model.level != Level::series || problem.time_s.size() < 12 || !problem.tuning.discrepancy) return {Discrepancy::none};
+  if (problem.model.level != Level::series || problem.time_s.size() < 12 || !problem.tuning.discrepancy)
+    return {Discrepancy::none};
   return {Discrepancy::none, Discrepancy::rough, Discrepancy::smooth};
 }
 
@@ -175,7 +177,8 @@ Covariance likeliest_covariance(const Problem& problem, const Variant& variant, 
   Covariance result = covariance_at(bounds, best);
   const bool has_kinds = problem.model.level == Level::series;
   const double kinds = kind == Discrepancy::none ? 1.0 - kPriorOfDiscrepancy : 0.5 * kPriorOfDiscrepancy;
-  result.log_prior = (has_kinds ? std::log(kinds) : 0.0) - (problem.tuning.cost_of_hyperparameters ? kCost : 0.0) * static_cast<double>(bounds.free());
+  result.log_prior = (has_kinds ? std::log(kinds) : 0.0) -
+                     (problem.tuning.cost_of_hyperparameters ? kCost : 0.0) * static_cast<double>(bounds.free());
   return result;
 }
 

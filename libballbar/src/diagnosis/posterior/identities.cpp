@@ -73,14 +73,16 @@ std::size_t nearest_of_grid(const SignatureLibrary& library, const Family& famil
   return nearest;
 }
 
-// A shape between the points of the grid shares the prior of the nearest one, so that finer shapes add no prior.
-double log_prior_of_shape(const Problem& problem, const Family& family, std::size_t shape) {
+// A finer shape replaces the point of the grid that is nearest to it, the last one where there are several: finer
+// shapes add no prior.
+std::optional<double> log_prior_of_shape(const Problem& problem, const Family& family, std::size_t shape) {
   const SignatureLibrary& library = problem.library;
-  const std::size_t cell = nearest_of_grid(library, family, library.signatures[shape].point);
-  double sharing = 1.0;
-  for (const std::size_t s : family.more)
-    sharing += nearest_of_grid(library, family, library.signatures[s].point) == cell ? 1.0 : 0.0;
-  return problem.log_prior_of_shape[cell] - std::log(sharing);
+  const auto cell_of = [&](std::size_t s) { return nearest_of_grid(library, family, library.signatures[s].point); };
+  const std::size_t cell = cell_of(shape);
+  const auto last =
+      std::find_if(family.more.rbegin(), family.more.rend(), [&](std::size_t s) { return cell_of(s) == cell; });
+  if (last != family.more.rend() && *last != shape) return std::nullopt;
+  return problem.log_prior_of_shape[cell];
 }
 
 }  // namespace
@@ -128,9 +130,11 @@ Identities identities_of(const Problem& problem, const Variant& variant) {
   for (std::size_t i = 0; i < result.log_prior.size(); ++i) {
     result.first.push_back(result.shapes.size());
     if (result.jump == i) {
-      for (std::size_t row = kRowsAtEnds; row + kRowsAtEnds < problem.time_s.size(); ++row)
+      for (std::size_t row = kRowsAtEnds; row + kRowsAtEnds < problem.time_s.size(); ++row) {
         if (problem.at_jump_of_temperature[row] == 0)
-        result.shapes.push_back({i, result.columns.cols() + static_cast<Eigen::Index>(row), 1, 0.0, kNoSignature, 0.0});
+          result.shapes.push_back(
+              {i, result.columns.cols() + static_cast<Eigen::Index>(row), 1, 0.0, kNoSignature, 0.0});
+      }
       // Uniform in time: proportional to the interval before the row.
       double all_s = 0.0;
       for (std::size_t s = result.first.back(); s < result.shapes.size(); ++s) {
@@ -145,7 +149,8 @@ Identities identities_of(const Problem& problem, const Variant& variant) {
       const Family& family = library.families[i];
       for (const std::size_t s : shapes_of(family)) {
         const Signature& one = library.signatures[s];
-        result.shapes.push_back({i, one.first, one.width, log_prior_of_shape(problem, family, s), s, 0.0});
+        const std::optional<double> log_prior = log_prior_of_shape(problem, family, s);
+        if (log_prior) result.shapes.push_back({i, one.first, one.width, *log_prior, s, 0.0});
       }
     } else {
       for (const OwnColumn& column : own) {

@@ -24,8 +24,8 @@ namespace {
 constexpr std::size_t kValuesForAnEffect = 4;  // rows beyond the model's
 constexpr double kStill_um = 1e-9;             // rms of constant readings
 
-// Of a long series every k-th value is used: where the best set has jumps, all values about them. False: it has none, or
-// all are used already.
+// Of a long series every k-th value is used: where the best set has jumps, all values about them. False: it has none,
+// or all are used already.
 bool use_all_about_jumps(Inference& inference, const Model& model, const Series& data, std::size_t target,
                          ProblemOptions options) {
   const Problem& problem = *inference.problem;

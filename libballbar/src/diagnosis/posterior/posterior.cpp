@@ -41,7 +41,9 @@ void align(const std::vector<SingleEffect>& to, std::size_t identities, std::vec
 WeightedAscent ascended_at(const Problem& problem, const SearchResult& found, const Covariance& start,
                            std::size_t largest) {
   WeightedAscent best;
-  for (const Ascent& from : {found.ascent, Ascent{}}) {
+  std::vector<Ascent> starts{found.ascent};
+  if (!likeliest_set(found.ascent).empty()) starts.emplace_back();
+  for (const Ascent& from : starts) {
     WeightedAscent one;
     Covariance covariance = start;
     if (problem.covariances.empty()) {
@@ -50,8 +52,7 @@ WeightedAscent ascended_at(const Problem& problem, const SearchResult& found, co
     }
     one.point = point_at(problem, covariance);
     ColumnsAt at(problem, found.identities, found.variant, one.point);
-    one.ascent =
-        ascended(at, found.identities, ascent_options(problem, found.identities, largest, Forms::yes), from);
+    one.ascent = ascended(at, found.identities, ascent_options(problem, found.identities, largest, Forms::yes), from);
     one.log_weight = one.ascent.bound + covariance.log_prior;
     if (one.log_weight > best.log_weight + kBetterOptimum) best = std::move(one);
   }
@@ -111,9 +112,8 @@ Posterior posterior_of(Problem& problem, std::size_t largest,
                        const std::function<void(const std::vector<double>&)>& so_far) {
   SearchResult searched = search_result(problem, largest);
   std::vector<WeightedAscent> found(searched.covariances.size());
-  in_parallel(found.size(), [&](std::size_t g) {
-    found[g] = ascended_at(problem, searched, searched.covariances[g], largest);
-  });
+  in_parallel(found.size(),
+              [&](std::size_t g) { found[g] = ascended_at(problem, searched, searched.covariances[g], largest); });
   sort_by_weight(found);
   const double far = found.front().log_weight - kFarFromBest;
   std::erase_if(found, [&](const WeightedAscent& one) { return one.log_weight < far; });

@@ -104,11 +104,13 @@ bool is_without_its_lag(const SignatureLibrary& library, const LoggedInputs& log
   return false;
 }
 
-std::vector<double> log_priors_of_shapes(const SignatureLibrary& library, const LoggedInputs& logged, const Tuning& tuning) {
+std::vector<double> log_priors_of_shapes(const SignatureLibrary& library, const LoggedInputs& logged,
+                                         const Tuning& tuning) {
   std::vector<double> result(library.signatures.size());
   for (const Family& family : library.families) {
     const auto is_short = [&](std::size_t i) {
-      return tuning.lags_above_sampling && is_without_its_lag(library, logged, family.bound, library.signatures[i].point);
+      return tuning.lags_above_sampling &&
+             is_without_its_lag(library, logged, family.bound, library.signatures[i].point);
     };
     std::size_t too_short = 0;
     for (std::size_t i = family.first; i < family.first + family.count; ++i) too_short += is_short(i) ? 1 : 0;
@@ -221,8 +223,7 @@ void set_aside_saturated(Problem& problem) {
 
 Point point_at(const Problem& problem, const Covariance& covariance) {
   return {covariance, Whitening(covariance, problem.time_s,
-                                {.variance = problem.stated_variance,
-                                 .relative_variance = problem.relative_variance})};
+                                {.variance = problem.stated_variance, .relative_variance = problem.relative_variance})};
 }
 
 std::vector<double> fitted_parameters(const Problem& problem) {
@@ -257,7 +258,8 @@ std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, c
   for (const std::size_t i : of.more) {
     if (library.signatures[i].point == point) return std::nullopt;
   }
-  if (problem.tuning.lags_above_sampling && is_without_its_lag(library, problem.logged, of.bound, point)) return std::nullopt;
+  if (problem.tuning.lags_above_sampling && is_without_its_lag(library, problem.logged, of.bound, point))
+    return std::nullopt;
   const Effect& effect = *of.bound.effect;
   const BoundInputs inputs = inputs_of(effect, of.bound.columns, problem.logged.series);
   const Eigen::MatrixXd gains = effect_at(effect, inputs.rows, point, problem.base.row).gains(effect);

@@ -1,8 +1,8 @@
 // Readings far from the others, and jumps of the target: what no effect should explain.
 //
 // The fit sets readings aside that are off the running median (far_readings.hpp). Where the innovations have heavy
-// tails, readings count as in Student's t with four degrees of freedom, a mixture of normal distributions (Lange, Little
-// and Taylor 1989, J. Am. Stat. Assoc. 84, 881).
+// tails, readings count as in Student's t with four degrees of freedom, a mixture of normal distributions (Lange,
+// Little and Taylor 1989, J. Am. Stat. Assoc. 84, 881).
 //
 // Three or more jumps of the residual are a process of the target, such as corrections by the control. Each is a level
 // of its own, and none is an effect.

@@ -55,9 +55,9 @@ void find_other_values(Problem& problem, const std::vector<double>& fit, const V
                        const Covariance& covariance) {
   const Point point = point_at(problem, covariance);
   for (OwnParameter& own : problem.own) {
-    own.fitted = {shape_fit(*problem.base_model, fit, {own.parameter}, variant.times, point.filter, problem.known,
-                            kSearched)
-                      .parameters[own.parameter]};
+    own.fitted = {
+        shape_fit(*problem.base_model, fit, {own.parameter}, variant.times, point.filter, problem.known, kSearched)
+            .parameters[own.parameter]};
   }
 }
 
@@ -194,7 +194,8 @@ SearchResult search_result(Problem& problem, std::size_t largest) {
     const std::size_t shapes = problem.library.signatures.size();
     const std::vector<std::size_t> set = likeliest_set(of.ascent);
     Variant next = variant_at(problem, 0, refined(problem, of, point_at(problem, of.covariances.front())));
-    const bool is_new = problem.library.signatures.size() > shapes || is_elsewhere(problem, of.variant, next.parameters);
+    const bool is_new =
+        problem.library.signatures.size() > shapes || is_elsewhere(problem, of.variant, next.parameters);
     of.variant = std::move(next);
     of.identities = identities_of(problem, of.variant);
     of.ascent = ascended_in(of, of.covariances.front(), set);

@@ -18,7 +18,8 @@ AscentOptions ascent_options(const Problem& problem, const Identities& identitie
   SinglePrior prior{std::log(kPriorOfNone), identities.log_prior};
   for (double& one : prior.log_identity) one += std::log1p(-kPriorOfNone);
   if (without != kNoSignature) prior.log_identity[without] = kLogZero;
-  for (std::size_t i = problem.effects; i < identities.families && (forms == Forms::no || !problem.tuning.any_forms); ++i)
+  for (std::size_t i = problem.effects; i < identities.families && (forms == Forms::no || !problem.tuning.any_forms);
+       ++i)
     prior.log_identity[i] = kLogZero;
   options.priors = {std::move(prior)};
   options.largest = largest;

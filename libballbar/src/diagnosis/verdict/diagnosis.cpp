@@ -150,7 +150,8 @@ class Decision {
     result_.noise = noise_of(covariance, at_.variance);
     describe_discrepancy();
     tell_what_was_not_used();
-    for (Driver& driver : result_.drivers) driver.is_clear = !tuning().columns_not_searched || result_.columns_not_searched.empty();
+    for (Driver& driver : result_.drivers)
+      driver.is_clear = !tuning().columns_not_searched || result_.columns_not_searched.empty();
     result_.detectability = detectability_by(result_.noise);
     add_own();
   }
@@ -285,7 +286,8 @@ class Decision {
   void decide() {
     Diagnosis& d = result_;
     bool own_named = false, own_probable = false;
-    const bool all_searched = !tuning().columns_not_searched || d.columns_not_searched.empty();  // else another cause may be among those
+    const bool all_searched =
+        !tuning().columns_not_searched || d.columns_not_searched.empty();  // else another cause may be among those
     const bool is_clear = !(tuning().beside_discrepancy && discrepancy_beside_um() > 0.0) && all_searched;
     for (const OwnValue& own : d.own) {
       own_named = own_named || (own.p >= kNamed && is_clear);

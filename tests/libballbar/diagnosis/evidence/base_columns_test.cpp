@@ -195,7 +195,7 @@ TEST(ShapeFit, stays_within_the_bounds) {
   std::vector<double> time_s;
   for (const std::size_t row : rows->rows) time_s.push_back(rows->data.time_s[row]);
   const ShapeFit found = shape_fit(base, {0.0, 0.3, 1400.0, 5.0 / 3.0, 1.0, 250.0, 0.0, 2.0}, {},
-                                                Eigen::MatrixXd(80, 0), Whitening(Covariance{}, time_s), {}, {30});
+                                   Eigen::MatrixXd(80, 0), Whitening(Covariance{}, time_s), {}, {30});
   EXPECT_NEAR(found.parameters[2], 1100.0, 1e-9);
 }
 

@@ -44,7 +44,8 @@ TEST(Problem, takes_readings_about_their_mean) {
   EXPECT_EQ(problem_of(held, data, 0, usual())->centre_um, 0.0);
 }
 
-// Changes every 5400 s in rows of 100 s, of a logger that holds all inputs for four rows: three rows within each sample.
+// Changes every 5400 s in rows of 100 s, of a logger that holds all inputs for four rows: three rows within each
+// sample.
 TEST(Problem, sets_rows_aside_in_whose_sample_an_input_changed) {
   Series data = made::drift({1.0, 1, 200});
   for (const char* name : {"speed_rpm", "T_room_degC", "T_bearing_degC"}) {
