@@ -33,7 +33,9 @@ Bounds bounds_at(const BaseModel& base, const std::vector<double>& parameters, c
   for (std::size_t k = 1; k < parameters.size(); ++k) {
     const Setting& setting = base.setting(k);
     const bool is_freed = std::find(free.begin(), free.end(), k) != free.end();
-    bounds.held[k] = (setting.held && !is_freed) || k == fixed;
+    // The readings determine no moment between two rows.
+    const bool is_moment = base.parameter(k).shape_of == ShapeOf::onset;
+    bounds.held[k] = (setting.held && !is_freed) || k == fixed || is_moment;
     bounds.lower[static_cast<Eigen::Index>(k)] = std::min(setting.lower, parameters[k]);
     bounds.upper[static_cast<Eigen::Index>(k)] = std::max(setting.upper, parameters[k]);
   }

@@ -265,6 +265,7 @@ std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, c
   const Eigen::MatrixXd gains = effect_at(effect, inputs.rows, point, problem.base.row).gains(effect);
   const Signature& usual = library.signatures[of.first];
   if (!gains.allFinite() || gains.cols() != usual.width) return std::nullopt;
+  if (is_same_as_input(effect, inputs.rows, problem.base.row, gains.col(0))) return std::nullopt;
   Signature added{family, point, library.columns.cols(), usual.width,
                   gains.col(0).maxCoeff() - gains.col(0).minCoeff()};
   Eigen::MatrixXd unit = gains;

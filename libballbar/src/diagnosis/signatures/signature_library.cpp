@@ -50,16 +50,6 @@ std::size_t gain_count(const Effect& effect) {
                     [](const Parameter& parameter) { return parameter.kind == ParameterKind::gain; }));
 }
 
-// Whether the effect equals another effect of its first input at this shape.
-bool is_same_as_input(const Effect& effect, const EffectRows& inputs, const std::vector<std::size_t>& rows,
-                      const Eigen::VectorXd& gain) {
-  if (!effect.rules.same_as_input) return false;
-  Eigen::VectorXd input(gain.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) input[static_cast<Eigen::Index>(i)] = inputs.inputs[0][rows[i]];
-  const Eigen::VectorXd a = input.array() - input.mean(), b = gain.array() - gain.mean();
-  return std::abs(a.dot(b)) > *effect.rules.same_as_input * a.norm() * b.norm();
-}
-
 std::vector<double> onsets(const EffectRows& rows) {
   std::vector<double> grid;
   const std::size_t n = rows.time_s.size();
@@ -71,6 +61,15 @@ std::vector<double> onsets(const EffectRows& rows) {
 }
 
 }  // namespace
+
+bool is_same_as_input(const Effect& effect, const EffectRows& inputs, const std::vector<std::size_t>& rows,
+                      const Eigen::VectorXd& gain) {
+  if (!effect.rules.same_as_input) return false;
+  Eigen::VectorXd input(gain.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) input[static_cast<Eigen::Index>(i)] = inputs.inputs[0][rows[i]];
+  const Eigen::VectorXd a = input.array() - input.mean(), b = gain.array() - gain.mean();
+  return std::abs(a.dot(b)) > *effect.rules.same_as_input * a.norm() * b.norm();
+}
 
 bool is_jump(const Effect& effect) {
   return effect.level == Level::series && effect.time_only && effect.inputs.empty() && effect.parameters.size() == 2 &&

@@ -46,6 +46,10 @@ struct SignatureLibrary {
   Eigen::MatrixXd columns;  // n rows where the target has a value
 };
 
+// Whether the effect equals another effect of its first input at this shape. gain: its curve at these rows.
+bool is_same_as_input(const Effect& effect, const EffectRows& inputs, const std::vector<std::size_t>& rows,
+                      const Eigen::VectorXd& gain);
+
 // Whether an effect of time alone is a jump: a gain, and the time from which it acts.
 bool is_jump(const Effect& effect);
 

@@ -6,6 +6,8 @@
 namespace ballbar::catalogue {
 namespace {
 
+constexpr double kWithoutKink = 0.999;  // a threshold near the lowest value leaves the whole expansion
+
 // k max(0, u - u_0 - threshold)
 struct PreloadLoss {
   template <class T>
@@ -59,7 +61,7 @@ extern const Effect kPreloadLoss{
     by_row<2>(PreloadLoss{}),
     false,
     {},
-    {.becomes = "expansion", .is_common = true},
+    {.same_as_input = kWithoutKink, .becomes = "expansion", .is_common = true},
 };
 
 }  // namespace ballbar::catalogue
