@@ -277,12 +277,11 @@ TEST(Reasons, of_each_member) {
   found.gains_by_run.resize(1);
   found.gains_by_run[0].effect = "expansion(T2_degC)";
   EXPECT_EQ(reasons_of(found),
-            (std::vector<std::string>{
-                "expansion(T1_degC): the evidence for it is weak.",
-                "expansion(T2_degC): another form of the same column is more likely.",
-                "expansion(T2_degC): its gain differs from run to run.",
-                "expansion(T2_degC): its gain differs from cycle to cycle.",
-                "expansion(T2_degC): beside a slow drift without a cause its form is open."}));
+            (std::vector<std::string>{"expansion(T1_degC): the evidence for it is weak.",
+                                      "expansion(T2_degC): another form of the same column is more likely.",
+                                      "expansion(T2_degC): its gain differs from run to run.",
+                                      "expansion(T2_degC): its gain differs from cycle to cycle.",
+                                      "expansion(T2_degC): beside a slow drift without a cause its form is open."}));
 }
 
 }  // namespace
