@@ -18,7 +18,7 @@ inline constexpr double kClockTime = 0.6;  // sd of the delay of a clock, in sam
 inline constexpr double kFound = 7.0;      // d from which a diagnosis finds an effect
 inline constexpr double kAbsorbed = 0.05;  // remaining share of a signature's square below which it is absorbed
 
-// Of so many readings or fewer an input in any form explains all, and a name needs a second opinion.
+// Of so many readings or fewer an input in any form explains all.
 inline constexpr std::size_t kFewReadings = 60;
 
 // Priors.

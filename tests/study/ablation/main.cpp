@@ -1,10 +1,10 @@
 // What each device of the diagnosis buys: the same data sets with it and without it.
 //
-//   study_ablation [N] [--first SEED] [--cells NAME,...] [--devices NAME,...] [--verbose]
+//   study_ablation [N] [--first SEED] [--cells NAME,...] [--devices NAME,...] [--together NAME,...]
 //
-// N seeds a cell (2), from SEED (1) on. Prints a row for each device and cell in which it changes something: how many
-// names are right and wrong and how many times "nothing" is said with it and without it, in how many sets it gains and
-// loses each of these, and the processor time without it over that with it.
+// N seeds a cell (2), from SEED (1) on. Prints a line a set and device, as soon as it is done: cell; seed; the device
+// that is switched off, `all` for none; right; wrong; nothing said; wrong driver; processor time in s. --together
+// switches these devices off at once (`together`).
 
 #include <fmt/format.h>
 

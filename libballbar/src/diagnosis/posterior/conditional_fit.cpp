@@ -50,9 +50,19 @@ double within_grid(const Parameter& parameter, double value) {
   return std::clamp(value, *low, *high);
 }
 
-void hold_shapes(Term& term) {
-  for (std::size_t k = 0; k < term.settings.size(); ++k)
-    if (term.effect->parameters[k].kind != ParameterKind::gain) term.settings[k].held = true;
+enum class Shapes { held, free };
+
+// The model and the effects of the set together, the shapes of these at their points or free.
+ShapeFit fit_together(const Problem& problem, const Variant& variant, const ConditionalFit& conditional,
+                      const Point& point, Shapes shapes) {
+  auto [model, start] = with_effects(problem, conditional);
+  for (std::size_t t = problem.model.terms.size(); t < model.terms.size() && shapes == Shapes::held; ++t) {
+    Term& term = model.terms[t];
+    for (std::size_t k = 0; k < term.settings.size(); ++k)
+      term.settings[k].held = term.settings[k].held || term.effect->parameters[k].kind != ParameterKind::gain;
+  }
+  const BaseModel with(model, problem.logged, problem.y, problem.base.row);
+  return shape_fit(with, start, free_of(problem, variant.own), variant.times, point.filter, problem.known, kStop);
 }
 
 // Of the columns of these signatures, from the parameters of their effects one after the other.
@@ -72,12 +82,21 @@ Eigen::VectorXd coefficients_of(const Problem& problem, const std::vector<std::s
   return Eigen::VectorXd::Map(coefficients.data(), static_cast<Eigen::Index>(coefficients.size()));
 }
 
-// The set and the model where a fit of both has them: its shapes become signatures.
-ConditionalFit taken_over(Problem& problem, ConditionalFit conditional, const std::vector<double>& fitted) {
+// The set and the model where a fit of both has them; its signatures stay as they are.
+ConditionalFit taken_over(const Problem& problem, ConditionalFit conditional, const ShapeFit& fitted) {
   const std::size_t own = conditional.parameters.size();
-  std::copy_n(fitted.begin(), own, conditional.parameters.begin());
-  std::size_t place = own;
-  for (std::size_t& i : conditional.signatures) {
+  std::copy_n(fitted.parameters.begin(), own, conditional.parameters.begin());
+  conditional.coefficients =
+      coefficients_of(problem, conditional.signatures, std::span(fitted.parameters).subspan(own));
+  conditional.square = fitted.square;
+  return conditional;
+}
+
+// The signatures of the set at the shapes that a fit has; new ones are added to the library.
+std::vector<std::size_t> signatures_at(Problem& problem, std::vector<std::size_t> signatures,
+                                       std::span<const double> fitted) {
+  std::size_t place = 0;
+  for (std::size_t& i : signatures) {
     const std::size_t family = problem.library.signatures[i].family;
     const std::vector<Parameter>& parameters = problem.library.families[family].bound.effect->parameters;
     std::vector<double> shape = problem.library.signatures[i].point;
@@ -90,8 +109,7 @@ ConditionalFit taken_over(Problem& problem, ConditionalFit conditional, const st
     }
     if (moved) i = add_signature(problem, family, shape).value_or(i);
   }
-  conditional.coefficients = coefficients_of(problem, conditional.signatures, std::span(fitted).subspan(own));
-  return conditional;
+  return signatures;
 }
 
 }  // namespace
@@ -99,27 +117,16 @@ ConditionalFit taken_over(Problem& problem, ConditionalFit conditional, const st
 ConditionalFit conditional_fit(const Problem& problem, const Variant& variant,
                                const std::vector<std::size_t>& signatures, const Point& point) {
   ConditionalFit conditional{signatures, variant.parameters, {}};
-  auto [model, start] = with_effects(problem, conditional);
-  for (std::size_t t = problem.model.terms.size(); t < model.terms.size(); ++t) hold_shapes(model.terms[t]);
-  const BaseModel with(model, problem.logged, problem.y, problem.base.row);
-  const ShapeFit best =
-      shape_fit(with, start, free_of(problem, variant.own), variant.times, point.filter, problem.known, kStop);
-  const std::size_t own = conditional.parameters.size();
-  conditional.parameters.assign(best.parameters.begin(), best.parameters.begin() + static_cast<std::ptrdiff_t>(own));
-  conditional.coefficients = coefficients_of(
-      problem, signatures, {best.parameters.begin() + static_cast<std::ptrdiff_t>(own), best.parameters.end()});
-  conditional.square = best.square;
-  return conditional;
+  const ShapeFit fitted = fit_together(problem, variant, conditional, point, Shapes::held);
+  return taken_over(problem, std::move(conditional), fitted);
 }
 
 ConditionalFit sharpened(Problem& problem, const Variant& variant, ConditionalFit conditional, const Point& point) {
   if (!problem.tuning.finer_shapes) return conditional_fit(problem, variant, conditional.signatures, point);
-  const auto [model, start] = with_effects(problem, conditional);
-  const BaseModel with(model, problem.logged, problem.y, problem.base.row);
-  const ShapeFit best =
-      shape_fit(with, start, free_of(problem, variant.own), variant.times, point.filter, problem.known, kStop);
-  conditional.square = best.square;
-  return taken_over(problem, std::move(conditional), best.parameters);
+  const ShapeFit fitted = fit_together(problem, variant, conditional, point, Shapes::free);
+  conditional.signatures = signatures_at(problem, std::move(conditional.signatures),
+                                         std::span(fitted.parameters).subspan(conditional.parameters.size()));
+  return taken_over(problem, std::move(conditional), fitted);
 }
 
 }  // namespace ballbar

@@ -17,7 +17,7 @@ struct ConditionalFit {
   double square = 0.0;                  // residual sum of squares of the white readings
 };
 
-// Gauss-Newton from the parameters of the variant.
+// From the parameters of the variant, the shapes of the set held.
 ConditionalFit conditional_fit(const Problem& problem, const Variant& variant,
                                const std::vector<std::size_t>& signatures, const Point& point);
 

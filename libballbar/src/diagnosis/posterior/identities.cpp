@@ -73,16 +73,14 @@ std::size_t nearest_of_grid(const SignatureLibrary& library, const Family& famil
   return nearest;
 }
 
-// A finer shape replaces the point of the grid that is nearest to it, the last one where there are several: finer
-// shapes add no prior.
-std::optional<double> log_prior_of_shape(const Problem& problem, const Family& family, std::size_t shape) {
-  const SignatureLibrary& library = problem.library;
-  const auto cell_of = [&](std::size_t s) { return nearest_of_grid(library, family, library.signatures[s].point); };
-  const std::size_t cell = cell_of(shape);
-  const auto last =
-      std::find_if(family.more.rbegin(), family.more.rend(), [&](std::size_t s) { return cell_of(s) == cell; });
-  if (last != family.more.rend() && *last != shape) return std::nullopt;
-  return problem.log_prior_of_shape[cell];
+// The shape that stands for each point of the grid: the last finer one to which it is the nearest, else itself. So
+// finer shapes add no prior.
+std::vector<std::size_t> standing_shapes(const SignatureLibrary& library, const Family& family) {
+  std::vector<std::size_t> standing(family.count);
+  std::iota(standing.begin(), standing.end(), family.first);
+  for (const std::size_t s : family.more)
+    standing[nearest_of_grid(library, family, library.signatures[s].point) - family.first] = s;
+  return standing;
 }
 
 }  // namespace
@@ -147,10 +145,11 @@ Identities identities_of(const Problem& problem, const Variant& variant) {
         result.shapes[s].log_prior -= std::log(all_s);
     } else if (i < result.families) {
       const Family& family = library.families[i];
-      for (const std::size_t s : shapes_of(family)) {
-        const Signature& one = library.signatures[s];
-        const std::optional<double> log_prior = log_prior_of_shape(problem, family, s);
-        if (log_prior) result.shapes.push_back({i, one.first, one.width, *log_prior, s, 0.0});
+      const std::vector<std::size_t> standing = standing_shapes(library, family);
+      for (std::size_t k = 0; k < standing.size(); ++k) {
+        const Signature& one = library.signatures[standing[k]];
+        const double log_prior = problem.log_prior_of_shape[family.first + k];
+        result.shapes.push_back({i, one.first, one.width, log_prior, standing[k], 0.0});
       }
     } else {
       for (const OwnColumn& column : own) {

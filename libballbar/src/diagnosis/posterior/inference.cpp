@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -12,11 +11,8 @@
 
 #include "diagnosis/posterior/identities.hpp"
 #include "diagnosis/posterior/robust.hpp"
-#include "diagnosis/posterior/set_regression.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "fit/model_columns.hpp"
-#include "noise/whitening.hpp"
-#include "numerics/orthonormal.hpp"
 
 namespace ballbar {
 namespace {

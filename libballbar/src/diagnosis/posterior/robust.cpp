@@ -8,7 +8,6 @@
 #include "diagnosis/evidence/evidence.hpp"
 #include "diagnosis/thresholds.hpp"
 #include "noise/whitening.hpp"
-#include "numerics/orthonormal.hpp"
 
 namespace ballbar {
 namespace {

@@ -122,9 +122,10 @@ std::vector<double> refined(Problem& problem, const SearchResult& found, const P
   }
   ConditionalFit best = sharpened(problem, variant, {set, variant.parameters, {}}, point);
   // Without the effects the fit may have driven a time constant to its bound, from where no step leads back.
-  const ConditionalFit usual =
-      sharpened(problem, variant, {set, with_times(problem, variant.parameters, kUsualTime_s), {}}, point);
-  if (usual.square < (1.0 - kBetterFit) * best.square) best = usual;
+  if (std::vector<double> usual = with_times(problem, variant.parameters, kUsualTime_s); usual != variant.parameters) {
+    ConditionalFit from_usual = sharpened(problem, variant, {set, std::move(usual), {}}, point);
+    if (from_usual.square < (1.0 - kBetterFit) * best.square) best = std::move(from_usual);
+  }
   for (std::size_t m = 0; m < rivals.size(); ++m) {
     for (const std::size_t rival : rivals[m]) {
       ConditionalFit other{best.signatures, best.parameters, {}};
@@ -142,7 +143,7 @@ std::vector<double> refined(Problem& problem, const SearchResult& found, const P
       .parameters;
 }
 
-// Whether a shape of the model has moved by more than this share of its prior sigma.
+// Whether a shape of the model has moved by more than kSameModel of its prior sigma.
 bool is_elsewhere(const Problem& problem, const Variant& variant, const std::vector<double>& parameters) {
   for (std::size_t k = 1; k < parameters.size(); ++k) {
     const Parameter& parameter = problem.base_model->parameter(k);
