@@ -17,6 +17,7 @@
 #include "diagnose/diagnosis_report.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/grown.hpp"
+#include "diagnose/ledger_text.hpp"
 #include "diagnose/next_command.hpp"
 #include "diagnose/revised_model.hpp"
 #include "model/effect_options.hpp"
@@ -109,7 +110,7 @@ std::string unneeded_text(const EffectTest& tried) {
 Added added_of(const Additions& additions) {
   Added added;
   for (const EffectTest& tried : additions.effect_tests)
-    added.rows.push_back({tried.after, sentence(tried.after, &tried.before)});
+    added.rows.push_back({tried.after, sentence_of(tried.after, &tried.before)});
   added.revisions = additions.effect_tests;
   if (!additions.grown) return added;
   const LedgerRow& before =
@@ -127,7 +128,7 @@ void print_text(const Additions& additions, const std::string& stopped, const st
   fmt::print("{}\n\n", title);
   for (const EffectTest& tried : additions.effect_tests) {
     if (details || &tried == &additions.effect_tests.back()) fmt::print("{}", wrapped(conclusion(tried)));
-    fmt::print("{}", wrapped(sentence(tried.after, &tried.before) + unneeded_text(tried)));
+    fmt::print("{}", wrapped(sentence_of(tried.after, &tried.before) + unneeded_text(tried)));
   }
   if (additions.grown) {
     fmt::print("{}{}\n{}\n{}", additions.effect_tests.empty() ? "" : "\n",

@@ -17,6 +17,7 @@
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/next_command.hpp"
 #include "errors/quantity_text.hpp"
+#include "model/testability_text.hpp"
 #include "terminal/stderr_line.hpp"
 
 namespace ballbar {
@@ -264,6 +265,15 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& benc
       report.train_command = train_command(options, found, report.predicted->with_model);
     return report;
   });
+}
+
+std::vector<Untestable> untestable_of(const Diagnosis& found) {
+  std::vector<Untestable> untestable;
+  for (const Detectability& one : found.detectability) {
+    if (one.testability == Testability::testable || one.testability == Testability::in_the_model) continue;
+    untestable.push_back({one.effect->name, reason_text(one)});
+  }
+  return untestable;
 }
 
 std::optional<DecidingTest> deciding_test(const DiagnosisReport& report) {

@@ -40,6 +40,17 @@ inline constexpr auto kResult<ColumnNotSearched> =
     ResultType{"ColumnNotSearched", "A column that changes and that no effect of the search could read.",
                std::tuple{Field{"column", &ColumnNotSearched::column, ""}, Field{"why", &why_not_searched, ""}}};
 
+// An effect that these data cannot show.
+struct Untestable {
+  std::string effect, why;
+};
+std::vector<Untestable> untestable_of(const Diagnosis& found);
+
+template <>
+inline constexpr auto kResult<Untestable> =
+    ResultType{"Untestable", "An effect that these data cannot show.",
+               std::tuple{Field{"effect", &Untestable::effect, ""}, Field{"why", &Untestable::why, ""}}};
+
 template <>
 inline constexpr auto kResult<StandIn> =
     ResultType{"StandIn", "An effect added earlier that others explain better.",

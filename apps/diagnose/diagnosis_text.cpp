@@ -9,7 +9,7 @@
 #include "diagnose/diagnosis_report.hpp"
 #include "diagnose/diagnosis_sentence.hpp"
 #include "diagnose/next_command.hpp"
-#include "model/preflight.hpp"
+#include "model/testability_text.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -142,7 +142,9 @@ std::string untestable_text(const Diagnosis& found) {
   });
   std::vector<std::string> texts;
   texts.reserve(reasons.size());
-  for (const auto& [why, names] : reasons) texts.push_back(fmt::format("{} ({})", fmt::join(names, ", "), why));
+  for (const auto& [first, names] : reasons) {
+    texts.push_back(fmt::format("{} ({})", fmt::join(names, ", "), reason_text(*first)));
+  }
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 

@@ -119,6 +119,10 @@ std::string enumeration(const std::vector<std::string>& names) {
   return fmt::format("{}{}{}", fmt::join(names.begin(), last, ", "), names.size() > 1 ? " and " : "", *last);
 }
 
+std::string freed_text(const EffectTest& effect_test) {
+  return effect_test.freed ? fmt::format("{} of {}", effect_test.freed->parameter, effect_test.freed->effect) : "";
+}
+
 std::string conclusion(const EffectTest& effect_test) {
   std::vector<std::string> doubts;
   for (const Candidate& tried : effect_test.added) {
@@ -131,8 +135,9 @@ std::string conclusion(const EffectTest& effect_test) {
     text += fmt::format(" The test and the amplitude assume that {} {} missing as well.",
                         enumeration(effect_test.beside), effect_test.beside.size() == 1 ? "is" : "are");
   }
-  if (!effect_test.freed.empty())
-    text += fmt::format(" The test and the amplitude assume another {} than the model holds.", effect_test.freed);
+  if (effect_test.freed) {
+    text += fmt::format(" The test and the amplitude assume another {} than the model holds.", freed_text(effect_test));
+  }
   if (!doubts.empty()) return fmt::format("{} Why not: {}.", text, fmt::join(doubts, "; "));
   const bool is_one = effect_test.added.size() == 1;
   const auto is_of_time = [](const Candidate& tried) { return tried.bound.effect->time_only; };
@@ -142,7 +147,7 @@ std::string conclusion(const EffectTest& effect_test) {
   }
   const Whiteness white = whiteness(effect_test.fit_after);
   const bool knows_noise = !effect_test.fit_after.floor.source.empty();
-  if (effect_test.beside.empty() && effect_test.freed.empty() && !is_adequate(effect_test.fit_after, white) &&
+  if (effect_test.beside.empty() && !effect_test.freed && !is_adequate(effect_test.fit_after, white) &&
       (knows_noise || white.p < kNotNoise)) {
     const std::string_view these = is_one ? "this effect" : "these effects";
     text +=

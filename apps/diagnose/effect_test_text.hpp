@@ -14,6 +14,9 @@ std::string conclusion(const EffectTest& effect_test);
 // "A", "A and B", "A, B and C".
 std::string enumeration(const std::vector<std::string>& names);
 
+// "gain_um_per_K of expansion(T1_degC)"; empty: the test frees nothing.
+std::string freed_text(const EffectTest& effect_test);
+
 // Error before and after, added effects with 2 ln B. details: earlier effects tested anew, all
 // parameters, and what the figures mean.
 std::string tables(const EffectTest& effect_test, bool details);

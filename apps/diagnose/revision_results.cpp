@@ -1,11 +1,13 @@
 #include "diagnose/revision_results.hpp"
 
+#include "diagnose/ledger_text.hpp"
+
 namespace ballbar {
 
 Ledger ledger_of(const std::vector<LedgerRow>& rows, const LedgerRow* before) {
   Ledger ledger;
   for (const LedgerRow& row : rows) {
-    ledger.rows.push_back({row, sentence(row, before)});
+    ledger.rows.push_back({row, sentence_of(row, before)});
     before = &row;
   }
   return ledger;

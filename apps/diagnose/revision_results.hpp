@@ -113,7 +113,7 @@ inline constexpr auto kResult<EffectTest> = ResultType{
                   "supported, time only, not supported"},
             Field{"effects", &added_effects, "that were added"},
             Field{"beside", &EffectTest::beside, "other effects that the test assumes to be missing"},
-            Field{"freed", &EffectTest::freed, "parameter that the model holds and the test frees; empty: none"},
+            Field{"freed", &freed_text, "parameter that the model holds and the test frees; empty: none"},
             Field{"earlier", &EffectTest::earlier, "effects of the model, tested anew"},
             Field{"sentence", [](const EffectTest& of) { return conclusion(of); }, "what it says in plain words"}})};
 

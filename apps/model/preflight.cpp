@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "model/preflight_result.hpp"
+#include "model/testability_text.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
@@ -51,8 +51,8 @@ void print_untestable(const Preflight& result) {
   const auto reasons =
       by_reason(result.detectability, [](Testability testability) { return testability != Testability::testable; });
   if (!reasons.empty()) fmt::print("Not testable:\n");
-  for (const auto& [why, effects] : reasons) {
-    fmt::print("{}", wrapped(fmt::format("- {}: {}", why, fmt::join(effects, ", "))));
+  for (const auto& [first, effects] : reasons) {
+    fmt::print("{}", wrapped(fmt::format("- {}: {}", reason_text(*first), fmt::join(effects, ", "))));
   }
 }
 
@@ -84,7 +84,7 @@ void print_text(const Preflight& result, const std::string& title, bool details)
              wrapped(fmt::format(
                  "visible, named: from this range (max - min) on the effect shows, and can be named. own: share of it "
                  "that the model cannot produce already. Noise from: {}.",
-                 result.noise_source)));
+                 text_of(result.noise_source))));
   if (!details) fmt::print("\n{}", details_text(kDetails));
 }
 
@@ -110,11 +110,16 @@ void print_targets(const std::vector<Preflight>& results, const std::string& tit
   }
   fmt::print("{}", wrapped(fmt::format("named: from this range (max - min) on an effect can be named. Noise from: {}. "
                                        "--target {} shows one target in full.",
-                                       results.front().noise_source, results.front().target)));
+                                       text_of(results.front().noise_source), results.front().target)));
   if (!details) fmt::print("\n{}", details_text(kDetails));
 }
 
 }  // namespace
+
+std::string_view text_of(NoiseSource source) {
+  return source == NoiseSource::residual ? "residual of the model"
+                                         : "target about its mean: every effect that is there counts as noise";
+}
 
 void show_preflight(const ModelOptions& options, const Model& model, const ModelData& data, bool json, bool details) {
   std::vector<Preflight> results;
@@ -134,25 +139,6 @@ void show_preflight(const ModelOptions& options, const Model& model, const Model
   } else {
     print_targets(results, data.title, details);
   }
-}
-
-std::vector<std::pair<std::string, std::vector<std::string>>> by_reason(const std::vector<Detectability>& all,
-                                                                        bool (*is_meant)(Testability)) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
-  for (const Detectability& detectable : all) {
-    if (!is_meant(detectable.testability)) continue;
-    const auto same = [&](const auto& reason) { return reason.first == detectable.why; };
-    auto reason = std::find_if(reasons.begin(), reasons.end(), same);
-    if (reason == reasons.end()) reason = reasons.insert(reasons.end(), {detectable.why, {}});
-    reason->second.push_back(detectable.effect->name);
-  }
-  return reasons;
-}
-
-std::string_view name_of(Testability testability) {
-  constexpr std::string_view kNames[] = {"testable",     "input missing", "input constant", "absorbed by the model",
-                                         "in the model", "other motion",  "no clock",       "rows too far apart"};
-  return kNames[static_cast<std::size_t>(testability)];
 }
 
 }  // namespace ballbar

@@ -2,23 +2,29 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "ballbar/diagnosis/signatures/identifiability.hpp"
 #include "ballbar/formats/results/result_type.hpp"
+#include "model/testability_text.hpp"
 
 namespace ballbar {
 
-std::string_view name_of(Testability testability);
+// A phrase: "residual of the model".
+std::string_view text_of(NoiseSource source);
 
 // Of an effect that can be tested.
 template <class Type>
-constexpr auto if_testable(Type Detectability::*member, bool testable = true) {
-  return [member, testable](const Detectability& of) {
-    const bool is_there = (of.testability == Testability::testable) == testable;
-    return MayLack<Type>{is_there ? std::optional(of.*member) : std::nullopt};
+constexpr auto if_testable(Type Detectability::*member) {
+  return [member](const Detectability& of) {
+    return MayLack<Type>{of.testability == Testability::testable ? std::optional(of.*member) : std::nullopt};
   };
+}
+
+inline MayLack<std::string> reason_if_untestable(const Detectability& of) {
+  return {of.testability == Testability::testable ? std::nullopt : std::optional(reason_text(of))};
 }
 
 template <>
@@ -35,14 +41,15 @@ inline constexpr auto kResult<Detectability> = ResultType{
         Field{"identifiable_um", if_testable(&Detectability::identifiable_um), "range from which it is named"},
         Field{"inseparable_from", if_testable(&Detectability::inseparable_from),
               "effects that these data do not tell from it"},
-        Field{"why", if_testable(&Detectability::why, false), "it is not testable"}}};
+        Field{"why", &reason_if_untestable, "it is not testable"}}};
 
 template <>
 inline constexpr auto kResult<Preflight> = ResultType{
     "Preflight", "What data could show, before any residual.",
-    std::tuple{Field{"target", &Preflight::target, "column that is explained"}, Field{"n", &Preflight::n, "readings"},
-               Field{"noise_source", &Preflight::noise_source, "where the noise is from"},
-               Field{"effects", &Preflight::detectability, "of the catalogue"}}};
+    std::tuple{
+        Field{"target", &Preflight::target, "column that is explained"}, Field{"n", &Preflight::n, "readings"},
+        Field{"noise_source", [](const Preflight& of) { return text_of(of.noise_source); }, "where the noise is from"},
+        Field{"effects", &Preflight::detectability, "of the catalogue"}}};
 
 struct PreflightTargets {
   std::vector<Preflight> targets;

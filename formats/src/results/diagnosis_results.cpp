@@ -20,15 +20,6 @@ std::vector<CandidateParameter> parameters_of(const Candidate& candidate) {
   return parameters;
 }
 
-std::vector<Untestable> untestable_of(const Diagnosis& found) {
-  std::vector<Untestable> untestable;
-  for (const Detectability& one : found.detectability) {
-    if (one.testability == Testability::testable || one.testability == Testability::in_the_model) continue;
-    untestable.push_back({one.effect->name, one.why});
-  }
-  return untestable;
-}
-
 std::vector<NotSearched> not_searched_of(const Diagnosis& found) {
   std::vector<NotSearched> result;
   for (const Detectability& one : found.detectability) {

@@ -80,7 +80,7 @@ void test_added(Inference& found, const std::vector<Term>& terms, const Series& 
   if (others.empty() && set.own == 0) result.parameters = fitted.parameters;
   if (set.own > 0) {
     const FittedParameter& freed = fitted.parameters[found.problem->own[set.own - 1].parameter];
-    result.freed = fmt::format("{} of {}", freed.name, freed.effect);
+    result.freed = FreedParameter{freed.effect, freed.name};
   }
   const SetRegression at = set_regression(*found.problem, found.posterior, set);
   std::vector<std::size_t> places;  // in the fitted model

@@ -66,5 +66,44 @@ TEST(Identifiability, a_short_lag_imitates_expansion) {
   EXPECT_LT(likeness(detectable(found, "expansion"), "linear_drift"), 0.5);
 }
 
+// The facts of why an effect is not testable: one with no column of a unit, one of which the model has all columns, one
+// whose column does not change, and one whose column has gaps.
+TEST(Identifiability, deficiencies) {
+  Model model;
+  model.targets = {"y_um"};
+  Series data = day();
+  const Detectability no_speed = detectable(preflight(model, data), "speed_heating");
+  EXPECT_EQ(no_speed.testability, Testability::input_missing);
+  EXPECT_EQ(no_speed.deficiency, (Deficiency{.missing_inputs = {{"speed", {"rpm"}}}}));
+  data.columns.push_back({"speed_rpm", Role::speed, std::vector<double>(data.time_s.size(), 6000.0)});
+  const Detectability constant = detectable(preflight(model, data), "speed_heating");
+  EXPECT_EQ(constant.testability, Testability::input_constant);
+  EXPECT_EQ(constant.deficiency, Deficiency{});
+  data.columns.back().values[700] = std::nan("");
+  const Detectability gap = detectable(preflight(model, data), "speed_heating");
+  EXPECT_EQ(gap.testability, Testability::input_constant);
+  EXPECT_TRUE(gap.deficiency.has_gaps);
+  EXPECT_EQ(preflight(model, data).noise_source, NoiseSource::target);
+  model.terms = {term_of(*find_effect("linear_drift", Level::series), {})};
+  const Preflight with_drift = preflight(model, data);
+  EXPECT_EQ(detectable(with_drift, "linear_drift").testability, Testability::in_the_model);
+  EXPECT_EQ(with_drift.noise_source, NoiseSource::residual);
+}
+
+// Rows 8 minutes apart do not show a thermostat of 15 minutes.
+TEST(Identifiability, rows_too_far_apart) {
+  Model model;
+  model.targets = {"y_um"};
+  Series data = day();
+  for (double& time_s : data.time_s) time_s *= 8.0;
+  const Preflight found = preflight(model, data);
+  const auto far = std::find_if(found.detectability.begin(), found.detectability.end(), [](const Detectability& one) {
+    return one.testability == Testability::rows_too_far_apart;
+  });
+  ASSERT_NE(far, found.detectability.end());
+  EXPECT_DOUBLE_EQ(far->deficiency.step_s, 480.0);
+  EXPECT_DOUBLE_EQ(far->deficiency.period_s, 900.0);
+}
+
 }  // namespace
 }  // namespace ballbar

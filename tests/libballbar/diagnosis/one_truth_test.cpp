@@ -88,7 +88,7 @@ TEST(OneTruth, an_effect_beside_a_wrong_held_value_has_the_numbers_of_its_test) 
   ASSERT_FALSE(found.own.empty()) << made::outcome_of(found);
   const EffectTest tested = effect_test(model, {term_of(found.named[0].effect->name, found.named[0].columns)}, data);
   expect_same(found.candidates.front(), tested.added.front());
-  EXPECT_EQ(tested.freed, "time_constant_s of speed_heating(speed_rpm)");
+  EXPECT_EQ(tested.freed, (FreedParameter{"speed_heating(speed_rpm)", "time_constant_s"}));
   EXPECT_EQ(tested.after.verdict, "supported");
 }
 

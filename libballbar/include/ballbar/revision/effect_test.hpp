@@ -18,6 +18,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,13 +40,21 @@ struct DropTest {
   bool needed = true;
 };
 
+// A parameter that the model holds and the test frees.
+struct FreedParameter {
+  std::string effect;     // label of the term
+  std::string parameter;  // "gain_um_per_K"
+
+  friend bool operator==(const FreedParameter&, const FreedParameter&) = default;
+};
+
 struct EffectTest {
   Model model;  // with the effects added
   Fit fit_before, fit_after;
   LedgerRow before, after;          // `after` has change, likelihood ratio, verdict, effects still needed
   std::vector<Candidate> added;     // each with the rest of the model, and with the effects `beside` it
   std::vector<std::string> beside;  // labels of effects that are not in the model and assumed missing in the test
-  std::string freed;                // "gain_um_per_K of expansion(T1_degC)": held by the model, free in the test
+  std::optional<FreedParameter> freed;
   // Parameters of the model with the effects, from the likelihood used for `added`. Empty if no effect could be tested,
   // if the test assumes further effects or frees a value, and after pruning.
   std::vector<FittedParameter> parameters;

@@ -1,15 +1,11 @@
 #include "ballbar/diagnosis/signatures/identifiability.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "ballbar/number_text.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
@@ -78,31 +74,29 @@ bool takes(const Input& input, const Column& column) {
          std::find(input.units.begin(), input.units.end(), unit_of(column.name)) != input.units.end();
 }
 
-std::string roles_missing(const Effect& effect, const Series& data) {
-  std::vector<std::string> missing;
+// Of an effect without a binding.
+Deficiency missing_inputs_of(const Effect& effect, const Series& data) {
+  Deficiency deficiency;
   for (const Input& input : effect.inputs) {
     const bool any = std::any_of(data.columns.begin(), data.columns.end(),
                                  [&](const Column& column) { return takes(input, column); });
-    if (!any)
-      missing.push_back(fmt::format(
-          "{} ({})", input.role, input.units.empty() ? "any unit" : fmt::format("{}", fmt::join(input.units, " or "))));
+    if (!any) deficiency.missing_inputs.push_back({input.role, input.units});
   }
-  if (!missing.empty()) return fmt::format("no column for {}", fmt::join(missing, ", "));
-  for (const Input& input : effect.inputs) {
-    if (!input.none_accepted.empty()) return input.none_accepted;
-  }
-  return "there are too few columns of the kind";
+  if (!deficiency.missing_inputs.empty()) return deficiency;
+  const auto first = std::find_if(effect.inputs.begin(), effect.inputs.end(),
+                                  [](const Input& input) { return !input.none_accepted.empty(); });
+  if (first != effect.inputs.end()) deficiency.none_accepted = first->none_accepted;
+  return deficiency;
 }
 
 // Why an effect that has columns is not in the signature library.
-void say_unusable(Detectability& detectable, const Model& model, const Series& data,
-                  const std::vector<std::vector<std::string>>& bindings) {
+void judge_unusable(Detectability& detectable, const Model& model, const Series& data,
+                    const std::vector<std::vector<std::string>>& bindings) {
   const auto in_model = [&](const std::vector<std::string>& names) {
     return has_term(model, *detectable.effect, names);
   };
   if (std::all_of(bindings.begin(), bindings.end(), in_model)) {
     detectable.testability = Testability::in_the_model;
-    detectable.why = "it is in the model";
     return;
   }
   const bool usable = std::any_of(bindings.begin(), bindings.end(), [&](const std::vector<std::string>& names) {
@@ -110,14 +104,12 @@ void say_unusable(Detectability& detectable, const Model& model, const Series& d
   });
   if (usable) {
     detectable.testability = Testability::absorbed;
-    detectable.why = "what it adds is made by the model already";
     return;
   }
   detectable.testability = Testability::input_constant;
-  detectable.why = "its input does not change";
-  for (const std::vector<std::string>& names : bindings) {
-    if (inputs_of(*detectable.effect, names, data).has_gaps) detectable.why = "its input has gaps";
-  }
+  detectable.deficiency.has_gaps = std::any_of(
+      bindings.begin(), bindings.end(),
+      [&](const std::vector<std::string>& names) { return inputs_of(*detectable.effect, names, data).has_gaps; });
 }
 
 }  // namespace
@@ -146,22 +138,20 @@ std::vector<Detectability> detectability_of(const Catalogue& catalogue, const Si
     }
     if (!data.has_clock && needs_clock(*effect)) {
       detectable.testability = Testability::no_clock;
-      detectable.why = "it needs a clock, and the rows are numbered";
     } else if (!is_resolved(*effect, rate_Hz)) {
       detectable.testability = Testability::rows_too_far_apart;
-      detectable.why = fmt::format("rows {} apart do not show a period of {}", duration_text(0.5 / rate_Hz),
-                                   duration_text(usual_period_s(*effect)));
+      detectable.deficiency.step_s = 0.5 / rate_Hz;
+      detectable.deficiency.period_s = usual_period_s(*effect);
     } else if (motion && !applies_to(*effect, *motion)) {
       detectable.testability = Testability::other_motion;
-      detectable.why = fmt::format("it is not one of circles driven by {}", name_of(*motion));
+      detectable.deficiency.motion = motion;
     } else if (bindings.empty()) {
       detectable.testability = Testability::input_missing;
-      detectable.why = roles_missing(*effect, data);
+      detectable.deficiency = missing_inputs_of(*effect, data);
     } else if (chosen == nullptr) {
-      say_unusable(detectable, model, data, bindings);
+      judge_unusable(detectable, model, data, bindings);
     } else if (!std::isfinite(least)) {
       detectable.testability = Testability::absorbed;
-      detectable.why = "what it adds is made by the model already";
     } else {
       detectable.columns = chosen->bound.columns;
       detectable.detectable_um = kDetectable * least;
@@ -195,8 +185,7 @@ Preflight preflight(const Model& model, const Series& data, std::size_t target, 
   result.n = static_cast<std::size_t>(
       std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); }));
   result.noise = fitted.noise;
-  result.noise_source = model.terms.empty() ? "target about its mean: every effect that is there counts as noise"
-                                            : "residual of the model";
+  result.noise_source = model.terms.empty() ? NoiseSource::target : NoiseSource::residual;
   SignatureOptions options;
   options.motion = motion;
   const SignatureLibrary library = signature_library_of(catalogue, model, rows, fitted, options);

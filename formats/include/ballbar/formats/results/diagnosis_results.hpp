@@ -63,17 +63,6 @@ inline constexpr auto kResult<EffectProbability> =
                std::tuple_cat(fields_through(&EffectProbability::bound, kResult<BoundEffect>.fields),
                               std::tuple{Field{"p", &EffectProbability::p, "probability"}})};
 
-// An effect that these data cannot show.
-struct Untestable {
-  std::string effect, why;
-};
-std::vector<Untestable> untestable_of(const Diagnosis& found);
-
-template <>
-inline constexpr auto kResult<Untestable> =
-    ResultType{"Untestable", "An effect that these data cannot show.",
-               std::tuple{Field{"effect", &Untestable::effect, ""}, Field{"why", &Untestable::why, ""}}};
-
 // An effect with more choices of columns than were searched.
 struct NotSearched {
   std::string effect;

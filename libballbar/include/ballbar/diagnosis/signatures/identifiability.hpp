@@ -35,6 +35,28 @@ enum class Testability {
   rows_too_far_apart,  // too far apart to resolve the period of a periodic effect
 };
 
+// An input for which the data have no column.
+struct MissingInput {
+  std::string role;
+  std::vector<std::string> units;  // accepted; empty: any
+
+  friend bool operator==(const MissingInput&, const MissingInput&) = default;
+};
+
+// What the data lack to show an effect. The facts of each testability are in its members; the others keep their default
+// values.
+struct Deficiency {
+  // input_missing. Empty: columns of the units are there, but none is accepted, or they are too few.
+  std::vector<MissingInput> missing_inputs = {};
+  std::string none_accepted = {};     // input_missing: Input::none_accepted of the effect; empty: it has none
+  bool has_gaps = false;              // input_constant: the input has gaps; else it does not change
+  std::optional<Motion> motion = {};  // other_motion: of the recordings
+  double step_s = 0.0;                // rows_too_far_apart: of the rows
+  double period_s = 0.0;              // rows_too_far_apart: of the effect
+
+  friend bool operator==(const Deficiency&, const Deficiency&) = default;
+};
+
 // How well one effect imitates another: the median over the other's shapes of the coherence with the most similar shape
 // of this effect.
 struct Likeness {
@@ -48,7 +70,7 @@ struct Detectability {
   std::size_t bindings = 0;          // number of column choices that the data offer
   std::size_t searched = 0;          // number of these that were searched
   Testability testability = Testability::testable;
-  std::string why;  // a phrase: why it is not testable
+  Deficiency deficiency;  // why it is not testable
   double surviving_share = 0.0;
   double detectable_um = 0.0;
   double identifiable_um = 0.0;
@@ -56,11 +78,16 @@ struct Detectability {
   std::vector<Likeness> imitated_by;          // every other testable effect
 };
 
+enum class NoiseSource {
+  residual,  // of the model
+  target,    // about its mean, of a model without terms: every real effect counts as noise
+};
+
 struct Preflight {
   std::string target;
   std::size_t n = 0;
   Noise noise;
-  std::string noise_source;                  // a phrase: "residual of the model"
+  NoiseSource noise_source = NoiseSource::residual;
   std::vector<Detectability> detectability;  // in the order of the catalogue
 };
 
