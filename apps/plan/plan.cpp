@@ -9,6 +9,7 @@
 #include "model/model_options.hpp"
 #include "plan/plan_files.hpp"
 #include "plan/plan_result.hpp"
+#include "plan/plan_sentence.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
@@ -28,14 +29,15 @@ struct PlanArguments {
 
 constexpr std::size_t kTests = 6, kCurves = 6;  // unasked
 
-void print_text(const TestPlan& plan, const ModelData& data, const std::string& target, bool details) {
-  fmt::print("{}\n{}\n\n{}", data.title, target, wrapped(plan.sentence));
+void print_text(const PlanReport& report, const ModelData& data, const std::string& target, bool details) {
+  const TestPlan& plan = report.plan;
+  fmt::print("{}\n{}\n\n{}", data.title, target, wrapped(report.sentence));
   if (plan.tests.empty()) return;
   Table tests({"test", "hours", "all named", "part named", "wrong name", "simulated cases"});
   const auto shown = [&](std::size_t all, std::size_t most) { return details ? all : std::min(all, most); };
   for (std::size_t k = 0; k < shown(plan.tests.size(), kTests); ++k) {
     const ExpectedTest& test = plan.tests[k];
-    tests.add({test.kind, fmt::format("{:g}", test.hours),
+    tests.add({name_of(test), fmt::format("{:g}", test.hours),
                fmt::format("{:.2f} ± {:.2f}", test.p_right, test.p_right_sigma), fmt::format("{:.2f}", test.p_part),
                fmt::format("{:.2f}", test.p_wrong), fmt::format("{}", test.truths)});
   }
@@ -47,7 +49,7 @@ void print_text(const TestPlan& plan, const ModelData& data, const std::string& 
   }
   Table curves({"possibly missing", "probability now"});
   for (std::size_t k = 0; k < shown(plan.curves.size(), kCurves); ++k)
-    curves.add({plan.curves[k].label, fmt::format("{:.2f}", plan.curves[k].p)});
+    curves.add({label_of(plan.curves[k]), fmt::format("{:.2f}", plan.curves[k].p)});
   if (!plan.curves.empty()) fmt::print("\n{}", curves.text(table_width()));
   if (!details) fmt::print("\n{}", details_text("all tests and candidates, and what the columns mean"));
 }
@@ -67,15 +69,16 @@ std::vector<double> separation_of(const TestPlan& plan) {
   return separation;
 }
 
-PlanContents contents_of(const TestPlan& plan, const PlanArguments& options, const ModelData& data,
+PlanContents contents_of(const PlanReport& report, const PlanArguments& options, const ModelData& data,
                          const std::string& target) {
+  const TestPlan& plan = report.plan;
   PlanContents contents;
   contents.schedule = plan.tests.front().schedule;
-  contents.title = fmt::format("What is missing in {}: {}", target, plan.tests.front().kind);
-  contents.text = plan.sentence;
+  contents.title = fmt::format("What is missing in {}: {}", target, name_of(plan.tests.front()));
+  contents.text = report.sentence;
   for (const ExpectedCurve& curve : plan.curves) {
     contents.curves.push_back(
-        {curve.label, curve.p, plan.time_s, curve.um, std::vector<double>(plan.time_s.size(), plan.sigma_um)});
+        {label_of(curve), curve.p, plan.time_s, curve.um, std::vector<double>(plan.time_s.size(), plan.sigma_um)});
   }
   if (!plan.curves.empty()) contents.separation = separation_of(plan);
   for (const Column& column : data.series->columns) {
@@ -109,20 +112,25 @@ void run(PlanArguments options) {
   const ProgressLine line;
   if (!options.json || progress_is_taken()) {
     options.plan.search.progress = [](std::string_view step) { show_progress(std::string(step)); };
+    options.plan.simulating = [](const ExpectedTest& test, std::size_t done, std::size_t count) {
+      show_progress(fmt::format("simulating {:g} h of {}, {} of {}", test.hours, name_of(test), done, count));
+    };
   }
-  const TestPlan plan =
+  PlanReport report;
+  report.plan =
       with_source(options.model.data.front().name(), [&] { return test_plan(model, *data.series, 0, options.plan); });
+  report.sentence = sentence_of(report.plan, options.plan.most_hours);
   show_progress({});
   if (options.json) {
-    print_json(json_of(plan));
+    print_json(json_of(report));
   } else {
-    print_text(plan, data, model.targets.front(), options.details);
+    print_text(report, data, model.targets.front(), options.details);
   }
-  if (options.out.empty() || plan.tests.empty()) {
+  if (options.out.empty() || report.plan.tests.empty()) {
     if (!options.out.empty()) stderr_line("no test is proposed; nothing was written to " + options.out);
     return;
   }
-  write_plan(options.out, contents_of(plan, options, data, model.targets.front()));
+  write_plan(options.out, contents_of(report, options, data, model.targets.front()));
   wrote_line(options.out + ": schedule.csv, program.nc, checklist.txt, plan.svg");
 }
 

@@ -8,8 +8,14 @@
 #include "ballbar/diagnosis/next_test/test_plan.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
 #include "ballbar/units.hpp"
+#include "plan/plan_sentence.hpp"
 
 namespace ballbar {
+
+struct PlanReport {
+  TestPlan plan;
+  std::string sentence;
+};
 
 template <>
 inline constexpr auto kResult<Dwell> =
@@ -30,7 +36,8 @@ template <>
 inline constexpr auto kResult<ExpectedTest> = ResultType{
     "ExpectedTest", "A run that was weighed.",
     std::tuple{
-        Field{"test", &ExpectedTest::kind, "random speeds, ..."}, Field{"hours", &ExpectedTest::hours, ""},
+        Field{"test", [](const ExpectedTest& of) { return name_of(of); }, "random speeds, ..."},
+        Field{"hours", &ExpectedTest::hours, ""},
         Field{"p_right", &ExpectedTest::p_right, "that all that is missing is named and nothing else"},
         Field{"p_right_sigma", &ExpectedTest::p_right_sigma, ""},
         Field{"p_part", &ExpectedTest::p_part, "that some of it is named that is not named now, and nothing else"},
@@ -38,20 +45,20 @@ inline constexpr auto kResult<ExpectedTest> = ResultType{
         Field{"truths", &ExpectedTest::truths, "cases that were simulated"}}};
 
 template <>
-inline constexpr auto kResult<SensorToAdd> =
-    ResultType{"SensorToAdd", "A sensor that would help.",
-               std::tuple{Field{"place", &SensorToAdd::place, ""},
-                          Field{"p_right", &SensorToAdd::p_right, "of the best run, with it"}}};
+inline constexpr auto kResult<SensorToAdd> = ResultType{
+    "SensorToAdd", "A sensor that would help.",
+    std::tuple{Field{"place", &place_of, ""}, Field{"p_right", &SensorToAdd::p_right, "of the best run, with it"}}};
 
 template <>
 inline constexpr auto kResult<ExpectedCurve> =
     ResultType{"ExpectedCurve", "What may be missing.",
-               std::tuple{Field{"effects", &ExpectedCurve::label, ""}, Field{"p", &ExpectedCurve::p, "of it now"}}};
+               std::tuple{Field{"effects", [](const ExpectedCurve& of) { return label_of(of); }, ""},
+                          Field{"p", &ExpectedCurve::p, "of it now"}}};
 
 // Labels of effects that no test tells apart.
-inline std::vector<std::vector<std::string>> inseparable_of(const TestPlan& plan) {
+inline std::vector<std::vector<std::string>> inseparable_of(const PlanReport& report) {
   std::vector<std::vector<std::string>> groups;
-  for (const std::vector<BoundEffect>& group : plan.inseparable) {
+  for (const std::vector<BoundEffect>& group : report.plan.inseparable) {
     groups.emplace_back();
     for (const BoundEffect& one : group) groups.back().push_back(label_of(one));
   }
@@ -59,19 +66,28 @@ inline std::vector<std::vector<std::string>> inseparable_of(const TestPlan& plan
 }
 
 template <>
-inline constexpr auto kResult<TestPlan> =
-    ResultType{"Plan", "The run of the machine that would decide what is missing.",
-               std::tuple{Field{"sentence", &TestPlan::sentence, "what it says in plain words"},
-                          Field{"verdict", &TestPlan::verdict, "of the data at hand"},
-                          Field{"decided", &TestPlan::is_decided, "whether they decide it"},
-                          Field{"tests", &TestPlan::tests, "runs that were weighed, the best first"},
-                          Field{"schedule",
-                                [](const TestPlan& of) {
-                                  return of.tests.empty() ? std::nullopt : std::optional(of.tests.front().schedule);
-                                },
-                                "of the best one; null: none is proposed"},
-                          Field{"inseparable", &inseparable_of, "sets of effects that no run tells apart"},
-                          Field{"sensors", &TestPlan::sensors, "that are lacking"},
-                          Field{"curves", &TestPlan::curves, "what may be missing, the most probable first"}}};
+inline constexpr auto kResult<PlanReport> = ResultType{
+    "Plan", "The run of the machine that would decide what is missing.",
+    std::tuple{
+        Field{"sentence", &PlanReport::sentence, "what it says in plain words"},
+        Field{"verdict", [](const PlanReport& of) { return of.plan.verdict; }, "of the data at hand"},
+        Field{"decided", [](const PlanReport& of) { return of.plan.is_decided; }, "whether they decide it"},
+        Field{"tests", [](const PlanReport& of) { return of.plan.tests; }, "runs that were weighed, the best first"},
+        Field{"schedule",
+              [](const PlanReport& of) {
+                const std::vector<ExpectedTest>& tests = of.plan.tests;
+                return tests.empty() ? std::nullopt : std::optional(tests.front().schedule);
+              },
+              "of the best one; null: none is proposed"},
+        Field{"inseparable", &inseparable_of, "sets of effects that no run tells apart"},
+        Field{"sensors",
+              [](const PlanReport& of) {
+                std::vector<SensorToAdd> sensors;
+                if (of.plan.sensor) sensors.push_back(*of.plan.sensor);
+                return sensors;
+              },
+              "that are lacking"},
+        Field{"curves", [](const PlanReport& of) { return of.plan.curves; },
+              "what may be missing, the most probable first"}}};
 
 }  // namespace ballbar

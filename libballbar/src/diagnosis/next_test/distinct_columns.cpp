@@ -1,5 +1,6 @@
 #include "diagnosis/next_test/distinct_columns.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -25,43 +26,34 @@ bool is_read(const Column& column, const Model& model) {
 
 bool are_one(const Column& a, const Column& b) {
   if (unit_of(a.name) != unit_of(b.name)) return false;
-  double n = 0.0, mean_a = 0.0, mean_b = 0.0;
-  for (std::size_t i = 0; i < a.values.size(); ++i) {
-    if (!std::isfinite(a.values[i]) || !std::isfinite(b.values[i])) continue;
-    n += 1.0;
-    mean_a += (a.values[i] - mean_a) / n;
-    mean_b += (b.values[i] - mean_b) / n;
-  }
-  if (n < 3.0) return false;
-  double aa = 0.0, ab = 0.0, bb = 0.0;
-  for (std::size_t i = 0; i < a.values.size(); ++i) {
-    if (!std::isfinite(a.values[i]) || !std::isfinite(b.values[i])) continue;
-    const double x = a.values[i] - mean_a, y = b.values[i] - mean_b;
-    aa += x * x;
-    ab += x * y;
-    bb += y * y;
-  }
-  if (!(aa > 0.0) || !(bb > 0.0)) return false;
-  const double slope = ab / aa, step = std::max(std::abs(slope) * resolution_of(a.values), resolution_of(b.values));
-  const double most = std::max(kOfAStep * step, kOfTheRange * std::sqrt(bb / n));
+  std::vector<Eigen::Index> known;
   for (std::size_t i = 0; i < a.values.size(); ++i) {
     if (std::isfinite(a.values[i]) != std::isfinite(b.values[i])) return false;
-    if (std::abs(b.values[i] - mean_b - slope * (a.values[i] - mean_a)) > most) return false;
+    if (std::isfinite(a.values[i])) known.push_back(static_cast<Eigen::Index>(i));
   }
-  return true;
+  if (known.size() < 3) return false;
+  const auto centred = [&](const std::vector<double>& values) {
+    const Eigen::VectorXd of = Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()))(known);
+    return Eigen::VectorXd(of.array() - of.mean());
+  };
+  const Eigen::VectorXd x = centred(a.values), y = centred(b.values);
+  if (!(x.squaredNorm() > 0.0) || !(y.squaredNorm() > 0.0)) return false;
+  const double slope = x.dot(y) / x.squaredNorm();
+  const double step = std::max(std::abs(slope) * resolution_of(a.values), resolution_of(b.values));
+  const double range = y.norm() / std::sqrt(static_cast<double>(known.size()));
+  return (y - slope * x).cwiseAbs().maxCoeff() <= std::max(kOfAStep * step, kOfTheRange * range);
 }
 
 }  // namespace
 
 DistinctColumns distinct_columns_of(const Series& data, const Model& model) {
   DistinctColumns result;
-  result.data = data;
+  const auto is_taken = [&](const Column& column) {
+    return std::any_of(result.twins.begin(), result.twins.end(),
+                       [&](const Twin& one) { return one.other == column.name; });
+  };
   for (std::size_t a = 0; a < data.columns.size(); ++a) {
     if (!is_input(data.columns[a], model)) continue;
-    const auto is_taken = [&](const Column& column) {
-      return std::any_of(result.twins.begin(), result.twins.end(),
-                         [&](const Twin& one) { return one.other == column.name; });
-    };
     for (std::size_t b = 0; b < data.columns.size() && !is_taken(data.columns[a]); ++b) {
       const Column& other = data.columns[b];
       const bool is_later = b > a || is_read(data.columns[a], model);
@@ -69,10 +61,8 @@ DistinctColumns distinct_columns_of(const Series& data, const Model& model) {
       if (are_one(data.columns[a], other)) result.twins.push_back({data.columns[a].name, other.name});
     }
   }
-  std::erase_if(result.data.columns, [&](const Column& column) {
-    return std::any_of(result.twins.begin(), result.twins.end(),
-                       [&](const Twin& one) { return one.other == column.name; });
-  });
+  result.data = data;
+  std::erase_if(result.data.columns, is_taken);
   return result;
 }
 

@@ -1,14 +1,11 @@
 #include "diagnosis/next_test/menu.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
 #include <utility>
 
-#include "ballbar/number_text.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
 #include "diagnosis/next_test/planned_inputs.hpp"
 #include "numerics/random_streams.hpp"
@@ -26,43 +23,49 @@ constexpr double kRounding_rpm = 50.0;
 
 double reading_s_of(const Series& data, const std::string& target) {
   const std::vector<double>& values = find_column(data, target)->values;
-  std::vector<double> gaps_s;
-  double last_s = 0.0;
-  bool any = false;
+  std::vector<double> known_s;
   for (std::size_t row = 0; row < values.size(); ++row) {
-    if (std::isnan(values[row])) continue;
-    if (any && data.time_s[row] > last_s) gaps_s.push_back(data.time_s[row] - last_s);
-    last_s = data.time_s[row];
-    any = true;
+    if (!std::isnan(values[row])) known_s.push_back(data.time_s[row]);
   }
-  return gaps_s.empty() ? 60.0 : median(std::move(gaps_s));
+  const double step_s = median_step_s(known_s);
+  return step_s > 0.0 ? step_s : 60.0;
 }
 
 double rounded_rpm(double rpm) { return kRounding_rpm * std::round(rpm / kRounding_rpm); }
 
-// Dwells of 10 min to 2 h, log-uniform, each at a different speed from the last, one in four at rest. They are the same
-// for all machines, so that a plan is reproducible.
+// At rest for 20 min, then dwells of 10 min to 2 h, as next() has them.
+template <class Next>
+std::vector<Dwell> dwells_of(double hours, const Next& next) {
+  std::vector<Dwell> dwells{{1200.0, 0.0}};
+  double left_s = hours * kHour_s - 1200.0;
+  while (left_s > 0.0) {
+    Dwell dwell = next();
+    dwell.duration_s = std::min(left_s, 60.0 * std::round(dwell.duration_s / 60.0));
+    if (left_s - dwell.duration_s < kShortest_s) dwell.duration_s = left_s;
+    dwells.push_back(dwell);
+    left_s -= dwell.duration_s;
+  }
+  return dwells;
+}
+
+// Log-uniform dwells, each at a different speed from the last, one in four at rest. They are the same for all machines,
+// so that a plan is reproducible.
 std::vector<Dwell> random_speeds(double hours, double max_rpm) {
   std::mt19937_64 random = simulation::stream_of(1, simulation::Stream::signal, 21);
-  std::vector<Dwell> dwells{{1200.0, 0.0}};
-  double left_s = hours * kHour_s - 1200.0, last_rpm = 0.0;
-  while (left_s > 0.0) {
-    const double drawn_s = kShortest_s * std::pow(kLongest_s / kShortest_s, simulation::uniform(random));
-    double dwell_s = std::min(left_s, 60.0 * std::round(drawn_s / 60.0));
-    if (left_s - dwell_s < kShortest_s) dwell_s = left_s;
+  double last_rpm = 0.0;
+  return dwells_of(hours, [&] {
+    const double dwell_s = kShortest_s * std::pow(kLongest_s / kShortest_s, simulation::uniform(random));
     double rpm = last_rpm;
     while (std::abs(rpm - last_rpm) < 0.15 * max_rpm) {
       const double level = simulation::uniform(random);
       rpm = simulation::uniform(random) < 0.25 ? 0.0 : rounded_rpm((0.2 + 0.8 * level) * max_rpm);
     }
-    dwells.push_back({dwell_s, rpm});
-    left_s -= dwell_s;
     last_rpm = rpm;
-  }
-  return dwells;
+    return Dwell{dwell_s, rpm};
+  });
 }
 
-// Up and down in fifths of the highest speed, as often as there is time for steps of half an hour, at least once.
+// As often as there is time for steps of half an hour, at least once.
 std::vector<Dwell> staircase(double hours, double max_rpm) {
   constexpr std::array kSteps{0.0, 0.2, 0.4, 0.6, 0.8, 1.0, 0.8, 0.6, 0.4, 0.2};
   const double rounds = std::max(1.0, std::floor(hours / 5.0));
@@ -75,20 +78,30 @@ std::vector<Dwell> staircase(double hours, double max_rpm) {
   return dwells;
 }
 
-// Full speed and rest by turns, first short, then long: 10 min to 2 h.
-std::vector<Dwell> cycles(double hours, double max_rpm) {
-  std::vector<Dwell> dwells{{1200.0, 0.0}};
-  double left_s = hours * kHour_s - 1200.0, dwell_s = kShortest_s;
-  bool turns = true;
-  while (left_s > 0.0) {
-    double now_s = std::min(left_s, 60.0 * std::round(dwell_s / 60.0));
-    if (left_s - now_s < kShortest_s) now_s = left_s;
-    dwells.push_back({now_s, turns ? max_rpm : 0.0});
-    left_s -= now_s;
-    if (!turns) dwell_s = dwell_s * 1.6 > kLongest_s ? kShortest_s : dwell_s * 1.6;
+// First short, then long.
+std::vector<Dwell> stop_and_go(double hours, double max_rpm) {
+  double next_s = kShortest_s;
+  bool turns = false;
+  return dwells_of(hours, [&] {
     turns = !turns;
+    const double dwell_s = next_s;
+    if (!turns) next_s = next_s * 1.6 > kLongest_s ? kShortest_s : next_s * 1.6;
+    return Dwell{dwell_s, turns ? max_rpm : 0.0};
+  });
+}
+
+std::vector<Dwell> dwells_of(SpeedProgram speeds, double hours, double max_rpm) {
+  switch (speeds) {
+    case SpeedProgram::random:
+      return random_speeds(hours, max_rpm);
+    case SpeedProgram::staircase:
+      return staircase(hours, max_rpm);
+    case SpeedProgram::stop_and_go:
+      return stop_and_go(hours, max_rpm);
+    case SpeedProgram::rest:
+      break;
   }
-  return dwells;
+  return {{hours * kHour_s, 0.0}};
 }
 
 // What can be moved beside the speed, each on a time of its own: on for as long as off.
@@ -114,45 +127,6 @@ void move(std::vector<Dwell>& dwells, double every_h, double Dwell::*what, doubl
   dwells = std::move(cut);
 }
 
-struct TestKind {
-  std::string name, doing;
-  std::vector<Dwell> (*speeds)(double hours, double max_rpm);
-  bool moved = false;
-};
-
-std::vector<Dwell> at_rest(double hours, double) { return {{hours * kHour_s, 0.0}}; }
-
-std::vector<TestKind> kinds_of(double max_rpm, const TestPlanOptions& options) {
-  std::string moved;
-  const auto add = [&](bool can, std::string_view phrase) {
-    if (can) moved += fmt::format("{}{}", moved.empty() ? "" : ", ", phrase);
-  };
-  add(options.can_room, fmt::format("the room {:g} K warmer and back", kRoomStep_K));
-  add(options.can_coolant, fmt::format("the coolant {:g} K warmer and back", kCoolantStep_K));
-  add(options.can_load && max_rpm > 0.0, fmt::format("{:g} times the load and back", kLoadStep));
-  std::vector<TestKind> kinds;
-  if (max_rpm > 0.0) {
-    const std::string up_to = fmt::format("up to {} rpm", grouped_text(max_rpm));
-    kinds.push_back({"random speeds", "speeds that change every 10 min to 2 h, " + up_to, random_speeds});
-    kinds.push_back({"staircase", "a staircase of speeds " + up_to, staircase});
-    kinds.push_back(
-        {"stop and go", fmt::format("{} rpm and rest by turns, 10 min to 2 h each", grouped_text(max_rpm)), cycles});
-    if (!moved.empty()) {
-      kinds.push_back({"random speeds, " + moved, kinds.front().doing + "; " + moved, random_speeds, true});
-    }
-  } else {
-    kinds.push_back({"at rest", "at rest", at_rest});
-    if (!moved.empty()) kinds.push_back({"at rest, " + moved, "at rest; " + moved, at_rest, true});
-  }
-  return kinds;
-}
-
-double highest_rpm(const Series& data, const TestPlanOptions& options) {
-  const Column* speed = first_speed(data);
-  if (speed == nullptr) return 0.0;
-  return options.max_rpm > 0.0 ? options.max_rpm : largest_of(speed->values);
-}
-
 }  // namespace
 
 double duration_s(const Schedule& schedule) {
@@ -170,23 +144,29 @@ const Dwell& dwell_at(const Schedule& schedule, double time_s) {
   return schedule.dwells.back();
 }
 
-std::vector<ExpectedTest> menu_of(const Series& data, const std::string& target, const TestPlanOptions& options) {
-  const double max_rpm = highest_rpm(data, options), reading_s = reading_s_of(data, target);
+std::vector<std::vector<ExpectedTest>> menu_of(const Series& data, const std::string& target,
+                                               const TestPlanOptions& options) {
+  const Column* speed = first_speed(data);
+  const double data_rpm = speed == nullptr ? 0.0 : largest_of(speed->values), reading_s = reading_s_of(data, target);
+  const double max_rpm = speed != nullptr && options.max_rpm > 0.0 ? options.max_rpm : data_rpm;
   std::vector<double> lengths_h;
   for (const double hours : kHours) {
     if (hours < options.most_hours - 0.5) lengths_h.push_back(hours);
   }
   lengths_h.push_back(options.most_hours);
-  std::vector<ExpectedTest> menu;
-  for (const TestKind& kind : kinds_of(max_rpm, options)) {
+  std::vector<SpeedProgram> kinds{SpeedProgram::rest};
+  if (max_rpm > 0.0) kinds = {SpeedProgram::random, SpeedProgram::staircase, SpeedProgram::stop_and_go};
+  const std::size_t unmoved = kinds.size();
+  if (options.can_room || options.can_coolant || (options.can_load && max_rpm > 0.0)) kinds.push_back(kinds.front());
+  std::vector<std::vector<ExpectedTest>> menu(kinds.size());
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
     for (const double hours : lengths_h) {
-      ExpectedTest item{kind.name, kind.doing, hours, {kind.speeds(hours, max_rpm), 0.0, false}};
-      if (kind.moved && options.can_room) move(item.schedule.dwells, hours / 4.0, &Dwell::room_K, kRoomStep_K, 0.0);
-      if (kind.moved && options.can_coolant)
-        move(item.schedule.dwells, hours / 6.0, &Dwell::coolant_K, kCoolantStep_K, 0.0);
-      if (kind.moved && options.can_load) move(item.schedule.dwells, hours / 10.0, &Dwell::load, kLoadStep, 1.0);
-      item.schedule.reading_s = std::max(reading_s, hours * kHour_s / kMostReadings);
-      menu.push_back(std::move(item));
+      std::vector<Dwell> dwells = dwells_of(kinds[k], hours, max_rpm);
+      const bool moved = k >= unmoved;
+      if (moved && options.can_room) move(dwells, hours / 4.0, &Dwell::room_K, kRoomStep_K, 0.0);
+      if (moved && options.can_coolant) move(dwells, hours / 6.0, &Dwell::coolant_K, kCoolantStep_K, 0.0);
+      if (moved && options.can_load) move(dwells, hours / 10.0, &Dwell::load, kLoadStep, 1.0);
+      menu[k].push_back({kinds[k], max_rpm, hours, {dwells, std::max(reading_s, hours * kHour_s / kMostReadings)}});
     }
   }
   return menu;

@@ -8,7 +8,7 @@
 #pragma once
 
 #include <random>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "ballbar/diagnosis/next_test/schedule.hpp"
@@ -17,31 +17,29 @@
 
 namespace ballbar {
 
-class PlannedInputs {
- public:
-  // Keeps a reference to the data. With several runs the longest provides the random variation of a column.
-  PlannedInputs(const Series& data, std::string target);
-
-  // All columns of the data but those of the target, from time 0, one row per schedule.reading_s.
-  Series under(const Schedule& schedule, std::mt19937_64& random) const;
-
- private:
-  struct Wandering {
-    std::vector<double> values;  // of the longest run, without gaps
-    double resolution = 0.0;
-    double mean = 0.0, at_rest = 0.0, turning = 0.0;
-  };
-  std::vector<double> wandered(std::size_t column, const std::vector<double>& time_s, double from_s) const;
-  std::vector<double> loaded(std::size_t column, const Schedule& schedule, const Drives& drives) const;
-
-  const Series& data_;
-  std::string target_;
-  std::vector<double> time_s_;  // of the longest run, from 0
-  std::vector<Wandering> columns_;
-  std::vector<Forecast> forecasts_;
-  bool has_room_ = false, has_coolant_ = false, has_speed_ = false;
-  double turning_rpm_ = 0.0;
+struct ContinuedColumn {
+  Forecast forecast;
+  std::vector<double> residual;  // of the longest run, without gaps
+  double resolution = 0.0;
+  double mean = 0.0, at_rest = 0.0, turning = 0.0;
 };
+
+struct PlannedInputs {
+  Series none;                           // all columns of the data but those of the target, without rows
+  std::vector<ContinuedColumn> columns;  // as in `none`
+  std::vector<double> time_s;            // of the longest run, from 0
+  bool has_speed = false;
+  double turning_rpm = 0.0;
+};
+
+// With several runs the longest provides the random variation of a column.
+PlannedInputs planned_inputs(const Series& data, std::string_view target);
+
+// The columns from time 0, one row per schedule.reading_s.
+Series inputs_under(const Schedule& schedule, const PlannedInputs& planned, std::mt19937_64& random);
+
+// The rows of a run from rest behind those of the data: the columns of the data that the run has.
+Series with_run(Series data, const Series& run);
 
 // The first speed column that is not always at rest; nullptr: none.
 const Column* first_speed(const Series& data);

@@ -1,22 +1,21 @@
 #include "ballbar/diagnosis/next_test/test_plan.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
+#include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/error.hpp"
 #include "ballbar/model/run_terms.hpp"
-#include "ballbar/number_text.hpp"
 #include "diagnosis/next_test/distinct_columns.hpp"
 #include "diagnosis/next_test/menu.hpp"
 #include "diagnosis/next_test/simulated_tests.hpp"
-#include "diagnosis/thresholds.hpp"
+#include "diagnosis/verdict/diagnosis_at.hpp"
 #include "numerics/orthonormal.hpp"
-#include "numerics/random_streams.hpp"
 
 namespace ballbar {
 namespace {
@@ -29,6 +28,15 @@ constexpr std::size_t kKindsKept = 2;
 constexpr double kInQuestion = 0.05;   // P of an effect
 constexpr double kTheSame = 0.9999;    // |cosine| of two effects orthogonal to the model
 constexpr double kWorthASensor = 0.1;  // P(right) that it adds
+
+// Others than the truths of the choice.
+std::vector<Truth> fresh_truths(const TestDesign& design) {
+  return design.sets.drawn(kTruths, random_of(design.options, 101));
+}
+
+void tell(const TestPlanOptions& options, std::string_view step) {
+  if (options.search.progress) options.search.progress(step);
+}
 
 bool is_better(const ExpectedTest& a, const ExpectedTest& b) {
   if (a.p_right != b.p_right) return a.p_right > b.p_right;
@@ -48,51 +56,38 @@ std::size_t chosen(const std::vector<ExpectedTest>& tests) {
   return best;
 }
 
-std::vector<ExpectedTest> tests_of(const SimulatedTests& design, const std::vector<ExpectedTest>& menu) {
-  std::map<std::string, std::vector<const ExpectedTest*>> kinds;  // each from short to long
-  std::vector<std::string> order;
-  for (const ExpectedTest& item : menu) {
-    if (kinds[item.kind].empty()) order.push_back(item.kind);
-    kinds[item.kind].push_back(&item);
-  }
+std::vector<ExpectedTest> tests_of(const TestDesign& design, std::vector<std::vector<ExpectedTest>> menu) {
   // More where shorter tests are tried too.
-  std::size_t simulated = 0, whole = order.size() * kScreened + kTruths;
-  const auto expected = [&](const ExpectedTest& test, const std::vector<Truth>& truths) {
+  std::size_t simulated = 0, whole = menu.size() * kScreened + kTruths;
+  const auto simulate = [&](ExpectedTest& test, const std::vector<Truth>& truths) {
     whole = std::max(whole, simulated + truths.size());
-    const auto tell = [&](std::size_t done) {
-      design.tell(fmt::format("simulating {:g} h of {}, {} of {}", test.hours, test.kind, simulated + done, whole));
+    const auto tell_done = [&](std::size_t done) {
+      if (design.options.simulating) design.options.simulating(test, simulated + done, whole);
     };
-    tell(0);
-    ExpectedTest result = design.expected(test, truths, tell);
+    tell_done(0);
+    test = expected_test(design, test, truths, tell_done);
     simulated += truths.size();
-    return result;
   };
-  const std::vector<Truth> few = design.drawn(kScreened, 0);
-  std::vector<ExpectedTest> longest, all;
-  for (const std::string& kind : order) {
-    longest.push_back(expected(*kinds[kind].back(), few));
-  }
-  std::stable_sort(longest.begin(), longest.end(), is_better);
-  for (std::size_t k = 0; k < longest.size(); ++k) {
+  const std::vector<Truth> few = design.sets.drawn(kScreened, random_of(design.options, 100));
+  for (std::vector<ExpectedTest>& kind : menu) simulate(kind.back(), few);
+  std::stable_sort(menu.begin(), menu.end(),
+                   [](const auto& a, const auto& b) { return is_better(a.back(), b.back()); });
+  std::vector<ExpectedTest> all;
+  for (std::size_t k = 0; k < menu.size(); ++k) {
+    all.push_back(menu[k].back());
     // Where hours are enough, fewer may be: as long as they are.
-    const std::vector<const ExpectedTest*>& items = kinds[longest[k].kind];
-    bool enough = k < kKindsKept && longest[k].p_right >= kSureEnough;
-    all.push_back(std::move(longest[k]));
-    for (std::size_t i = items.size() - 1; i-- > 0 && enough;) {
-      all.push_back(expected(*items[i], few));
-      enough = all.back().p_right >= kSureEnough;
+    for (std::size_t i = menu[k].size() - 1; i-- > 0 && k < kKindsKept && all.back().p_right >= kSureEnough;) {
+      simulate(menu[k][i], few);
+      all.push_back(menu[k][i]);
     }
   }
   // The reported P comes from other truths than the choice. If it is too small, the next test is examined as well.
-  const std::vector<Truth> fresh = design.drawn(kTruths, 1);
+  const std::vector<Truth> fresh = fresh_truths(design);
   std::set<std::size_t> promised;
   for (int round = 0; round < 2; ++round) {
     const std::size_t best = chosen(all);
     if (!(all[best].p_part > 0.0) || !promised.insert(best).second) break;
-    const auto item = std::find_if(menu.begin(), menu.end(), [&](const ExpectedTest& one) {
-      return one.kind == all[best].kind && one.hours == all[best].hours;
-    });
-    all[best] = expected(*item, fresh);
+    simulate(all[best], fresh);
   }
   std::size_t best = chosen(all);
   if (!promised.empty() && promised.count(best) == 0)
@@ -103,51 +98,55 @@ std::vector<ExpectedTest> tests_of(const SimulatedTests& design, const std::vect
   return all;
 }
 
-void add_curves(const SimulatedTests& design, TestPlan& plan, std::uint64_t seed) {
-  const Posterior& posterior = design.posterior();
-  std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 7);
-  const Series run = design.planned().under(plan.tests.front().schedule, random);
+void add_curves(const TestDesign& design, TestPlan& plan) {
+  std::mt19937_64 random = random_of(design.options, 7);
+  const Series run = inputs_under(plan.tests.front().schedule, design.inputs, random);
+  const Posterior& posterior = design.found.posterior;
   plan.time_s = run.time_s;
   for (std::size_t s = 0; s < posterior.sets.size() && plan.curves.size() < kCurvesShown; ++s) {
-    const EffectSet& set = posterior.sets[s];
-    const double p = posterior.p(set);
+    const double p = posterior.p(posterior.sets[s]);
     if (p < 0.01) continue;
-    const Truth truth{s, false};
-    const std::vector<BoundEffect> effects = design.truths().effects_of(truth);
-    std::vector<std::string> labels;
-    labels.reserve(effects.size());
-    for (const BoundEffect& one : effects) labels.push_back(label_of(one));
-    const Eigen::VectorXd drift = design.truths().drift_um(truth, run);
-    plan.curves.push_back({labels.empty() ? "nothing of the catalogue" : fmt::format("{}", fmt::join(labels, " + ")),
-                           p,
-                           {drift.begin(), drift.end()}});
+    const PossibleSet& set = design.sets.at(s);
+    const Eigen::VectorXd drift = drift_um(set, run);
+    plan.curves.push_back({set.effects, p, {drift.begin(), drift.end()}});
     for (double& um : plan.curves.back().um) um -= drift[0];
-    plan.sigma_um = std::max(plan.sigma_um, design.truths().sigma_um(truth));
+    plan.sigma_um = std::max(plan.sigma_um, std::sqrt(set.variance * (set.noise.white + set.noise.correlated)));
   }
+}
+
+// The effect of a set of one; nullptr: it has none or several.
+const BoundEffect* only_effect(const Inference& found, const EffectSet& set) {
+  return set.families.size() == 1 ? &found.problem->library.families[set.families.front()].bound : nullptr;
 }
 
 // Possible effects that are equal in any test, up to the free part of the model: a difference of two temperatures and
 // one of them, if the model has the other.
-void add_inseparable_by_model(const SimulatedTests& design, const Diagnosis& now, const Schedule& schedule,
-                              std::uint64_t seed, TestPlan& plan) {
-  std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 8);
-  const Series run = design.planned().under(schedule, random);
+void add_inseparable_by_model(const TestDesign& design, const Diagnosis& now, const Schedule& schedule,
+                              TestPlan& plan) {
+  std::mt19937_64 random = random_of(design.options, 8);
+  const Series run = inputs_under(schedule, design.inputs, random);
   struct Curve {
     BoundEffect effect;
     Eigen::VectorXd um;
     Eigen::MatrixXd basis;  // of the model
   };
   std::vector<Curve> curves;
-  const Posterior& posterior = design.posterior();
-  for (std::size_t s = 0; s < posterior.sets.size(); ++s) {
-    const std::vector<BoundEffect> effects = design.truths().effects_of({s, false});
-    if (effects.size() != 1 || posterior.sets[s].own != 0 || effects.front().effect->time_only) continue;
-    const auto known = std::find_if(now.effects.begin(), now.effects.end(), [&](const EffectProbability& one) {
-      return one.bound == effects.front() && one.p >= kInQuestion;
+  const std::vector<EffectSet>& sets = design.found.posterior.sets;
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    const BoundEffect* effect = only_effect(design.found, sets[s]);
+    if (effect == nullptr || sets[s].held != 0 || effect->effect->time_only) continue;
+    const bool is_in_question = std::any_of(now.effects.begin(), now.effects.end(), [&](const EffectProbability& one) {
+      return one.bound == *effect && one.p >= kInQuestion;
     });
-    if (known == now.effects.end()) continue;
-    const Eigen::MatrixXd slopes = design.truths().model_slopes({s, false}, run);
-    curves.push_back({effects.front(), design.truths().member_um({s, false}, 0, run), orthonormal(slopes)});
+    if (!is_in_question) continue;
+    const PossibleSet& set = design.sets.at(s);
+    Eigen::MatrixXd slopes;
+    const Eigen::VectorXd um = terms_um(set, run, &slopes).rightCols(1);
+    Eigen::MatrixXd of_model = slopes.leftCols(static_cast<Eigen::Index>(set.problem->base_model->parameters()));
+    for (Eigen::Index k = 1; k < of_model.cols(); ++k) {
+      if (set.fitted.parameters[static_cast<std::size_t>(k)].state == ParameterState::held) of_model.col(k).setZero();
+    }
+    curves.push_back({*effect, um, orthonormal(of_model)});
   }
   for (std::size_t a = 0; a < curves.size(); ++a) {
     std::vector<BoundEffect> group{curves[a].effect};
@@ -167,115 +166,73 @@ void add_inseparable_by_model(const SimulatedTests& design, const Diagnosis& now
 
 // Whether the effect reads a source of heat and no temperature, so that a thermometer would show its heat.
 bool is_heat_input(const BoundEffect& bound) {
-  if (bound.columns.empty() || bound.effect->time_only) return false;
-  return std::all_of(bound.columns.begin(), bound.columns.end(), [](const std::string& column) {
-    const std::string_view unit = unit_of(column);
-    return unit == "rpm" || unit == "W" || unit == "A" || unit == "percent" || unit == "Nm";
-  });
+  return !bound.columns.empty() && !bound.effect->time_only &&
+         std::all_of(bound.columns.begin(), bound.columns.end(), [](const std::string& column) {
+           const Role role = role_from_unit(unit_of(column));
+           return role == Role::speed || role == Role::load;
+         });
 }
 
-void add_sensor(const SimulatedTests& design, TestPlan& plan) {
+// Where the most probable effect heats that is alone.
+void add_sensor(const TestDesign& design, TestPlan& plan) {
   const ExpectedTest& best = plan.tests.front();
   if (best.p_right >= kSureEnough) return;
-  const Posterior& posterior = design.posterior();
-  for (std::size_t s = 0; s < posterior.sets.size(); ++s) {
-    if (posterior.p(posterior.sets[s]) < 0.05) return;
-    const std::vector<BoundEffect> effects = design.truths().effects_of({s, false});
-    if (effects.size() != 1 || !is_heat_input(effects.front())) continue;
-    design.tell("simulating a thermometer more");
-    const double p = design.p_right_with_sensor(best.schedule, s, design.drawn(kTruths, 1));
-    if (p < best.p_right + kWorthASensor) return;
-    plan.sensors.push_back({fmt::format("where {} heats", label_of(effects.front())), p});
-    return;  // the most probable one
+  const Posterior& posterior = design.found.posterior;
+  for (std::size_t s = 0; s < posterior.sets.size() && posterior.p(posterior.sets[s]) >= 0.05; ++s) {
+    const BoundEffect* effect = only_effect(design.found, posterior.sets[s]);
+    if (effect == nullptr || !is_heat_input(*effect)) continue;
+    tell(design.options, "simulating a thermometer more");
+    const double p = p_right_with_sensor(design, best.schedule, design.sets.at(s), fresh_truths(design));
+    if (p >= best.p_right + kWorthASensor) plan.sensor = {*effect, p};
+    return;
   }
-}
-
-std::string percent(double p) { return fmt::format("{:.0f} %", 100.0 * p); }
-
-std::string inseparable_text(const std::vector<std::vector<BoundEffect>>& groups) {
-  std::string text;
-  for (const std::vector<BoundEffect>& group : groups) {
-    std::string labels = label_of(group.front());
-    for (std::size_t k = 1; k < group.size(); ++k)
-      labels += (k + 1 == group.size() ? " and " : ", ") + label_of(group[k]);
-    const bool is_twin = group[0].effect == group[1].effect && group[0].columns.size() == 1;
-    text += fmt::format("{}No test can distinguish {}: {}.", text.empty() ? "" : " ", labels,
-                        is_twin ? "their columns hold the same values" : "beside this model they add the same curve");
-  }
-  return text;
-}
-
-std::string sentence_of(const TestPlan& plan, const TestPlanOptions& options) {
-  const std::string inseparable = inseparable_text(plan.inseparable);
-  const std::string behind = inseparable.empty() ? "" : " " + inseparable;
-  if (plan.is_decided) return "These data already decide: no further test is needed." + behind;
-  const bool is_nothing = plan.verdict == Verdict::nothing;
-  if (is_nothing && plan.p_nothing >= kSureOfNothing)
-    return "In these data nothing is missing: there is nothing to decide." + behind;
-  if (plan.tests.empty()) {
-    if (is_nothing) {
-      return fmt::format(
-                 "Nothing is found to be missing ({}). No test of up to {:g} h would find what may still be there.",
-                 sure_text(plan.p_nothing), options.most_hours) +
-             behind;
-    }
-    if (!inseparable.empty()) return inseparable + " No test is proposed.";
-    return fmt::format("No test of up to {:g} h would decide. None is proposed.", options.most_hours);
-  }
-  const ExpectedTest& best = plan.tests.front();
-  std::string text =
-      is_nothing ? fmt::format("Nothing is found to be missing yet ({}). ", sure_text(plan.p_nothing)) : "";
-  text += fmt::format(
-      "Run {:g} h from cold: {}. This run would name everything that is missing in {} of cases (± {:.0f} %, {} "
-      "simulated)",
-      best.hours, best.doing, percent(best.p_right), 100.0 * best.p_right_sigma, best.truths);
-  if (best.p_part > best.p_right) text += fmt::format(", a part of it in {}", percent(best.p_part));
-  text += fmt::format(", and something wrong in {}.", percent(best.p_wrong));
-  if (best.p_right < kSureEnough) {
-    text += fmt::format(" No test of up to {:g} h reaches {}.", options.most_hours, percent(kSureEnough));
-  }
-  for (const SensorToAdd& sensor : plan.sensors) {
-    text += fmt::format(" A temperature sensor {} would raise it to {} in the same run.", sensor.place,
-                        percent(sensor.p_right));
-  }
-  return text + behind;
 }
 
 }  // namespace
 
 TestPlan test_plan(const Model& model, const Series& data, std::size_t target, const TestPlanOptions& options) {
+  if (model.level != Level::series) {
+    throw Error(
+        fmt::format("expected a drift series to plan a run for, found recordings of {} readings.", data.time_s.size()));
+  }
   TestPlan plan;
   // Equal columns count as one, because no test can separate them.
   const DistinctColumns distinct = distinct_columns_of(data, model);
-  SimulatedTests design(model, distinct.data, target, options);
-  if (!design.can_draw()) {
-    plan.sentence = "The data have too few values, or do not move: nothing can be planned from them.";
+  const Model alone = without_run_terms(model), with_runs = with_run_terms(alone, distinct.data);
+  const DiagnosisOptions how = diagnosis_options(options);
+  tell(options, "weighing the data at hand");
+  Inference found = inference_of(with_runs, distinct.data, target, how);
+  if (found.largest == 0 || found.is_still) {
+    plan.obstacle = found.is_still ? Obstacle::still_readings : Obstacle::too_few_values;
     return plan;
   }
-  design.tell("diagnosing the data at hand");
-  DiagnosisOptions how;
-  how.search = options.search;
-  how.search.progress = {};
-  how.fit_candidates = how.leave_out = false;
-  const Diagnosis now = diagnose(with_run_terms(without_run_terms(model), distinct.data), distinct.data, target, how);
-  design.know(now.named);
+  tell(options, "diagnosing the data at hand");
+  const Diagnosis now = diagnosis_of(found, with_runs, distinct.data, target, how);
   plan.inseparable = inseparable_effects(now, distinct);
   plan.verdict = now.verdict;
   const bool is_all_named = now.verdict == Verdict::named && now.probable.empty() && now.equivalent.empty();
   plan.is_decided = is_all_named && plan.inseparable.empty();
   plan.p_nothing = now.p_nothing;
   const bool is_open = now.verdict == Verdict::nothing ? now.p_nothing < kSureOfNothing : !is_all_named;
-  if (is_open && now.verdict != Verdict::untestable) {
-    const std::vector<ExpectedTest> menu = menu_of(distinct.data, model.targets.at(target), options);
-    add_inseparable_by_model(design, now, menu.front().schedule, options.seed, plan);
-    plan.tests = tests_of(design, menu);
-    if (!plan.tests.empty() && !(plan.tests.front().p_part >= kLeastPromise)) plan.tests.clear();
-  }
-  if (!plan.tests.empty()) {
-    add_curves(design, plan, options.seed);
-    add_sensor(design, plan);
-  }
-  plan.sentence = sentence_of(plan, options);
+  if (!is_open || now.verdict == Verdict::untestable) return plan;
+  const std::string& name = model.targets[target];
+  PossibleSets sets(found);
+  const TestDesign design{options,
+                          alone,
+                          distinct.data,
+                          target,
+                          now.named,
+                          found,
+                          sets,
+                          planned_inputs(distinct.data, name),
+                          simulated_covariances(found)};
+  const std::vector<std::vector<ExpectedTest>> menu = menu_of(distinct.data, name, options);
+  add_inseparable_by_model(design, now, menu.front().front().schedule, plan);
+  plan.tests = tests_of(design, menu);
+  if (plan.tests.front().p_part < kLeastPromise) plan.tests.clear();
+  if (plan.tests.empty()) return plan;
+  add_curves(design, plan);
+  add_sensor(design, plan);
   return plan;
 }
 

@@ -23,40 +23,38 @@ constexpr double kDamping = 1e-5;  // of a column's own square
 constexpr double kClearly = 0.9;
 constexpr int kMostSweeps = 2000;
 
-using Columns = std::vector<std::vector<double>>;
-
-void add_low_passes(Columns& columns, const std::vector<double>& time_s, const std::vector<double>& drive,
-                    std::span<const double> time_constants_s) {
-  for (const double tau_s : time_constants_s) {
-    if (drive.empty()) return;
-    columns.emplace_back(time_s.size());
-    for (const RowRange& run : runs_of(time_s)) {
-      low_pass(
-          std::span(time_s).subspan(run.begin, run.end - run.begin),
-          [&](std::size_t i) { return drive[run.begin + i]; }, tau_s, columns.back().data() + run.begin);
+// All columns but the decays, the constant first.
+Eigen::MatrixXd driven(const Drives& drives, double exponent) {
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Ones(static_cast<Eigen::Index>(drives.time_s.size()), 1);
+  const auto add_low_passes = [&](const std::vector<double>& drive, std::span<const double> time_constants_s) {
+    for (const double tau_s : time_constants_s) {
+      if (drive.empty()) return;
+      columns.conservativeResize(Eigen::NoChange, columns.cols() + 1);
+      double* out = columns.col(columns.cols() - 1).data();
+      for (const RowRange& run : runs_of(drives.time_s)) {
+        low_pass(
+            std::span(drives.time_s).subspan(run.begin, run.end - run.begin),
+            [&](std::size_t i) { return drive[run.begin + i]; }, tau_s, out + run.begin);
+      }
     }
-  }
-}
-
-// All but the decays.
-Columns driven(const Drives& drives, double exponent) {
-  Columns columns{std::vector<double>(drives.time_s.size(), 1.0)};
+  };
   std::vector<double> power;
   for (const double rpm : drives.speed) power.push_back(std::pow(std::abs(rpm) / 1000.0, exponent));
-  add_low_passes(columns, drives.time_s, power, kOfSpeed_s);
-  add_low_passes(columns, drives.time_s, drives.room, kOfRoom_s);
-  add_low_passes(columns, drives.time_s, drives.coolant, kOfCoolant_s);
+  add_low_passes(power, kOfSpeed_s);
+  add_low_passes(drives.room, kOfRoom_s);
+  add_low_passes(drives.coolant, kOfCoolant_s);
   return columns;
 }
 
-Columns decays(const std::vector<double>& time_s) {
-  Columns columns;
-  for (const double tau_s : kDecays_s) {
-    columns.emplace_back();
-    double begin_s = 0.0;
-    for (std::size_t i = 0; i < time_s.size(); ++i) {
-      if (i == 0 || time_s[i] < time_s[i - 1]) begin_s = time_s[i];  // another run
-      columns.back().push_back(std::exp(-(time_s[i] - begin_s) / tau_s));
+// The constant and the decays.
+Eigen::MatrixXd at_rest(const std::vector<double>& time_s) {
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Ones(static_cast<Eigen::Index>(time_s.size()), 1 + kDecays_s.size());
+  for (const RowRange& run : runs_of(time_s)) {
+    for (std::size_t row = run.begin; row < run.end; ++row) {
+      for (std::size_t k = 0; k < kDecays_s.size(); ++k) {
+        columns(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k) + 1) =
+            std::exp(-(time_s[row] - time_s[run.begin]) / kDecays_s[k]);
+      }
     }
   }
   return columns;
@@ -101,51 +99,39 @@ SolvedGains solved(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, Eigen::In
   return result;
 }
 
-Eigen::MatrixXd matrix_of(const Columns& columns, const std::vector<std::size_t>& rows) {
-  Eigen::MatrixXd result(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = columns[k][rows[i]];
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 std::vector<Forecast> forecasts_of(const Drives& drives, const std::vector<std::vector<double>>& values) {
-  std::vector<Columns> bases;
-  bases.reserve(std::size(kExponents));
+  std::vector<Eigen::MatrixXd> bases;
   for (const double exponent : kExponents) bases.push_back(driven(drives, exponent));
-  Columns at_rest = decays(drives.time_s);
-  at_rest.insert(at_rest.begin(), std::vector<double>(drives.time_s.size(), 1.0));
+  const Eigen::MatrixXd resting = at_rest(drives.time_s);
+  const Eigen::Index driving = bases.front().cols() - 1;
   std::vector<Forecast> result;
   for (const std::vector<double>& column : values) {
-    std::vector<std::size_t> rows;
+    std::vector<Eigen::Index> rows;
     const std::size_t stride = 1 + column.size() / kMostRows;
     std::size_t known = 0;
     for (std::size_t row = 0; row < column.size(); ++row) {
-      if (std::isfinite(column[row]) && known++ % stride == 0) rows.push_back(row);
+      if (std::isfinite(column[row]) && known++ % stride == 0) rows.push_back(static_cast<Eigen::Index>(row));
     }
-    const Eigen::VectorXd y = matrix_of({column}, rows).col(0);
+    const Eigen::VectorXd y = Eigen::VectorXd::Map(column.data(), static_cast<Eigen::Index>(column.size()))(rows);
     Forecast best;
-    best.gains = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bases.front().size()));
+    best.gains = Eigen::VectorXd::Zero(driving + 1);
     if (y.size() > 0) best.gains[0] = y.mean();
     if (y.size() > 0 && y.maxCoeff() - y.minCoeff() < 1e-9) {
       best.r2 = 1.0;
     } else if (y.size() >= kFewest) {
-      const Eigen::MatrixXd free = matrix_of(at_rest, rows);
+      const Eigen::MatrixXd free = resting(rows, Eigen::all);
       const double alone = solved(free, y, free.cols()).square;
       for (std::size_t e = 0; e < bases.size(); ++e) {
-        const Eigen::MatrixXd drive = matrix_of(bases[e], rows).rightCols(best.gains.size() - 1);
-        Eigen::MatrixXd x(y.size(), free.cols() + drive.cols());
-        x << free, drive;
+        Eigen::MatrixXd x(y.size(), free.cols() + driving);
+        x << free, bases[e].rightCols(driving)(rows, Eigen::all);
         const SolvedGains found = solved(x, y, free.cols());
         const double r2 = 1.0 - found.square / alone;
         if (!(1.0 - r2 < kClearly * (1.0 - best.r2)) || !found.gains.allFinite()) continue;
         best.exponent = kExponents[e];
         best.r2 = r2;
-        best.gains << found.gains[0], found.gains.tail(drive.cols());
+        best.gains << found.gains[0], found.gains.tail(driving);
       }
     }
     result.push_back(std::move(best));
@@ -154,13 +140,10 @@ std::vector<Forecast> forecasts_of(const Drives& drives, const std::vector<std::
 }
 
 std::vector<double> predicted(const Forecast& forecast, const Drives& drives) {
-  const Columns columns = driven(drives, forecast.exponent);
-  std::vector<double> result(drives.time_s.size(), 0.0);
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] += forecast.gains[static_cast<Eigen::Index>(k)] * columns[k][i];
-  }
-  return result;
+  const Eigen::MatrixXd columns = driven(drives, forecast.exponent);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(columns.rows());
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) sum += forecast.gains[k] * columns.col(k);
+  return {sum.begin(), sum.end()};
 }
 
 }  // namespace ballbar

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
+#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/series/runs.hpp"
+#include "diagnosis/next_test/planned_inputs.hpp"
 #include "diagnosis/posterior/set_regression.hpp"
 #include "model/model_rows.hpp"
 #include "numerics/random_streams.hpp"
@@ -11,20 +15,12 @@
 namespace ballbar {
 namespace {
 
-double weight_of(const Posterior& posterior, double log_weight) { return std::exp(log_weight - posterior.log_total); }
-
-// An Ornstein-Uhlenbeck process on the rows.
+// An Ornstein-Uhlenbeck process on rows of equal steps.
 void add_memory(double sigma, double time_constant_s, const std::vector<double>& time_s, std::mt19937_64& random,
                 std::vector<double>& values) {
   if (!(sigma > 0.0) || !(time_constant_s > 0.0)) return;
-  double state = sigma * simulation::normal(random);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (i > 0) {
-      const double kept = std::exp(-(time_s[i] - time_s[i - 1]) / time_constant_s);
-      state = kept * state + sigma * std::sqrt(1.0 - kept * kept) * simulation::normal(random);
-    }
-    values[i] += state;
-  }
+  simulation::Ar1 memory(sigma, std::exp(-median_step_s(time_s) / time_constant_s));
+  for (double& value : values) value += memory.next(random);
 }
 
 // Matern 3/2 of this standard deviation: its level and slope from row to row, in steps short beside its length.
@@ -46,62 +42,44 @@ void add_slow(double sigma, double time_constant_s, const std::vector<double>& t
   }
 }
 
-std::vector<std::size_t> rows_behind(const Series& placed, const Series& run) {
-  std::vector<std::size_t> rows(run.time_s.size());
-  std::iota(rows.begin(), rows.end(), placed.time_s.size() - run.time_s.size());
-  return rows;
-}
-
 }  // namespace
 
-// The run with the first row of the data in front, as the reference for thresholds of temperature.
-Series Truths::behind_the_data(const Series& run) const {
-  const Series& data = inference_.problem->logged.series;
-  Series placed = run;
-  placed.time_s.insert(placed.time_s.begin(), {run.time_s.front(), run.time_s.front() + 1.0});
-  for (Column& column : placed.columns) {
-    const Column* known = find_column(data, column.name);
-    const double first = known != nullptr ? known->values.front() : column.values.front();
-    column.values.insert(column.values.begin(), 2, first);
-  }
-  return placed;
-}
-
-Truths::Truths(const Inference& inference) : inference_(inference) {}
-
-const Truths::Fitted& Truths::fitted(std::size_t set) const {
-  const auto known = fitted_.find(set);
-  if (known != fitted_.end()) return known->second;
+const PossibleSet& PossibleSets::at(std::size_t set) {
+  const auto [known, is_new] = fitted_.try_emplace(set);
+  PossibleSet& result = known->second;
+  if (!is_new) return result;
   const Posterior& posterior = inference_.posterior;
   const EffectSet& one = posterior.sets[set];
-  Fitted result;
-  result.set = fitted_set(*inference_.problem, posterior, one, false);
-  result.noise = result.slow = posterior.points[one.point].covariance;
-  result.variance = set_regression(*inference_.problem, posterior, one).variance;
-  for (const Point& point : posterior.points) {
-    if (!(result.slow.slow > 0.0) && point.covariance.slow > 0.0) result.slow = point.covariance;
+  result.problem = inference_.problem.get();
+  for (const std::size_t f : one.families) result.effects.push_back(result.problem->library.families[f].bound);
+  result.has_other_value = one.held > 0;
+  result.fitted = fitted_set(*result.problem, posterior, one, false);
+  result.noise = result.slow = posterior.filters[one.filter].covariance;
+  result.variance = set_regression(*result.problem, posterior, one).solution.variance;
+  for (const NoiseFilter& filter : posterior.filters) {
+    if (!(result.slow.slow > 0.0) && filter.covariance.slow > 0.0) result.slow = filter.covariance;
   }
-  return fitted_.emplace(set, std::move(result)).first->second;
+  return result;
 }
 
-std::vector<Truth> Truths::drawn(std::size_t count, std::mt19937_64& random) const {
+std::vector<Truth> PossibleSets::drawn(std::size_t count, std::mt19937_64 random) {
   const Posterior& posterior = inference_.posterior;
   struct WeightedTruth {
-    Truth truth;
-    double weight;
+    std::size_t set = 0;
+    bool slow = false;
+    double weight = 0.0;
   };
   std::vector<WeightedTruth> all;
   double sum = 0.0;
   for (std::size_t s = 0; s < posterior.sets.size(); ++s) {
-    const EffectSet& set = posterior.sets[s];
-    const double slow = weight_of(posterior, set.log_weight_slow), whole = weight_of(posterior, set.log_weight);
+    const double slow = posterior.p(posterior.sets[s]) * posterior.discrepancy;
     const auto add = [&](bool is_slow, double weight) {
       if (!(weight > 1e-6)) return;
-      all.push_back({{s, is_slow}, weight});
+      all.push_back({s, is_slow, weight});
       sum += weight;
     };
     add(true, slow);
-    add(false, whole - slow);
+    add(false, posterior.p(posterior.sets[s]) - slow);
   }
   std::vector<Truth> truths;
   if (all.empty()) return truths;
@@ -110,11 +88,10 @@ std::vector<Truth> Truths::drawn(std::size_t count, std::mt19937_64& random) con
   double before = 0.0;
   std::size_t next = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    const double at = (static_cast<double>(k) + first) / static_cast<double>(count) * sum;
-    while (next + 1 < all.size() && before + all[next].weight < at) before += all[next++].weight;
-    truths.push_back(all[next].truth);
+    const double at_weight = (static_cast<double>(k) + first) / static_cast<double>(count) * sum;
+    while (next + 1 < all.size() && before + all[next].weight < at_weight) before += all[next++].weight;
+    truths.push_back({&at(all[next].set), all[next].slow});
   }
-  for (const Truth& truth : truths) fitted(truth.set);
   // Shuffled, so that the first few are representative.
   for (std::size_t k = truths.size(); k > 1; --k) {
     std::swap(truths[k - 1], truths[static_cast<std::size_t>(simulation::uniform(random) * static_cast<double>(k))]);
@@ -122,81 +99,43 @@ std::vector<Truth> Truths::drawn(std::size_t count, std::mt19937_64& random) con
   return truths;
 }
 
-std::vector<BoundEffect> Truths::effects_of(const Truth& truth) const {
-  std::vector<BoundEffect> effects;
-  for (const std::size_t f : inference_.posterior.sets[truth.set].families) {
-    effects.push_back(inference_.problem->library.families[f].bound);
-  }
-  return effects;
+bool is_nothing(const Truth& truth) { return !truth.slow && !truth.set->has_other_value && truth.set->effects.empty(); }
+
+// The run stands behind the first rows of the data, as the reference for thresholds of temperature.
+Eigen::MatrixXd terms_um(const PossibleSet& set, const Series& run, Eigen::MatrixXd* slopes) {
+  const Series placed = with_run(rows_of(set.problem->logged.series, {0, 2}), run);
+  std::vector<std::size_t> rows(run.time_s.size());
+  std::iota(rows.begin(), rows.end(), placed.time_s.size() - rows.size());
+  const ModelRows all(set.fitted.model, placed, rows);
+  Eigen::VectorXd parameters(all.parameters());
+  std::transform(set.fitted.parameters.begin(), set.fitted.parameters.end(), parameters.begin(),
+                 [](const FittedParameter& one) { return one.value; });
+  Eigen::MatrixXd terms(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(all.terms()));
+  for (std::size_t t = 0; t < all.terms(); ++t)
+    terms.col(static_cast<Eigen::Index>(t)) = all.term(t, parameters.data() + all.offset(t), nullptr);
+  if (slopes != nullptr) all.sum(parameters, slopes);
+  return terms;
 }
 
-bool Truths::is_nothing(const Truth& truth) const {
-  return !truth.slow && !has_other_value(truth) && inference_.posterior.sets[truth.set].families.empty();
-}
-
-Eigen::VectorXd Truths::drift_um(const Truth& truth, const Series& run) const {
-  const Model& model = fitted(truth.set).set.model;
-  return added_um(truth, run, [&](std::size_t t) { return !model.terms[t].effect->rules.of_set_up; });
-}
-
-Eigen::VectorXd Truths::member_um(const Truth& truth, std::size_t member, const Series& run) const {
-  const std::size_t first = inference_.problem->model.terms.size();
-  return added_um(truth, run, [&](std::size_t t) { return t == first + member; });
-}
-
-Eigen::MatrixXd Truths::model_slopes(const Truth& truth, const Series& run) const {
-  const FittedSet& set = fitted(truth.set).set;
-  const Model& model = inference_.problem->model;
-  const std::size_t count = inference_.problem->base_model->parameters();
-  Eigen::VectorXd parameters(static_cast<Eigen::Index>(count));
-  for (std::size_t k = 0; k < count; ++k) parameters[static_cast<Eigen::Index>(k)] = set.parameters[k].value;
-  const Series placed = behind_the_data(run);
-  Eigen::MatrixXd slopes;
-  ModelRows(model, placed, rows_behind(placed, run)).sum(parameters, &slopes);
-  for (std::size_t k = 1; k < count; ++k) {
-    if (set.parameters[k].state == ParameterState::held) slopes.col(static_cast<Eigen::Index>(k)).setZero();
-  }
-  return slopes;
-}
-
-// The sum of some terms of the model with the set.
-Eigen::VectorXd Truths::added_um(const Truth& truth, const Series& run,
-                                 const std::function<bool(std::size_t)>& is_included) const {
-  const FittedSet& set = fitted(truth.set).set;
-  const Series placed = behind_the_data(run);
-  const std::vector<std::size_t> rows = rows_behind(placed, run);
-  const ModelRows all(set.model, placed, rows);
-  std::vector<double> parameters;
-  parameters.reserve(set.parameters.size());
-  for (const FittedParameter& one : set.parameters) parameters.push_back(one.value);
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.size()));
-  std::size_t place = 1;
-  for (std::size_t t = 0; t < set.model.terms.size(); ++t) {
-    if (is_included(t)) sum += all.term(t, parameters.data() + place, nullptr);
-    place += set.model.terms[t].settings.size();
+Eigen::VectorXd drift_um(const PossibleSet& set, const Series& run) {
+  const Eigen::MatrixXd terms = terms_um(set, run);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(terms.rows());
+  for (Eigen::Index t = 0; t < terms.cols(); ++t) {
+    if (!set.fitted.model.terms[static_cast<std::size_t>(t)].effect->rules.of_set_up) sum += terms.col(t);
   }
   return sum;
 }
 
-std::vector<double> Truths::readings_um(const Truth& truth, const Series& run, double resolution_um,
-                                        std::mt19937_64& random) const {
-  const Fitted& of = fitted(truth.set);
-  const Eigen::VectorXd drift = drift_um(truth, run);
+std::vector<double> readings_um(const Truth& truth, const Series& run, double resolution_um, std::mt19937_64& random) {
+  const Eigen::VectorXd drift = drift_um(*truth.set, run);
   std::vector<double> values(drift.begin(), drift.end());
-  const Covariance& noise = truth.slow ? of.slow : of.noise;
-  const double sigma = std::sqrt(of.variance);
+  const Covariance& noise = truth.slow ? truth.set->slow : truth.set->noise;
+  const double sigma = std::sqrt(truth.set->variance);
   for (double& value : values) value += sigma * std::sqrt(noise.white) * simulation::normal(random);
   add_memory(sigma * std::sqrt(noise.correlated), noise.time_s, run.time_s, random, values);
   if (truth.slow) add_slow(sigma * std::sqrt(noise.slow), noise.slow_time_s, run.time_s, random, values);
-  if (resolution_um > 0.0) {
-    for (double& value : values) value = resolution_um * std::round(value / resolution_um);
-  }
+  for (double& value : values) value = simulation::rounded(value, resolution_um);
   return values;
-}
-
-double Truths::sigma_um(const Truth& truth) const {
-  const Fitted& of = fitted(truth.set);
-  return std::sqrt(of.variance * (of.noise.white + of.noise.correlated));
 }
 
 }  // namespace ballbar

@@ -13,7 +13,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "ballbar/diagnosis/next_test/schedule.hpp"
@@ -23,18 +24,17 @@
 
 namespace ballbar {
 
-struct TestPlanOptions {
-  double most_hours = 12.0;                                      // longest test considered
-  double max_rpm = 0.0;                                          // 0: the highest of the data
-  bool can_load = false, can_room = false, can_coolant = false;  // what the operator can change
-  SearchOptions search;                                          // its `progress` is called here as well
-  std::uint64_t seed = 1;                                        // of the random draws
+enum class SpeedProgram {
+  random,       // dwells of 10 min to 2 h, each at another speed
+  staircase,    // up and down in fifths of the highest speed
+  stop_and_go,  // the highest speed and rest by turns, 10 min to 2 h each
+  rest,         // data without a speed
 };
 
 // A test of the menu with its expected outcome.
 struct ExpectedTest {
-  std::string kind;   // "random speeds"
-  std::string doing;  // a phrase for a sentence
+  SpeedProgram speeds = SpeedProgram::rest;
+  double max_rpm = 0.0;  // the highest speed that it may have
   double hours = 0.0;
   Schedule schedule;
   std::size_t truths = 0;  // number of simulated truths
@@ -44,21 +44,32 @@ struct ExpectedTest {
   double p_right_sigma = 0.0;
 };
 
+struct TestPlanOptions {
+  double most_hours = 12.0;                                      // longest test considered
+  double max_rpm = 0.0;                                          // 0: the highest of the data
+  bool can_load = false, can_room = false, can_coolant = false;  // what the operator can change
+  SearchOptions search;                                          // its `progress` is called here as well
+  std::uint64_t seed = 1;                                        // of the random draws
+  // Called as truths are simulated, in the calling thread: so many of so many.
+  std::function<void(const ExpectedTest& test, std::size_t done, std::size_t count)> simulating;
+};
+
 // The curve of the target that a hypothesis predicts for the chosen test, in um, one value per entry of
 // TestPlan::time_s. It has no noise and starts at 0.
 struct ExpectedCurve {
-  std::string label;  // "lagged_expansion(T_room_degC)", "nothing of the catalogue"
-  double p = 0.0;     // probability of the set, given the data at hand
+  std::vector<BoundEffect> effects;  // empty: nothing of the catalogue
+  double p = 0.0;                    // probability of the set, given the data at hand
   std::vector<double> um;
 };
 
-// A proposed new sensor at the place whose temperature drives a hypothesis.
+// A proposed new thermometer where an effect heats.
 struct SensorToAdd {
-  std::string place;     // "where speed_heating(speed_rpm) heats"
+  BoundEffect effect;
   double p_right = 0.0;  // P(right) of the chosen test with this sensor
 };
 
 struct TestPlan {
+  Obstacle obstacle = Obstacle::none;  // still_readings, too_few_values: nothing can be planned from the data
   Verdict verdict = Verdict::nothing;  // of the data at hand
   double p_nothing = 0.0;
   bool is_decided = false;                            // the data at hand already name the effect
@@ -67,8 +78,7 @@ struct TestPlan {
   std::vector<double> time_s;                         // times of the curves
   std::vector<ExpectedCurve> curves;                  // for the chosen test, the most probable first
   double sigma_um = 0.0;                              // standard deviation of one reading
-  std::vector<SensorToAdd> sensors;
-  std::string sentence;  // what to do, what it would show, how sure that is, and what stays open
+  std::optional<SensorToAdd> sensor;
 };
 
 // Plans a test for a drift series of one or several runs (runs.hpp). Throws Error as diagnose() does, and for
