@@ -14,6 +14,8 @@ std::string text_of(Doubt doubt, const Effect& effect) {
                            : "it does not predict left-out cycles better";
     case Doubt::weak_evidence:
       return "the evidence for it is weak";
+    case Doubt::forgotten_change:
+      return "a change that the noise forgets explains nearly as much";
     case Doubt::drift_beside:
       return "beside a slow drift without a cause its form is open";
     case Doubt::larger_drift:

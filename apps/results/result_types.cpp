@@ -109,7 +109,7 @@ std::string with_tables(std::string page, const std::vector<ResultSchema>& schem
 
 std::vector<ResultSchema> all_schemas() {
   return schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsReports, PosteriorSoFar, CheckedTargets,
-                    PreflightTargets, EffectPages, ExplainedTerms, TestPlan, EffectTest, Added, Ledger, Undone,
+                    PreflightTargets, EffectPages, ExplainedTerms, PlanReport, EffectTest, Added, Ledger, Undone,
                     Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, TestComparison, TestHeads,
                     HistoryResult, History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet,
                     TrainedOnTemperatures, TrainedOnEffects, TrainedForJob, Series, PredictedTarget, ReplayResult,

@@ -1,5 +1,5 @@
-"""Thresholds and priors in the README of a room are those of its code: a number with the name of a constant behind it, as
-`0.9 (`kNamed`)` or `95 % (`kCredible`)`, is the value of that constant in the room.
+"""Thresholds and priors in the README of a room are those of its code: a number with the name of a constant or of a
+number of its Tuning behind it, as `0.9 (`kNamed`)` or `95 % (`credible`)`, is its value in the room.
 
     python3 thresholds.py SOURCE_FOLDER
 """
@@ -20,13 +20,16 @@ def values_of(room):
             text = path.read_text(encoding="utf-8")
             for name, value in re.findall(r"constexpr (?:double|std::size_t) (k\w+) = ([-\d.e]+);", text):
                 values.setdefault(name, set()).add(float(value))
+            if path.name == "tuning.hpp":
+                for name, value in re.findall(r"^  (?:double|int|std::size_t) (\w+) = ([-\d.e]+);", text, re.M):
+                    values.setdefault(name, set()).add(float(value))
     return values
 
 
 found, faults = 0, []
 for page in sorted(library.glob("src/*/README.md")):
     values = values_of(page.parent.name)
-    for number, percent, name in re.findall(r"(\d[\d.]*)( %)?\s+\(`(k[A-Z]\w+)`\)", page.read_text(encoding="utf-8")):
+    for number, percent, name in re.findall(r"(\d[\d.]*)( %)?\s+\(`(k[A-Z]\w+|[a-z_]+)`\)", page.read_text(encoding="utf-8")):
         found += 1
         if values.get(name) != {float(number) / (100 if percent else 1)}:
             faults.append(f"{page.relative_to(library)}: {number}{percent} ({name}), in the code {values.get(name, 'none')}")

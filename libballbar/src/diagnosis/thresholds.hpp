@@ -10,10 +10,6 @@
 
 namespace ballbar {
 
-// Inputs as they were logged.
-inline constexpr double kJumpTime = 0.35;  // sd of the time of an input change within its sample, in samples
-inline constexpr double kClockTime = 0.6;  // sd of the delay of a clock, in samples
-
 // Detectability of an effect before any residual is examined.
 inline constexpr double kFound = 7.0;      // d from which a diagnosis finds an effect
 inline constexpr double kAbsorbed = 0.05;  // remaining share of a signature's square below which it is absorbed
@@ -21,19 +17,10 @@ inline constexpr double kAbsorbed = 0.05;  // remaining share of a signature's s
 // Of so many readings or fewer an input in any form explains all.
 inline constexpr std::size_t kFewReadings = 60;
 
-// Priors.
-inline constexpr std::size_t kMostEffects = 8;  // largest number of single effects
-// d of a gain, with equal priors
+// d of a gain, with equal priors.
 inline constexpr std::array<double, 9> kGainSizes{4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 256.0, 1024.0, 4096.0};
-
-// Tests of a member of a set.
-inline constexpr double kSameGain = 0.01;  // gains differ if p_same_gain is smaller
 
 // Verdict.
 inline constexpr double kMinor = 0.05;  // share of the RMSE
-
-// The next test.
-inline constexpr double kSureEnough = 0.95;    // P(right) of a test from which no longer test is considered
-inline constexpr double kSureOfNothing = 0.8;  // P of nothing from which no test is planned
 
 }  // namespace ballbar

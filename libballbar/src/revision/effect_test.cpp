@@ -55,7 +55,7 @@ const EffectSet& set_with(const Posterior& posterior, const EffectSet& alone) {
   const EffectSet& best = posterior.sets[posterior.best];
   if (has_them(best)) return best;
   const auto listed = std::find_if(posterior.sets.begin(), posterior.sets.end(),
-                                   [&](const EffectSet& set) { return set.own == 0 && has_them(set); });
+                                   [&](const EffectSet& set) { return set.held == 0 && has_them(set); });
   return listed == posterior.sets.end() ? alone : *listed;
 }
 
@@ -77,9 +77,9 @@ void test_added(Inference& found, const std::vector<Term>& terms, const Series& 
     result.beside.push_back(label_of(found.problem->library.families[family].bound));
   result.after.likelihood_ratio = std::max(0.0, log_bayes_factor_beside(found, set, others));
   const FittedSet fitted = fitted_set(*found.problem, found.posterior, set, true);
-  if (others.empty() && set.own == 0) result.parameters = fitted.parameters;
-  if (set.own > 0) {
-    const FittedParameter& freed = fitted.parameters[found.problem->own[set.own - 1].parameter];
+  if (others.empty() && set.held == 0) result.parameters = fitted.parameters;
+  if (set.held > 0) {
+    const FittedParameter& freed = fitted.parameters[found.problem->held[set.held - 1].parameter];
     result.freed = FreedParameter{freed.effect, freed.name};
   }
   const SetRegression at = set_regression(*found.problem, found.posterior, set);

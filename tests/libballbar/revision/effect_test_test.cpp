@@ -166,7 +166,9 @@ TEST(EffectTest, tested_beside_what_is_missing_as_well) {
   EXPECT_EQ(of_room.after.verdict, "supported");
   EXPECT_NEAR(of_room.added[0].amplitude_um, 1.0, 0.1);
   const EffectTest of_step = effect_test(constant(), {step}, data);
-  EXPECT_EQ(of_step.beside, std::vector<std::string>{"expansion(T_room_degC)"});
+  // An effect of the room; these readings do not tell whether it lags by 2 min.
+  ASSERT_EQ(of_step.beside.size(), 1U);
+  EXPECT_TRUE(of_step.beside.front().ends_with("expansion(T_room_degC)")) << of_step.beside.front();
   EXPECT_NEAR(of_step.added[0].amplitude_um, 8.0, 0.2);
   const EffectTest both = effect_test(constant(), {room, step}, data);
   EXPECT_TRUE(both.beside.empty());

@@ -24,4 +24,8 @@ inline constexpr double kDiscrepancy = 0.5;  // P of a slow drift without a caus
 // Effects of a model.
 inline constexpr double kDropTest = 0.05;  // an effect is needed if P that it is not is smaller
 
+// The next test.
+inline constexpr double kSureEnough = 0.95;    // P(right) of a test from which no longer test is considered
+inline constexpr double kSureOfNothing = 0.8;  // P of nothing from which no test is planned
+
 }  // namespace ballbar

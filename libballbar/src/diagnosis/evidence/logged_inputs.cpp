@@ -8,7 +8,6 @@
 #include <optional>
 #include <set>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/numerics/interruption.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/series/runs.hpp"
@@ -19,21 +18,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kMostChanges = 20;        // of a temperature
-constexpr double kLargeChange = 3.0;            // times the usual change of a temperature from sample to sample
-constexpr double kLongestSample_s = 120.0;      // of a logger
-constexpr double kLongestRamp_s = 90.0;         // a longer change is not sudden
-constexpr double kJump = 0.03;                  // of a column's range, from row to row
-constexpr std::size_t kLongestHeld = 12;        // rows
-constexpr double kBends = 0.9;                  // share of the square of a column's bends, at the samples it joins
-constexpr double kClimbs = 0.8;                 // share of the runs of a coarse column that differ by one resolution
-constexpr std::size_t kMostLevelsOfSwitch = 6;  // of a temperature
-constexpr std::size_t kFewestAtEnd = 10;        // rows in which a saturated sensor stands at the end of its range
-constexpr double kLeastAtEnd = 0.05;            // share of the rows
-constexpr std::size_t kFewestToSaturate = 100;  // rows
 constexpr std::size_t kRowsBeforeEnd = 5;
-constexpr double kSmallStep = 1.5;         // resolutions
-constexpr std::size_t kFewestChanges = 8;  // of a column, to determine its sampling interval
 
 bool is_whole(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
@@ -45,12 +30,12 @@ double range_within(const std::vector<double>& values) {
 }
 
 // Rows for which a logger holds a value: all changes are so many rows apart or a multiple of it; 1: none.
-std::size_t held_rows(const std::vector<double>& values) {
+std::size_t held_rows(const std::vector<double>& values, const Tuning& tuning) {
   std::vector<std::size_t> changes;
   for (std::size_t i = 1; i < values.size(); ++i) {
     if (values[i] != values[i - 1]) changes.push_back(i);
   }
-  if (changes.size() < kFewestChanges) return 1;
+  if (changes.size() < tuning.fewest_changes) return 1;
   std::size_t common = 0;
   for (std::size_t k = 1; k < changes.size(); ++k) {
     std::size_t a = common, b = changes[k] - changes[k - 1];
@@ -67,10 +52,10 @@ std::size_t held_rows(const std::vector<double>& values) {
 
 // Rows between the samples of which a column is the straight lines: it bends at one row of so many, or at two
 // neighbours where the samples lie between rows; 1: none.
-std::size_t ramped_rows(const std::vector<double>& values) {
+std::size_t ramped_rows(const std::vector<double>& values, const Tuning& tuning) {
   std::size_t best = 1;
-  double most = kBends;
-  for (std::size_t rows = 3; rows <= kLongestHeld && 4 * rows < values.size(); ++rows) {
+  double most = tuning.bends;
+  for (std::size_t rows = 3; rows <= tuning.longest_held && 4 * rows < values.size(); ++rows) {
     expect_no_interruption();
     std::vector<double> square(rows, 0.0);
     double all = 0.0;
@@ -101,8 +86,8 @@ bool is_even(const std::vector<double>& time_s) {
 
 // Changes of more than a share of the range; adjacent ones are joined up to the length of a ramp.
 std::vector<Jump> jumps_of(const std::vector<double>& time_s, const std::vector<double>& values, std::size_t held,
-                           double longest_s) {
-  const double least = kJump * range_within(values);
+                           double longest_s, const Tuning& tuning) {
+  const double least = tuning.jump * range_within(values);
   std::vector<Jump> jumps;
   for (std::size_t i = 1; i < values.size(); ++i) {
     if (!(std::abs(values[i] - values[i - 1]) > least)) continue;
@@ -255,23 +240,23 @@ std::vector<double> smoothed(const std::vector<Observation>& observations, const
 }
 
 // Whether successive runs of equal values differ by one resolution: the sampling of something smooth.
-bool climbs_by_one(const std::vector<RowRange>& runs, const std::vector<double>& values) {
+bool climbs_by_one(const std::vector<RowRange>& runs, const std::vector<double>& values, const Tuning& tuning) {
   const double resolution = resolution_of(values);
   std::size_t by_one = 0;
   for (std::size_t k = 1; k < runs.size(); ++k)
     by_one += std::abs(values[runs[k].begin] - values[runs[k - 1].begin]) < 1.5 * resolution ? 1 : 0;
-  return resolution > 0.0 && static_cast<double>(by_one) > kClimbs * static_cast<double>(runs.size() - 1);
+  return resolution > 0.0 && static_cast<double>(by_one) > tuning.climbs * static_cast<double>(runs.size() - 1);
 }
 
 // A smooth curve through the runs of a coarse column where it spends several rows each, else through its samples; those
 // of rows that are read one by one are as they are.
 std::vector<double> continuous(const std::vector<double>& time_s, const std::vector<double>& values, std::size_t held,
-                               bool is_read) {
+                               bool is_read, const Tuning& tuning) {
   const std::vector<RowRange> runs = equal_rows(values);
-  if (runs.size() < kFewestChanges) return values;
+  if (runs.size() < tuning.fewest_changes) return values;
   std::vector<Observation> observations;
   observations.reserve(runs.size());
-  const bool coarse = 3 * runs.size() < values.size() / held && climbs_by_one(runs, values);
+  const bool coarse = 3 * runs.size() < values.size() / held && climbs_by_one(runs, values, tuning);
   if (is_read && !coarse) return values;
   if (coarse) {
     for (const RowRange& run : runs) {
@@ -289,45 +274,28 @@ std::vector<double> continuous(const std::vector<double>& time_s, const std::vec
   return smoothed(observations, time_s);
 }
 
-// The largest changes from sample to sample, for which it is not known whether they were linear or sudden.
-std::vector<Jump> largest_changes(const std::vector<double>& values, std::size_t sample) {
-  std::vector<Jump> changes;
-  std::vector<double> sizes;
-  for (std::size_t i = 0; i + sample < values.size(); i += sample) {
-    changes.push_back({i, i + sample, values[i], values[i + sample]});
-    sizes.push_back(std::abs(values[i + sample] - values[i]));
-  }
-  if (changes.size() < kFewestChanges) return {};
-  const double usual = median(sizes);
-  std::erase_if(changes, [&](const Jump& one) { return !(std::abs(one.after - one.before) > kLargeChange * usual); });
-  std::stable_sort(changes.begin(), changes.end(), [](const Jump& a, const Jump& b) {
-    return std::abs(a.after - a.before) > std::abs(b.after - b.before);
-  });
-  if (changes.size() > kMostChanges) changes.resize(kMostChanges);
-  return changes;
-}
-
 // Rows in which a sensor stands at its largest or smallest value for long, though it changes by more than its
 // resolution from row to row just before. A temperature that comes to rest does so by small steps.
-std::vector<std::size_t> rows_at_end(const std::vector<double>& values) {
+std::vector<std::size_t> rows_at_end(const std::vector<double>& values, const Tuning& tuning) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   std::vector<double> changes;
   for (std::size_t i = 1; i < values.size(); ++i) {
     if (values[i] != values[i - 1]) changes.push_back(std::abs(values[i] - values[i - 1]));
   }
-  if (values.size() < kFewestToSaturate || changes.size() < kFewestChanges) return {};
+  if (changes.size() < tuning.fewest_changes) return {};
   const double resolution = *std::min_element(changes.begin(), changes.end());
   std::vector<std::size_t> rows;
   std::vector<double> before;
   for (const RowRange& run : equal_rows(values)) {
-    if (run.begin == 0 || run.end - run.begin < kFewestAtEnd) continue;
+    if (run.begin == 0 || run.end - run.begin < tuning.fewest_at_end) continue;
     if (values[run.begin] != *low && values[run.begin] != *high) continue;
     for (std::size_t row = run.begin; row < run.end; ++row) rows.push_back(row);
     for (std::size_t row = run.begin - std::min(run.begin - 1, kRowsBeforeEnd); row < run.begin; ++row)
       before.push_back(std::abs(values[row] - values[row - 1]));
   }
-  if (static_cast<double>(rows.size()) < kLeastAtEnd * static_cast<double>(values.size()) || before.empty()) return {};
-  return median(std::move(before)) > kSmallStep * resolution ? rows : std::vector<std::size_t>{};
+  if (static_cast<double>(rows.size()) < tuning.least_at_end * static_cast<double>(values.size()) || before.empty())
+    return {};
+  return median(std::move(before)) > tuning.small_step * resolution ? rows : std::vector<std::size_t>{};
 }
 
 bool is_temperature(const Column& column) {
@@ -336,10 +304,10 @@ bool is_temperature(const Column& column) {
 }
 
 // A temperature that a logger holds for some rows changes in steps as well, but hardly comes back to a level.
-bool is_switched(const Column& column, SignalKind kind) {
+bool is_switched(const Column& column, SignalKind kind, const Tuning& tuning) {
   if (kind != SignalKind::steps || column.role == Role::measured) return false;
   if (!is_temperature(column)) return true;
-  return std::set<double>(column.values.begin(), column.values.end()).size() <= kMostLevelsOfSwitch;
+  return std::set<double>(column.values.begin(), column.values.end()).size() <= tuning.levels_of_switch;
 }
 
 // Where the column is mostly constant it is stepped by these jumps.
@@ -355,7 +323,7 @@ void draw_steps(std::vector<Jump> jumps, LoggedInput& input, std::vector<double>
 LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& targets, const Tuning& tuning) {
   LoggedInputs result;
   result.series = data;
-  if (data.time_s.size() < kFewestChanges || find_column(data, "angle_rad") != nullptr) return result;
+  if (data.time_s.size() < tuning.fewest_changes || find_column(data, "angle_rad") != nullptr) return result;
   const double step_s = median_step_s(data.time_s);
   const bool even = is_even(data.time_s);
   // A logger asks all its inputs alike: what the temperatures show holds for the speed, whose programme may itself
@@ -363,9 +331,9 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
   std::size_t held = 0, ramped = 0;
   for (const Column& column : data.columns) {
     if (!is_temperature(column) || !is_whole(column.values) || !even) continue;
-    const std::size_t rows = held_rows(column.values);
+    const std::size_t rows = held_rows(column.values, tuning);
     if (held == 0 || rows < held) held = rows;
-    const std::size_t lines = rows > 1 ? 1 : ramped_rows(column.values);
+    const std::size_t lines = rows > 1 ? 1 : ramped_rows(column.values, tuning);
     ramped = std::max(ramped, lines);
   }
   held = std::max<std::size_t>(1, held);
@@ -376,30 +344,30 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
     LoggedInput input;
     input.column = column.name;
     if (column.role == Role::speed || column.role == Role::load) {
-      const std::size_t own = even ? held_rows(column.values) : 1;
+      const std::size_t own = even ? held_rows(column.values, tuning) : 1;
       const std::size_t rows = held > 1 || ramped > 1
                                    ? std::max(held, ramped)
-                                   : (static_cast<double>(own) * step_s <= kLongestSample_s ? own : 1);
-      const double longest_s = std::max(kLongestRamp_s, 1.5 * static_cast<double>(rows) * step_s);
+                                   : (static_cast<double>(own) * step_s <= tuning.longest_sample_s ? own : 1);
+      const double longest_s = std::max(tuning.longest_ramp_s, 1.5 * static_cast<double>(rows) * step_s);
       input.sample_s = static_cast<double>(rows) * step_s;
-      draw_steps(jumps_of(data.time_s, column.values, ramped > 1 ? 1 : rows, longest_s), input, column.values, tuning);
-    } else if (const SignalKind kind = signal_kind(column.values); is_switched(column, kind)) {
+      draw_steps(jumps_of(data.time_s, column.values, ramped > 1 ? 1 : rows, longest_s, tuning), input, column.values,
+                 tuning);
+    } else if (const SignalKind kind = signal_kind(column.values); is_switched(column, kind, tuning)) {
       input.sample_s = step_s;
-      draw_steps(jumps_of(data.time_s, column.values, 1, kLongestRamp_s), input, column.values, tuning);
+      draw_steps(jumps_of(data.time_s, column.values, 1, tuning.longest_ramp_s, tuning), input, column.values, tuning);
     } else if (is_temperature(column) || (kind == SignalKind::smooth && column.role != Role::measured)) {
-      input.at_end = rows_at_end(column.values);
-      const std::size_t rows = even ? held_rows(column.values) : 1;
-      const std::size_t sample = std::max(rows, even ? ramped_rows(column.values) : 1);
+      input.at_end = rows_at_end(column.values, tuning);
+      const std::size_t rows = even ? held_rows(column.values, tuning) : 1;
+      const std::size_t sample = std::max(rows, even ? ramped_rows(column.values, tuning) : 1);
       input.sample_s = static_cast<double>(sample) * step_s;
       // Rows far apart are read one by one, each within a short time.
-      const bool is_read = sample == 1 && step_s > kLongestSample_s;
+      const bool is_read = sample == 1 && step_s > tuning.longest_sample_s;
       if (tuning.smoothing && is_temperature(column))
-        column.values = continuous(data.time_s, column.values, rows, is_read);
-      if (!is_read) input.jumps = largest_changes(column.values, sample);
+        column.values = continuous(data.time_s, column.values, rows, is_read, tuning);
     } else {
       continue;
     }
-    input.late_s = input.sample_s > step_s ? input.sample_s : std::min(step_s, kLongestSample_s);
+    input.late_s = input.sample_s > step_s ? input.sample_s : std::min(step_s, tuning.longest_sample_s);
     result.inputs.push_back(std::move(input));
   }
   return result;

@@ -29,7 +29,7 @@ struct LoggedInput {
   bool is_stepped = false;
   double sample_s = 0.0;            // sampling interval of its logger
   double late_s = 0.0;              // by so much its clock may be late or early
-  std::vector<Jump> jumps;          // for a continuous input its largest changes, of unknown shape
+  std::vector<Jump> jumps;          // of a stepped input
   std::vector<std::size_t> at_end;  // rising rows in which its sensor is saturated
 };
 
@@ -41,7 +41,7 @@ struct LoggedInputs {
 // targets: columns that are not inputs. Rows and names do not change.
 LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& targets, const Tuning& tuning = {});
 
-// The column with this jump moved earlier (shift > 0) or later (shift < 0) by `shift` times its width, |shift| <= 1.
+// The column with this jump moved to the beginning of its sample (earlier) or to its end.
 std::vector<double> with_jump_moved(const std::vector<double>& values, const Jump& jump, bool earlier);
 
 }  // namespace ballbar

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ballbar {
 namespace {
@@ -12,11 +13,10 @@ ShapeFit with_gains(const BaseModel& base, std::vector<double> parameters, const
                     const Eigen::MatrixXd& open, const Whitening& filter, const KnownScatter& known,
                     std::size_t fixed) {
   const BaseColumns columns = base.at(parameters, free, fixed);
-  const LinearSolution solution =
-      linear_solution(gram_of(filter, pool_of(columns, open)), line_of(columns, open.cols()), known);
+  const LinearSolution solution = linear_solution(filter, linear_model_of(columns, open), known);
   for (std::size_t k = 0; k < columns.columns.size(); ++k) {
     const BaseColumn& column = columns.columns[k];
-    if (column.is_free())
+    if (column.is_flat())
       parameters[column.parameter] = solution.coefficients[static_cast<Eigen::Index>(k)] * column.scale;
   }
   return {std::move(parameters), solution.variance, solution.square};
@@ -44,25 +44,13 @@ Bounds bounds_at(const BaseModel& base, const std::vector<double>& parameters, c
 
 }  // namespace
 
-Line line_of(const BaseColumns& columns, Eigen::Index open) {
-  Line line;
-  for (std::size_t k = 0; k < columns.columns.size(); ++k) {
-    line.columns.push_back(1 + static_cast<Eigen::Index>(k));
-    line.is_free.push_back(columns.columns[k].is_free() ? 1 : 0);
-  }
-  for (Eigen::Index k = 0; k < open; ++k) {
-    line.columns.push_back(1 + columns.values.cols() + k);
-    line.is_free.push_back(0);
-  }
-  return line;
-}
-
-RowMajorMatrix pool_of(const BaseColumns& columns, const Eigen::MatrixXd& open) {
-  RowMajorMatrix pool(columns.y.size(), 1 + columns.values.cols() + open.cols());
-  pool.col(0) = columns.y;
-  pool.middleCols(1, columns.values.cols()) = columns.values;
-  pool.rightCols(open.cols()) = open;
-  return pool;
+LinearModel linear_model_of(const BaseColumns& columns, const Eigen::MatrixXd& open) {
+  LinearModel linear;
+  linear.columns.resize(columns.y.size(), 1);
+  linear.columns.col(0) = columns.y;
+  linear = with_columns(with_columns(std::move(linear), columns.values, false), open, false);
+  for (std::size_t k = 0; k < columns.columns.size(); ++k) linear.is_flat[k] = columns.columns[k].is_flat() ? 1 : 0;
+  return linear;
 }
 
 ShapeFit shape_fit(const BaseModel& base, std::vector<double> parameters, const std::vector<std::size_t>& free,

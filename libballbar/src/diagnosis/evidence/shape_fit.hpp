@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "diagnosis/evidence/base_columns.hpp"
-#include "diagnosis/evidence/evidence.hpp"
+#include "diagnosis/evidence/base_model.hpp"
+#include "diagnosis/evidence/linear_model.hpp"
 #include "fit/series_cost.hpp"
 #include "noise/whitening.hpp"
 
@@ -24,8 +24,7 @@ ShapeFit shape_fit(const BaseModel& base, std::vector<double> parameters, const 
                    const Eigen::MatrixXd& open, const Whitening& filter, const KnownScatter& known, Stop stop = {},
                    std::size_t fixed = 0);
 
-// The linear model of these columns in a pool with the order y, the columns, open columns.
-Line line_of(const BaseColumns& columns, Eigen::Index open);
-RowMajorMatrix pool_of(const BaseColumns& columns, const Eigen::MatrixXd& open);
+// y, its columns, and the open ones.
+LinearModel linear_model_of(const BaseColumns& columns, const Eigen::MatrixXd& open);
 
 }  // namespace ballbar

@@ -7,21 +7,14 @@
 
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/numerics/parallel.hpp"
-#include "diagnosis/evidence/evidence.hpp"
+#include "diagnosis/evidence/linear_model.hpp"
 #include "noise/discrepancy_grid.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kPriorOfDiscrepancy = 0.2;
-constexpr double kCost = 2.0;                        // ln, of each hyperparameter
-constexpr std::size_t kFewestForMemory = 30;         // rows; with fewer the noise is white
-constexpr double kShortestDiscrepancy = 1.25;        // of the longest memory of the noise
-constexpr double kMostChanges = 3.0;                 // of a rough discrepancy from row to row, over the noise
-constexpr double kMostWhite = 5.0;                   // ln of white over what is new of the memory in a step
-constexpr double kFirstStep = 1.0, kLastStep = 0.2;  // ln, of the compass search
-constexpr std::size_t kLengths = 4;                  // of the first look
-constexpr double kFirstSizes[] = {1.0, 4.0, 16.0};   // likewise, of the noise
+constexpr std::size_t kLengths = 4;                 // of the first look
+constexpr double kFirstSizes[] = {1.0, 4.0, 16.0};  // likewise, of the noise
 
 // A compass search between bounds: ln of white over what is new of the memory in a step, ln of the memory, ln of the
 // discrepancy's standard deviation over the noise's, ln of its memory. Those that are not searched have equal bounds.
@@ -29,7 +22,7 @@ using Place = std::array<double, 4>;
 
 struct Limits {
   Place low, high;
-  double step_s = 1.0;
+  double step_s = 1.0, most_new = 0.0;
   Discrepancy kind = Discrepancy::none;
   std::size_t free() const {
     std::size_t count = 0;
@@ -41,23 +34,24 @@ struct Limits {
 Limits limits_of(const Problem& problem, Discrepancy kind) {
   Limits bounds;
   bounds.kind = kind;
+  bounds.most_new = problem.tuning.most_new;
   const double median_s = median_step_s(problem.time_s), span_s = span_of_time_s(problem.time_s);
   bounds.step_s = median_s > 0.0 ? median_s : 1.0;
   bounds.low.fill(0.0);
   bounds.high.fill(0.0);
   const double memory_s = std::min(problem.longest_memory_s, std::max(3.0 * bounds.step_s, span_s / 6.0));
   bounds.low[0] = bounds.high[0] = std::numeric_limits<double>::infinity();  // white alone
-  if (problem.time_s.size() >= kFewestForMemory && memory_s > 2.5 * bounds.step_s) {
-    bounds.low[0] = -kMostWhite;
-    bounds.high[0] = kMostWhite;
+  if (problem.time_s.size() >= problem.tuning.fewest_for_memory && memory_s > 2.5 * bounds.step_s) {
+    bounds.low[0] = -problem.tuning.most_white;
+    bounds.high[0] = problem.tuning.most_white;
     bounds.low[1] = std::log(bounds.step_s);
     bounds.high[1] = std::log(memory_s);
   }
   if (kind == Discrepancy::none) return bounds;
   bounds.low[2] = std::log(0.3);
   bounds.high[2] = std::log(300.0);
-  const double shortest_s = std::max(
-      kShortestDiscrepancy * (problem.tuning.bounded_memory ? problem.longest_memory_s : 1200.0), 2.0 * bounds.step_s);
+  const double shortest_s =
+      std::max(problem.tuning.shortest_discrepancy * problem.longest_memory_s, 2.0 * bounds.step_s);
   bounds.low[3] = std::log(shortest_s);
   bounds.high[3] = std::log(std::max(3.0 * span_s, 2.0 * shortest_s));
   return bounds;
@@ -73,7 +67,7 @@ Covariance covariance_at(const Limits& bounds, const Place& x) {
   if (result.slow_is_rough) {
     // From row to row the noise is no smaller than this share of the discrepancy's changes, or that would be the noise.
     const double changes = -std::expm1(-2.0 * bounds.step_s / result.slow_time_s);
-    result.slow = std::min(result.slow, kMostChanges * kMostChanges / changes);
+    result.slow = std::min(result.slow, bounds.most_new * bounds.most_new / changes);
   }
   return result;
 }
@@ -138,17 +132,17 @@ Discrepancy discrepancy_of(const Covariance& covariance) {
 }
 
 std::vector<Discrepancy> discrepancies_of(const Problem& problem) {
-  if (problem.model.level != Level::series || problem.time_s.size() < 12 || !problem.tuning.discrepancy)
+  if (problem.model.level != Level::series || problem.time_s.size() < 12 || !(problem.tuning.discrepancy > 0.0))
     return {Discrepancy::none};
   return {Discrepancy::none, Discrepancy::rough, Discrepancy::smooth};
 }
 
-Covariance likeliest_covariance(const Problem& problem, const Variant& variant, Discrepancy kind,
+Covariance likeliest_covariance(const Problem& problem, const LinearModel& linear, Discrepancy kind,
                                 const Covariance* start) {
   const Limits bounds = limits_of(problem, kind);
   const auto log_evidence_at = [&](const Place& x) {
-    const Point point = point_at(problem, covariance_at(bounds, x));
-    return log_evidence(linear_solution(gram_of(point.filter, variant.pool), variant.line, problem.known));
+    const NoiseFilter filter = noise_filter_at(problem, covariance_at(bounds, x));
+    return linear_solution(filter.whitening, linear, problem.known).log_evidence;
   };
   std::vector<Place> starts = start != nullptr ? std::vector{place_of(bounds, *start)} : starts_of(bounds);
   std::vector<double> evidence(starts.size());
@@ -156,7 +150,8 @@ Covariance likeliest_covariance(const Problem& problem, const Variant& variant, 
   const auto first = static_cast<std::size_t>(std::max_element(evidence.begin(), evidence.end()) - evidence.begin());
   Place best = starts[first];
   double most = evidence[first];
-  for (double step = start != nullptr ? 0.5 * kFirstStep : kFirstStep; step >= kLastStep && bounds.free() > 0;) {
+  for (double step = start != nullptr ? 0.5 * problem.tuning.first_step : problem.tuning.first_step;
+       step >= problem.tuning.last_step && bounds.free() > 0;) {
     bool is_better = false;
     for (std::size_t k = 0; k < best.size(); ++k) {
       if (!(bounds.high[k] > bounds.low[k])) continue;
@@ -176,10 +171,18 @@ Covariance likeliest_covariance(const Problem& problem, const Variant& variant, 
   }
   Covariance result = covariance_at(bounds, best);
   const bool has_kinds = problem.model.level == Level::series;
-  const double kinds = kind == Discrepancy::none ? 1.0 - kPriorOfDiscrepancy : 0.5 * kPriorOfDiscrepancy;
-  result.log_prior = (has_kinds ? std::log(kinds) : 0.0) -
-                     (problem.tuning.cost_of_hyperparameters ? kCost : 0.0) * static_cast<double>(bounds.free());
+  const double kinds = kind == Discrepancy::none ? 1.0 - problem.tuning.discrepancy : 0.5 * problem.tuning.discrepancy;
+  result.log_prior =
+      (has_kinds ? std::log(kinds) : 0.0) - problem.tuning.hyperparameter * static_cast<double>(bounds.free());
   return result;
+}
+
+std::vector<Covariance> likeliest_covariances(const Problem& problem, const LinearModel& linear) {
+  if (!problem.covariances.empty()) return problem.covariances;
+  const std::vector<Discrepancy> kinds = discrepancies_of(problem);
+  std::vector<Covariance> found(kinds.size());
+  in_parallel(kinds.size(), [&](std::size_t k) { found[k] = likeliest_covariance(problem, linear, kinds[k]); });
+  return found;
 }
 
 }  // namespace ballbar

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "diagnosis/posterior/problem.hpp"
-#include "diagnosis/posterior/variant.hpp"
 
 namespace ballbar {
 
@@ -20,9 +19,11 @@ Discrepancy discrepancy_of(const Covariance& covariance);
 // The kinds that these readings can have.
 std::vector<Discrepancy> discrepancies_of(const Problem& problem);
 
-// Of the readings in the first column of the pool, beside the line. start: nearby; nullptr: not known. The prior of
-// the kind is in its log_prior.
-Covariance likeliest_covariance(const Problem& problem, const Variant& variant, Discrepancy kind,
+// start: nearby; nullptr: not known. The prior of the kind is in its log_prior.
+Covariance likeliest_covariance(const Problem& problem, const LinearModel& linear, Discrepancy kind,
                                 const Covariance* start = nullptr);
+
+// Of each kind, or those that the problem has.
+std::vector<Covariance> likeliest_covariances(const Problem& problem, const LinearModel& linear);
 
 }  // namespace ballbar

@@ -6,52 +6,54 @@
 #include <numeric>
 #include <utility>
 
-#include "diagnosis/evidence/evidence.hpp"
+#include "diagnosis/evidence/linear_model.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kPriorOfOwn = 0.4;     // share of all held values in the prior of a single effect
 constexpr std::size_t kRowsAtEnds = 2;  // at either end of the rows no jump is looked for
 
 // The values of a held parameter to try.
-std::vector<double> other_values(const OwnParameter& own, const Parameter& parameter) {
+std::vector<double> other_values(const HeldParameter& held, const Parameter& parameter) {
   if (parameter.kind == ParameterKind::gain)
-    return {own.fitted.empty() ? own.held + 1.0 : own.fitted.back()};  // all alike
-  std::vector<double> values = own.fitted;
+    return {std::isfinite(held.fitted) ? held.fitted : held.value + 1.0};  // all alike
+  std::vector<double> values;
+  if (std::isfinite(held.fitted)) values.push_back(held.fitted);
   if (parameter.unit != "s") {
     std::copy_if(parameter.grid.begin(), parameter.grid.end(), std::back_inserter(values),
-                 [&](double value) { return std::abs(value - own.held) > 1e-9; });
-    for (const double share : {0.6, 0.8, 0.9, 1.1, 1.25, 1.5}) values.push_back(own.held * share);
-  } else if (own.held > 0.0) {
-    for (const double factor : {0.3, 0.45, 0.67, 0.82, 1.22, 1.5, 2.2, 3.3}) values.push_back(own.held * factor);
+                 [&](double value) { return std::abs(value - held.value) > 1e-9; });
+    for (const double share : {0.6, 0.8, 0.9, 1.1, 1.25, 1.5}) values.push_back(held.value * share);
+  } else if (held.value > 0.0) {
+    for (const double factor : {0.3, 0.45, 0.67, 0.82, 1.22, 1.5, 2.2, 3.3}) values.push_back(held.value * factor);
   }
   std::erase_if(values, [&](double value) { return value < parameter.lower || value > parameter.upper; });
   return values;
 }
 
 // The curve of a term at another value of one parameter minus that at the held value.
-Eigen::VectorXd difference(const Problem& problem, const Variant& variant, std::size_t parameter, double value) {
-  std::vector<double> there = variant.parameters;
+Eigen::VectorXd difference(const Problem& problem, const Linearisation& linearisation, std::size_t parameter,
+                           double value) {
+  std::vector<double> there = linearisation.parameters;
   there[parameter] = value;
-  return problem.base_model->term_at(parameter, there) - problem.base_model->term_at(parameter, variant.parameters);
+  return problem.base_model->term_at(parameter, there) -
+         problem.base_model->term_at(parameter, linearisation.parameters);
 }
 
-struct OwnColumn {
+struct HeldColumn {
   Shape shape;
   Eigen::VectorXd values;
 };
 
-std::vector<OwnColumn> own_columns(const Problem& problem, const Variant& variant, std::size_t k) {
-  const std::size_t place = problem.own[k].parameter;
-  std::vector<OwnColumn> found;
-  for (const double value : other_values(problem.own[k], problem.base_model->parameter(place))) {
-    Eigen::VectorXd column = difference(problem, variant, place, value);
+std::vector<HeldColumn> held_columns(const Problem& problem, const Linearisation& linearisation, std::size_t k) {
+  const std::size_t place = problem.held[k].parameter;
+  std::vector<HeldColumn> found;
+  for (const double value : other_values(problem.held[k], problem.base_model->parameter(place))) {
+    Eigen::VectorXd column = difference(problem, linearisation, place, value);
     const double mean = column.mean(), deviation = std::sqrt((column.array() - mean).square().mean());
     if (!column.allFinite() || !(deviation > 1e-9)) continue;
     found.push_back({{problem.library.families.size() + k, 0, 1, 0.0, kNoSignature, value}, column / deviation});
   }
-  for (OwnColumn& one : found) one.shape.log_prior = -std::log(static_cast<double>(found.size()));
+  for (HeldColumn& one : found) one.shape.log_prior = -std::log(static_cast<double>(found.size()));
   return found;
 }
 
@@ -94,16 +96,16 @@ bool jumps(const Problem& problem, std::size_t family) {
   return std::is_sorted(problem.time_s.begin(), problem.time_s.end());
 }
 
-Identities identities_of(const Problem& problem, const Variant& variant) {
+Identities identities_of(const Problem& problem, const Linearisation& linearisation) {
   Identities result;
   const SignatureLibrary& library = problem.library;
   const Eigen::Index n = problem.signatures.rows();
   result.families = library.families.size();
   result.log_prior = problem.log_prior;
-  if (!problem.own.empty()) {
-    for (double& prior : result.log_prior) prior += std::log1p(-kPriorOfOwn);
-    result.log_prior.resize(result.families + problem.own.size(),
-                            std::log(kPriorOfOwn / static_cast<double>(problem.own.size())));
+  if (!problem.held.empty()) {
+    for (double& prior : result.log_prior) prior += std::log1p(-problem.tuning.held_values);
+    result.log_prior.resize(result.families + problem.held.size(),
+                            std::log(problem.tuning.held_values / static_cast<double>(problem.held.size())));
   }
   for (std::size_t f = 0; f < result.families; ++f) {
     if (!jumps(problem, f)) continue;
@@ -113,17 +115,17 @@ Identities identities_of(const Problem& problem, const Variant& variant) {
       result.jump = f;
     }
   }
-  std::vector<OwnColumn> own;
-  for (std::size_t k = 0; k < problem.own.size(); ++k) {
-    std::vector<OwnColumn> columns = own_columns(problem, variant, k);
-    std::move(columns.begin(), columns.end(), std::back_inserter(own));
+  std::vector<HeldColumn> held;
+  for (std::size_t k = 0; k < problem.held.size(); ++k) {
+    std::vector<HeldColumn> columns = held_columns(problem, linearisation, k);
+    std::move(columns.begin(), columns.end(), std::back_inserter(held));
   }
   const Eigen::Index behind = problem.signatures.cols();
-  result.columns.resize(n, behind + static_cast<Eigen::Index>(own.size()));
+  result.columns.resize(n, behind + static_cast<Eigen::Index>(held.size()));
   result.columns.leftCols(behind) = problem.signatures;
-  for (std::size_t k = 0; k < own.size(); ++k) {
-    own[k].shape.first = behind + static_cast<Eigen::Index>(k);
-    result.columns.col(own[k].shape.first) = own[k].values;
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    held[k].shape.first = behind + static_cast<Eigen::Index>(k);
+    result.columns.col(held[k].shape.first) = held[k].values;
   }
   for (std::size_t i = 0; i < result.log_prior.size(); ++i) {
     result.first.push_back(result.shapes.size());
@@ -152,7 +154,7 @@ Identities identities_of(const Problem& problem, const Variant& variant) {
         result.shapes.push_back({i, one.first, one.width, log_prior, standing[k], 0.0});
       }
     } else {
-      for (const OwnColumn& column : own) {
+      for (const HeldColumn& column : held) {
         if (column.shape.identity == i) result.shapes.push_back(column.shape);
       }
     }

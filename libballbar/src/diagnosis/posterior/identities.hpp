@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
+#include "diagnosis/posterior/linearisation.hpp"
 #include "diagnosis/posterior/problem.hpp"
-#include "diagnosis/posterior/variant.hpp"
 
 namespace ballbar {
 
@@ -27,21 +27,21 @@ struct Shape {
 };
 
 struct Identities {
-  std::size_t families = 0;               // number in the library; held values follow, in the order of Problem::own
+  std::size_t families = 0;               // number in the library; held values follow, in the order of Problem::held
   std::vector<double> log_prior;          // of each
   Eigen::MatrixXd columns;                // n by C, each with standard deviation 1
   std::vector<Shape> shapes;              // grouped by identity
   std::vector<std::size_t> first, count;  // per identity: its range in `shapes`
   std::optional<std::size_t> jump;        // the identity that can jump at any row
-  bool is_own(std::size_t identity) const { return identity >= families; }
+  bool is_held_value(std::size_t identity) const { return identity >= families; }
   Eigen::Index size() const { return columns.cols() + (jump ? columns.rows() : 0); }  // with one jump column per row
 };
 
 // Whether this effect has only a gain and a moment, and the times of the rows rise.
 bool jumps(const Problem& problem, std::size_t family);
 
-// With held values evaluated at the parameters of the variant.
-Identities identities_of(const Problem& problem, const Variant& variant);
+// With held values evaluated at the parameters of the linearisation.
+Identities identities_of(const Problem& problem, const Linearisation& linearisation);
 
 // Keeps only these identities; the others keep their indices but have no shapes.
 Identities restricted(const Identities& all, const std::vector<std::size_t>& identities);

@@ -11,7 +11,6 @@
 
 #include "diagnosis/posterior/identities.hpp"
 #include "diagnosis/posterior/robust.hpp"
-#include "diagnosis/thresholds.hpp"
 #include "fit/model_columns.hpp"
 
 namespace ballbar {
@@ -53,32 +52,39 @@ Inference inference(const Model& model, const Series& data, std::size_t target, 
   result.problem = problem_of(model, data, target, options);
   const Problem& first = *result.problem;
   const std::size_t values = first.time_s.size(), parameters = used_parameters(first.base).size();
-  if (values > parameters) result.largest = std::min(kMostEffects, (values - parameters) / kValuesForAnEffect);
-  result.is_still = !(first.y.squaredNorm() > kStill_um * kStill_um * static_cast<double>(first.y.size()));
+  if (values > parameters)
+    result.largest = std::min(first.tuning.most_effects, (values - parameters) / kValuesForAnEffect);
+  const double square = (first.y.array() - first.y.mean()).square().sum();
+  result.is_still = !(square > kStill_um * kStill_um * static_cast<double>(first.y.size()));
   if (result.largest == 0 || result.is_still) return result;
   std::set<const Effect*> effects;
   for (std::size_t f = 0; f < first.effects; ++f) effects.insert(first.library.families[f].bound.effect);
   const auto tell = [&](std::string_view step) {
     if (options.search.progress) options.search.progress(step);
   };
-  std::function<void(const std::vector<double>&)> tell_so_far;
-  if (options.search.so_far)
-    tell_so_far = [&](const std::vector<double>& p) { options.search.so_far(probable_so_far(*result.problem, p)); };
+  const auto infer = [&] {
+    result.posterior = posterior_of(*result.problem, result.largest);
+    if (options.search.so_far) options.search.so_far(probable_so_far(*result.problem, result.posterior.family));
+  };
   tell(fmt::format("weighing {} shapes of {} effects", first.library.signatures.size(), effects.size()));
-  result.posterior = posterior_of(*result.problem, result.largest, tell_so_far);
+  note_outliers(*result.problem);
+  infer();
   if (options.search.tuning.whole_about_jumps && use_all_about_jumps(result, model, data, target, options)) {
     tell("weighing again, every value about a jump");
-    result.posterior = posterior_of(*result.problem, result.largest, tell_so_far);
+    note_outliers(*result.problem);
+    infer();
   }
   // On recordings no input of any form stands for the missing effects before they are found.
   Problem& problem = *result.problem;
   const EffectSet& best = result.posterior.sets[result.posterior.best];
   if (model.level != Level::recording ||
-      !weigh_down_outliers(problem, with_signatures(problem, result.posterior.variants[best.variant], best.signatures),
-                           result.posterior.points[best.point]))
+      !weigh_down_outliers(
+          problem,
+          with_signatures(problem, result.posterior.linearisations[best.linearisation].linear, best.signatures),
+          result.posterior.filters[best.filter]))
     return result;
   tell("weighing again, outliers less");
-  result.posterior = posterior_of(problem, result.largest, tell_so_far);
+  infer();
   return result;
 }
 

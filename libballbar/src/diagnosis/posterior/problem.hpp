@@ -13,8 +13,8 @@
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/series/series.hpp"
-#include "diagnosis/evidence/base_columns.hpp"
-#include "diagnosis/evidence/evidence.hpp"
+#include "diagnosis/evidence/base_model.hpp"
+#include "diagnosis/evidence/linear_model.hpp"
 #include "diagnosis/evidence/logged_inputs.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "noise/linear_filter.hpp"
@@ -25,16 +25,16 @@ namespace ballbar {
 inline constexpr double kLogZero = -std::numeric_limits<double>::infinity();  // of a weight: none
 
 // A held parameter of the model, set free.
-struct OwnParameter {
-  std::size_t parameter = 0;  // index, the constant first
-  double held = 0.0;
-  std::vector<double> fitted;  // other values found by a fit
+struct HeldParameter {
+  std::size_t parameter = 0;                                 // index, the constant first
+  double value = 0.0;                                        // held
+  double fitted = std::numeric_limits<double>::quiet_NaN();  // another value that a fit finds
 };
 
 // A likely covariance of the readings.
-struct Point {
+struct NoiseFilter {
   Covariance covariance;
-  Whitening filter;
+  Whitening whitening;
 };
 
 // A row from which the target has another level.
@@ -64,8 +64,8 @@ struct Problem {
   Eigen::VectorXd deviation;               // standard deviations of the columns before scaling
   std::size_t effects = 0;                 // number of families of effects; inputs of any form follow
   std::vector<double> log_prior;           // of each family: effects alike, columns of an effect alike
-  std::vector<double> log_prior_of_shape;  // per signature in its family: equal, one half for those without lag
-  std::vector<OwnParameter> own;
+  std::vector<double> log_prior_of_shape;  // per signature in its family
+  std::vector<HeldParameter> held;
   std::vector<Covariance> covariances;
   std::vector<Term> terms;  // replace the catalogue's terms; their held parameters stay held
 };
@@ -75,10 +75,10 @@ struct ProblemOptions {
   std::vector<Term> terms;              // as Problem::terms
   std::size_t most_rows = 1000;         // values of the target
   std::vector<double> whole_about_s;    // use all values near these moments
-  std::vector<Covariance> covariances;  // to evaluate; empty: all of noise_grid, with and without discrepancy
+  std::vector<Covariance> covariances;  // given ones; empty: they are found
 };
 
-Point point_at(const Problem& problem, const Covariance& covariance);
+NoiseFilter noise_filter_at(const Problem& problem, const Covariance& covariance);
 
 // The parameters of the model in the least squares fit, for readings minus `centre_um`.
 std::vector<double> fitted_parameters(const Problem& problem);

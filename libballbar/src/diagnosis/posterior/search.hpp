@@ -4,20 +4,20 @@
 #include <cstddef>
 #include <vector>
 
-#include "diagnosis/posterior/ascent.hpp"
+#include "diagnosis/posterior/ibss.hpp"
 #include "diagnosis/posterior/identities.hpp"
 
 namespace ballbar {
 
 struct SearchResult {
   std::vector<Covariance> covariances;  // the likeliest of each kind of discrepancy
-  Variant variant;                      // the model about its likeliest parameters
+  Linearisation linearisation;          // the model about its likeliest parameters
   Identities identities;
-  Ascent ascent;  // at the first covariance
+  SumOfEffects sum;  // at the first covariance
 };
 
 // largest: largest number of single effects. Shapes of likely effects between the points of the grid are added to the
-// library; readings far from the others, and jumps of the target, are noted in the problem.
+// library.
 SearchResult search_result(Problem& problem, std::size_t largest);
 
 }  // namespace ballbar

@@ -8,17 +8,12 @@
 #include <vector>
 
 #include "ballbar/numerics/parallel.hpp"
-#include "diagnosis/evidence/evidence.hpp"
+#include "diagnosis/evidence/linear_model.hpp"
 #include "diagnosis/posterior/conditional_fit.hpp"
 #include "diagnosis/posterior/hyperparameters.hpp"
-#include "diagnosis/posterior/weighted_ascent.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr double kLeastOfSet = 1e-3;  // smallest P of a listed set
-constexpr std::size_t kMostSets = 200;
-constexpr double kLeastOfIdentity = 2e-3;  // P in its single effect
 
 // A choice for one single effect: an identity or none, and its P.
 struct Choice {
@@ -32,15 +27,15 @@ struct IdentityChoice {
 };
 
 std::vector<std::vector<Choice>> choices_of(const Posterior& posterior, std::size_t families_of_effects,
-                                            std::size_t families) {
+                                            std::size_t families, const Tuning& tuning) {
   std::vector<std::vector<Choice>> all;
   for (const SinglePosterior& one : posterior.effects) {
     std::vector<Choice> choices;
     double none = 1.0;
-    for (std::size_t i = 0; i < one.p.size(); ++i) {
-      none -= one.p[i];
+    for (std::size_t i = 0; i < one.alpha.size(); ++i) {
+      none -= one.alpha[i];
       const bool is_form = i >= families_of_effects && i < families;
-      if (one.p[i] > kLeastOfIdentity && !is_form) choices.push_back({i, one.p[i]});
+      if (one.alpha[i] > tuning.least_of_set && !is_form) choices.push_back({i, one.alpha[i]});
     }
     choices.push_back({kNoSignature, std::max(0.0, none)});
     std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.p > b.p; });
@@ -50,13 +45,13 @@ std::vector<std::vector<Choice>> choices_of(const Posterior& posterior, std::siz
 }
 
 // All sufficiently probable combinations of choices.
-std::vector<IdentityChoice> drawn(const std::vector<std::vector<Choice>>& choices) {
+std::vector<IdentityChoice> drawn(const std::vector<std::vector<Choice>>& choices, const Tuning& tuning) {
   std::vector<IdentityChoice> all{{}};
   for (const std::vector<Choice>& of_one : choices) {
     std::vector<IdentityChoice> next;
     for (const IdentityChoice& before : all) {
       for (const Choice& choice : of_one) {
-        if (before.p * choice.p < kLeastOfSet) break;
+        if (before.p * choice.p < tuning.least_of_set) break;
         next.push_back(before);
         next.back().p *= choice.p;
         next.back().identities.push_back(choice.identity);
@@ -64,39 +59,40 @@ std::vector<IdentityChoice> drawn(const std::vector<std::vector<Choice>>& choice
     }
     std::stable_sort(next.begin(), next.end(),
                      [](const IdentityChoice& a, const IdentityChoice& b) { return a.p > b.p; });
-    if (next.size() > kMostSets) next.resize(kMostSets);
+    if (next.size() > tuning.most_sets) next.resize(tuning.most_sets);
     all = std::move(next);
   }
   return all;
 }
 
 // The model with a held value at another one.
-std::size_t variant_of_own(const Problem& problem, Posterior& posterior, std::size_t own, double value) {
-  for (std::size_t v = 1; v < posterior.variants.size(); ++v) {
-    if (posterior.variants[v].own == own + 1) return v;
+std::size_t linearisation_with_held(const Problem& problem, Posterior& posterior, std::size_t held, double value) {
+  for (std::size_t v = 1; v < posterior.linearisations.size(); ++v) {
+    if (posterior.linearisations[v].held == held + 1) return v;
   }
-  std::vector<double> parameters = posterior.variants.front().parameters;
-  parameters[problem.own[own].parameter] = value;
-  Variant variant = variant_at(problem, own + 1, std::move(parameters), posterior.variants.front().times);
-  posterior.variants.push_back(std::move(variant));
-  return posterior.variants.size() - 1;
+  std::vector<double> parameters = posterior.linearisations.front().parameters;
+  parameters[problem.held[held].parameter] = value;
+  Linearisation linearisation =
+      linearisation_at(problem, held + 1, std::move(parameters), posterior.linearisations.front().open);
+  posterior.linearisations.push_back(std::move(linearisation));
+  return posterior.linearisations.size() - 1;
 }
 
 // Linearises a model with a held value at another one about its most likely parameters beside the effects of the set:
 // the value that the search found lies on a coarse grid.
-void relinearise_own(const Problem& problem, Posterior& posterior, EffectSet& set) {
-  if (set.own == 0) return;
-  const Variant& variant = posterior.variants[set.variant];
-  ConditionalFit conditional = conditional_fit(problem, variant, set.signatures, posterior.points[set.point]);
-  Variant about = variant_at(problem, set.own, std::move(conditional.parameters), variant.times);
-  posterior.variants.push_back(std::move(about));
-  set.variant = posterior.variants.size() - 1;
+void relinearise_held(const Problem& problem, Posterior& posterior, EffectSet& set) {
+  if (set.held == 0) return;
+  const Linearisation& linearisation = posterior.linearisations[set.linearisation];
+  ConditionalFit conditional = conditional_fit(problem, linearisation, set.signatures, posterior.filters[set.filter]);
+  Linearisation about = linearisation_at(problem, set.held, std::move(conditional.parameters), linearisation.open);
+  posterior.linearisations.push_back(std::move(about));
+  set.linearisation = posterior.linearisations.size() - 1;
 }
 
 // Exactly these effects with the model, at the likeliest covariance of each kind.
 struct GivenEffects {
   std::vector<Covariance> covariances;
-  std::vector<Ascent> ascents;
+  std::vector<SumOfEffects> sums;
   std::vector<double> log_weight;
   Identities identities;
 };
@@ -104,50 +100,35 @@ struct GivenEffects {
 GivenEffects given_effects(const Problem& problem, const Posterior& posterior,
                            const std::vector<std::size_t>& families) {
   GivenEffects result;
-  const Variant& variant = posterior.variants.front();
+  const Linearisation& linearisation = posterior.linearisations.front();
   result.identities = restricted(posterior.identities, families);
   const bool is_given = !problem.covariances.empty();
-  result.covariances = is_given ? problem.covariances : posterior.kinds;
-  AscentOptions options;
-  options.known = problem.known;
-  options.least_variance = least_variance_of(problem);
-  options.least = options.largest = families.size();
-  for (const std::size_t f : families) {
-    SinglePrior prior{kLogZero, std::vector<double>(result.identities.log_prior.size(), kLogZero)};
-    prior.log_identity[f] = 0.0;
-    options.priors.push_back(std::move(prior));
-  }
+  result.covariances = posterior.kinds;
+  const IbssOptions options =
+      with_exactly(ibss_options(problem, result.identities, families.size(), Forms::yes), families);
   // Without effects the model may have other parameters than with the best set.
-  std::optional<Variant> alone;
-  std::vector<const Variant*> variants{&variant};
-  if (families.empty()) variants.push_back(&alone.emplace(variant_at(problem, 0, fitted_parameters(problem))));
-  result.ascents.resize(result.covariances.size());
+  std::optional<Linearisation> alone;
+  std::vector<const Linearisation*> linearisations{&linearisation};
+  if (families.empty())
+    linearisations.push_back(&alone.emplace(linearisation_at(problem, 0, fitted_parameters(problem))));
+  result.sums.resize(result.covariances.size());
   result.log_weight.assign(result.covariances.size(), kLogZero);
   in_parallel(result.covariances.size(), [&](std::size_t g) {
     const Covariance start = result.covariances[g];
-    for (const Variant* one : variants) {
+    for (const Linearisation* one : linearisations) {
+      SumOfEffects sum;
       Covariance covariance = start;
-      Ascent ascent;
-      const auto settle = [&] {
-        if (is_given) return;
-        const Variant beside = beside_mean_of(ascent, result.identities, *one);
-        covariance = likeliest_covariance(problem, beside, discrepancy_of(covariance), &covariance);
-      };
-      const auto ascend = [&] {
-        const Point point = point_at(problem, covariance);
-        ColumnsAt at(problem, result.identities, *one, point);
-        ascent = ascended(at, result.identities, options, std::move(ascent));
-        const double log_weight = ascent.bound + covariance.log_prior;
-        if (!(log_weight > result.log_weight[g])) return;
+      for (int round = 0; round < (is_given ? 1 : 2); ++round) {
+        // The covariance of the kind was found beside effects.
+        if (round > 0 || families.empty())
+          covariance = covariance_beside(problem, sum, result.identities, one->linear, covariance);
+        sum = sum_at(problem, result.identities, one->linear, covariance, options, std::move(sum));
+        const double log_weight = sum.elbo + covariance.log_prior;
+        if (!(log_weight > result.log_weight[g])) continue;
         result.log_weight[g] = log_weight;
-        result.ascents[g] = ascent;
+        result.sums[g] = sum;
         result.covariances[g] = covariance;
-      };
-      if (families.empty()) settle();  // the covariance was found beside effects
-      ascend();
-      if (is_given) continue;
-      settle();
-      ascend();
+      }
     }
   });
   return result;
@@ -162,26 +143,26 @@ std::optional<std::size_t> signature_of(Problem& problem, const Identities& iden
   return signature_of_jump(problem, identities, static_cast<std::size_t>(one.first - identities.columns.cols()));
 }
 
-void add_sets(Problem& problem, const Identities& identities, const Ascent& likeliest, Posterior& posterior) {
+void add_sets(Problem& problem, const Identities& identities, const SumOfEffects& likeliest, Posterior& posterior) {
   const std::size_t families = identities.families;
   std::map<std::pair<std::vector<std::size_t>, std::size_t>, std::size_t> place;
-  const double log_slow = std::log(std::max(1e-12, posterior.discrepancy));
   // The best set first: the most likely identity of each single effect that is more likely present than absent.
   std::vector<IdentityChoice> all{{}};
   all.front().identities.reserve(posterior.effects.size());
   for (const SinglePosterior& one : posterior.effects) {
     std::size_t identity = kNoSignature;
     double p = 0.0;
-    for (std::size_t i = 0; i < one.p.size(); ++i) {
+    for (std::size_t i = 0; i < one.alpha.size(); ++i) {
       const bool is_form = i >= problem.effects && i < families;
-      if (!is_form && one.p[i] > p) p = one.p[identity = i];
+      if (!is_form && one.alpha[i] > p) p = one.alpha[identity = i];
     }
     const bool is_there = one.p_any() >= 0.5 && p > 0.0;
     all.front().identities.push_back(is_there ? identity : kNoSignature);
     all.front().p *= is_there ? p : 1.0 - one.p_any();
   }
   all.push_back({posterior.none, std::vector<std::size_t>(posterior.effects.size(), kNoSignature)});
-  for (IdentityChoice& one : drawn(choices_of(posterior, problem.effects, families))) all.push_back(std::move(one));
+  for (IdentityChoice& one : drawn(choices_of(posterior, problem.effects, families, problem.tuning), problem.tuning))
+    all.push_back(std::move(one));
   for (std::size_t d = 0; d < all.size(); ++d) {
     EffectSet set;
     std::vector<std::array<std::size_t, 3>> members;  // family, signature, single effect
@@ -191,10 +172,10 @@ void add_sets(Problem& problem, const Identities& identities, const Ascent& like
       if (identity == kNoSignature) continue;
       std::size_t shape = l < likeliest.effects.size() ? likeliest.effects[l].likeliest[identity] : kNoSignature;
       if (shape == kNoSignature) shape = identities.first[identity];
-      if (identities.is_own(identity)) {
-        if (set.own > 0) continue;
-        set.own = identity - families + 1;
-        set.variant = variant_of_own(problem, posterior, set.own - 1, identities.shapes[shape].value);
+      if (identities.is_held_value(identity)) {
+        if (set.held > 0) continue;
+        set.held = identity - families + 1;
+        set.linearisation = linearisation_with_held(problem, posterior, set.held - 1, identities.shapes[shape].value);
         continue;
       }
       if (std::any_of(members.begin(), members.end(), [&](const auto& one) { return one[0] == identity; })) continue;
@@ -209,17 +190,15 @@ void add_sets(Problem& problem, const Identities& identities, const Ascent& like
       set.signatures.push_back(signature);
       set.single.push_back(single);
     }
-    const auto [known, is_new] = place.try_emplace({set.families, set.own}, posterior.sets.size());
+    const auto [known, is_new] = place.try_emplace({set.families, set.held}, posterior.sets.size());
     const double p = std::max(1e-300, all[d].p);
     if (!is_new) {
       // The first two stand there already, by themselves.
       if (d < 2 || known->second < 2) continue;
       posterior.sets[known->second].log_weight = std::log(std::exp(posterior.sets[known->second].log_weight) + p);
-      posterior.sets[known->second].log_weight_slow = posterior.sets[known->second].log_weight + log_slow;
       continue;
     }
     set.log_weight = std::log(p);
-    set.log_weight_slow = set.log_weight + log_slow;
     posterior.sets.push_back(std::move(set));
   }
   const EffectSet best = posterior.sets.front();
@@ -228,42 +207,41 @@ void add_sets(Problem& problem, const Identities& identities, const Ascent& like
   std::vector<double> weights;
   for (std::size_t s = 0; s < posterior.sets.size(); ++s) {
     weights.push_back(posterior.sets[s].log_weight);
-    if (posterior.sets[s].families == best.families && posterior.sets[s].own == best.own) posterior.best = s;
+    if (posterior.sets[s].families == best.families && posterior.sets[s].held == best.held) posterior.best = s;
   }
   posterior.log_total = log_sum(weights);
-  relinearise_own(problem, posterior, posterior.sets[posterior.best]);
+  relinearise_held(problem, posterior, posterior.sets[posterior.best]);
 }
 
 std::size_t set_of(Problem& problem, Posterior& posterior, std::vector<std::size_t> families) {
   std::sort(families.begin(), families.end());
   for (std::size_t s = 0; s < posterior.sets.size(); ++s) {
-    if (posterior.sets[s].own == 0 && posterior.sets[s].families == families) return s;
+    if (posterior.sets[s].held == 0 && posterior.sets[s].families == families) return s;
   }
   const GivenEffects given = given_effects(problem, posterior, families);
   const auto g = static_cast<std::size_t>(std::max_element(given.log_weight.begin(), given.log_weight.end()) -
                                           given.log_weight.begin());
   EffectSet set;
-  set.log_weight = set.log_weight_slow = kLogZero;
+  set.log_weight = kLogZero;
   set.families = families;
   for (std::size_t l = 0; l < families.size(); ++l) {
-    const std::size_t shape = given.ascents[g].effects[l].likeliest[families[l]];
+    const std::size_t shape = given.sums[g].effects[l].likeliest[families[l]];
     const auto signature = shape == kNoSignature ? std::nullopt : signature_of(problem, given.identities, shape);
     set.signatures.push_back(signature.value_or(problem.library.families[families[l]].first));
   }
-  const auto same = std::find_if(posterior.points.begin(), posterior.points.end(),
-                                 [&](const Point& one) { return one.covariance == given.covariances[g]; });
-  set.point = static_cast<std::size_t>(same - posterior.points.begin());
-  if (same == posterior.points.end()) {
-    posterior.points.push_back(point_at(problem, given.covariances[g]));
-    posterior.weight.push_back(0.0);
+  const auto same = std::find_if(posterior.filters.begin(), posterior.filters.end(),
+                                 [&](const NoiseFilter& one) { return one.covariance == given.covariances[g]; });
+  set.filter = static_cast<std::size_t>(same - posterior.filters.begin());
+  if (same == posterior.filters.end()) {
+    posterior.filters.push_back(noise_filter_at(problem, given.covariances[g]));
   }
   // The model beside these effects.
+  const Linearisation& first = posterior.linearisations.front();
   ConditionalFit conditional =
-      conditional_fit(problem, posterior.variants.front(), set.signatures, posterior.points[set.point]);
-  conditional = sharpened(problem, posterior.variants.front(), std::move(conditional), posterior.points[set.point]);
+      sharpened(problem, first, set.signatures, {first.parameters}, posterior.filters[set.filter]);
   set.signatures = conditional.signatures;
-  posterior.variants.push_back(variant_at(problem, 0, std::move(conditional.parameters)));
-  set.variant = posterior.variants.size() - 1;
+  posterior.linearisations.push_back(linearisation_at(problem, 0, std::move(conditional.parameters)));
+  set.linearisation = posterior.linearisations.size() - 1;
   posterior.sets.push_back(std::move(set));
   return posterior.sets.size() - 1;
 }

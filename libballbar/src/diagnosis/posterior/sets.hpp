@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "diagnosis/posterior/ascent.hpp"
+#include "diagnosis/posterior/ibss.hpp"
 #include "diagnosis/posterior/posterior.hpp"
 
 namespace ballbar {
@@ -13,6 +13,6 @@ namespace ballbar {
 std::optional<std::size_t> signature_of(Problem& problem, const Identities& identities, std::size_t shape);
 
 // Sets Posterior::sets and best: the most probable sets, with their most likely shapes at the most likely covariance.
-void add_sets(Problem& problem, const Identities& identities, const Ascent& likeliest, Posterior& posterior);
+void add_sets(Problem& problem, const Identities& identities, const SumOfEffects& likeliest, Posterior& posterior);
 
 }  // namespace ballbar

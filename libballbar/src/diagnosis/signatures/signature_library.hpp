@@ -1,10 +1,7 @@
 // The signatures of all effects of a catalogue on given data, for comparison with a residual.
 //
 // A family is one effect bound to columns. Each point of its grid of shapes is one signature: one column per gain, with
-// the curve of a unit gain. The columns are whitened by the noise (noise.hpp), made orthogonal to the Jacobian of the
-// model, and orthonormalised, so that
-//
-//   score = |U' r|^2     fall of chi^2 when this signature alone is added, r the whitened, projected residual
+// the curve of a unit gain.
 #pragma once
 
 #include <Eigen/Core>

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/posterior/robust.hpp"
+#include "diagnosis/posterior/linearisation.hpp"
 #include "numerics/orthonormal.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr double kFollows = 0.9;  // R^2
 
 // Adds sums over earlier rows of k(t_i - t_j) z_j in this order of rows; k = e^-d, or (1 + d) e^-d, d = rate |dt|.
 template <class Row>
@@ -34,14 +32,15 @@ void add_sums(const std::vector<double>& time_s, double rate, bool is_rough, con
 }  // namespace
 
 Eigen::VectorXd discrepancy_mean(const Problem& problem, const Posterior& posterior, const EffectSet& set) {
-  const Point& point = posterior.points[set.point];
-  const Covariance& covariance = point.covariance;
+  const NoiseFilter& filter = posterior.filters[set.filter];
+  const Covariance& covariance = filter.covariance;
   const Eigen::Index n = problem.y.size();
   if (!(covariance.slow > 0.0)) return Eigen::VectorXd::Zero(n);
-  const Variant beside = with_signatures(problem, posterior.variants[set.variant], set.signatures);
+  const LinearModel linear =
+      with_signatures(problem, posterior.linearisations[set.linearisation].linear, set.signatures);
   RowMajorMatrix white(n, 1);
-  white.col(0) = residual_beside(problem, beside, point);
-  const Eigen::VectorXd z = point.filter.transposed(whitened_rows(point.filter, std::move(white))).col(0);
+  white.col(0) = residual_of(linear, linear_solution(filter.whitening, linear, problem.known));
+  const Eigen::VectorXd z = filter.whitening.transposed(whitened_rows(filter.whitening, std::move(white))).col(0);
   const double rate = (covariance.slow_is_rough ? 1.0 : std::sqrt(3.0)) / covariance.slow_time_s;
   Eigen::VectorXd sums = z;
   add_sums(
@@ -60,7 +59,7 @@ Description description_of(const Catalogue& catalogue, const Problem& problem, c
   const SignatureLibrary library =
       signature_library_of(of_time, constant, problem.logged.series, problem.base, SignatureOptions{});
   const Eigen::VectorXd centred = discrepancy_um.array() - discrepancy_um.mean();
-  double most = kFollows;
+  double most = problem.tuning.follows;
   Description best;
   for (const Signature& one : library.signatures) {
     Eigen::MatrixXd columns = library.columns.middleCols(one.first, one.width);

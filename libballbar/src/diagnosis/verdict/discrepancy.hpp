@@ -12,7 +12,8 @@ namespace ballbar {
 // the discrepancy. 0 where the covariance has none. O(n).
 Eigen::VectorXd discrepancy_mean(const Problem& problem, const Posterior& posterior, const EffectSet& set);
 
-// The effect of time alone whose curve it follows (R^2 >= 0.9), with its time; an empty effect: none.
+// The effect of time alone whose curve it follows (R^2 of at least Tuning::follows), with its time; an empty effect:
+// none.
 struct Description {
   std::string effect;     // "settling"
   std::string parameter;  // "time constant"; empty: it has none

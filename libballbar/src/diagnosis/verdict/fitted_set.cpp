@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,8 +21,8 @@ constexpr int kMostTries = 6;              // for an end
 
 Model with_set(const Problem& problem, const EffectSet& set) {
   Model model = problem.model;
-  if (set.own > 0) {
-    const std::size_t parameter = problem.own[set.own - 1].parameter;
+  if (set.held > 0) {
+    const std::size_t parameter = problem.held[set.held - 1].parameter;
     const std::size_t t = problem.base_model->term_of(parameter);
     std::size_t first = 1;
     for (std::size_t k = 0; k < t; ++k) first += model.terms[k].settings.size();
@@ -69,7 +68,7 @@ void begin_beside(Term& term, std::span<const Term> others, std::span<const doub
 
 // An end of the 95 % interval: where the profile likelihood has fallen by kFall. towards: a first guess.
 double profile_end(const BaseModel& model, const ShapeFit& best, std::size_t parameter, double towards,
-                   const Eigen::MatrixXd& times, const Whitening& filter, const KnownScatter& known, double degrees) {
+                   const Eigen::MatrixXd& open, const Whitening& filter, const KnownScatter& known, double degrees) {
   const double value = best.parameters[parameter];
   const Setting& setting = model.setting(parameter);
   const bool in_logarithm = value > 0.0 && towards > 0.0;
@@ -83,7 +82,7 @@ double profile_end(const BaseModel& model, const ShapeFit& best, std::size_t par
   std::vector<double> start = best.parameters;
   for (int tries = 0; tries < kMostTries; ++tries) {
     start[parameter] = at(factor);
-    const ShapeFit now = shape_fit(model, start, {}, times, filter, known, {4, 1e-6}, parameter);
+    const ShapeFit now = shape_fit(model, start, {}, open, filter, known, {4, 1e-6}, parameter);
     const double fall =
         0.5 * (degrees + known.readings) *
         std::log((now.square + known.readings * known.variance) / (best.square + known.readings * known.variance));
@@ -106,30 +105,20 @@ double profile_end(const BaseModel& model, const ShapeFit& best, std::size_t par
 }  // namespace
 
 FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const EffectSet& set, bool with_profiles) {
-  const Variant& variant = posterior.variants[set.variant];
-  const Whitening& filter = posterior.points[set.point].filter;
+  const Linearisation& linearisation = posterior.linearisations[set.linearisation];
+  const Whitening& filter = posterior.filters[set.filter].whitening;
   FittedSet result;
   result.model = with_set(problem, set);
-  std::vector<double> start = variant.parameters;
+  std::vector<double> start = linearisation.parameters;
   for (std::size_t t = problem.model.terms.size(); t < result.model.terms.size(); ++t) {
     for (const Setting& setting : result.model.terms[t].settings) start.push_back(setting.start);
   }
   const BaseModel model(result.model, problem.logged, problem.y, problem.base.row);
-  const ShapeFit best = shape_fit(model, start, {}, variant.times, filter, problem.known);
+  const ShapeFit best = shape_fit(model, start, {}, linearisation.open, filter, problem.known);
 
   const BaseColumns columns = model.at(best.parameters);
-  const Gram gram = gram_of(filter, pool_of(columns, variant.times));
-  const Line line = line_of(columns, variant.times.cols());
-  const LinearSolution solution = linear_solution(gram, line, problem.known);
-  Eigen::MatrixXd a = gram.pool(line.columns, line.columns);
-  for (Eigen::Index k = 0; k < a.rows(); ++k) {
-    if (!line.is_free[static_cast<std::size_t>(k)]) a(k, k) += solution.variance;
-  }
-  const Eigen::VectorXd scale = a.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  Eigen::MatrixXd unit = scale.asDiagonal() * a * scale.asDiagonal();
-  unit.diagonal().array() += 1e-12;
-  const Eigen::MatrixXd covariance =
-      scale.asDiagonal() * unit.llt().solve(Eigen::MatrixXd::Identity(a.rows(), a.rows())) * scale.asDiagonal();
+  const LinearSolution solution = linear_solution(filter, linear_model_of(columns, linearisation.open), problem.known);
+  const Eigen::MatrixXd covariance = solution.covariance();
 
   result.parameters.push_back({"constant", "constant_um", "um", best.parameters[0] + problem.centre_um});
   result.parameters.front().state = ParameterState::held;
@@ -150,7 +139,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     const auto at = static_cast<Eigen::Index>(k);
     FittedParameter& one = result.parameters[column.parameter];
     one.state = ParameterState::free;
-    one.sigma = std::sqrt(solution.variance * covariance(at, at)) * column.scale;
+    one.sigma = std::sqrt(covariance(at, at)) * column.scale;
     Interval& interval = result.intervals[column.parameter];
     const bool in_logarithm = column.kind == BaseColumn::Kind::shape && one.value > 0.0 && one.unit != "1";
     if (in_logarithm) {
@@ -165,8 +154,10 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
   for (std::size_t k = first_added; k < result.parameters.size() && with_profiles; ++k) {
     if (result.parameters[k].state != ParameterState::free || !std::isfinite(result.parameters[k].sigma)) continue;
     Interval& interval = result.intervals[k];
-    interval.low = profile_end(model, best, k, interval.low, variant.times, filter, problem.known, solution.degrees);
-    interval.high = profile_end(model, best, k, interval.high, variant.times, filter, problem.known, solution.degrees);
+    interval.low =
+        profile_end(model, best, k, interval.low, linearisation.open, filter, problem.known, solution.degrees);
+    interval.high =
+        profile_end(model, best, k, interval.high, linearisation.open, filter, problem.known, solution.degrees);
   }
   // The readings do not determine an onset between two rows.
   const std::vector<double>& time_s = problem.time_s;
@@ -180,18 +171,16 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
   }
   // The amplitude of each effect: its largest difference, with sigma from the covariance of its columns there.
   const ModelRows rows(result.model, problem.logged.series, problem.base.row);
-  Eigen::VectorXd sum = Eigen::VectorXd::Constant(problem.y.size(), best.parameters[0]);
   Eigen::VectorXd together = Eigen::VectorXd::Zero(problem.y.size());
   std::size_t place = 1;
   for (std::size_t t = 0; t < result.model.terms.size(); ++t) {
     const Eigen::VectorXd added = rows.term(t, best.parameters.data() + place, nullptr);
-    sum += added;
     if (t >= problem.model.terms.size()) {
       together += added;
       Eigen::Index low = 0, high = 0;
       added.minCoeff(&low);
       added.maxCoeff(&high);
-      Eigen::VectorXd slope = Eigen::VectorXd::Zero(a.rows());
+      Eigen::VectorXd slope = Eigen::VectorXd::Zero(covariance.rows());
       for (std::size_t k = 0; k < columns.columns.size(); ++k) {
         const std::size_t parameter = columns.columns[k].parameter;
         if (columns.columns[k].kind == BaseColumn::Kind::constant || parameter < place ||
@@ -201,7 +190,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
         slope[at] = columns.values(high, at) - columns.values(low, at);
       }
       result.amplitude_um.push_back(added[high] - added[low]);
-      result.amplitude_sigma_um.push_back(std::sqrt(std::max(0.0, solution.variance * slope.dot(covariance * slope))));
+      result.amplitude_sigma_um.push_back(std::sqrt(std::max(0.0, slope.dot(covariance * slope))));
     }
     place += result.model.terms[t].settings.size();
   }
@@ -213,7 +202,6 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     place += term.settings.size();
   }
   result.together_um = together.maxCoeff() - together.minCoeff();
-  result.rmse_um = std::sqrt((problem.y - sum).squaredNorm() / static_cast<double>(problem.y.size()));
   return result;
 }
 

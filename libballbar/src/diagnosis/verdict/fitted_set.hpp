@@ -15,7 +15,6 @@ struct FittedSet {
   std::vector<Interval> intervals;                       // 95 %
   std::vector<double> amplitude_um, amplitude_sigma_um;  // per effect
   double together_um = 0.0;                              // amplitude of the sum of the effects
-  double rmse_um = 0.0;
 };
 
 // Fits at the most likely covariance and parameters of the set. Throws Error as fit() does. with_profiles: intervals of

@@ -1,47 +1,89 @@
 #include "diagnosis/verdict/member_tests.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
-#include "diagnosis/thresholds.hpp"
 #include "diagnosis/verdict/start_values.hpp"
-#include "numerics/orthonormal.hpp"
 #include "numerics/tails.hpp"
 #include "series/folds.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kHeldOutEvidence = 3.0;  // gain in ln likelihood of left-out cycles, without the best one
-
-constexpr double kMoves = 0.05;  // of an effect's square in its largest cycle; with less it stands still: what that
-                                 // cycle gains is only that the others are no longer biased
 constexpr double kLeftOutRidge = 1e-4;  // prior precision of a white column of length 1
-constexpr double kOwnDirection = 1e-3;  // pivot of a gain of one cycle, of the largest, that is one
+constexpr double kOwnDirection = 1e-3;  // length of a gain of one cycle, of the largest, that is one
+constexpr double kRoundingOf = 1e-8;    // of products of two columns
 
-double p_same_gain(const SetRegression& at, const Eigen::MatrixXd& others, const Eigen::MatrixXd& own,
-                   const std::vector<std::size_t>& fold, std::size_t folds) {
-  Eigen::MatrixXd by_fold = Eigen::MatrixXd::Zero(own.rows(), own.cols() * static_cast<Eigen::Index>(folds));
-  for (std::size_t i = 0; i < fold.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    by_fold.block(row, static_cast<Eigen::Index>(fold[i]) * own.cols(), 1, own.cols()) = own.row(row);
+// The coefficients of a member, and those of all others.
+std::vector<Eigen::Index> own_of(const SetRegression& at, std::size_t member) {
+  std::vector<Eigen::Index> own(static_cast<std::size_t>(at.width[member]));
+  std::iota(own.begin(), own.end(), at.first[member]);
+  return own;
+}
+
+std::vector<Eigen::Index> others_of(const SetRegression& at, std::size_t member) {
+  std::vector<Eigen::Index> others;
+  for (Eigen::Index k = 0; k < at.size(); ++k) {
+    if (k < at.first[member] || k >= at.first[member] + at.width[member]) others.push_back(k);
   }
-  Eigen::MatrixXd together(own.rows(), others.cols() + own.cols());
-  together << others, own;
-  const Eigen::MatrixXd basis = orthonormal(together);
-  const Eigen::VectorXd r = orthogonal_part(at.white_y, basis);
-  const Eigen::MatrixXd left = orthogonal_part(by_fold, basis);
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(left);
-  qr.setThreshold(kOwnDirection);
-  const Eigen::Index degrees = qr.rank();
-  if (degrees == 0) return 1.0;
-  const Eigen::MatrixXd directions = qr.householderQ() * Eigen::MatrixXd::Identity(left.rows(), degrees);
-  const double chi2 = (directions.transpose() * r).squaredNorm() / at.variance;
-  return chi2_upper_tail(chi2, static_cast<std::size_t>(degrees));
+  return others;
+}
+
+std::vector<std::vector<Eigen::Index>> rows_by_fold(const std::vector<std::size_t>& fold) {
+  std::vector<std::vector<Eigen::Index>> rows(*std::max_element(fold.begin(), fold.end()) + 1);
+  for (std::size_t i = 0; i < fold.size(); ++i) rows[fold[i]].push_back(static_cast<Eigen::Index>(i));
+  return rows;
+}
+
+// The products of y and these columns with each other in some rows.
+Eigen::MatrixXd products_in(const SetRegression& at, const std::vector<Eigen::Index>& rows,
+                            const std::vector<Eigen::Index>& columns) {
+  std::vector<Eigen::Index> places{0};
+  for (const Eigen::Index k : columns) places.push_back(1 + k);
+  const Eigen::MatrixXd part = at.white(rows, places);
+  return part.transpose() * part;
+}
+
+// The diagonal of the prior of these columns, at the scatter of the set.
+Eigen::VectorXd precision_at(const SetRegression& at, const std::vector<Eigen::Index>& columns) {
+  return precision_of(at.model.is_flat, at.solution.variance)(columns);
+}
+
+// With gains of its own in each fold, what is left of them beside the set: chi^2 = b' L^+ b / s^2 with L their products
+// and b those with y. Its degrees are the directions in which they differ.
+double p_same_gain(const SetRegression& at, std::size_t member, const std::vector<std::vector<Eigen::Index>>& rows) {
+  const std::vector<Eigen::Index> own = own_of(at, member);
+  const Eigen::Index w = at.width[member], p = at.size();
+  const Eigen::MatrixXd products = at.white.transpose() * at.white;
+  const NormalFactor factor(products.bottomRightCorner(p, p), precision_of(at.model.is_flat, at.solution.variance));
+  Eigen::MatrixXd with_all(1 + p, w * static_cast<Eigen::Index>(rows.size()));
+  Eigen::MatrixXd left = Eigen::MatrixXd::Zero(with_all.cols(), with_all.cols());
+  for (std::size_t f = 0; f < rows.size(); ++f) {
+    const Eigen::MatrixXd part = at.white(rows[f], Eigen::all);
+    const Eigen::Index first = w * static_cast<Eigen::Index>(f);
+    const auto columns = part.middleCols(1 + at.first[member], w);
+    with_all.middleCols(first, w).noalias() = part.transpose() * columns;
+    left.block(first, first, w, w).noalias() = columns.transpose() * columns;
+  }
+  const double before = left.diagonal().maxCoeff();
+  const Eigen::MatrixXd explained = factor.explained(with_all.bottomRows(p));
+  left -= explained.transpose() * explained;
+  const Eigen::VectorXd b =
+      with_all.row(0).transpose() - explained.transpose() * factor.explained(products.col(0).tail(p));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(left);
+  const double least = std::max(kOwnDirection * kOwnDirection * eigen.eigenvalues().maxCoeff(), kRoundingOf * before);
+  double chi2 = 0.0;
+  std::size_t degrees = 0;
+  for (Eigen::Index k = 0; k < left.cols(); ++k) {
+    if (!(eigen.eigenvalues()[k] > least)) continue;
+    chi2 += std::pow(eigen.eigenvectors().col(k).dot(b), 2) / eigen.eigenvalues()[k] / at.solution.variance;
+    ++degrees;
+  }
+  return degrees == 0 ? 1.0 : chi2_upper_tail(chi2, degrees);
 }
 
 // The readings of each fold, predicted from all others: ln of their likelihood, and the residual in um.
@@ -50,41 +92,92 @@ struct LeftOutFit {
   double rmse_um = 0.0;
 };
 
-LeftOutFit left_out(const SetRegression& at, const Eigen::MatrixXd& white, const Eigen::MatrixXd& plain,
-                    const std::vector<std::size_t>& fold, std::size_t folds) {
-  const Eigen::Index k = white.cols();
-  const Eigen::VectorXd scale = white.colwise().norm().cwiseMax(1e-300).cwiseInverse();
-  const Eigen::MatrixXd x = white * scale.asDiagonal();
-  Eigen::MatrixXd gram = x.transpose() * x;
-  gram.diagonal().array() += kLeftOutRidge;
-  const Eigen::VectorXd xy = x.transpose() * at.white_y;
-  const double yy = at.white_y.squaredNorm();
-  const auto evidence = [&](const Eigen::MatrixXd& g, const Eigen::VectorXd& b, double square, Eigen::VectorXd* beta) {
-    const Eigen::LLT<Eigen::MatrixXd> factor(g);
-    const Eigen::VectorXd solution = factor.solve(b);
-    if (beta != nullptr) *beta = solution;
-    const Eigen::MatrixXd lower = factor.matrixL();
-    return -0.5 * (square - b.dot(solution)) / at.variance - lower.diagonal().array().max(1e-300).log().sum();
+LeftOutFit left_out(const SetRegression& at, const std::vector<Eigen::Index>& columns,
+                    const std::vector<std::vector<Eigen::Index>>& rows) {
+  std::vector<Eigen::Index> every(static_cast<std::size_t>(at.white.rows()));
+  std::iota(every.begin(), every.end(), Eigen::Index{0});
+  const Eigen::MatrixXd all = products_in(at, every, columns);
+  const auto k = static_cast<Eigen::Index>(columns.size());
+  Eigen::VectorXd precision = precision_at(at, columns);
+  precision += kLeftOutRidge * (all.diagonal().tail(k) + precision);
+  // ln of the likelihood of some readings, and the most likely coefficients.
+  const auto fitted = [&](const Eigen::MatrixXd& products) {
+    const NormalFactor factor(products.bottomRightCorner(k, k), precision);
+    const Eigen::VectorXd explained = factor.explained(products.col(0).tail(k));
+    return std::pair{
+        -0.5 * (products(0, 0) - explained.squaredNorm()) / at.solution.variance - factor.half_log_determinant(),
+        factor.coefficients(explained)};
   };
-  const double all = evidence(gram, xy, yy, nullptr);
+  const double together = fitted(all).first;
+  const Eigen::MatrixXd plain = at.model.columns.rightCols(at.size())(Eigen::all, columns);
   LeftOutFit result;
-  result.log_likelihood.resize(folds);
-  for (std::size_t out = 0; out < folds; ++out) {
-    std::vector<Eigen::Index> rows;
-    for (std::size_t i = 0; i < fold.size(); ++i) {
-      if (fold[i] == out) rows.push_back(static_cast<Eigen::Index>(i));
-    }
-    const Eigen::MatrixXd own = x(rows, Eigen::all);
-    const Eigen::VectorXd own_y = at.white_y(rows);
-    Eigen::VectorXd beta(k);
-    const double rest =
-        evidence(gram - own.transpose() * own, xy - own.transpose() * own_y, yy - own_y.squaredNorm(), &beta);
-    result.log_likelihood[out] = all - rest;
-    const Eigen::VectorXd coefficients = scale.asDiagonal() * beta;
-    for (const Eigen::Index row : rows) result.rmse_um += std::pow(at.y[row] - plain.row(row).dot(coefficients), 2);
+  for (const std::vector<Eigen::Index>& out : rows) {
+    const auto [rest, coefficients] = fitted(all - products_in(at, out, columns));
+    result.log_likelihood.push_back(together - rest);
+    for (const Eigen::Index row : out)
+      result.rmse_um += std::pow(at.model.columns(row, 0) - plain.row(row).dot(coefficients), 2);
   }
-  result.rmse_um = std::sqrt(result.rmse_um / static_cast<double>(fold.size()));
+  result.rmse_um = std::sqrt(result.rmse_um / static_cast<double>(at.white.rows()));
   return result;
+}
+
+// The square of what the others leave of the member, in each fold.
+std::vector<double> squares_left(const SetRegression& at, std::size_t member,
+                                 const std::vector<std::vector<Eigen::Index>>& rows) {
+  const std::vector<Eigen::Index> others = others_of(at, member);
+  const Eigen::MatrixXd white = at.white.rightCols(at.size());
+  const Eigen::MatrixXd beside = white(Eigen::all, others), own = white(Eigen::all, own_of(at, member));
+  const NormalFactor factor(beside.transpose() * beside, precision_at(at, others));
+  Eigen::MatrixXd left = own;
+  const Eigen::MatrixXd explained = factor.explained(beside.transpose() * own);
+  for (Eigen::Index k = 0; k < own.cols(); ++k) left.col(k) -= beside * factor.coefficients(explained.col(k));
+  std::vector<double> squares;
+  for (const std::vector<Eigen::Index>& of : rows) squares.push_back(left(of, Eigen::all).squaredNorm());
+  return squares;
+}
+
+// A reading alone at a row, a change at that row that the noise forgets afterwards, and one that it has forgotten the
+// further a reading lies before the row.
+Eigen::MatrixXd forgotten_changes(const Problem& problem, const Covariance& covariance, Eigen::Index row) {
+  const std::vector<double>& time_s = problem.time_s;
+  const auto n = static_cast<Eigen::Index>(time_s.size());
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, 3);
+  columns(row, 0) = 1.0;
+  if (!(covariance.correlated > 0.0)) return columns;
+  const auto kept_from = [&](Eigen::Index from, Eigen::Index i) {
+    const double apart_s = time_s[static_cast<std::size_t>(i)] - time_s[static_cast<std::size_t>(from)];
+    return std::exp(-std::abs(apart_s) / covariance.time_s);
+  };
+  for (Eigen::Index i = row; i < n; ++i) columns(i, 1) = kept_from(row, i);
+  for (Eigen::Index i = 0; i < row; ++i) columns(i, 2) = kept_from(row - 1, i);
+  return columns;
+}
+
+// The largest fall of chi^2 by one of these white columns in place of the member.
+double largest_fall(const SetRegression& at, std::size_t member, const Eigen::MatrixXd& columns) {
+  const std::vector<Eigen::Index> others = others_of(at, member);
+  const Eigen::MatrixXd beside = at.white.rightCols(at.size())(Eigen::all, others);
+  const NormalFactor factor(beside.transpose() * beside, precision_at(at, others));
+  const Eigen::VectorXd y = at.white.col(0), of_y = factor.explained(beside.transpose() * y);
+  const Eigen::MatrixXd explained = factor.explained(beside.transpose() * columns);
+  double largest = 0.0;
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    const double square = columns.col(k).squaredNorm() - explained.col(k).squaredNorm();
+    const double along = columns.col(k).dot(y) - explained.col(k).dot(of_y);
+    if (square > 1e-9) largest = std::max(largest, along * along / square / at.solution.variance);
+  }
+  return largest;
+}
+
+// Whether one reading, or a change within the memory of the noise, explains nearly as much as the jump.
+bool is_forgotten(const Problem& problem, const NoiseFilter& filter, const SetRegression& at, std::size_t member) {
+  if (!std::is_sorted(problem.time_s.begin(), problem.time_s.end())) return false;  // several runs
+  const Eigen::VectorXd jump = at.model.columns.col(1 + at.first[member]);
+  Eigen::Index before = 0;
+  (jump.tail(jump.size() - 1) - jump.head(jump.size() - 1)).cwiseAbs().maxCoeff(&before);
+  const Eigen::MatrixXd changes = whitened(filter.whitening, forgotten_changes(problem, filter.covariance, before + 1));
+  const Eigen::MatrixXd itself = at.white.col(1 + at.first[member]);
+  return largest_fall(at, member, itself) < largest_fall(at, member, changes) + kLeastLikelihoodRatio;
 }
 
 std::size_t family_of_member(const Problem& problem, const EffectSet& set, std::size_t member) {
@@ -99,24 +192,19 @@ const Effect& effect_of_member(const Problem& problem, const EffectSet& set, std
 
 Candidate with_tests(Candidate one, const Effect& effect, const SetRegression& at, std::size_t member,
                      const std::vector<std::size_t>& fold, const Tuning& tuning) {
-  const std::size_t folds = *std::max_element(fold.begin(), fold.end()) + 1;
-  const Eigen::MatrixXd others = at.white_columns_but(member), plain_others = at.columns_but(member);
-  const Eigen::MatrixXd own = at.white_members.middleCols(at.first[member], at.width[member]);
-  Eigen::MatrixXd with(others.rows(), others.cols() + own.cols()), plain_with(plain_others.rows(), with.cols());
-  with << others, own;
-  plain_with << plain_others, at.members.middleCols(at.first[member], at.width[member]);
-  one.p_same_gain = p_same_gain(at, others, own, fold, folds);
-  const LeftOutFit before = left_out(at, others, plain_others, fold, folds);
-  const LeftOutFit after = left_out(at, with, plain_with, fold, folds);
+  const std::vector<std::vector<Eigen::Index>> rows = rows_by_fold(fold);
+  std::vector<Eigen::Index> all(static_cast<std::size_t>(at.size()));
+  std::iota(all.begin(), all.end(), Eigen::Index{0});
+  one.p_same_gain = p_same_gain(at, member, rows);
+  const LeftOutFit before = left_out(at, others_of(at, member), rows), after = left_out(at, all, rows);
   one.held_out_before_um = before.rmse_um;
   one.held_out_after_um = after.rmse_um;
-  // Of what the others leave of the effect.
-  const Eigen::VectorXd square = squares_by_fold(orthogonal_part(own, orthonormal(others)), fold).rowwise().sum();
+  const std::vector<double> square = squares_left(at, member, rows);
+  const double largest = *std::max_element(square.begin(), square.end());
   double best = 0.0;
   one.held_out_evidence = 0.0;
-  for (std::size_t f = 0; f < folds; ++f) {
-    const bool moves = square[static_cast<Eigen::Index>(f)] > kMoves * square.maxCoeff();
-    const double gained = moves ? after.log_likelihood[f] - before.log_likelihood[f] : 0.0;
+  for (std::size_t f = 0; f < rows.size(); ++f) {
+    const double gained = square[f] > tuning.moves * largest ? after.log_likelihood[f] - before.log_likelihood[f] : 0.0;
     one.held_out_evidence += gained;
     best = std::max(best, gained);
   }
@@ -132,10 +220,11 @@ double held_out_um(const Model& model, const Series& data, std::size_t target) {
   if (found.posterior.sets.empty()) return std::numeric_limits<double>::quiet_NaN();
   const Problem& problem = *found.problem;
   const auto none = std::find_if(found.posterior.sets.begin(), found.posterior.sets.end(),
-                                 [](const EffectSet& set) { return set.families.empty() && set.own == 0; });
+                                 [](const EffectSet& set) { return set.families.empty() && set.held == 0; });
   const SetRegression at = set_regression(problem, found.posterior, *none);
-  const std::vector<std::size_t> fold = folds_of(problem.logged.series, problem.base.row);
-  return left_out(at, at.white_line, at.line, fold, *std::max_element(fold.begin(), fold.end()) + 1).rmse_um;
+  std::vector<Eigen::Index> all(static_cast<std::size_t>(at.size()));
+  std::iota(all.begin(), all.end(), Eigen::Index{0});
+  return left_out(at, all, rows_by_fold(folds_of(problem.logged.series, problem.base.row))).rmse_um;
 }
 
 void leave_cycles_out(const Model& model, const std::vector<std::size_t>& terms, const Series& data, std::size_t target,
@@ -152,10 +241,9 @@ std::vector<Doubt> doubts_of(const Candidate& tested, const Effect& effect, cons
   if (effect.time_only && !effect.rules.may_repeat && !of_recordings) return {Doubt::time_alone};
   std::vector<Doubt> doubts;
   // A jump happens once: cycles have no gains of their own.
-  if (tuning.same_gain && tested.p_same_gain < kSameGain && (of_recordings || !is_jump(effect)))
+  if (tested.p_same_gain < tuning.same_gain && (of_recordings || !is_jump(effect)))
     doubts.push_back(Doubt::gain_differs);
-  if (tuning.held_out && tested.held_out_evidence < kHeldOutEvidence && !effect.time_only)
-    doubts.push_back(Doubt::not_predictive);
+  if (tested.held_out_evidence < tuning.held_out_evidence && !effect.time_only) doubts.push_back(Doubt::not_predictive);
   return doubts;
 }
 
@@ -201,7 +289,11 @@ Candidate tested_member(const Inference& inference, const EffectSet& set, const 
       folds_that_tell(problem.logged.series, problem.base.row, folds_of(problem.logged.series, problem.base.row),
                       problem.library.columns.middleCols(signature.first, signature.width));
   const Effect& effect = effect_of_member(problem, set, member);
-  return with_tests(std::move(one), effect, at, member, fold, problem.tuning);
+  one = with_tests(std::move(one), effect, at, member, fold, problem.tuning);
+  if (problem.tuning.jump_that_stays && is_jump(effect) &&
+      is_forgotten(problem, inference.posterior.filters[set.filter], at, member))
+    one.doubts.push_back(Doubt::forgotten_change);
+  return one;
 }
 
 }  // namespace ballbar

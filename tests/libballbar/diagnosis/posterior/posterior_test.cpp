@@ -10,7 +10,7 @@
 
 #include "diagnosis/evidence/dense.hpp"
 #include "diagnosis/made_drift.hpp"
-#include "diagnosis/posterior/ascent.hpp"
+#include "diagnosis/posterior/ibss.hpp"
 #include "diagnosis/posterior/inference.hpp"
 
 namespace ballbar {
@@ -58,7 +58,7 @@ Model constant() {
 struct OfOne {
   std::unique_ptr<Problem> problem;
   Identities identities;
-  Ascent ascent;
+  SumOfEffects sum;
   Covariance covariance{0.1, 0.9, 120.0};
   double log_weight = 0.0;     // by the matrix: of any identity over none
   std::vector<double> log_of;  // of each identity
@@ -68,16 +68,16 @@ struct OfOne {
     options.search.catalogue = catalogue;
     for (const auto& effect : catalogue) options.terms.push_back(term_of(*effect, {}));  // by hand
     problem = problem_of(constant(), settling(), 0, options);
-    const Variant variant = variant_at(*problem, 0, {0.0});
-    identities = identities_of(*problem, variant);
-    const Point point = point_at(*problem, covariance);
-    ColumnsAt at(*problem, identities, variant, point);
-    AscentOptions how;
+    const Linearisation linearisation = linearisation_at(*problem, 0, {0.0});
+    identities = identities_of(*problem, linearisation);
+    const NoiseFilter filter = noise_filter_at(*problem, covariance);
+    ProjectedColumns at(*problem, identities, linearisation.linear, filter);
+    IbssOptions how;
     how.priors = {{std::log(0.6), identities.log_prior}};
     for (double& one : how.priors.front().log_identity) one += std::log(0.4);
     how.largest = 1;
     how.known = problem->known;
-    ascent = ascended(at, identities, how);
+    sum = ibss(at, identities, how);
     by_matrix();
   }
 
@@ -93,7 +93,7 @@ struct OfOne {
     const Eigen::MatrixXd c = dense::matrix_of(covariance, problem->time_s);
     const auto evidence = [&](const Eigen::MatrixXd& with) {
       const dense::Flat flat = dense::flat(problem->y, x, with);
-      return -0.5 * flat.square / ascent.variance - flat.half_log;
+      return -0.5 * flat.square / sum.variance - flat.half_log;
     };
     const double none = evidence(c);
     std::vector<std::vector<double>> of(identities.log_prior.size());
@@ -117,10 +117,10 @@ struct OfOne {
 TEST(Posterior, of_one_single_effect_is_all_shapes_and_gains_summed) {
   const OfOne one(only({"settling", "linear_drift"}));
   ASSERT_EQ(one.problem->effects, 2U);
-  ASSERT_EQ(one.ascent.effects.size(), 1U);
-  const SingleEffect& found = one.ascent.effects.front();
-  EXPECT_NEAR(found.log_weight, one.log_weight, 1e-6);
-  EXPECT_NEAR(std::log(found.p[0] / found.p[1]), one.log_of[0] - one.log_of[1], 1e-6);
+  ASSERT_EQ(one.sum.effects.size(), 1U);
+  const SingleEffect& found = one.sum.effects.front();
+  EXPECT_NEAR(found.log_odds, one.log_weight, 1e-6);
+  EXPECT_NEAR(std::log(found.alpha[0] / found.alpha[1]), one.log_of[0] - one.log_of[1], 1e-6);
 }
 
 // Of a jump every row is a shape.
@@ -128,7 +128,7 @@ TEST(Posterior, of_a_jump_is_all_rows_summed) {
   const OfOne one(only({"step"}));
   ASSERT_TRUE(one.identities.jump);
   EXPECT_EQ(one.identities.shapes.size(), 56U);
-  EXPECT_NEAR(one.ascent.effects.front().log_weight, one.log_weight, 1e-6);
+  EXPECT_NEAR(one.sum.effects.front().log_odds, one.log_weight, 1e-6);
 }
 
 // A jump beside an effect of the room: one hides the other until both are there.
@@ -149,20 +149,17 @@ TEST(Posterior, is_of_probabilities) {
   for (const double room_um_per_K : {0.0, 0.3, 3.0}) {
     const Inference found = weighed_by(made::by_speed(), made::drift({room_um_per_K, 1, 200}));
     const Posterior& posterior = found.posterior;
-    double sum = 0.0;
-    for (const double weight : posterior.weight) sum += weight;
-    EXPECT_NEAR(sum, 1.0, 1e-9);
     EXPECT_LE(posterior.nothing, posterior.none + 1e-12);
     for (const SinglePosterior& one : posterior.effects) {
       EXPECT_LE(one.p_any(), 1.0 + 1e-9);
-      for (const double p : one.p) EXPECT_GE(p, 0.0);
+      for (const double p : one.alpha) EXPECT_GE(p, 0.0);
     }
     // Of an effect: that one of the single effects is it.
     for (std::size_t f = 0; f < found.problem->effects; ++f) {
       double most = 0.0, all = 0.0;
       for (const SinglePosterior& one : posterior.effects) {
-        most = std::max(most, one.p[f]);
-        all += one.p[f];
+        most = std::max(most, one.alpha[f]);
+        all += one.alpha[f];
       }
       EXPECT_GE(posterior.family[f], most - 1e-9);
       EXPECT_LE(posterior.family[f], all + 1e-9);
@@ -202,8 +199,8 @@ TEST(Posterior, is_told_on_the_way) {
 TEST(Prior, sums_to_one) {
   const Inference found = weighed_by(made::by_speed(), made::drift({0.0, 1, 200}));
   const Problem& problem = *found.problem;
-  ASSERT_FALSE(problem.own.empty());
-  const Identities identities = identities_of(problem, found.posterior.variants.front());
+  ASSERT_FALSE(problem.held.empty());
+  const Identities identities = identities_of(problem, found.posterior.linearisations.front());
   double sum = 0.0;
   for (const double one : identities.log_prior) sum += std::exp(one);
   EXPECT_NEAR(sum, 1.0, 1e-9);

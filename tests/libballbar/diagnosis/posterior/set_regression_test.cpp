@@ -9,8 +9,8 @@
 
 #include "diagnosis/evidence/dense.hpp"
 #include "diagnosis/made_drift.hpp"
-#include "diagnosis/posterior/any_form.hpp"
 #include "diagnosis/posterior/inference.hpp"
+#include "diagnosis/signatures/any_form.hpp"
 #include "effects/low_pass.hpp"
 
 namespace ballbar {
@@ -33,39 +33,28 @@ TEST(SetRegression, is_the_set_by_the_whole_matrix) {
   for (std::size_t k = 0; k < 2; ++k) {
     const EffectSet& set = found.posterior.sets[k];
     const SetRegression at = set_regression(problem, found.posterior, set);
-    const Covariance& covariance = found.posterior.points[set.point].covariance;
-    const Line& line = found.posterior.variants[set.variant].line;
+    const Covariance& covariance = found.posterior.filters[set.filter].covariance;
     std::vector<Eigen::Index> flat, known;
-    for (Eigen::Index j = 0; j < at.line.cols(); ++j)
-      (line.is_free[static_cast<std::size_t>(j)] != 0 ? flat : known).push_back(j);
-    Eigen::MatrixXd x(at.y.size(), static_cast<Eigen::Index>(flat.size()) + at.members.cols());
-    x << at.line(Eigen::all, flat), at.members;
-    const Eigen::MatrixXd e = at.line(Eigen::all, known);
+    for (Eigen::Index j = 0; j < at.size(); ++j)
+      (at.model.is_flat[static_cast<std::size_t>(j)] != 0 ? flat : known).push_back(1 + j);
+    const Eigen::VectorXd y = at.model.columns.col(0);
+    const Eigen::MatrixXd x = at.model.columns(Eigen::all, flat), e = at.model.columns(Eigen::all, known);
     Eigen::MatrixXd c = dense::matrix_of(covariance, problem.time_s, problem.relative_variance);
-    c += e * e.transpose() / at.variance;
-    const double square = dense::flat(at.y, x, c).square;
-    EXPECT_NEAR(at.degrees, static_cast<double>(at.y.size() - x.cols()), 0.0);
+    c += e * e.transpose() / at.solution.variance;
+    const double square = dense::flat(y, x, c).square;
+    EXPECT_NEAR(at.solution.degrees, static_cast<double>(y.size() - x.cols()), 0.0);
     // 2 %: the scatter and the prior by turns, three times.
-    EXPECT_NEAR(square / at.degrees, at.variance, 0.02 * at.variance) << k;
-    Eigen::MatrixXd white(at.white_y.size(), at.white_line.cols() + at.white_members.cols());
-    white << at.white_line, at.white_members;
-    const Eigen::VectorXd left = at.white_y - white * white.completeOrthogonalDecomposition().solve(at.white_y);
-    EXPECT_NEAR(left.squaredNorm(), square, 0.02 * square) << k;
-    Eigen::Index width = 0;
+    EXPECT_NEAR(square / at.solution.degrees, at.solution.variance, 0.02 * at.solution.variance) << k;
+    EXPECT_NEAR(at.solution.square, square, 0.02 * square) << k;
+    ASSERT_EQ(at.first.size(), set.signatures.size());
+    Eigen::Index next =
+        static_cast<Eigen::Index>(found.posterior.linearisations[set.linearisation].linear.is_flat.size());
     for (std::size_t m = 0; m < set.signatures.size(); ++m) {
-      EXPECT_EQ(at.first[m], width);
-      width += at.width[m];
+      EXPECT_EQ(at.first[m], next);
+      next += at.width[m];
     }
-    EXPECT_EQ(width, at.members.cols());
+    EXPECT_EQ(next, at.size());
   }
-}
-
-TEST(SetRegression, whitens_other_columns_as_its_own) {
-  const Inference& found = warm_room();
-  const EffectSet& set = found.posterior.sets.front();
-  const SetRegression at = set_regression(*found.problem, found.posterior, set);
-  const Eigen::MatrixXd white = at.white(found.posterior.points[set.point].filter, at.members);
-  EXPECT_LT((white - at.white_members).cwiseAbs().maxCoeff(), 1e-12 * white.cwiseAbs().maxCoeff());
 }
 
 // Share of the square of a curve, about its mean, that no sum of the columns makes.

@@ -15,7 +15,7 @@
 
 namespace ballbar {
 
-// The probability that an effect is missing, from the sets of effects evaluated so far.
+// The probability that an effect is missing.
 struct ProbableSoFar {
   BoundEffect bound;
   double p = 0.0;
@@ -30,7 +30,7 @@ struct SearchOptions {
   Tuning tuning;
   // Called before each step, in the calling thread: "testing 2 effects".
   std::function<void(std::string_view step)> progress;
-  // Called with all effects, the most probable first, whenever more sets have been evaluated; in the calling thread.
+  // Called with all effects, the most probable first, after each inference; in the calling thread.
   std::function<void(const std::vector<ProbableSoFar>& effects)> so_far;
 };
 

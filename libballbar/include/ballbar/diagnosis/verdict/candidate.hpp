@@ -19,15 +19,16 @@ struct Interval {
 
 // Why an effect is not named, or not supported where it was added.
 enum class Doubt {
-  time_alone,       // it reads no column: any slow drift looks like it
-  gain_differs,     // its gain differs between cycles, or recordings
-  not_predictive,   // it does not improve the prediction of left-out cycles, or recordings
-  weak_evidence,    // its likelihood ratio is below kLeastLikelihoodRatio
-  drift_beside,     // a smaller slow drift without a cause is beside it, so that its form is open
-  larger_drift,     // a larger slow drift without a cause is beside it
-  in_the_model,     // the model can produce what it adds
-  not_shown,        // of an error of the axes: these recordings cannot show it
-  not_significant,  // of an error of the axes: beside the others it is not significant
+  time_alone,        // it reads no column: any slow drift looks like it
+  gain_differs,      // its gain differs between cycles, or recordings
+  not_predictive,    // it does not improve the prediction of left-out cycles, or recordings
+  weak_evidence,     // its likelihood ratio is below kLeastLikelihoodRatio
+  forgotten_change,  // of a jump: one reading, or a change within the memory of the noise, explains nearly as much
+  drift_beside,      // a smaller slow drift without a cause is beside it, so that its form is open
+  larger_drift,      // a larger slow drift without a cause is beside it
+  in_the_model,      // the model can produce what it adds
+  not_shown,         // of an error of the axes: these recordings cannot show it
+  not_significant,   // of an error of the axes: beside the others it is not significant
 };
 
 // Figures are those of the effect in its most probable set, with the other effects of that set. NaN: not known.

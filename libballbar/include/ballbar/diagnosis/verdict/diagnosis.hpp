@@ -61,7 +61,7 @@ struct EffectProbability {
 struct Driver {
   std::string column;
   double p = 0.0;
-  bool is_clear = true;  // false: a discrepancy that is larger, or other columns of a few readings, may be the cause
+  bool is_clear = true;  // false: a slow drift, or a column that was not searched, may be the cause
 };
 
 // The probability that a value held in the model is wrong, with the value that fits.

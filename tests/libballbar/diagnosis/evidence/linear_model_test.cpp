@@ -1,5 +1,5 @@
 // How likely readings are under a line, against the whole covariance matrix.
-#include "diagnosis/evidence/evidence.hpp"
+#include "diagnosis/evidence/linear_model.hpp"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ Covariance with_slow() { return {0.5, 0.5, 40.0, 3.0, 500.0, 0.0}; }
 struct Weighing {
   Gram gram;
   LinearSolution solution;
-  double log_p() const { return log_evidence(solution); }
+  double log_p() const { return solution.log_evidence; }
 };
 
 // pool: y, the flat columns, the known ones.
@@ -55,14 +55,11 @@ Weighing weighing(const Made& made, const Covariance& covariance, bool with_know
   pool.col(0) = made.y;
   pool.middleCols(1, made.flat.cols()) = made.flat;
   if (with_known) pool.rightCols(made.known.cols()) = made.known;
-  Line line;
-  for (Eigen::Index k = 1; k < pool.cols(); ++k) {
-    line.columns.push_back(k);
-    line.is_free.push_back(k <= made.flat.cols() ? 1 : 0);
-  }
+  std::vector<char> is_flat;
+  for (Eigen::Index k = 1; k < pool.cols(); ++k) is_flat.push_back(k <= made.flat.cols() ? 1 : 0);
   const Whitening filter(covariance, made.time_s);
   Gram gram = gram_of(filter, pool);
-  LinearSolution solution = linear_solution(gram, line, known);
+  LinearSolution solution = linear_solution(gram, is_flat, known);
   return {std::move(gram), std::move(solution)};
 }
 
@@ -117,7 +114,7 @@ TEST(Evidence, three_readings_by_hand) {
   RowMajorMatrix pool(3, 2);
   pool << 0, 1, 0, 1, 3, 1;
   const Whitening filter(Covariance{}, std::vector<double>{0.0, 1.0, 2.0});
-  const LinearSolution found = linear_solution(gram_of(filter, pool), {{1}, {1}}, {});
+  const LinearSolution found = linear_solution(gram_of(filter, pool), {1}, {});
   EXPECT_NEAR(found.square, 6.0, 1e-8);
   EXPECT_NEAR(found.degrees, 2.0, 0.0);
   EXPECT_NEAR(found.variance, 3.0, 1e-8);
@@ -141,7 +138,7 @@ TEST(Gram, is_the_products_over_the_dense_matrix) {
   pool << rows.y, rows.flat;
   const Eigen::MatrixXd among = pool.transpose() * c.solve(pool);
   EXPECT_EQ(found.gram.rows, kN);
-  EXPECT_LT((found.gram.pool - among).cwiseAbs().maxCoeff(), 1e-9 * among.cwiseAbs().maxCoeff());
+  EXPECT_LT((found.gram.products - among).cwiseAbs().maxCoeff(), 1e-9 * among.cwiseAbs().maxCoeff());
 }
 
 TEST(LogSum, of_large_and_of_no_numbers) {

@@ -1,6 +1,6 @@
-// A model linearised about some parameters, with the uncertainty of the times of its inputs.
+// A model linearised about some parameters, with the uncertain delays of its inputs.
 //
-//   y = X a + E e      a free: constant and gains; e ~ N(0, 1) um: shapes of the model, and times of input changes
+//   y = X a + E e      a free: constant and gains; e ~ N(0, 1) um: shapes of the model, and delays of its inputs
 #pragma once
 
 #include <Eigen/Core>
@@ -16,11 +16,11 @@ namespace ballbar {
 
 // The meaning of a column of the linearised model.
 struct BaseColumn {
-  enum class Kind { constant, gain, shape, time };
+  enum class Kind { constant, gain, shape };
   Kind kind = Kind::constant;
   std::size_t parameter = 0;  // index of the parameter, for constant, gain and shape
   double scale = 1.0;         // change of the parameter per unit of the coefficient
-  bool is_free() const { return kind == Kind::constant || kind == Kind::gain; }
+  bool is_flat() const { return kind == Kind::constant || kind == Kind::gain; }
 };
 
 struct BaseColumns {
@@ -49,8 +49,9 @@ class BaseModel {
   BaseColumns at(const std::vector<double>& parameters, const std::vector<std::size_t>& free = {},
                  std::size_t fixed = 0) const;
 
-  // Columns of Kind::time about these parameters: the effect of shifting the input changes within their uncertainty.
-  Eigen::MatrixXd times_at(const std::vector<double>& parameters) const;
+  // What delays of the inputs change at these parameters, each by its prior sigma: a column for the clock of each input
+  // of a term, and for the largest of its jumps one each.
+  Eigen::MatrixXd delays_at(const std::vector<double>& parameters, const Tuning& tuning) const;
 
   // The curve in um of the term that has this parameter.
   Eigen::VectorXd term_at(std::size_t parameter, const std::vector<double>& parameters) const;

@@ -1,11 +1,10 @@
-#include "diagnosis/posterior/any_form.hpp"
+#include "diagnosis/signatures/any_form.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/model/measured_input.hpp"
 #include "ballbar/series/runs.hpp"
 #include "effects/low_pass.hpp"

@@ -1,5 +1,5 @@
 // A model as a straight line: its slopes, what moving its inputs adds, and parameters found again.
-#include "diagnosis/evidence/base_columns.hpp"
+#include "diagnosis/evidence/base_model.hpp"
 
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ void expect_slopes(const Made& made, const std::vector<double>& at, const std::v
     const Eigen::VectorXd slope = (sum(more) - sum(less)) / (2.0 * step) * column.scale;
     const auto values = found.values.col(static_cast<Eigen::Index>(k));
     EXPECT_LT((values - slope).cwiseAbs().maxCoeff(), 1e-6 * (1.0 + slope.cwiseAbs().maxCoeff())) << column.parameter;
-    if (column.is_free()) by_line -= values * (at[column.parameter] / column.scale);
+    if (column.is_flat()) by_line -= values * (at[column.parameter] / column.scale);
     // A free column but the constant has deviation 1.
     if (column.kind != BaseColumn::Kind::gain) continue;
     EXPECT_NEAR((values.array() - values.mean()).square().mean(), 1.0, 1e-9);
@@ -122,19 +122,19 @@ TEST(BaseColumns, times_of_a_shift_by_hand) {
   rows->rows.resize(160);
   std::iota(rows->rows.begin(), rows->rows.end(), std::size_t{0});
   rows->y = Eigen::VectorXd::Zero(160);
-  const Eigen::MatrixXd times = base_of(*rows).times_at({0.0, 0.1, 2.0});
+  const Eigen::MatrixXd times = base_of(*rows).delays_at({0.0, 0.1, 2.0}, {});
   const double squares[] = {0.0, 3.6, 0.4, 8.1, 0.0, 1.6};  // 0.1 n^2, um
   ASSERT_EQ(times.cols(), 6);                               // the clock, then five changes by their size
   Eigen::VectorXd together = Eigen::VectorXd::Zero(160);
   for (Eigen::Index jump = 0; jump < 5; ++jump) {
     const double step_um = squares[jump + 1] - squares[jump];
     const Eigen::Index first = 29 * (jump + 1) - 1;
-    together[first] += kClockTime * 0.5 * step_um;
-    together[first + 1] += kClockTime * 0.5 * step_um;
+    together[first] += Tuning{}.clock_delay * 0.5 * step_um;
+    together[first + 1] += Tuning{}.clock_delay * 0.5 * step_um;
   }
   EXPECT_LT((times.col(0) - together).cwiseAbs().maxCoeff(), 1e-9);
   Eigen::VectorXd largest = Eigen::VectorXd::Zero(160);
-  largest[115] = largest[116] = kJumpTime * 0.5 * -8.1;
+  largest[115] = largest[116] = Tuning{}.jump_delay * 0.5 * -8.1;
   EXPECT_LT((times.col(1) - largest).cwiseAbs().maxCoeff(), 1e-9);
   for (Eigen::Index k = 2; k < 6; ++k) EXPECT_LE(times.col(k).norm(), times.col(k - 1).norm() + 1e-12);
 }
@@ -148,9 +148,11 @@ TEST(BaseColumns, time_of_a_clock_by_hand) {
   }
   rows->model.terms = {term_of("expansion", {"T_room_degC"})};
   rows->y = Eigen::VectorXd::Zero(80);
-  const Eigen::MatrixXd times = base_of(*rows).times_at({0.0, 2.0});
+  const Eigen::MatrixXd times = base_of(*rows).delays_at({0.0, 2.0}, {});
   ASSERT_EQ(times.cols(), 1);
-  const auto slope_um = [&](Eigen::Index i) { return kClockTime * 30.0 * 2.0 * 2e-6 * 60.0 * static_cast<double>(i); };
+  const auto slope_um = [&](Eigen::Index i) {
+    return Tuning{}.clock_delay * 30.0 * 2.0 * 2e-6 * 60.0 * static_cast<double>(i);
+  };
   double worst_um = 0.0;
   for (Eigen::Index i = 2; i < 79; ++i)
     worst_um = std::max(worst_um, std::abs(times(i, 0) - times(2, 0) - slope_um(i) + slope_um(2)));

@@ -1,18 +1,15 @@
-#include "diagnosis/evidence/base_columns.hpp"
+#include "diagnosis/evidence/base_model.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "ballbar/series/runs.hpp"
-#include "diagnosis/thresholds.hpp"
 #include "effects/effect_at.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr std::size_t kMostTimes = 40;     // columns, and
-constexpr std::size_t kRowsForATime = 10;  // rows for each
-constexpr double kChangeTime = 0.25;       // sd of the position between a linear and a sudden change
 
 double deviation_of(const Eigen::VectorXd& column) {
   const double mean = column.mean();
@@ -107,48 +104,40 @@ Eigen::VectorXd BaseModel::term_at(std::size_t parameter, const std::vector<doub
   return rows_.term(t, parameters.data() + rows_.offset(t), nullptr);
 }
 
-Eigen::MatrixXd BaseModel::times_at(const std::vector<double>& parameters) const {
+Eigen::MatrixXd BaseModel::delays_at(const std::vector<double>& parameters, const Tuning& tuning) const {
   std::vector<std::pair<double, Eigen::VectorXd>> found;
-  std::size_t place = 1;
   for (std::size_t t = 0; t < model_.terms.size(); ++t) {
-    const Term& term = model_.terms[t];
-    const std::vector<double> own(parameters.begin() + static_cast<std::ptrdiff_t>(place),
-                                  parameters.begin() + static_cast<std::ptrdiff_t>(place + term.settings.size()));
-    place += term.settings.size();
-    for (std::size_t k = 0; k < term.columns.size(); ++k) {
+    for (std::size_t k = 0; k < model_.terms[t].columns.size(); ++k) {
       const auto input = std::find_if(logged_.inputs.begin(), logged_.inputs.end(),
-                                      [&](const LoggedInput& one) { return one.column == term.columns[k]; });
+                                      [&](const LoggedInput& one) { return one.column == model_.terms[t].columns[k]; });
       if (input == logged_.inputs.end()) continue;
       const std::vector<double>& values = find_column(logged_.series, input->column)->values;
-      const auto moved = [&](const std::vector<double>& with) {
+      const auto term_of = [&](const std::vector<double>& moved) {
         EffectRows rows = rows_.inputs(t);
-        rows.inputs[k] = with;
+        rows.inputs[k] = moved;
         std::vector<double> all(rows.time_s.size());
-        rows_.effect(t).evaluate(rows, own.data(), all.data(), nullptr);
-        Eigen::VectorXd result(static_cast<Eigen::Index>(rows_.rows()));
-        for (Eigen::Index i = 0; i < result.size(); ++i)
-          result[i] = all[rows_.data_rows()[static_cast<std::size_t>(i)]];
-        return result;
+        rows_.effect(t).evaluate(rows, parameters.data() + rows_.offset(t), all.data(), nullptr);
+        return Eigen::VectorXd(
+            Eigen::VectorXd::Map(all.data(), static_cast<Eigen::Index>(all.size()))(rows_.data_rows()));
       };
       Eigen::VectorXd together = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.rows()));
       if (!input->is_stepped && input->late_s > 0.0) {
-        together = 0.5 * (moved(shifted(logged_.series.time_s, values, input->late_s)) -
-                          moved(shifted(logged_.series.time_s, values, -input->late_s)));
+        together = 0.5 * (term_of(shifted(logged_.series.time_s, values, input->late_s)) -
+                          term_of(shifted(logged_.series.time_s, values, -input->late_s)));
       }
       for (const Jump& jump : input->jumps) {
         const double width = static_cast<double>(jump.last - jump.first);
-        const Eigen::VectorXd whole =
-            moved(with_jump_moved(values, jump, true)) - moved(with_jump_moved(values, jump, false));
-        const Eigen::VectorXd one = whole * (width / (width + 1.0));  // all of its window
-        if (input->is_stepped) together += one;
-        const double sd = input->is_stepped ? kJumpTime : kChangeTime;
-        found.emplace_back(sd * one.norm(), sd * one);
+        const Eigen::VectorXd one =
+            (term_of(with_jump_moved(values, jump, true)) - term_of(with_jump_moved(values, jump, false))) *
+            (width / (width + 1.0));  // all of its window
+        together += one;
+        found.emplace_back(tuning.jump_delay * one.norm(), tuning.jump_delay * one);
       }
-      found.emplace_back(1e300, kClockTime * together);
+      found.emplace_back(std::numeric_limits<double>::infinity(), tuning.clock_delay * together);
     }
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  const std::size_t count = std::min({found.size(), kMostTimes, rows_.rows() / kRowsForATime});
+  const std::size_t count = std::min({found.size(), tuning.most_delays, rows_.rows() / tuning.rows_for_a_delay});
   Eigen::MatrixXd result(static_cast<Eigen::Index>(rows_.rows()), static_cast<Eigen::Index>(count));
   for (std::size_t k = 0; k < count; ++k) result.col(static_cast<Eigen::Index>(k)) = found[k].second;
   return result;

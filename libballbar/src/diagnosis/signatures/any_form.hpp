@@ -4,7 +4,6 @@
 // effect.
 #pragma once
 
-#include "diagnosis/evidence/logged_inputs.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 
 namespace ballbar {

@@ -1,5 +1,5 @@
 // Figures of a posterior that is made up.
-#include "diagnosis/verdict/probabilities.hpp"
+#include "diagnosis/verdict/credible_set.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,36 @@
+// What is said, from the posterior and the tests of its members.
+#pragma once
+
+#include <vector>
+
+#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+
+namespace ballbar {
+
+// What a member of the best set could also be: the effects of the credible set of its single effect.
+struct Alternatives {
+  std::vector<BoundEffect> effects;  // the most probable first
+};
+
+struct Evidence {
+  std::vector<Candidate> members;          // of the best set, tested
+  std::vector<Alternatives> alternatives;  // of each
+  std::vector<Driver> drivers;
+  std::vector<OwnValue> held;  // values held in the model
+  double p_nothing = 1.0;
+  bool is_drift_beside = false;       // a slow drift without a cause
+  bool is_all_searched = true;        // else another cause may be among the columns that were not
+  bool has_level_jumps = false;       // of the target
+  bool has_unexplained_rest = false;  // more than the readings scatter, as far as their sigma is known
+};
+
+struct Statement {
+  Verdict verdict = Verdict::nothing;
+  std::vector<BoundEffect> named, probable;
+  std::vector<std::vector<BoundEffect>> equivalent;
+};
+
+// The first verdict that applies.
+Statement statement_of(const Evidence& evidence);
+
+}  // namespace ballbar
