@@ -283,7 +283,7 @@ Diagnosis diagnosis_of(Inference& inference, const Model& model, const Series& d
   if (problem.effects == 0) return diagnosis_without(Obstacle::no_effect, problem, model, options, result);
 
   // The posterior.
-  const EffectSet best = posterior.sets[posterior.best];
+  const EffectSet& best = posterior.sets[posterior.best];  // until sets are requested
   const SetRegression at = set_regression(problem, posterior, best);
   result.p_nothing = posterior.nothing;
   result.effects = probabilities_of(problem, posterior);
