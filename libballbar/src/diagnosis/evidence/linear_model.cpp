@@ -1,5 +1,6 @@
 #include "diagnosis/evidence/linear_model.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -36,27 +37,27 @@ NormalFactor::NormalFactor(Eigen::MatrixXd products, const Eigen::VectorXd& prec
   scale_ = products.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   products = scale_.asDiagonal() * products * scale_.asDiagonal();
   products.diagonal().array() += kJitter;
-  root_.compute(products);
-  const Eigen::MatrixXd lower = root_.matrixL();
-  half_log_determinant_ = lower.diagonal().array().log().sum() - scale_.array().log().sum();
+  lower_ = Eigen::LLT<Eigen::MatrixXd>(products).matrixL();
+  half_log_determinant_ = lower_.diagonal().array().log().sum() - scale_.array().log().sum();
 }
 
 Eigen::MatrixXd NormalFactor::explained(const Eigen::Ref<const Eigen::MatrixXd>& products) const {
   if (products.size() == 0) return products;
   Eigen::MatrixXd result = scale_.asDiagonal() * products;
-  root_.matrixL().solveInPlace(result);
+  lower_.triangularView<Eigen::Lower>().solveInPlace(result);
   return result;
 }
 
 Eigen::VectorXd NormalFactor::coefficients(const Eigen::VectorXd& explained) const {
   if (explained.size() == 0) return explained;
-  return scale_.asDiagonal() * root_.matrixU().solve(explained);
+  return scale_.asDiagonal() * lower_.transpose().triangularView<Eigen::Upper>().solve(explained);
 }
 
 Eigen::MatrixXd NormalFactor::inverse() const {
   if (scale_.size() == 0) return {};
-  return scale_.asDiagonal() * root_.solve(Eigen::MatrixXd::Identity(scale_.size(), scale_.size())) *
-         scale_.asDiagonal();
+  Eigen::MatrixXd half = scale_.asDiagonal();
+  lower_.triangularView<Eigen::Lower>().solveInPlace(half);
+  return half.transpose() * half;
 }
 
 Eigen::VectorXd precision_of(const std::vector<char>& is_flat, double variance) {

@@ -8,7 +8,6 @@
 //   S = y' y - y' Z (Z' Z + P)^-1 Z' y,   nu = n - columns of X
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <span>
 #include <vector>
@@ -46,7 +45,7 @@ class NormalFactor {
 
  private:
   Eigen::VectorXd scale_;
-  Eigen::LLT<Eigen::MatrixXd> root_;
+  Eigen::MatrixXd lower_;  // L
   double half_log_determinant_ = 0.0;
 };
 
