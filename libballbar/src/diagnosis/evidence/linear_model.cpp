@@ -12,6 +12,23 @@ namespace {
 constexpr double kJitter = 1e-10;  // added to a diagonal of 1, for nearly equal columns
 constexpr int kRounds = 3;         // of the scatter and of the prior in units of it
 
+Eigen::Index flat_columns(const std::vector<char>& is_flat) {
+  return std::count(is_flat.begin(), is_flat.end(), char{1});
+}
+
+// Sets the factor and S for this diagonal of P; result: what the model explains of y.
+Eigen::VectorXd solve(const Gram& gram, const Eigen::VectorXd& precision, LinearSolution& solution) {
+  const Eigen::Index p = precision.size();
+  solution.factor = NormalFactor(gram.products.bottomRightCorner(p, p), precision);
+  Eigen::VectorXd explained = solution.factor.explained(gram.products.col(0).tail(p));
+  solution.square = std::max(gram.products(0, 0) - explained.squaredNorm(), 1e-300);
+  return explained;
+}
+
+double degrees_of(const Gram& gram, const std::vector<char>& is_flat) {
+  return std::max(1.0, static_cast<double>(gram.rows - flat_columns(is_flat)));
+}
+
 }  // namespace
 
 LinearModel with_columns(LinearModel model, const Eigen::MatrixXd& columns, bool are_flat) {
@@ -23,9 +40,12 @@ LinearModel with_columns(LinearModel model, const Eigen::MatrixXd& columns, bool
 }
 
 Gram gram_of(const Whitening& whitening, const RowMajorMatrix& columns) {
-  const RowMajorMatrix white = whitened_rows(whitening, columns);
+  return gram_of_white(whitening, whitened_rows(whitening, columns));
+}
+
+Gram gram_of_white(const Whitening& whitening, const RowMajorMatrix& white) {
   Gram result{static_cast<Eigen::Index>(whitening.readings()), whitening.log_determinant(),
-              Eigen::MatrixXd::Zero(columns.cols(), columns.cols())};
+              Eigen::MatrixXd::Zero(white.cols(), white.cols())};
   result.products.selfadjointView<Eigen::Lower>().rankUpdate(white.transpose());
   result.products.triangularView<Eigen::StrictlyUpper>() = result.products.transpose();
   return result;
@@ -69,42 +89,30 @@ Eigen::VectorXd precision_of(const std::vector<char>& is_flat, double variance) 
 
 LinearSolution linear_solution(const Gram& gram, const std::vector<char>& is_flat, const KnownScatter& known) {
   const auto p = static_cast<Eigen::Index>(is_flat.size());
-  const auto flat = static_cast<double>(std::count(is_flat.begin(), is_flat.end(), char{1}));
-  const auto zz = gram.products.bottomRightCorner(p, p);
-  const double yy = gram.products(0, 0);
   LinearSolution result;
-  result.degrees = std::max(1.0, static_cast<double>(gram.rows) - flat);
+  result.degrees = degrees_of(gram, is_flat);
   // The prior of u is in um and therefore needs s; at first it is narrow.
-  Eigen::VectorXd precision = precision_of(is_flat, 1e3).cwiseProduct(zz.diagonal());
+  Eigen::VectorXd precision = precision_of(is_flat, 1e3).cwiseProduct(gram.products.diagonal().tail(p));
   Eigen::VectorXd explained;
   for (int round = 0; round < kRounds; ++round) {
-    result.factor = NormalFactor(zz, precision);
-    explained = result.factor.explained(gram.products.col(0).tail(p));
-    result.square = std::max(yy - explained.squaredNorm(), 1e-300);
+    explained = solve(gram, precision, result);
     result.variance = (result.square + known.readings * known.variance) / (result.degrees + known.readings);
-    if (round + 1 < kRounds) precision = precision_of(is_flat, result.variance);
+    precision = precision_of(is_flat, result.variance);
   }
   result.coefficients = result.factor.coefficients(explained);
   result.log_evidence =
       -0.5 * gram.log_determinant - result.factor.half_log_determinant() +
-      0.5 * (static_cast<double>(p) - flat) * std::log(result.variance) -
+      0.5 * static_cast<double>(p - flat_columns(is_flat)) * std::log(result.variance) -
       0.5 * (result.degrees + known.readings) * std::log(result.square + known.readings * known.variance);
   return result;
 }
 
 LinearSolution solution_at(const Gram& gram, const std::vector<char>& is_flat, double variance) {
-  const auto p = static_cast<Eigen::Index>(is_flat.size());
-  const auto flat = static_cast<double>(std::count(is_flat.begin(), is_flat.end(), char{1}));
   LinearSolution result;
-  result.degrees = std::max(1.0, static_cast<double>(gram.rows) - flat);
-  result.factor = NormalFactor(gram.products.bottomRightCorner(p, p), precision_of(is_flat, variance));
-  const Eigen::VectorXd explained = result.factor.explained(gram.products.col(0).tail(p));
-  result.square = std::max(gram.products(0, 0) - explained.squaredNorm(), 1e-300);
+  result.degrees = degrees_of(gram, is_flat);
   result.variance = variance;
+  const Eigen::VectorXd explained = solve(gram, precision_of(is_flat, variance), result);
   result.coefficients = result.factor.coefficients(explained);
-  result.log_evidence = -0.5 * gram.log_determinant - result.factor.half_log_determinant() +
-                        0.5 * (static_cast<double>(p) - flat - result.degrees) * std::log(variance) -
-                        0.5 * result.square / variance;
   return result;
 }
 

@@ -31,6 +31,7 @@ struct Gram {
   Eigen::MatrixXd products;      // 1 + p by 1 + p, y first
 };
 Gram gram_of(const Whitening& whitening, const RowMajorMatrix& columns);
+Gram gram_of_white(const Whitening& whitening, const RowMajorMatrix& white);  // of columns that are white already
 
 // Z' Z + P as D^-1 L L' D^-1, D the lengths that make its diagonal 1.
 class NormalFactor {
@@ -68,7 +69,7 @@ struct LinearSolution {
   Eigen::MatrixXd covariance() const { return variance * factor.inverse(); }
 };
 LinearSolution linear_solution(const Gram& gram, const std::vector<char>& is_flat, const KnownScatter& known);
-// With this s^2; ln of the evidence is that given s.
+// With this s^2; without ln of the evidence.
 LinearSolution solution_at(const Gram& gram, const std::vector<char>& is_flat, double variance);
 LinearSolution linear_solution(const Whitening& whitening, const LinearModel& model, const KnownScatter& known);
 

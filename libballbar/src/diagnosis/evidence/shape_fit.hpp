@@ -12,6 +12,8 @@
 
 namespace ballbar {
 
+inline constexpr Stop kSearched{12, 1e-5};  // accuracy within a search
+
 struct ShapeFit {
   std::vector<double> parameters;
   double variance = 0.0;  // of the scatter, in units of C

@@ -40,8 +40,8 @@ struct Score {
   bool right = false, part = false, wrong = false;
 };
 
-// What needs nothing but time is never named: a truth is told where all the rest of it is.
-// Of nothing that nothing is said, of a value that the model holds that it is told.
+// A truth is found if all its effects are named, but those of time alone, which are never named; if nothing is missing,
+// the verdict must be that; a wrong value that the model holds must be named.
 Score score_of(const Truth& truth, const Diagnosis& found, const std::vector<BoundEffect>& known) {
   const auto is_in = [](const std::vector<BoundEffect>& all, const BoundEffect& one) {
     return std::find(all.begin(), all.end(), one) != all.end();

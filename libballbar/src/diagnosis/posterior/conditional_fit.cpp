@@ -10,8 +10,6 @@
 namespace ballbar {
 namespace {
 
-constexpr Stop kStop{12, 1e-5};  // accuracy of a search
-
 // The model with the set's effects as terms, and its parameters; their gains are those that a fit starts with anyway.
 std::pair<Model, std::vector<double>> with_effects(const Problem& problem, const std::vector<std::size_t>& signatures,
                                                    std::vector<double> parameters) {
@@ -52,7 +50,7 @@ ShapeFit fit_together(const Problem& problem, const Linearisation& linearisation
   }
   const BaseModel with(model, problem.logged, problem.y, problem.base.row);
   return shape_fit(with, start, free_of(problem, linearisation.held), linearisation.open, filter.whitening,
-                   problem.known, kStop);
+                   problem.known, kSearched);
 }
 
 // The set, and the model where a fit of both has it.

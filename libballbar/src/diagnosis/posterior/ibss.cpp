@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "diagnosis/posterior/hyperparameters.hpp"
@@ -80,7 +79,7 @@ IdentitySubset all_of(const Identities& identities, const IbssOptions& options) 
     for (std::size_t i = 0; i < is_chosen.size(); ++i)
       if (prior.log_identity[i] > kLogZero) is_chosen[i] = 1;
   }
-  return subset_of(identities, std::move(is_chosen));
+  return subset_of(identities, is_chosen);
 }
 
 // Sweeps until the bound stops rising and the scatter stays. The columns are projected again when it has moved far.
@@ -183,19 +182,9 @@ Covariance covariance_beside(const Problem& problem, const SumOfEffects& sum, co
 }
 
 LinearModel less_mean_of(const SumOfEffects& sum, const Identities& identities, LinearModel linear) {
-  const Eigen::Index n = identities.columns.rows(), c = identities.columns.cols();
-  Eigen::VectorXd mean = Eigen::VectorXd::Zero(n), jumps = mean;
-  for (const SingleEffect& one : sum.effects) {
-    for (const auto& [column, coefficient] : one.mean) {
-      if (column < c) {
-        mean += coefficient * identities.columns.col(column);
-      } else {
-        jumps[column - c] += coefficient;
-      }
-    }
-  }
-  std::partial_sum(jumps.begin(), jumps.end(), jumps.begin());
-  linear.columns.col(0) -= mean + jumps;
+  std::vector<std::pair<Eigen::Index, double>> mean;
+  for (const SingleEffect& one : sum.effects) mean.insert(mean.end(), one.mean.begin(), one.mean.end());
+  linear.columns.col(0) -= combination_of(identities, mean);
   return linear;
 }
 

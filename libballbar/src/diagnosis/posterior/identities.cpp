@@ -87,6 +87,21 @@ std::vector<std::size_t> standing_shapes(const SignatureLibrary& library, const 
 
 }  // namespace
 
+Eigen::VectorXd combination_of(const Identities& identities,
+                               const std::vector<std::pair<Eigen::Index, double>>& coefficients) {
+  const Eigen::Index n = identities.columns.rows(), c = identities.columns.cols();
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(n), jumps = sum;
+  for (const auto& [column, coefficient] : coefficients) {
+    if (column < c) {
+      sum += coefficient * identities.columns.col(column);
+    } else {
+      jumps[column - c] += coefficient;
+    }
+  }
+  std::partial_sum(jumps.begin(), jumps.end(), jumps.begin());
+  return sum + jumps;
+}
+
 bool jumps(const Problem& problem, std::size_t family) {
   const Effect& effect = *problem.library.families[family].bound.effect;
   if (!is_jump(effect)) return false;

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "diagnosis/posterior/linearisation.hpp"
@@ -36,6 +37,10 @@ struct Identities {
   bool is_held_value(std::size_t identity) const { return identity >= families; }
   Eigen::Index size() const { return columns.cols() + (jump ? columns.rows() : 0); }  // with one jump column per row
 };
+
+// The sum of columns with these coefficients, jumps among them.
+Eigen::VectorXd combination_of(const Identities& identities,
+                               const std::vector<std::pair<Eigen::Index, double>>& coefficients);
 
 // Whether this effect has only a gain and a moment, and the times of the rows rise.
 bool jumps(const Problem& problem, std::size_t family);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace ballbar {
 namespace {
@@ -91,20 +90,10 @@ const BlockProduct& ProjectedColumns::block(std::size_t shape) {
 
 ProjectedColumns::Curve ProjectedColumns::curve_of(
     const std::vector<std::pair<Eigen::Index, double>>& coefficients) const {
-  const Eigen::Index n = identities_.columns.rows(), c = identities_.columns.cols();
-  Curve curve{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(explained_.rows())};
+  Curve curve{Eigen::VectorXd::Zero(identities_.columns.rows()), Eigen::VectorXd::Zero(explained_.rows())};
   if (coefficients.empty()) return curve;
-  Eigen::VectorXd jumps = Eigen::VectorXd::Zero(n);
-  for (const auto& [column, coefficient] : coefficients) {
-    curve.explained += coefficient * explained_.col(column);
-    if (column < c) {
-      curve.white += coefficient * identities_.columns.col(column);
-    } else {
-      jumps[column - c] += coefficient;
-    }
-  }
-  std::partial_sum(jumps.begin(), jumps.end(), jumps.begin());
-  curve.white += jumps;
+  for (const auto& [column, coefficient] : coefficients) curve.explained += coefficient * explained_.col(column);
+  curve.white = combination_of(identities_, coefficients);
   whitening_.apply(curve.white.data(), 1, curve.white.data(), 1);
   return curve;
 }

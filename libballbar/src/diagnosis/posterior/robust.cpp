@@ -28,6 +28,15 @@ double resolution_of_readings(const Eigen::VectorXd& y) {
   return median_of(std::move(differences));
 }
 
+// A row that tells nothing is no reading.
+std::vector<std::size_t> rows_with_readings(const Problem& problem) {
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < problem.stated_variance.size(); ++i) {
+    if (!(problem.stated_variance[i] > 0.0)) rows.push_back(i);
+  }
+  return rows;
+}
+
 // Each value less the median of those about it: what a slow drift does from row to row is no jump.
 std::vector<double> less_the_trend(const std::vector<double>& steps, std::size_t rows) {
   std::vector<double> result;
@@ -46,11 +55,7 @@ std::vector<double> less_the_trend(const std::vector<double>& steps, std::size_t
 bool weigh_down_outliers(Problem& problem, const LinearModel& linear, const NoiseFilter& filter) {
   const LinearSolution solution = linear_solution(filter.whitening, linear, problem.known);
   const Eigen::VectorXd r = whitened(filter.whitening, residual_of(linear, solution)) / std::sqrt(solution.variance);
-  std::vector<Eigen::Index> known;  // a row that tells nothing is no reading
-  for (std::size_t row = 0; row < problem.stated_variance.size(); ++row) {
-    if (!(problem.stated_variance[row] > 0.0)) known.push_back(static_cast<Eigen::Index>(row));
-  }
-  if (!has_heavy_tails(r(known))) return false;
+  if (!has_heavy_tails(r(rows_with_readings(problem)))) return false;
   bool any = false;
   for (std::size_t row = 0; row < problem.time_s.size(); ++row) {
     const double factor =
@@ -63,13 +68,9 @@ bool weigh_down_outliers(Problem& problem, const LinearModel& linear, const Nois
 }
 
 std::vector<LevelJump> level_jumps(const Problem& problem, const Eigen::VectorXd& residual_um) {
-  std::vector<std::size_t> known;
+  const std::vector<std::size_t> known = rows_with_readings(problem);
   std::vector<double> r;
-  for (std::size_t i = 0; i < problem.time_s.size(); ++i) {
-    if (problem.stated_variance[i] > 0.0) continue;
-    known.push_back(i);
-    r.push_back(residual_um[static_cast<Eigen::Index>(i)]);
-  }
+  for (const std::size_t i : known) r.push_back(residual_um[static_cast<Eigen::Index>(i)]);
   if (known.size() < problem.tuning.fewest_for_memory || !std::is_sorted(problem.time_s.begin(), problem.time_s.end()))
     return {};
   // The mean of a few rows less that of the rows before.

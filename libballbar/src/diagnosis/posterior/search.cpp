@@ -14,8 +14,6 @@
 namespace ballbar {
 namespace {
 
-constexpr Stop kSearched{12, 1e-5};
-
 // Other values of held parameters that a fit finds.
 void find_other_values(Problem& problem, const std::vector<double>& fit, const Linearisation& linearisation,
                        const Covariance& covariance) {

@@ -10,8 +10,9 @@ namespace ballbar {
 SetRegression set_regression(const Whitening& whitening, LinearModel model, std::vector<Eigen::Index> widths,
                              const KnownScatter& known) {
   SetRegression result;
-  result.solution = linear_solution(whitening, model, known);
   result.white = whitened_rows(whitening, model.columns);
+  result.gram = gram_of_white(whitening, result.white);
+  result.solution = linear_solution(result.gram, model.is_flat, known);
   Eigen::Index next = model.columns.cols() - 1 - std::accumulate(widths.begin(), widths.end(), Eigen::Index{0});
   for (const Eigen::Index width : widths) {
     result.first.push_back(next);

@@ -13,6 +13,7 @@ namespace ballbar {
 struct SetRegression {
   LinearModel model;                       // the columns of the members last
   RowMajorMatrix white;                    // of model.columns
+  Gram gram;                               // of white
   std::vector<Eigen::Index> first, width;  // of each member: its coefficients
   LinearSolution solution;
   Eigen::Index size() const { return white.cols() - 1; }  // coefficients

@@ -108,11 +108,11 @@ double SingleEffect::p_none() const { return 1.0 / (1.0 + std::exp(log_odds)); }
 
 double SingleEffect::p_any() const { return std::accumulate(alpha.begin(), alpha.end(), 0.0); }
 
-IdentitySubset subset_of(const Identities& identities, std::vector<char> is_chosen) {
-  IdentitySubset result{std::move(is_chosen), {}, {}};
+IdentitySubset subset_of(const Identities& identities, const std::vector<char>& is_chosen) {
+  IdentitySubset result;
   const Eigen::Index c = identities.columns.cols();
   for (std::size_t i = 0; i < identities.log_prior.size(); ++i) {
-    if (!result.identity[i]) continue;
+    if (!is_chosen[i]) continue;
     for (std::size_t s = identities.first[i]; s < identities.first[i] + identities.count[i]; ++s) {
       result.shapes.push_back(s);
       if (identities.jump == i) continue;
@@ -125,7 +125,7 @@ IdentitySubset subset_of(const Identities& identities, std::vector<char> is_chos
       }
     }
   }
-  if (identities.jump && result.identity[*identities.jump]) result.columns.push_back({c, identities.size() - c});
+  if (identities.jump && is_chosen[*identities.jump]) result.columns.push_back({c, identities.size() - c});
   return result;
 }
 

@@ -32,11 +32,10 @@ struct SingleEffect {
 
 // Some identities: their shapes, and the columns of these.
 struct IdentitySubset {
-  std::vector<char> identity;
   std::vector<std::size_t> shapes;
   std::vector<ColumnSpan> columns;
 };
-IdentitySubset subset_of(const Identities& identities, std::vector<char> is_chosen);
+IdentitySubset subset_of(const Identities& identities, const std::vector<char>& is_chosen);
 
 // r: products of the columns with the residual of the other effects.
 SingleEffect single_effect_regression(ProjectedColumns& at, const Identities& identities, const IdentitySubset& among,

@@ -175,12 +175,13 @@ std::vector<Candidate> members_of(const Inference& inference, const EffectSet& s
   return members;
 }
 
-std::vector<Alternatives> alternatives_of(const Inference& inference, const EffectSet& set) {
-  std::vector<Alternatives> result;
+// The effects of the credible set of each single effect, the most probable first.
+std::vector<std::vector<BoundEffect>> alternatives_of(const Inference& inference, const EffectSet& set) {
+  std::vector<std::vector<BoundEffect>> result;
   for (const std::size_t l : set.single) {
     result.emplace_back();
     for (const std::size_t i : credible_set(inference.posterior.effects[l], inference.problem->tuning.credible)) {
-      if (i < inference.problem->effects) result.back().effects.push_back(inference.problem->library.families[i].bound);
+      if (i < inference.problem->effects) result.back().push_back(inference.problem->library.families[i].bound);
     }
   }
   return result;
@@ -298,17 +299,19 @@ Diagnosis diagnosis_of(Inference& inference, const Model& model, const Series& d
   tell_detectability(problem, model, options, result.noise, result);
 
   // The tests of the members. RMSE as in a fit of the model with these effects by `add` and `check`.
-  const bool is_drift_beside = tuning.beside_discrepancy && result.p_discrepancy >= kDiscrepancy;
-  result.rmse_after_um = problem.base.rmse_um;
-  if (!best.families.empty() || best.held > 0) {
-    if (!best.families.empty()) tell(fmt::format("testing {} effects", best.families.size()));
-    const FittedSet fitted = fitted_set(problem, posterior, best, !best.families.empty());
+  const bool is_drift_beside =
+      tuning.beside_discrepancy && result.p_discrepancy >= kDiscrepancy && result.discrepancy_um > 0.0;
+  if (best.families.empty()) {
+    result.rmse_after_um = best.held > 0 ? fit(fitted_set(problem, posterior, best, false).model, data, target).rmse_um
+                                         : problem.base.rmse_um;
+  } else {
+    tell(fmt::format("testing {} effects", best.families.size()));
+    const FittedSet fitted = fitted_set(problem, posterior, best, true);
     result.rmse_after_um = fit(fitted.model, data, target).rmse_um;
+    result.explained_um = std::min(fitted.together_um, range_of(problem.base.measured_um));
     result.candidates = members_of(inference, best, fitted, at, options.tolerance_um);
-    if (!best.families.empty()) result.explained_um = std::min(fitted.together_um, range_of(problem.base.measured_um));
-    if (!best.families.empty() && is_drift_beside && result.discrepancy_um > 0.0)
-      doubt_beside(result.discrepancy_um, at, result.candidates, result.drivers);
-    if (!best.families.empty() && options.leave_out && model.level == Level::series) {
+    if (is_drift_beside) doubt_beside(result.discrepancy_um, at, result.candidates, result.drivers);
+    if (options.leave_out && model.level == Level::series) {
       tell("leaving cycles out");
       std::vector<std::size_t> terms(result.candidates.size());
       std::iota(terms.begin(), terms.end(), model.terms.size());
@@ -317,10 +320,9 @@ Diagnosis diagnosis_of(Inference& inference, const Model& model, const Series& d
   }
 
   const double stated_um = std::sqrt(problem.known.variance);
-  Statement said =
-      statement_of({result.candidates, alternatives_of(inference, best), result.drivers, result.own, result.p_nothing,
-                    is_drift_beside && result.discrepancy_um > 0.0, is_all_searched, result.level_jumps > 0,
-                    stated_um > 0.0 && problem.base.rmse_um > tuning.rest * stated_um});
+  Statement said = statement_of({result.candidates, alternatives_of(inference, best), result.drivers, result.own,
+                                 result.p_nothing, is_drift_beside, is_all_searched, result.level_jumps > 0,
+                                 stated_um > 0.0 && problem.base.rmse_um > tuning.rest * stated_um});
   result.verdict = said.verdict;
   result.named = std::move(said.named);
   result.probable = std::move(said.probable);

@@ -18,13 +18,15 @@ constexpr double kLeftOutRidge = 1e-4;  // prior precision of a white column of 
 constexpr double kOwnDirection = 1e-3;  // length of a gain of one cycle, of the largest, that is one
 constexpr double kRoundingOf = 1e-8;    // of products of two columns
 
-// The coefficients of a member, and those of all others.
-std::vector<Eigen::Index> own_of(const SetRegression& at, std::size_t member) {
-  std::vector<Eigen::Index> own(static_cast<std::size_t>(at.width[member]));
-  std::iota(own.begin(), own.end(), at.first[member]);
-  return own;
+std::vector<Eigen::Index> range(Eigen::Index first, Eigen::Index count) {
+  std::vector<Eigen::Index> indices(static_cast<std::size_t>(count));
+  std::iota(indices.begin(), indices.end(), first);
+  return indices;
 }
 
+std::vector<Eigen::Index> all_of(const SetRegression& at) { return range(0, at.size()); }
+
+// The coefficients of all but this member.
 std::vector<Eigen::Index> others_of(const SetRegression& at, std::size_t member) {
   std::vector<Eigen::Index> others;
   for (Eigen::Index k = 0; k < at.size(); ++k) {
@@ -39,13 +41,11 @@ std::vector<std::vector<Eigen::Index>> rows_by_fold(const std::vector<std::size_
   return rows;
 }
 
-// The products of y and these columns with each other in some rows.
-Eigen::MatrixXd products_in(const SetRegression& at, const std::vector<Eigen::Index>& rows,
-                            const std::vector<Eigen::Index>& columns) {
+// The places of y and of these coefficients among the columns.
+std::vector<Eigen::Index> with_y(const std::vector<Eigen::Index>& coefficients) {
   std::vector<Eigen::Index> places{0};
-  for (const Eigen::Index k : columns) places.push_back(1 + k);
-  const Eigen::MatrixXd part = at.white(rows, places);
-  return part.transpose() * part;
+  for (const Eigen::Index k : coefficients) places.push_back(1 + k);
+  return places;
 }
 
 // The diagonal of the prior of these columns, at the scatter of the set.
@@ -53,13 +53,17 @@ Eigen::VectorXd precision_at(const SetRegression& at, const std::vector<Eigen::I
   return precision_of(at.model.is_flat, at.solution.variance)(columns);
 }
 
-// With gains of its own in each fold, what is left of them beside the set: chi^2 = b' L^+ b / s^2 with L their products
-// and b those with y. Its degrees are the directions in which they differ.
+NormalFactor factor_of(const SetRegression& at, const std::vector<Eigen::Index>& columns) {
+  const auto p = static_cast<Eigen::Index>(columns.size());
+  const Eigen::MatrixXd products = at.gram.products(with_y(columns), with_y(columns));
+  return NormalFactor(products.bottomRightCorner(p, p), precision_at(at, columns));
+}
+
+// The test of equal gains: the member's columns, split by fold, beside the set. With L the products of what is left of
+// them and b those with y, chi^2 = b' L^+ b / s^2. Its degrees of freedom are the directions in which they differ.
 double p_same_gain(const SetRegression& at, std::size_t member, const std::vector<std::vector<Eigen::Index>>& rows) {
-  const std::vector<Eigen::Index> own = own_of(at, member);
   const Eigen::Index w = at.width[member], p = at.size();
-  const Eigen::MatrixXd products = at.white.transpose() * at.white;
-  const NormalFactor factor(products.bottomRightCorner(p, p), precision_of(at.model.is_flat, at.solution.variance));
+  const NormalFactor factor = factor_of(at, all_of(at));
   Eigen::MatrixXd with_all(1 + p, w * static_cast<Eigen::Index>(rows.size()));
   Eigen::MatrixXd left = Eigen::MatrixXd::Zero(with_all.cols(), with_all.cols());
   for (std::size_t f = 0; f < rows.size(); ++f) {
@@ -73,7 +77,7 @@ double p_same_gain(const SetRegression& at, std::size_t member, const std::vecto
   const Eigen::MatrixXd explained = factor.explained(with_all.bottomRows(p));
   left -= explained.transpose() * explained;
   const Eigen::VectorXd b =
-      with_all.row(0).transpose() - explained.transpose() * factor.explained(products.col(0).tail(p));
+      with_all.row(0).transpose() - explained.transpose() * factor.explained(at.gram.products.col(0).tail(p));
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(left);
   const double least = std::max(kOwnDirection * kOwnDirection * eigen.eigenvalues().maxCoeff(), kRoundingOf * before);
   double chi2 = 0.0;
@@ -94,9 +98,8 @@ struct LeftOutFit {
 
 LeftOutFit left_out(const SetRegression& at, const std::vector<Eigen::Index>& columns,
                     const std::vector<std::vector<Eigen::Index>>& rows) {
-  std::vector<Eigen::Index> every(static_cast<std::size_t>(at.white.rows()));
-  std::iota(every.begin(), every.end(), Eigen::Index{0});
-  const Eigen::MatrixXd all = products_in(at, every, columns);
+  const std::vector<Eigen::Index> places = with_y(columns);
+  const Eigen::MatrixXd all = at.gram.products(places, places);
   const auto k = static_cast<Eigen::Index>(columns.size());
   Eigen::VectorXd precision = precision_at(at, columns);
   precision += kLeftOutRidge * (all.diagonal().tail(k) + precision);
@@ -112,7 +115,8 @@ LeftOutFit left_out(const SetRegression& at, const std::vector<Eigen::Index>& co
   const Eigen::MatrixXd plain = at.model.columns.rightCols(at.size())(Eigen::all, columns);
   LeftOutFit result;
   for (const std::vector<Eigen::Index>& out : rows) {
-    const auto [rest, coefficients] = fitted(all - products_in(at, out, columns));
+    const Eigen::MatrixXd part = at.white(out, places);
+    const auto [rest, coefficients] = fitted(all - part.transpose() * part);
     result.log_likelihood.push_back(together - rest);
     for (const Eigen::Index row : out)
       result.rmse_um += std::pow(at.model.columns(row, 0) - plain.row(row).dot(coefficients), 2);
@@ -121,19 +125,16 @@ LeftOutFit left_out(const SetRegression& at, const std::vector<Eigen::Index>& co
   return result;
 }
 
-// The square of what the others leave of the member, in each fold.
-std::vector<double> squares_left(const SetRegression& at, std::size_t member,
-                                 const std::vector<std::vector<Eigen::Index>>& rows) {
+// What the others leave of the member.
+Eigen::MatrixXd left_of(const SetRegression& at, std::size_t member) {
   const std::vector<Eigen::Index> others = others_of(at, member);
   const Eigen::MatrixXd white = at.white.rightCols(at.size());
-  const Eigen::MatrixXd beside = white(Eigen::all, others), own = white(Eigen::all, own_of(at, member));
-  const NormalFactor factor(beside.transpose() * beside, precision_at(at, others));
-  Eigen::MatrixXd left = own;
-  const Eigen::MatrixXd explained = factor.explained(beside.transpose() * own);
-  for (Eigen::Index k = 0; k < own.cols(); ++k) left.col(k) -= beside * factor.coefficients(explained.col(k));
-  std::vector<double> squares;
-  for (const std::vector<Eigen::Index>& of : rows) squares.push_back(left(of, Eigen::all).squaredNorm());
-  return squares;
+  const Eigen::MatrixXd beside = white(Eigen::all, others);
+  Eigen::MatrixXd left = white.middleCols(at.first[member], at.width[member]);
+  const NormalFactor factor = factor_of(at, others);
+  const Eigen::MatrixXd explained = factor.explained(beside.transpose() * left);
+  for (Eigen::Index k = 0; k < left.cols(); ++k) left.col(k) -= beside * factor.coefficients(explained.col(k));
+  return left;
 }
 
 // A reading alone at a row, a change at that row that the noise forgets afterwards, and one that it has forgotten the
@@ -153,20 +154,20 @@ Eigen::MatrixXd forgotten_changes(const Problem& problem, const Covariance& cova
   return columns;
 }
 
-// The largest fall of chi^2 by one of these white columns in place of the member.
-double largest_fall(const SetRegression& at, std::size_t member, const Eigen::MatrixXd& columns) {
+// The fall of chi^2 by each of these white columns alone, in place of the member.
+Eigen::VectorXd falls_by(const SetRegression& at, std::size_t member, const Eigen::MatrixXd& columns) {
   const std::vector<Eigen::Index> others = others_of(at, member);
   const Eigen::MatrixXd beside = at.white.rightCols(at.size())(Eigen::all, others);
-  const NormalFactor factor(beside.transpose() * beside, precision_at(at, others));
+  const NormalFactor factor = factor_of(at, others);
   const Eigen::VectorXd y = at.white.col(0), of_y = factor.explained(beside.transpose() * y);
   const Eigen::MatrixXd explained = factor.explained(beside.transpose() * columns);
-  double largest = 0.0;
+  Eigen::VectorXd falls = Eigen::VectorXd::Zero(columns.cols());
   for (Eigen::Index k = 0; k < columns.cols(); ++k) {
     const double square = columns.col(k).squaredNorm() - explained.col(k).squaredNorm();
     const double along = columns.col(k).dot(y) - explained.col(k).dot(of_y);
-    if (square > 1e-9) largest = std::max(largest, along * along / square / at.solution.variance);
+    if (square > 1e-9) falls[k] = along * along / square / at.solution.variance;
   }
-  return largest;
+  return falls;
 }
 
 // Whether one reading, or a change within the memory of the noise, explains nearly as much as the jump.
@@ -176,8 +177,10 @@ bool is_forgotten(const Problem& problem, const NoiseFilter& filter, const SetRe
   Eigen::Index before = 0;
   (jump.tail(jump.size() - 1) - jump.head(jump.size() - 1)).cwiseAbs().maxCoeff(&before);
   const Eigen::MatrixXd changes = whitened(filter.whitening, forgotten_changes(problem, filter.covariance, before + 1));
-  const Eigen::MatrixXd itself = at.white.col(1 + at.first[member]);
-  return largest_fall(at, member, itself) < largest_fall(at, member, changes) + kLeastLikelihoodRatio;
+  Eigen::MatrixXd columns(changes.rows(), changes.cols() + 1);
+  columns << at.white.col(1 + at.first[member]), changes;
+  const Eigen::VectorXd falls = falls_by(at, member, columns);
+  return falls[0] < falls.tail(changes.cols()).maxCoeff() + kLeastLikelihoodRatio;
 }
 
 std::size_t family_of_member(const Problem& problem, const EffectSet& set, std::size_t member) {
@@ -193,18 +196,16 @@ const Effect& effect_of_member(const Problem& problem, const EffectSet& set, std
 Candidate with_tests(Candidate one, const Effect& effect, const SetRegression& at, std::size_t member,
                      const std::vector<std::size_t>& fold, const Tuning& tuning) {
   const std::vector<std::vector<Eigen::Index>> rows = rows_by_fold(fold);
-  std::vector<Eigen::Index> all(static_cast<std::size_t>(at.size()));
-  std::iota(all.begin(), all.end(), Eigen::Index{0});
   one.p_same_gain = p_same_gain(at, member, rows);
-  const LeftOutFit before = left_out(at, others_of(at, member), rows), after = left_out(at, all, rows);
+  const LeftOutFit before = left_out(at, others_of(at, member), rows), after = left_out(at, all_of(at), rows);
   one.held_out_before_um = before.rmse_um;
   one.held_out_after_um = after.rmse_um;
-  const std::vector<double> square = squares_left(at, member, rows);
-  const double largest = *std::max_element(square.begin(), square.end());
+  const Eigen::VectorXd square = squares_by_fold(left_of(at, member), fold).rowwise().sum();
   double best = 0.0;
   one.held_out_evidence = 0.0;
   for (std::size_t f = 0; f < rows.size(); ++f) {
-    const double gained = square[f] > tuning.moves * largest ? after.log_likelihood[f] - before.log_likelihood[f] : 0.0;
+    const bool moves = square[static_cast<Eigen::Index>(f)] > tuning.moves * square.maxCoeff();
+    const double gained = moves ? after.log_likelihood[f] - before.log_likelihood[f] : 0.0;
     one.held_out_evidence += gained;
     best = std::max(best, gained);
   }
@@ -222,9 +223,7 @@ double held_out_um(const Model& model, const Series& data, std::size_t target) {
   const auto none = std::find_if(found.posterior.sets.begin(), found.posterior.sets.end(),
                                  [](const EffectSet& set) { return set.families.empty() && set.held == 0; });
   const SetRegression at = set_regression(problem, found.posterior, *none);
-  std::vector<Eigen::Index> all(static_cast<std::size_t>(at.size()));
-  std::iota(all.begin(), all.end(), Eigen::Index{0});
-  return left_out(at, all, rows_by_fold(folds_of(problem.logged.series, problem.base.row))).rmse_um;
+  return left_out(at, all_of(at), rows_by_fold(folds_of(problem.logged.series, problem.base.row))).rmse_um;
 }
 
 void leave_cycles_out(const Model& model, const std::vector<std::size_t>& terms, const Series& data, std::size_t target,

@@ -30,7 +30,7 @@ Statement statement_of(const Evidence& evidence) {
     } else if (one.doubts.empty() && one.p >= kProbable) {
       result.probable.push_back(one.bound);
     } else if (!one.other_form_likelier) {
-      std::vector<BoundEffect> group = evidence.alternatives[m].effects;
+      std::vector<BoundEffect> group = evidence.alternatives[m];
       if (std::find(group.begin(), group.end(), one.bound) == group.end()) group.push_back(one.bound);
       if (std::find(result.equivalent.begin(), result.equivalent.end(), group) == result.equivalent.end())
         result.equivalent.push_back(std::move(group));

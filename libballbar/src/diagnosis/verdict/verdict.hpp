@@ -7,14 +7,9 @@
 
 namespace ballbar {
 
-// What a member of the best set could also be: the effects of the credible set of its single effect.
-struct Alternatives {
-  std::vector<BoundEffect> effects;  // the most probable first
-};
-
 struct Evidence {
-  std::vector<Candidate> members;          // of the best set, tested
-  std::vector<Alternatives> alternatives;  // of each
+  std::vector<Candidate> members;                      // of the best set, tested
+  std::vector<std::vector<BoundEffect>> alternatives;  // of each: the credible set of its single effect
   std::vector<Driver> drivers;
   std::vector<OwnValue> held;  // values held in the model
   double p_nothing = 1.0;
