@@ -19,7 +19,7 @@ constexpr const char* kVerdicts[] = {
     "outside-left-out", "own-exponent", "own-tau"};
 
 Case case_of(verdicts::Made made) {
-  Case one{made.data, made.model, made.without, std::nullopt, {}};
+  Case one{made.data, made.model, made.without, std::nullopt, {}, made.what};
   one.judged = [made = std::move(made)](const verdicts::Said& said) { return verdicts::judged(made, said); };
   return one;
 }

@@ -21,6 +21,7 @@ struct Case {
   std::vector<std::string> without;
   std::optional<Motion> motion;
   std::function<verdicts::Judged(const verdicts::Said&)> judged;
+  std::string what = {};  // is hidden
 };
 
 struct Cell {

@@ -114,7 +114,7 @@ Outcome outcome(const ablation::Case& one, const DiagnosisOptions& options) {
   const Diagnosis found = diagnose(one.model, one.data, 0, options);
   const double cpu_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   if (says) {
-    fmt::print(stderr, "  {}:", name_of(found.verdict));
+    fmt::print(stderr, "  {}: {}:", one.what, name_of(found.verdict));
     for (const BoundEffect& effect : found.named) fmt::print(stderr, " {}", label_of(effect));
     for (const Driver& driver : found.drivers) fmt::print(stderr, " {}={:.2f}", driver.column, driver.p);
     for (const Candidate& candidate : found.candidates)

@@ -56,6 +56,13 @@ void ProjectedColumns::settle(double variance) {
   constant = -0.5 * gram_.log_determinant - factor.half_log_determinant() + 0.5 * open * std::log(variance);
   const Eigen::VectorXd of_y = factor.explained(gram_.products.col(0).tail(p));
   square = std::max(gram_.products(0, 0) - of_y.squaredNorm(), 1e-300);
+  if (cross_.cols() == 0) {  // Eigen takes no rows of a matrix without columns
+    explained_.resize(p, 0);
+    along.resize(0);
+    left.resize(0);
+    settled = variance;
+    return;
+  }
   explained_ = factor.explained(cross_.bottomRows(p));
   along = cross_.row(0).transpose() - explained_.transpose() * of_y;
   left = squares_ - explained_.colwise().squaredNorm().transpose();
