@@ -14,8 +14,13 @@
 //   sixth      1 or 2 um of a 6th harmonic on the CCW run alone: said to be left, and nothing named
 //   spikes     1 um after both reversals of one axis, where these are in the arc: that axis named and not the other
 //
-// An error of an arc has to show with the instrument's damping too, but for `arc-no-prior`.
-// Beside each figure stands the aim; fails (exit 1) where one is worse than what was reached
+//   one direction   squareness or servo mismatch of 2 to 40 um in one run, every second without a feed: told as the
+//              group of both that comes first; one of them named alone
+//   play       1 to 10 um at one axis, taken up over 0 to 1.5 deg: a spike named; the play within 10 % or 2 sigma
+//   both       2 um of play and 2 um after the reversals of one axis: both named
+//
+// The last three of full circles. An error of an arc has to show with the instrument's damping too, but for
+// `arc-no-prior`. Beside each figure stands the aim; fails (exit 1) where one is worse than what was reached
 // (machine_errors_ranges.hpp) by more than 3 standard deviations of that many seeds.
 #include "ballbar/machine_errors/machine_errors.hpp"
 
@@ -260,6 +265,69 @@ void spikes(Study& study, const Plan& plan) {
              study.at_most(other, plan.reached.no_spike, kAim.no_spike));
 }
 
+void one_direction(Study& study, const Plan& plan) {
+  int told = 0, alone = 0;
+  for (int seed = 0; seed < study.seeds; ++seed) {
+    std::mt19937_64 random = random_of("one direction " + plan.name, seed);
+    std::uniform_real_distribution<double> uniform;
+    const double um = 2.0 * std::pow(20.0, uniform(random)) * (random() % 2 == 0 ? 1.0 : -1.0);
+    made::ErrorTest test = plan.test;
+    if (random() % 2 == 0) {
+      test.errors["squareness"] = um / (1e-3 * test.radius_mm);
+    } else {
+      test.errors["servo_mismatch"] = um / (test.feed_mm_per_min / 60.0);
+    }
+    std::vector<Recording> run{made::run_of(test, random() % 2 == 0 ? Direction::CCW : Direction::CW, random)};
+    if (seed % 2 == 0) run.front().feed_mm_per_min.reset();
+    const MachineErrors found = machine_errors(run, {.prior = plan.prior});
+    const std::set<std::string> wanted{"squareness", "servo_mismatch"};
+    bool is_first = false;
+    for (const ErrorGroup& group : found.groups) {
+      std::set<std::string> names;
+      for (const Effect* effect : group.effects) names.insert(effect->name);
+      is_first = is_first || (group.rank == 1U && names == wanted);
+    }
+    told += is_first ? 1 : 0;
+    alone += std::ranges::any_of(
+        found.ranked, [&](const RankedError& one) { return one.significant && wanted.contains(one.effect->name); });
+  }
+  fmt::print("  one direction   told {}   a member alone {}\n", study.at_least(told, 0.98, 0.98),
+             study.at_most(alone, 0.01, 0.01));
+}
+
+bool is_named(const MachineErrors& found, const std::string& name) {
+  return std::ranges::any_of(found.ranked,
+                             [&](const RankedError& one) { return one.significant && one.effect->name == name; });
+}
+
+void play(Study& study, const Plan& plan) {
+  int spike = 0, right = 0, both = 0;
+  for (int seed = 0; seed < study.seeds; ++seed) {
+    std::mt19937_64 random = random_of("play " + plan.name, seed);
+    std::uniform_real_distribution<double> uniform;
+    made::ErrorTest test = plan.test;
+    const std::string axis = random() % 2 == 0 ? "a" : "b";
+    const double um = std::pow(10.0, uniform(random));
+    test.step_width_deg = 1.5 * uniform(random);
+    for (const char* end : {"_pos", "_neg"}) test.errors["backlash_" + axis + end] = um;
+    const MachineErrors found = found_in(plan, test, random);
+    spike += is_named(found, "reversal_spike_a") || is_named(found, "reversal_spike_b") ? 1 : 0;
+    right += std::ranges::all_of(found.errors, [&](const MachineError& row) {
+      return !row.name.starts_with("backlash_" + axis) ||
+             std::abs(row.value - um) < std::max(0.1 * um, 2.0 * row.sigma);
+    });
+    test = plan.test;
+    for (const char* end : {"_pos", "_neg"}) {
+      test.errors["backlash_" + axis + end] = 2.0;
+      test.errors["reversal_spike_" + axis + end] = 2.0;
+    }
+    const MachineErrors of_both = found_in(plan, test, random);
+    both += is_named(of_both, "reversal_spike_" + axis) && is_named(of_both, "backlash_" + axis) ? 1 : 0;
+  }
+  fmt::print("  play      a spike {}   the play {}   both {}\n", study.at_most(spike, 0.02, 0.02),
+             study.at_least(right, 0.95, 0.95), study.at_least(both, 0.80, 0.80));
+}
+
 made::ErrorTest test_of(double radius_mm, double arc_deg, double feed_mm_per_min) {
   made::ErrorTest test = arc_deg < 360.0 ? made::arc_220() : made::full_turn();
   test.radius_mm = radius_mm;
@@ -301,6 +369,10 @@ int main(int argc, char** argv) {
     sixth(study, plan, 1.0, plan.reached.sixth_1_um, kAim.sixth_1_um);
     sixth(study, plan, 2.0, plan.reached.sixth_2_um, kAim.sixth_2_um);
     spikes(study, plan);
+    if (plan.test.arc_deg >= 360.0) {
+      one_direction(study, plan);
+      play(study, plan);
+    }
     drawn(study, plan, noise);
     std::fflush(stdout);
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ballbar/effects/effect.hpp"
+#include "ballbar/units.hpp"
 
 namespace ballbar {
 
@@ -49,6 +50,18 @@ inline AxisState state_of(Axis axis, double angle_rad, double direction) {
   constexpr double kStandsStill = 1e-12;  // cos and sin of a quarter turn are not quite 0
   const double sign = velocity > kStandsStill ? 1.0 : velocity < -kStandsStill ? -1.0 : 0.0;
   return axis == Axis::A ? AxisState{cos, sin, sign} : AxisState{sin, cos, sign};
+}
+
+// The last reversal of an axis before a reading: A reverses at 0 (+ end) and 180 deg, B at 90 (+ end) and 270 deg.
+struct Reversal {
+  double since_deg;  // angle travelled since, 0 to 180 deg
+  bool positive_end;
+};
+
+inline Reversal last_reversal(Axis axis, double angle_rad, double direction) {
+  const double phi_rad = direction * (angle_rad - (axis == Axis::A ? 0.0 : kPi / 2.0));
+  const double half_turns = std::floor(phi_rad / kPi);
+  return {deg_from_rad(phi_rad - half_turns * kPi), std::fmod(std::abs(half_turns), 2.0) < 0.5};
 }
 
 }  // namespace ballbar

@@ -130,7 +130,7 @@ GainMap GainMaps::of(const Indices& chosen, const Eigen::MatrixXd& precision) co
   // What the prior leaves open: N^-1 L T L N^-1 with L T = s^2. The ridge is one too: without it, a combination that no
   // reading sees would have the sigma of its sum alone, or of rounding.
   Eigen::MatrixXd held = (kRidge * normal.diagonal()).asDiagonal();
-  held.topLeftCorner(p_, p_) += precision;
+  held.topLeftCorner(precision.rows(), precision.cols()) += precision;
   map.open = stages_.slow_variance_um2 * inverse * held * inverse;
   return map;
 }

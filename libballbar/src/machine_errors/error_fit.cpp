@@ -1,6 +1,7 @@
 #include "machine_errors/error_fit.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,6 +19,8 @@ namespace ballbar {
 namespace {
 
 constexpr double kWidthsOfSpike = 4.0;  // to where 2 % of its height are left
+constexpr double kCorrelated = 0.9;     // gains of errors that the readings hardly separate
+constexpr double kUndetermined = 1e6;   // of variances: the readings do not tell this combination
 
 // What the centre adds beyond its first order: exact length less radius, a cos and b sin. fine: these three columns.
 Eigen::VectorXd second_order(const Eigen::VectorXd& circle, const Eigen::MatrixXd& fine, double length_mm,
@@ -102,7 +105,8 @@ void choose(std::vector<FittedEffect>& effects, const Eigen::VectorXd& gains, co
             Eigen::Index first) {
   for (FittedEffect& effect : effects) {
     const Indices own = columns_of(effect, first);
-    effect.in_the_fit = effect.searched * effect.looked_at * p_of(gains(own), covariance(own, own)) < kFalseErrors;
+    effect.in_the_fit =
+        effect.is_needed && effect.searched * effect.looked_at * p_of(gains(own), covariance(own, own)) < kFalseErrors;
   }
 }
 
@@ -133,13 +137,165 @@ void refit(Stages& stages, const Eigen::VectorXd& far, const Eigen::MatrixXd& pr
   with_first(stages.cyclic, stages.first);
 }
 
-// Of the rows, once both are taken off.
-Eigen::VectorXd left_by(const Stages& stages, const ErrorRows& rows) {
+// Gains of the first fit, once the cyclic errors are taken off, and what both leave of the rows.
+struct FirstFit {
+  Eigen::VectorXd gains, left;
+};
+FirstFit first_fit(const Stages& stages, const ErrorRows& rows) {
   const Eigen::MatrixXd& columns = stages.together.columns.values;
   const Eigen::VectorXd first_left = rows.deviation_um - columns * stages.first.solve(rows.deviation_um);
   const Eigen::VectorXd without_cyclic =
       rows.deviation_um - stages.cyclic.part.columns.values * stages.cyclic.block.solve(first_left);
-  return without_cyclic - columns * stages.first.solve(without_cyclic);
+  FirstFit fit{stages.first.solve(without_cyclic), {}};
+  fit.left = without_cyclic - columns * fit.gains;
+  return fit;
+}
+
+// Gains and their covariance.
+struct Gains {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd covariance;
+};
+
+// chi^2 of gains in the directions that the readings determine at all.
+double p_together(const Eigen::VectorXd& values, const Eigen::MatrixXd& covariance, const Eigen::VectorXd& size) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(size.asDiagonal() * covariance * size.asDiagonal());
+  const Eigen::VectorXd along = solved.eigenvectors().transpose() * size.cwiseProduct(values);
+  double chi2 = 0.0;
+  std::size_t determined = 0;
+  for (Eigen::Index k = 0; k < along.size(); ++k) {
+    const double variance = solved.eigenvalues()[k];
+    if (variance > kUndetermined * solved.eigenvalues()[0]) continue;
+    chi2 += along[k] * along[k] / std::max(variance, 1e-300);
+    ++determined;
+  }
+  return chi2_upper_tail(chi2, determined);
+}
+
+// Largest correlation between gains of two effects.
+double correlation(const Eigen::MatrixXd& covariance, const Indices& one, const Indices& other) {
+  const Eigen::VectorXd sigma = covariance.diagonal().cwiseMax(1e-300).cwiseSqrt();
+  double largest = 0.0;
+  for (const Eigen::Index i : one) {
+    for (const Eigen::Index j : other) {
+      largest = std::max(largest, std::abs(covariance(i, j)) / (sigma[i] * sigma[j]));
+    }
+  }
+  return largest;
+}
+
+Indices joined(const std::vector<Indices>& columns, const std::vector<std::size_t>& which) {
+  Indices all;
+  for (const std::size_t k : which) all.insert(all.end(), columns[k].begin(), columns[k].end());
+  return all;
+}
+
+// Sets of effects with correlated gains, among those that are not significant.
+std::vector<std::vector<std::size_t>> correlated_sets(const std::vector<Indices>& columns,
+                                                      const std::vector<std::size_t>& open,
+                                                      const Eigen::MatrixXd& covariance) {
+  std::vector<std::vector<std::size_t>> sets;
+  for (const std::size_t k : open) {
+    std::vector<std::size_t> set{k};
+    std::erase_if(sets, [&](const std::vector<std::size_t>& other) {
+      if (correlation(covariance, columns[k], joined(columns, other)) < kCorrelated) return false;
+      set.insert(set.end(), other.begin(), other.end());
+      return true;
+    });
+    std::sort(set.begin(), set.end());
+    sets.push_back(std::move(set));
+  }
+  return sets;
+}
+
+// Groups among these effects with these columns, from the fit of all. alone(columns, others): gains of the fit with
+// these columns and without the others.
+template <class Alone>
+std::vector<FittedGroup> groups_of(const std::vector<FittedEffect>& effects, const std::vector<Indices>& columns,
+                                   const Gains& all, const Eigen::VectorXd& size, const Alone& alone_fit) {
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < effects.size(); ++k) {
+    const double p = p_of(all.values(columns[k]), all.covariance(columns[k], columns[k]));
+    if (effects[k].searched * effects[k].looked_at * p >= kFalseErrors) open.push_back(k);
+  }
+  std::vector<FittedGroup> groups;
+  for (std::vector<std::size_t> set : correlated_sets(columns, open, all.covariance)) {
+    if (set.size() < 2) continue;
+    const Indices own = joined(columns, set);
+    FittedGroup group;
+    group.p = p_together(all.values(own), all.covariance(own, own), size(own));
+    const double limit = kFalseErrors / effects[set.front()].looked_at;
+    if (group.p >= limit) continue;
+    // A member explains the readings by itself, too.
+    std::vector<Gains> alone;
+    for (const std::size_t member : set) {
+      alone.push_back(alone_fit(columns[member], own));
+    }
+    const auto explains = [&](std::size_t m) { return p_of(alone[m].values, alone[m].covariance) < limit; };
+    std::size_t explaining = 0;
+    for (std::size_t m = 0; m < set.size(); ++m) explaining += explains(m) ? 1 : 0;
+    for (std::size_t m = 0; m < set.size(); ++m) {
+      if (explaining > 1 && !explains(m)) continue;
+      group.effects.push_back(set[m]);
+      group.alone.push_back(alone[m].values);
+      group.covariance.push_back(alone[m].covariance);
+    }
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+// `chosen`: columns of the fit, of those together and the extra ones.
+template <class Covariance>
+std::vector<FittedGroup> groups_in(const Stages& stages, const GainMaps& maps, const GainMap& whole,
+                                   const Indices& chosen, const Eigen::VectorXd& z_data, const Covariance& covariance) {
+  const Eigen::Index p = stages.together.columns.size();
+  std::vector<FittedEffect> effects = stages.extra.effects;
+  effects.insert(effects.end(), stages.together.effects.begin(), stages.together.effects.end());
+  std::vector<Indices> columns;
+  for (std::size_t k = 0; k < effects.size(); ++k)
+    columns.push_back(columns_of(effects[k], k < stages.extra.effects.size() ? p : 0));
+  const auto alone = [&](const Indices& member, const Indices& group) {
+    Indices rest = member;
+    for (const Eigen::Index k : chosen) {
+      if (std::ranges::find(group, k) == group.end()) rest.push_back(k);
+    }
+    const GainMap map = maps.of(rest, Eigen::MatrixXd::Zero(0, 0));
+    const auto size = static_cast<Eigen::Index>(member.size());
+    return Gains{(map.t * z_data).head(size), (covariance(map) + map.open).topLeftCorner(size, size)};
+  };
+  std::vector<FittedGroup> groups = groups_of(effects, columns, {whole.t * z_data, covariance(whole) + whole.open},
+                                              maps.normal().diagonal().cwiseSqrt(), alone);
+  for (FittedGroup& group : groups) {  // in the order of JointErrorFit::effects
+    for (std::size_t& k : group.effects) k += k < stages.extra.effects.size() ? 0 : stages.spikes.effects.size();
+  }
+  return groups;
+}
+
+// The steps of the plays get the widths that the readings show. Result: the spikes that a step of some width explains.
+std::vector<const Effect*> fit_step_widths(Stages& stages, const ErrorRows& rows,
+                                           const std::vector<const Effect*>& spikes, const Noise& noise) {
+  const auto [gains, left] = first_fit(stages, rows);
+  std::vector<const Effect*> explained;
+  for (const Effect* spike : spikes) {
+    const auto step = std::ranges::find_if(stages.together.effects, [&](const FittedEffect& one) {
+      return shape_of(*one.effect) != kNoShape && one.effect->rules.reversal_deg == spike->rules.reversal_deg;
+    });
+    if (step == stages.together.effects.end()) continue;
+    const Indices columns = columns_of(*step, 0);
+    PlayStep play{step->effect, {}, gains(columns)};
+    for (const std::size_t k : step->columns) play.gains.push_back(stages.together.columns.columns[k].gain);
+    const StepWidth found = step_width(play, *spike, rows, left, noise);
+    if (found.spike_evidence < kLeastSpikeEvidence) explained.push_back(spike);
+    step->shape = found.width_deg;
+    const ErrorColumns wide = effect_columns(*step->effect, found.width_deg, rows, false);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const auto gain = static_cast<Eigen::Index>(play.gains[k]);
+      stages.together.columns.values.col(columns[k]) = wide.values.col(gain);
+      stages.together.columns.fine.col(columns[k]) = wide.fine.col(gain);
+    }
+  }
+  return explained;
 }
 
 // All gains with their covariance: those together with the extra ones that are clear, then the spikes. `damping`: on an
@@ -188,6 +344,7 @@ void fit_all(JointErrorFit& fitted, Stages& stages, const Eigen::VectorXd& far, 
         std::sqrt(statement.coefficients.dot(fitted.covariance.topLeftCorner(p, p) * statement.coefficients));
   }
   fitted.curve_gains = fitted.gains;
+  fitted.groups = groups_in(stages, maps, whole, chosen, z_data, covariance);
   if (damping == nullptr) return;
   const GainMap damped = maps.joined(whole, chosen, maps.of(chosen, *damping));
   const Eigen::VectorXd gains = damped.t * z_data;
@@ -198,6 +355,15 @@ void fit_all(JointErrorFit& fitted, Stages& stages, const Eigen::VectorXd& far, 
     const Indices own = columns_of(effect, 0);
     effect.p_damped = p_of(gains(own), spread(own, own));
   }
+  std::erase_if(fitted.groups, [&](const FittedGroup& group) {
+    Indices own;
+    for (const std::size_t k : group.effects) {
+      const Indices of_one = columns_of(fitted.effects[k], 0);
+      own.insert(own.end(), of_one.begin(), of_one.end());
+    }
+    const double p_damped = p_together(gains(own), spread(own, own), fitted.normal.diagonal().cwiseSqrt()(own));
+    return p_damped * fitted.effects[group.effects.front()].looked_at >= kFalseErrors;
+  });
 }
 
 }  // namespace
@@ -283,7 +449,7 @@ JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options
   const Eigen::VectorXd waves = damped_waves.solve(measured - columns * damped.solve(measured));
   const Eigen::VectorXd gains = damped.solve(measured - stages.cyclic.part.columns.values * waves);
 
-  const Eigen::VectorXd left = left_by(stages, of);
+  const Eigen::VectorXd left = first_fit(stages, of).left;
   stages.extra = extra_part(where_they_show, of, {&columns, &stages.first}, left, far);
   Eigen::MatrixXd smooth(of.size(), columns.cols() + waves.size() + stages.extra.columns.size());
   smooth.leftCols(columns.cols()) = columns;
@@ -299,7 +465,13 @@ JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options
   const QuietRows quiet = quiet_rows(of, smooth);
   fitted.noise = error_noise(quiet.rows, quiet.columns);
   fitted.slow_variance_um2 = slow_variance_um2(of, fitted.noise);
-  stages.spikes = spikes_in(at_reversals, of, left, fitted.noise.front().noise);
+  const std::vector<const Effect*> explained = fit_step_widths(stages, of, at_reversals, fitted.noise.front().noise);
+  const auto fit_spikes = [&] {
+    stages.spikes = spikes_in(at_reversals, of, first_fit(stages, of).left, fitted.noise.front().noise);
+    for (FittedEffect& one : stages.spikes.effects)
+      one.is_needed = std::ranges::find(explained, one.effect) == explained.end();
+  };
+  fit_spikes();
   const auto errors = static_cast<double>(jointly.size() + along_the_travel.size() + where_they_show.size());
   for (Part* part : {&stages.together, &stages.cyclic.part, &stages.extra}) {
     for (FittedEffect& effect : part->effects) effect.looked_at = errors;
@@ -316,7 +488,7 @@ JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options
   }
   if (beyond != far) {
     refit(stages, beyond, nothing);
-    stages.spikes = spikes_in(at_reversals, of, left_by(stages, of), fitted.noise.front().noise);
+    fit_spikes();
     fit_all(fitted, stages, beyond, damping);
   }
   std::vector<ErrorColumn> names = stages.together.columns.columns;

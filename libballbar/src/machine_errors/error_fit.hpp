@@ -20,7 +20,16 @@ struct FittedEffect {
   double searched = 1.0;             // number of independent shapes tried
   double looked_at = 1.0;            // number of errors of its kind: the four spikes, or all others
   bool in_the_fit = true;            // false: fitted separately, for inspection
+  bool is_needed = true;             // false: a spike, and a step of another width explains it
   double p_damped = 0.0;             // p-value with the usual prior; 0: no prior
+};
+
+// Effects that are significant together and not each by itself.
+struct FittedGroup {
+  std::vector<std::size_t> effects;         // indices into JointErrorFit::effects
+  std::vector<Eigen::VectorXd> alone;       // the gains of each, if it is the only one
+  std::vector<Eigen::MatrixXd> covariance;  // of these
+  double p = 1.0;
 };
 
 struct JointErrorFit {
@@ -33,6 +42,7 @@ struct JointErrorFit {
   Eigen::MatrixXd map, weighted;  // curve gains = map weighted' deviation of the rows
   Eigen::MatrixXd normal;         // X' X of the columns together and the extra ones
   std::vector<FittedEffect> effects;
+  std::vector<FittedGroup> groups;
   std::vector<WeightedNoise> noise;
   std::vector<PriorStatement> prior;  // of the instrument's estimator
   std::vector<std::string> undetermined;
@@ -70,6 +80,10 @@ JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options
 
 // Of trace_of() recordings of one plane, one bar and linear axes.
 JointErrorFit joint_error_fit(const Series& trace, const MachineErrorOptions& options);
+
+// The trace with a feed for each reading. If no recording states one, delays are in um: travel in that time. Otherwise
+// a recording without a feed tells nothing of what grows with it.
+Series with_feed(Series trace);
 
 // Arc that the longest recording of a trace covers.
 double longest_arc_rad(const Series& trace);

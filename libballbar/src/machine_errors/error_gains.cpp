@@ -66,35 +66,33 @@ struct Blocks {
   }
 };
 
-struct Curves {
-  std::vector<Eigen::VectorXd> of_each;  // in the order of the ranked errors
-  Eigen::VectorXd significant;           // all of them together
+// Errors that are corrected together: a single one, or those of a group.
+struct Correction {
+  std::vector<const Effect*> effects;
+  Eigen::VectorXd curve;
 };
 
-Curves curves_of(const JointErrorFit& fitted, const std::vector<RankedError>& ranked) {
-  Curves curves;
-  curves.significant = Eigen::VectorXd::Zero(fitted.columns.fine.rows());
-  for (const RankedError& one : ranked) {
-    curves.of_each.push_back(fitted.fine_curve(one.effect));
-    if (one.significant) curves.significant += curves.of_each.back();
+Correction correction_of(const JointErrorFit& fitted, const std::vector<const Effect*>& effects) {
+  Correction one{effects, Eigen::VectorXd::Zero(fitted.columns.fine.rows())};
+  for (const FittedEffect& fit : fitted.effects) {
+    // Of a group an error that is not in the fit is in the curves of the others.
+    if (std::ranges::find(effects, fit.effect) == effects.end() || (effects.size() > 1 && !fit.in_the_fit)) continue;
+    one.curve += fitted.fine_curve(fit.effect);
   }
-  return curves;
+  return one;
 }
 
-void add_sigmas(std::vector<RankedError>& ranked, const JointErrorFit& fitted, const Extremes& extremes,
-                const Curves& curves) {
+// Sigma of the gain of each correction.
+std::vector<double> gain_sigmas_um(const std::vector<Correction>& corrections, const JointErrorFit& fitted,
+                                   const Extremes& extremes) {
   // The readings in the middle of their row: what they scatter within it stays.
-  const Eigen::VectorXd middle = 0.5 * (extremes.largest + extremes.smallest);
-  Eigen::VectorXd fit = Eigen::VectorXd::Zero(middle.size());
-  for (std::size_t k = 0; k < ranked.size(); ++k) {
-    const auto of = std::find_if(fitted.effects.begin(), fitted.effects.end(),
-                                 [&](const FittedEffect& effect) { return effect.effect == ranked[k].effect; });
-    if (of->in_the_fit) fit += curves.of_each[k];
+  Eigen::VectorXd left = 0.5 * (extremes.largest + extremes.smallest);
+  for (const FittedEffect& effect : fitted.effects) {
+    if (effect.in_the_fit) left -= fitted.fine_curve(effect.effect);
   }
-  const Eigen::VectorXd left = middle - fit;
   const Blocks blocks(fitted);
   std::mt19937_64 random(1);
-  std::vector<double> sums(ranked.size(), 0.0), squares(ranked.size(), 0.0);
+  std::vector<double> sums(corrections.size(), 0.0), squares(corrections.size(), 0.0);
   for (int draw = 0; draw < kDraws; ++draw) {
     Eigen::VectorXd change = blocks.drawn(left, random) - left;
     const Eigen::VectorXd gains =
@@ -106,12 +104,11 @@ void add_sigmas(std::vector<RankedError>& ranked, const JointErrorFit& fitted, c
     }
     const Extremes now{extremes.largest + change, extremes.smallest + change};
     const double circularity_um = now.range_without(Eigen::VectorXd::Zero(change.size()));
-    for (std::size_t k = 0; k < ranked.size(); ++k) {
-      if (!ranked[k].significant) continue;
-      Eigen::VectorXd curve = curves.of_each[k];
+    for (std::size_t k = 0; k < corrections.size(); ++k) {
+      Eigen::VectorXd curve = corrections[k].curve;
       for (std::size_t c = 0; c < fitted.columns.columns.size(); ++c) {
         const auto column = static_cast<Eigen::Index>(c);
-        if (fitted.columns.columns[c].effect == ranked[k].effect)
+        if (std::ranges::find(corrections[k].effects, fitted.columns.columns[c].effect) != corrections[k].effects.end())
           curve += gains[column] * fitted.columns.fine.col(column);
       }
       const double gain = circularity_um - now.range_without(curve);
@@ -119,40 +116,60 @@ void add_sigmas(std::vector<RankedError>& ranked, const JointErrorFit& fitted, c
       squares[k] += gain * gain;
     }
   }
-  for (std::size_t k = 0; k < ranked.size(); ++k) {
-    if (!ranked[k].significant) continue;
+  std::vector<double> sigmas;
+  for (std::size_t k = 0; k < corrections.size(); ++k) {
     const double mean = sums[k] / kDraws;
-    ranked[k].gain_sigma_um = std::sqrt(std::max(0.0, squares[k] / kDraws - mean * mean) * kDraws / (kDraws - 1.0));
+    sigmas.push_back(std::sqrt(std::max(0.0, squares[k] / kDraws - mean * mean) * kDraws / (kDraws - 1.0)));
   }
+  return sigmas;
 }
 
-void rank(std::vector<RankedError>& ranked) {
-  const auto has_rank = [](const RankedError& one) { return one.significant && one.gain_um >= kLeastGain_um; };
-  std::stable_sort(ranked.begin(), ranked.end(), [&](const RankedError& a, const RankedError& b) {
+bool has_rank(const RankedError& one) { return one.significant && one.gain_um >= kLeastGain_um; }
+bool has_rank(const ErrorGroup& one) { return one.gain_um >= kLeastGain_um; }
+
+// Ranks of the errors and groups together.
+void rank(std::vector<RankedError>& ranked, std::vector<ErrorGroup>& groups) {
+  std::stable_sort(ranked.begin(), ranked.end(), [](const RankedError& a, const RankedError& b) {
     if (has_rank(a) != has_rank(b)) return has_rank(a);
     return has_rank(a) ? a.gain_um > b.gain_um : a.individual_circularity_um > b.individual_circularity_um;
   });
-  std::size_t place = 0;
+  std::vector<std::pair<double, std::optional<std::size_t>*>> places;
   for (RankedError& one : ranked) {
-    if (has_rank(one)) one.rank = ++place;
+    if (has_rank(one)) places.emplace_back(one.gain_um, &one.rank);
   }
+  for (ErrorGroup& one : groups) {
+    if (has_rank(one)) places.emplace_back(one.gain_um, &one.rank);
+  }
+  std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (std::size_t k = 0; k < places.size(); ++k) *places[k].second = k + 1;
 }
 
 }  // namespace
 
 void add_gains(MachineErrors& found, const JointErrorFit& fitted, bool with_sigmas) {
   const Extremes extremes = extremes_of(fitted.freed_um, fitted.rows);
-  const Curves curves = curves_of(fitted, found.ranked);
   found.circularity_um = extremes.largest.maxCoeff() - extremes.smallest.minCoeff();
-  found.circularity_without_all_um = extremes.range_without(curves.significant);
-  for (std::size_t k = 0; k < found.ranked.size(); ++k) {
-    RankedError& one = found.ranked[k];
-    one.circularity_without_um = extremes.range_without(curves.of_each[k]);
+  std::vector<Correction> corrections;  // of significant errors and groups
+  std::vector<double*> sigmas;
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(fitted.columns.fine.rows());
+  const auto correct = [&](auto& one, const std::vector<const Effect*>& effects, bool is_significant) {
+    Correction correction = correction_of(fitted, effects);
+    one.circularity_without_um = extremes.range_without(correction.curve);
     one.gain_um = found.circularity_um - one.circularity_without_um;
     one.gain_sigma_um = kUnknown;
+    if (!is_significant) return;
+    all += correction.curve;
+    corrections.push_back(std::move(correction));
+    sigmas.push_back(&one.gain_sigma_um);
+  };
+  for (RankedError& one : found.ranked) correct(one, {one.effect}, one.significant);
+  for (ErrorGroup& one : found.groups) correct(one, one.effects, true);
+  found.circularity_without_all_um = extremes.range_without(all);
+  if (with_sigmas) {
+    const std::vector<double> of_gains = gain_sigmas_um(corrections, fitted, extremes);
+    for (std::size_t k = 0; k < sigmas.size(); ++k) *sigmas[k] = of_gains[k];
   }
-  if (with_sigmas) add_sigmas(found.ranked, fitted, extremes, curves);
-  rank(found.ranked);
+  rank(found.ranked, found.groups);
 }
 
 }  // namespace ballbar

@@ -221,9 +221,42 @@ ErrorTable error_table(const JointErrorFit& fitted, CyclicOfRuns cyclic_of_runs)
   return table;
 }
 
+std::vector<ErrorGroup> error_groups(const JointErrorFit& fitted) {
+  std::vector<ErrorGroup> groups;
+  for (const FittedGroup& one : fitted.groups) {
+    ErrorGroup group;
+    group.p_value = one.p;
+    Eigen::VectorXd curve = Eigen::VectorXd::Zero(fitted.columns.fine.rows());
+    std::vector<Eigen::Index> columns;
+    for (std::size_t m = 0; m < one.effects.size(); ++m) {
+      const FittedEffect& effect = fitted.effects[one.effects[m]];
+      group.effects.push_back(effect.effect);
+      for (std::size_t k = 0; k < effect.columns.size(); ++k) {
+        const ErrorColumn& column = fitted.columns.columns[effect.columns[k]];
+        const auto gain = static_cast<Eigen::Index>(k);
+        group.alone.push_back({column.name, column.unit, one.alone[m][gain],
+                               std::sqrt(std::max(0.0, one.covariance[m](gain, gain))), effect.effect});
+        if (effect.in_the_fit) columns.push_back(static_cast<Eigen::Index>(effect.columns[k]));
+      }
+      if (effect.in_the_fit) curve += fitted.fine_curve(effect.effect);
+    }
+    Eigen::Index highest = 0, lowest = 0;
+    group.individual_circularity_um = curve.maxCoeff(&highest) - curve.minCoeff(&lowest);
+    const Eigen::RowVectorXd slope = (fitted.columns.fine.row(highest) - fitted.columns.fine.row(lowest))(columns);
+    const double variance = (slope * fitted.covariance(columns, columns) * slope.transpose()).value();
+    group.sigma_um = std::sqrt(std::max(0.0, variance));
+    groups.push_back(std::move(group));
+  }
+  std::stable_sort(groups.begin(), groups.end(), [](const ErrorGroup& a, const ErrorGroup& b) {
+    return a.individual_circularity_um > b.individual_circularity_um;
+  });
+  return groups;
+}
+
 std::vector<RankedError> ranked_errors(const JointErrorFit& fitted, const ErrorTable& table) {
   const Eigen::VectorXd residual = fitted.residual();
   const Directions directions = directions_of(fitted.rows);
+  const std::vector<ErrorGroup> groups = error_groups(fitted);
   std::vector<RankedError> ranked;
   ranked.reserve(fitted.effects.size());
   double sum_um = 0.0;
@@ -245,9 +278,15 @@ std::vector<RankedError> ranked_errors(const JointErrorFit& fitted, const ErrorT
         chi2_exceeded(kFalseErrors / (effect.looked_at * effect.searched), static_cast<std::size_t>(values.size()));
     one.p_value = std::min(1.0, effect.searched * std::max(effect.p_damped, p_of(values, covariance)));
     one.predicts_other_run = predicts_other(fitted, effect, residual, directions);
-    one.significant = one.p_value * effect.looked_at < kFalseErrors;
+    one.significant = effect.is_needed && one.p_value * effect.looked_at < kFalseErrors;
     const bool of_each_recording = fitted.columns.columns[effect.columns.front()].recording.has_value();
-    if (of_each_recording && one.predicts_other_run == false) one.significant = false;
+    const bool is_spike = effect.effect->rules.error_fit == ErrorFit::at_reversals;
+    if ((of_each_recording || is_spike) && one.predicts_other_run == false) one.significant = false;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if (std::ranges::find(groups[g].effects, effect.effect) == groups[g].effects.end()) continue;
+      one.group = g;
+      one.significant = false;
+    }
     ranked.push_back(std::move(one));
   }
   std::stable_sort(ranked.begin(), ranked.end(), [](const RankedError& a, const RankedError& b) {

@@ -29,7 +29,8 @@ Stretch stretch_of(double recording, double angle_deg) {
   return {recording, quarter, from_deg <= kAtReversal_deg, from_deg <= kNearReversal_deg};
 }
 
-// The row of each: a new one where the stretch changes, or where it would be longer than this.
+// The row of each: a new one where the stretch changes, or where it would be longer than this. At a reversal, where a
+// step may take a part of a degree, each reading has a row.
 std::vector<std::size_t> joined(std::span<const double> recording, std::span<const double> angle_rad,
                                 double longest_deg, double near_reversal_deg) {
   std::vector<std::size_t> rows(angle_rad.size());
@@ -39,7 +40,7 @@ std::vector<std::size_t> joined(std::span<const double> recording, std::span<con
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double angle_deg = deg_from_rad(angle_rad[i]);
     const Stretch stretch = stretch_of(recording[i], angle_deg);
-    const double longest = stretch.near_reversal ? near_reversal_deg : longest_deg;
+    const double longest = stretch.at_reversal ? 0.0 : stretch.near_reversal ? near_reversal_deg : longest_deg;
     if (i > 0 && (stretch != last || std::abs(angle_deg - first_deg) > longest)) ++row;
     if (i == 0 || row != rows[i - 1]) first_deg = angle_deg;
     rows[i] = row;

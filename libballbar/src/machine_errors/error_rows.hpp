@@ -1,7 +1,7 @@
 // Averages the readings of recordings to rows, to which the errors of a machine are fitted.
 //
 // There are two steps, because effects need a finer resolution than the least squares fit. Effects are evaluated on
-// fine rows of up to 0.5 deg (single readings within 9 deg of a reversal). The fit uses rows of up to 1 deg, means of
+// fine rows of up to 0.4 deg (single readings within 1.5 deg of a reversal). The fit uses rows of up to 1 deg, means of
 // fine ones. No row crosses a reversal, or the limit of 1.5 deg from one.
 #pragma once
 

@@ -12,6 +12,8 @@
 namespace ballbar {
 namespace {
 
+constexpr double kFeedOfOneMs_mm_per_min = 60.0;  // a delay of 1 ms is 1 um
+
 const std::vector<double>& values_of(const Series& trace, std::string_view role) {
   return find_column(trace, trace_column(role))->values;
 }
@@ -84,6 +86,16 @@ double within_rows_um2(const JointErrorFit& fitted) {
   return std::max(0.0, (squares - fitted.residual().cwiseAbs2().dot(fitted.rows.count)) / fitted.rows.count.sum());
 }
 
+bool states_feed(const Series& trace) {
+  const std::vector<double>& feed = values_of(trace, "feed");
+  return std::any_of(feed.begin(), feed.end(), [](double value) { return std::isfinite(value); });
+}
+
+bool grows_with_feed(const Effect& effect) {
+  return std::any_of(effect.inputs.begin(), effect.inputs.end(),
+                     [](const Input& input) { return input.role == "feed"; });
+}
+
 }  // namespace
 
 bool is_centre(const ErrorColumn& column) {
@@ -103,6 +115,15 @@ double longest_arc_rad(const Series& trace) {
   return longest;
 }
 
+Series with_feed(Series trace) {
+  const double unknown_mm_per_min = states_feed(trace) ? 0.0 : kFeedOfOneMs_mm_per_min;
+  for (Column& column : trace.columns) {
+    if (column.name != trace_column("feed")) continue;
+    for (double& value : column.values) value = std::isfinite(value) ? value : unknown_mm_per_min;
+  }
+  return trace;
+}
+
 JointErrorFit joint_error_fit(const Series& trace, const MachineErrorOptions& options) {
   const ErrorSetUp set_up = set_up_of(trace);
   if (set_up.arc_rad < kShortestArc_rad) {
@@ -110,19 +131,13 @@ JointErrorFit joint_error_fit(const Series& trace, const MachineErrorOptions& op
         "expected an arc of at least {:.0f} deg, on less the errors of the axes look alike, found {:.0f} deg.",
         deg_from_rad(kShortestArc_rad), deg_from_rad(set_up.arc_rad)));
   }
-  // Without a stated feed nothing tells the size of what grows with it.
-  Series stated_feed;
-  const std::vector<double>& feed = values_of(trace, "feed");
-  const bool lacks = std::any_of(feed.begin(), feed.end(), [](double value) { return !std::isfinite(value); });
-  if (lacks) {
-    stated_feed = trace;
-    for (Column& column : stated_feed.columns) {
-      if (column.name != trace_column("feed")) continue;
-      for (double& value : column.values) value = std::isfinite(value) ? value : 0.0;
+  const ErrorRows rows = error_rows(with_feed(trace));
+  JointErrorFit fitted = joint_error_fit(rows, options, set_up);
+  if (!states_feed(trace)) {
+    for (ErrorColumn& column : fitted.columns.columns) {
+      if (column.effect != nullptr && grows_with_feed(*column.effect)) column.unit = "um";
     }
   }
-  const ErrorRows rows = error_rows(lacks ? stated_feed : trace);
-  JointErrorFit fitted = joint_error_fit(rows, options, set_up);
   fitted.freed_um = freed_of_centre(fitted, trace);
   fitted.within_um2 = within_rows_um2(fitted);
   return fitted;

@@ -46,25 +46,27 @@ void expect_one_plane(std::span<const Recording> recordings) {
   }
 }
 
-std::vector<AddedError> one_by_one(const JointErrorFit& fitted, const std::vector<RankedError>& ranked) {
-  std::vector<const Effect*> open;
-  for (const RankedError& one : ranked) {
-    if (one.significant) open.push_back(one.effect);
+std::vector<AddedError> one_by_one(const JointErrorFit& fitted, const MachineErrors& found) {
+  std::vector<std::pair<AddedError, std::vector<const Effect*>>> open;  // and what it stands for
+  for (const RankedError& one : found.ranked) {
+    if (one.significant) open.push_back({{one.effect}, {one.effect}});
   }
+  for (std::size_t g = 0; g < found.groups.size(); ++g)
+    open.push_back({{found.groups[g].effects.front(), g}, found.groups[g].effects});
   std::vector<AddedError> added;
   added.reserve(open.size());
   std::set<const Effect*> taken;
   while (!open.empty()) {
-    AddedError best;
-    for (const Effect* effect : open) {
+    for (auto& [one, effects] : open) {
       std::set<const Effect*> with = taken;
-      with.insert(effect);
-      const double rms_um = rms_with_um(fitted, with);
-      if (best.effect == nullptr || rms_um < best.rms_um) best = {effect, rms_um};
+      with.insert(effects.begin(), effects.end());
+      one.rms_um = rms_with_um(fitted, with);
     }
-    taken.insert(best.effect);
-    std::erase(open, best.effect);
-    added.push_back(best);
+    const auto best = std::min_element(open.begin(), open.end(),
+                                       [](const auto& a, const auto& b) { return a.first.rms_um < b.first.rms_um; });
+    added.push_back(best->first);
+    taken.insert(best->second.begin(), best->second.end());
+    open.erase(best);
   }
   return added;
 }
@@ -94,6 +96,7 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
   found.errors = table.rows;
   found.covariance = table.covariance;
   found.ranked = ranked_errors(fitted, table);
+  found.groups = error_groups(fitted);
   found.undetermined = fitted.undetermined;
   found.noise = fitted.noise.front().noise;
   found.prior.reserve(fitted.prior.size());
@@ -117,13 +120,13 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
   add_ranks_as_instrument(fitted, found.errors, found.ranked);
   add_gains(found, fitted, options.details);
   found.circle_rms_um = rms_with_um(fitted, {});
-  if (options.details) found.one_by_one = one_by_one(fitted, found.ranked);
+  if (options.details) found.one_by_one = one_by_one(fitted, found);
   const Eigen::VectorXd residual = fitted.residual();
   found.residual_rms_um = fitted.rms_um(residual);
   const double repeats_um = repeatability_um(fitted.rows, residual);
   found.repeatability_um = std::sqrt(fitted.within_um2 + repeats_um * repeats_um);  // of readings, as the residual
   if (options.details) {
-    found.next = next_measurement(trace, smooth_errors(fitted));
+    found.next = next_measurement(with_feed(trace), smooth_errors(fitted));
     found.left = left_harmonic(fitted.rows, fitted.columns.values, residual, fitted.noise, fitted.arc_rad);
   }
   return found;
@@ -157,7 +160,7 @@ std::optional<MachineError> squareness_of(const MachineErrors& found) {
 }
 
 std::vector<double> curve_of(const MachineErrors& found, const Effect* effect, std::span<const Recording> recordings) {
-  const Series trace = trace_of(recordings);
+  const Series trace = with_feed(trace_of(recordings));
   const std::vector<double>& recording = find_column(trace, trace_column("recording"))->values;
   std::vector<double> curve(trace.time_s.size(), 0.0);
   Eigen::MatrixXd unit;

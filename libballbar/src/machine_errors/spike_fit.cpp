@@ -10,6 +10,7 @@
 #include "ballbar/units.hpp"
 #include "machine_errors/cyclic_fit.hpp"
 #include "machine_errors/error_blocks.hpp"
+#include "numerics/log_sum.hpp"
 
 namespace ballbar {
 namespace {
@@ -17,7 +18,9 @@ namespace {
 constexpr double kIndependentWidths = 2.0;  // the curves of all are alike
 constexpr double kNotPassed = 1e-6;         // square of a spike whose reversal no recording passes, by the noise
 constexpr double kSpikes = 4.0;             // at both ends of both axes
-constexpr double kGap_deg = 45.0;           // from one reversal of an axis to the next there is more
+constexpr double kStepWidths_deg[] = {0.0, 0.2, 0.4, 0.6, 0.8, 1.0, 1.25, 1.5};
+constexpr double kUsualHeight_um = 3.0;  // prior sigma of a spike
+constexpr double kGap_deg = 45.0;        // from one reversal of an axis to the next there is more
 
 // Neighbouring rows of one recording, after one reversal, and the root of their covariance.
 struct Window {
@@ -94,6 +97,47 @@ std::vector<Eigen::Index> joined_row_of(const ErrorRows& rows) {
 }
 
 }  // namespace
+
+StepWidth step_width(const PlayStep& step, const Effect& spike, const ErrorRows& rows, const Eigen::VectorXd& left,
+                     const Noise& noise) {
+  const std::vector<Window> windows = windows_of(rows, step.effect->rules.reversal_deg, noise);
+  Indices near;
+  for (const Window& window : windows) near.insert(near.end(), window.rows.begin(), window.rows.end());
+  if (near.empty()) return {};
+  const ErrorRows at = rows_at(rows, near);
+  const auto curve = [&](double width_deg) -> Eigen::VectorXd {
+    return at.means(unit_curves(*step.effect, at.fine, width_deg))(Eigen::all, step.gains) * step.values;
+  };
+  std::vector<Eigen::MatrixXd> spikes, filters;
+  for (const double width_deg : spike.parameters[shape_of(spike)].grid) {
+    spikes.push_back(at.means(unit_curves(spike, at.fine, width_deg)));
+    filters.push_back(filters_of(spikes.back(), windows));
+  }
+  // ln of the evidence of each width of the step, alone and beside a spike of each width.
+  std::vector<double> alone, beside;
+  const Eigen::VectorXd at_once = curve(0.0);
+  for (const double width_deg : kStepWidths_deg) {
+    const Eigen::VectorXd rest = left(near) + at_once - curve(width_deg);
+    alone.push_back(-0.5 * rest.dot(filters_of(rest, windows).col(0)));
+    double sum = 0.0;
+    for (std::size_t k = 0; k < spikes.size(); ++k) {
+      double log_factor = 0.0;
+      for (Eigen::Index end = 0; end < spikes[k].cols(); ++end) {
+        const double square = filters[k].col(end).dot(spikes[k].col(end)), along = filters[k].col(end).dot(rest);
+        const double prior = 1.0 / (kUsualHeight_um * kUsualHeight_um);
+        log_factor += std::max(0.0, 0.5 * along * along / (square + prior) - 0.5 * std::log1p(square / prior));
+      }
+      sum += std::exp(std::min(log_factor, 600.0)) / static_cast<double>(spikes.size());
+    }
+    beside.push_back(alone.back() + std::log(sum));
+  }
+  StepWidth result;
+  result.spike_evidence = 2.0 * (log_sum(beside) - log_sum(alone));
+  const std::vector<double>& likelihood = result.spike_evidence >= kLeastSpikeEvidence ? beside : alone;
+  const auto best = std::max_element(likelihood.begin(), likelihood.end()) - likelihood.begin();
+  result.width_deg = kStepWidths_deg[best];
+  return result;
+}
 
 Spikes spikes_in(const std::vector<const Effect*>& effects, const ErrorRows& rows, const Eigen::VectorXd& left,
                  const Noise& noise) {

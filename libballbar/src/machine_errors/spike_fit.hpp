@@ -23,6 +23,25 @@ struct Spikes {
 Spikes spikes_in(const std::vector<const Effect*>& effects, const ErrorRows& rows, const Eigen::VectorXd& left,
                  const Noise& noise);
 
+// The step of the play of an axis: its effect, with columns for some of its gains, and the values of these.
+struct PlayStep {
+  const Effect* effect = nullptr;
+  std::vector<std::size_t> gains;
+  Eigen::VectorXd values;
+};
+
+inline constexpr double kLeastSpikeEvidence = 10.0;  // from which on a spike is there
+
+// Over which angle the play is taken up, and whether a spike is there beside a step of any width.
+struct StepWidth {
+  double width_deg = 0.0;
+  double spike_evidence = 0.0;  // 2 ln of the Bayes factor of the spike
+};
+
+// left: what all others leave of the rows, with a step of no width.
+StepWidth step_width(const PlayStep& step, const Effect& spike, const ErrorRows& rows, const Eigen::VectorXd& left,
+                     const Noise& noise);
+
 // Rows near a reversal: the form of a spike is never quite that of the model, and what is left there is no noise.
 
 // Rows beyond the reach of a reversal, two of a recording joined to one, with the means of columns: what the noise is

@@ -34,6 +34,7 @@ struct ErrorTest {
   bool pitch_stated = true;
   double phase_a_rad = 1.0, phase_b_rad = 2.0;
   double spike_width_deg = 2.0;
+  double step_width_deg = 0.0;     // over which play is taken up after a reversal
   double sixth_harmonic_um = 0.0;  // peak to peak, in the CCW run alone: no error of the catalogue
   double white_um = 0.0, memory_um = 0.0, memory_s = 0.4;
   double resolution_um = 0.0;
@@ -87,7 +88,14 @@ inline double deviation_um(const ErrorTest& test, double angle_rad, Direction di
   um += D * test.of("servo_mismatch") * v / 2.0 * std::sin(2.0 * angle_rad);
   um += D * test.of("sin_4_theta") / 2.0 * std::sin(4.0 * angle_rad);
   um += D * (test.of("radius_change") + test.of("offset_a_shift") * c + test.of("offset_b_shift") * s) / 2.0;
-  um -= test.along("backlash_a", c) / 2.0 * sA * c + test.along("backlash_b", s) / 2.0 * sB * s;
+  // The sign of the velocity where play is taken up: at first still the old one.
+  const auto taken_up = [&](double sign, double plus_end_deg) {
+    const double travelled_deg = D * (angle_rad * 180.0 / std::numbers::pi - plus_end_deg);
+    const double since_deg = travelled_deg - 180.0 * std::floor(travelled_deg / 180.0);
+    return since_deg < test.step_width_deg ? sign * (2.0 * since_deg / test.step_width_deg - 1.0) : sign;
+  };
+  um -= test.along("backlash_a", c) / 2.0 * taken_up(sA, 0.0) * c;
+  um -= test.along("backlash_b", s) / 2.0 * taken_up(sB, 90.0) * s;
   um += test.along("lateral_play_a", c) / 2.0 * sA * s + test.along("lateral_play_b", s) / 2.0 * sB * c;
   const double a_um = test.of(sA > 0.0 ? "cyclic_error_a_fwd" : "cyclic_error_a_rev");
   const double b_um = test.of(sB > 0.0 ? "cyclic_error_b_fwd" : "cyclic_error_b_rev");

@@ -83,6 +83,22 @@ struct RankedError {
   double gain_um = 0.0;                    // reduction of the circularity
   double gain_sigma_um = 0.0;              // by block bootstrap of the residual; NaN: not requested
   std::optional<InstrumentRank> as_instrument = {};
+  std::optional<std::size_t> group = {};  // index into MachineErrors::groups; then not significant by itself
+};
+
+// Errors that the readings show together and cannot separate: one direction does not tell squareness from servo
+// mismatch. It is found from the covariance of the joint fit: no member is significant beside the others, all of them
+// together are.
+struct ErrorGroup {
+  std::vector<const Effect*> effects;
+  std::vector<MachineError> alone;         // the rows of each member, if it is the only one of the group
+  double individual_circularity_um = 0.0;  // peak to peak of the curve of all members
+  double sigma_um = 0.0;                   // of it
+  double p_value = 1.0;                    // of all gains together
+  std::optional<std::size_t> rank;         // among the significant errors; nullopt: no gain
+  double circularity_without_um = 0.0;     // circularity if the members are corrected
+  double gain_um = 0.0;
+  double gain_sigma_um = 0.0;  // NaN: not requested
 };
 
 // A harmonic in the residual.
@@ -115,7 +131,8 @@ struct FittedGain {
 
 // A significant error, and the RMS of the residual after adding it to the earlier ones.
 struct AddedError {
-  const Effect* effect = nullptr;
+  const Effect* effect = nullptr;  // of a group its first member
+  std::optional<std::size_t> group = {};
   double rms_um = 0.0;
 };
 
@@ -123,6 +140,7 @@ struct MachineErrors {
   std::vector<MachineError> errors;
   Eigen::MatrixXd covariance;               // of the values in `errors`, in that order
   std::vector<RankedError> ranked;          // by rank, then the others by falling IC
+  std::vector<ErrorGroup> groups;           // by falling IC
   double circularity_um = 0.0;              // max - min of all readings about the fitted centre
   double circularity_without_all_um = 0.0;  // circularity if all significant errors are corrected
   double circle_rms_um = 0.0;               // residual of the circles alone

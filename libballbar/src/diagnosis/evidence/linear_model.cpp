@@ -125,13 +125,4 @@ Eigen::VectorXd residual_of(const LinearModel& model, const LinearSolution& solu
   return model.columns.col(0) - model.columns.rightCols(solution.coefficients.size()) * solution.coefficients;
 }
 
-double log_sum(std::span<const double> logarithms) {
-  double most = -std::numeric_limits<double>::infinity();
-  for (const double one : logarithms) most = std::max(most, one);
-  if (!std::isfinite(most)) return most;
-  double sum = 0.0;
-  for (const double one : logarithms) sum += std::exp(one - most);
-  return most + std::log(sum);
-}
-
 }  // namespace ballbar

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "noise/whitening.hpp"
+#include "numerics/log_sum.hpp"
 
 namespace ballbar {
 
@@ -75,7 +76,5 @@ LinearSolution linear_solution(const Whitening& whitening, const LinearModel& mo
 
 // The readings less what the model makes of them, in um.
 Eigen::VectorXd residual_of(const LinearModel& model, const LinearSolution& solution);
-
-double log_sum(std::span<const double> logarithms);  // ln of the sum of e^x
 
 }  // namespace ballbar

@@ -1,14 +1,12 @@
 #include <cmath>
 
-#include "ballbar/units.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
 namespace ballbar::catalogue {
 namespace {
 
-// h exp(- d / w), d the angle travelled since the axis reversed last: A reverses at 0 (h_pos) and 180 deg (h_neg), B at
-// 90 (h_pos) and 270 deg (h_neg). With phi the angle from the axis' own direction, d = (dir phi) mod 180 deg.
+// h exp(- d / w), d the angle travelled since the axis reversed last; h_pos at its + end, h_neg at its - end.
 struct ReversalSpike {
   Axis axis;
 
@@ -16,10 +14,7 @@ struct ReversalSpike {
   T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     using std::exp;
     const std::span<const double> angle_rad = rows.inputs[0], direction = rows.inputs[1];
-    const double phi_rad = angle_rad[i] - (axis == Axis::A ? 0.0 : kPi / 2.0);
-    const double half_turns = std::floor(direction[i] * phi_rad / kPi);
-    const double since_deg = deg_from_rad(direction[i] * phi_rad - half_turns * kPi);
-    const bool positive_end = std::fmod(std::abs(half_turns), 2.0) < 0.5;
+    const auto [since_deg, positive_end] = last_reversal(axis, angle_rad[i], direction[i]);
     return (positive_end ? p[0] : p[1]) * exp(-since_deg / p[2]);
   }
 };
