@@ -198,18 +198,22 @@ inline constexpr auto kErrorsReportLeft =
 inline constexpr auto kErrorsReportDriven = std::tuple{
     Field{"plane", [](const ErrorsReport& of) { return of.recordings.front().plane; }, "XY, YZ, ZX"},
     Field{"nominal_length_mm", [](const ErrorsReport& of) { return of.recordings.front().nominal_length_mm; }, ""}};
+inline constexpr std::string_view kTolerancesMean = "pass or fail, a line each",
+                                  kPassesMean = "with a tolerance: whether it and the limits in the file hold";
 inline constexpr auto kErrorsReportRest = std::tuple_cat(
     std::tuple{Field{"file", [](const ErrorsReport& of) { return MayLack<B5r>{of.b5r}; }, "what the only file states"}},
     kErrorsReportVerdictFields, fields_through(&ErrorsReport::found, kErrorsReportFound),
     std::tuple{Field{"differences", &difference_texts, "where ours and the instrument's values differ, and why"}},
     fields_through(&ErrorsReport::found, kErrorsReportLeft),
-    std::tuple{Field{"left_text", &left_text, "what the errors do not explain"},
-               Field{"undetermined", [](const ErrorsReport& of) { return of.found.undetermined; },
-                     "what the readings do not tell apart"},
-               Field{"next_measurement", [](const ErrorsReport& of) { return MayLack<NextMeasurement>{of.found.next}; },
-                     "that would tell some of these apart"},
-               Field{"prior", [](const ErrorsReport& of) { return of.found.prior; }, ""},
-               Field{"tolerances", &tolerance_texts, "pass or fail, a line each"}});
+    std::tuple{
+        Field{"left_text", &left_text, "what the errors do not explain"},
+        Field{"undetermined", [](const ErrorsReport& of) { return of.found.undetermined; },
+              "what the readings do not tell apart"},
+        Field{"next_measurement", [](const ErrorsReport& of) { return MayLack<NextMeasurement>{of.found.next}; },
+              "that would tell some of these apart"},
+        Field{"prior", [](const ErrorsReport& of) { return of.found.prior; }, ""},
+        Field{"tolerances", [](const ErrorsReport& of) { return tolerance_texts(check_of(of)); }, kTolerancesMean},
+        Field{"passes", [](const ErrorsReport& of) { return MayLack<bool>{passes(check_of(of))}; }, kPassesMean}});
 
 template <>
 inline constexpr auto kResult<ErrorsReport> =
@@ -226,9 +230,11 @@ inline constexpr auto kResult<StoredFeature> = ResultType{
                Field{"unit", [](const StoredFeature& of) { return unit_of_data_type(of.data_type); }, ""}}};
 
 template <>
-inline constexpr auto kResult<StoredAlone> =
-    ResultType{"StoredAlone", "A file that stores results without readings.",
-               std::tuple{Field{"file", &StoredAlone::file, ""}, Field{"stored", &StoredAlone::stored, ""}}};
+inline constexpr auto kResult<StoredAlone> = ResultType{
+    "StoredAlone", "A file that stores results without readings.",
+    std::tuple{Field{"file", &StoredAlone::file, ""}, Field{"stored", &StoredAlone::stored, ""},
+               Field{"tolerances", [](const StoredAlone& of) { return tolerance_texts(of.check); }, kTolerancesMean},
+               Field{"passes", [](const StoredAlone& of) { return MayLack<bool>{passes(of.check)}; }, kPassesMean}}};
 
 // Of one group of recordings.
 struct ErrorsOfOne {

@@ -156,11 +156,18 @@ std::string prior_text(const ErrorsReport& report) {
   return wrapped(fmt::format("Prior in the instrument's column: {}.", fmt::join(texts, ", ")));
 }
 
+// Below an empty line.
+void print_tolerances(const ToleranceCheck& check) {
+  const std::vector<std::string> texts = tolerance_texts(check);
+  if (!texts.empty()) fmt::print("\n");
+  for (const std::string& text : texts) fmt::print("{}", wrapped(one_line(text)));
+}
+
 void print_group(const ErrorsReport& report, bool details) {
   const MachineErrors& found = report.found;
   fmt::print("{}\n{}", head_text(report), wrapped(conclusion(report)));
+  print_tolerances(check_of(report));
   if (const RankedError* const first = first_of(found)) fmt::print("\nballbar effects {}\n", first->effect->name);
-  for (const std::string& text : tolerance_texts(report)) fmt::print("{}\n", shortened(text, 100));
   fmt::print("\n{}", table_text(report, details));
   fmt::print("{}", wrapped(legend_text(report, details)));
   const std::vector<std::string> differences = difference_texts(report);
@@ -204,6 +211,7 @@ void print_text(const ErrorsReports& reports, bool details) {
     }
     if (!details) table.shorten(kStoredRows);
     fmt::print("{}", table.text(table_width(kWidest)));
+    print_tolerances(alone.check);
   }
   if (!reports.skipped.empty()) fmt::print("\n{}", left_out_text(reports.skipped));
 }
