@@ -226,6 +226,10 @@ TestFiles test_heads_below(const std::vector<std::string>& paths, const StatedCi
   return tests_of(paths, false, stated, Fits::none);
 }
 
+bool are_stored(const std::vector<MachineTest>& tests) {
+  return std::all_of(tests.begin(), tests.end(), [](const MachineTest& one) { return one.stored; });
+}
+
 TestFiles checked(TestFiles files, double tolerance_um) {
   files.tolerance_um = tolerance_um;
   for (MachineTest& test : files.tests) test.passes = passes(test, tolerance_um);

@@ -37,6 +37,9 @@ TestFiles test_heads_below(const std::vector<std::string>& paths, const StatedCi
 // The same, but throws Error if there is no test.
 TestFiles read_tests(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated = {});
 
+// Whether all of them are of files without readings.
+bool are_stored(const std::vector<MachineTest>& tests);
+
 // The same tests with pass or fail.
 TestFiles checked(TestFiles files, double tolerance_um);
 
