@@ -247,6 +247,11 @@ ToleranceCheck check_of(const ErrorsReport& report) {
   return check;
 }
 
+std::optional<FeedForecast> forecast_of(const ErrorsReport& report) {
+  if (!report.options.tolerance_um) return std::nullopt;
+  return feed_forecast(report.found, report.recordings, *report.options.tolerance_um);
+}
+
 bool any_fails(const ErrorsReports& reports) {
   const auto fails = [](const ToleranceCheck& check) { return passes(check) == false; };
   return std::any_of(reports.groups.begin(), reports.groups.end(),

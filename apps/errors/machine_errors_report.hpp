@@ -10,6 +10,7 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/test_folder.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
+#include "errors/feed_forecast.hpp"
 #include "errors/tolerance_check.hpp"
 
 namespace ballbar {
@@ -70,6 +71,9 @@ std::string left_text(const ErrorsReport& report);
 std::string verdict_of(const ErrorsReport& report);
 
 ToleranceCheck check_of(const ErrorsReport& report);
+
+// Of a circularity beyond the tolerance that was given.
+std::optional<FeedForecast> forecast_of(const ErrorsReport& report);
 
 // Whether a test of these fails.
 bool any_fails(const ErrorsReports& reports);

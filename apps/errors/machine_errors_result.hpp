@@ -175,6 +175,19 @@ inline constexpr auto kResult<PriorOfError> = ResultType{
                Field{"readings_alone", &PriorOfError::alone, "its value by the readings alone"},
                Field{"readings_alone_sigma", &PriorOfError::alone_sigma, ""}}};
 
+template <>
+inline constexpr auto kResult<FeedForecast> = ResultType{
+    "FeedForecast", "The feed at which the fitted model holds the tolerance.",
+    std::tuple{Field{"tolerance_um", &FeedForecast::tolerance_um, "of the circularity"},
+               Field{"feed_mm_per_min", &FeedForecast::feed_mm_per_min, "the highest that holds it; null: none does"},
+               Field{"sigma_mm_per_min",
+                     [](const FeedForecast& of) {
+                       return of.feed_mm_per_min ? std::optional(of.sigma_mm_per_min) : std::nullopt;
+                     },
+                     ""},
+               Field{"circularity_without_um", &FeedForecast::circularity_without_um, "without servo mismatch"},
+               Field{"text", &forecast_text, "a sentence"}}};
+
 // That the test shows, without columns: they are the axes'.
 std::vector<BoundEffect> significant_effects(const ErrorsReport& report);
 
@@ -213,7 +226,9 @@ inline constexpr auto kErrorsReportRest = std::tuple_cat(
               "that would tell some of these apart"},
         Field{"prior", [](const ErrorsReport& of) { return of.found.prior; }, ""},
         Field{"tolerances", [](const ErrorsReport& of) { return tolerance_texts(check_of(of)); }, kTolerancesMean},
-        Field{"passes", [](const ErrorsReport& of) { return MayLack<bool>{passes(check_of(of))}; }, kPassesMean}});
+        Field{"passes", [](const ErrorsReport& of) { return MayLack<bool>{passes(check_of(of))}; }, kPassesMean},
+        Field{"feed_forecast", [](const ErrorsReport& of) { return MayLack<FeedForecast>{forecast_of(of)}; },
+              "of a test that fails its tolerance by a servo mismatch"}});
 
 template <>
 inline constexpr auto kResult<ErrorsReport> =

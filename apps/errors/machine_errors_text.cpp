@@ -167,6 +167,9 @@ void print_group(const ErrorsReport& report, bool details) {
   const MachineErrors& found = report.found;
   fmt::print("{}\n{}", head_text(report), wrapped(conclusion(report)));
   print_tolerances(check_of(report));
+  if (const std::optional<FeedForecast> forecast = forecast_of(report)) {
+    fmt::print("{}", wrapped(forecast_text(*forecast)));
+  }
   if (const RankedError* const first = first_of(found)) fmt::print("\nballbar effects {}\n", first->effect->name);
   fmt::print("\n{}", table_text(report, details));
   fmt::print("{}", wrapped(legend_text(report, details)));
