@@ -143,7 +143,7 @@ void run_command(const CommandCall& call) {
   }
 }
 
-void run_command(const std::vector<std::string>& words) {
+int run_command(const std::vector<std::string>& words) {
   CommandLine app{"Compute thermal drift of machine tool spindles from ballbar logs."};
   set_up(app);
   try {
@@ -159,6 +159,7 @@ void run_command(const std::vector<std::string>& words) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(usage_fault(app, error, words));
   }
+  return app.status;
 }
 
 std::vector<CommandWords> words_of_commands() {
@@ -168,8 +169,9 @@ std::vector<CommandWords> words_of_commands() {
 }
 
 int program(const std::vector<std::string>& words) {
+  int status = 0;
   try {
-    run_command(words);
+    status = run_command(words);
   } catch (const UsageError& error) {
     error_line(error.what());
     return 2;
@@ -181,7 +183,7 @@ int program(const std::vector<std::string>& words) {
     error_line(fmt::format("cannot write the results to standard output: {}", std::strerror(errno)));
     return 1;
   }
-  return 0;
+  return status;
 }
 
 }  // namespace ballbar

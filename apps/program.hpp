@@ -35,15 +35,16 @@ struct CommandCall {
 // Runs the call. Throws as the function below.
 void run_command(const CommandCall& call);
 
-// Runs `ballbar WORDS...`; for the output see terminal/caller.hpp. Throws UsageError, Error, or what else ended
-// it, such as std::bad_alloc.
-void run_command(const std::vector<std::string>& words);
+// Runs `ballbar WORDS...`; for the output see terminal/caller.hpp. Returns the exit status, 0 or 3. Throws UsageError,
+// Error, or what else ended it, such as std::bad_alloc.
+int run_command(const std::vector<std::string>& words);
 
 // The program and its commands, with their options.
 std::vector<CommandWords> words_of_commands();
 
 // The same as a process: results go to the standard output, remarks and errors to standard error.
-// Returns the exit status: 0 success, 1 error in the input, 2 error in the command line.
+// Returns the exit status: 0 success, 1 error in the input, 2 error in the command line, 3 a ballbar test fails
+// its tolerance.
 int program(const std::vector<std::string>& words);
 
 }  // namespace ballbar

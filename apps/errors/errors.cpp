@@ -43,8 +43,8 @@ struct ErrorsArguments {
 // A folder or an archive has many tests.
 bool is_one_test(const std::vector<Source>& files) { return files.size() == 1 && !any_folder_of_tests(files); }
 
-// All errors of one plane and one bar together, by what mending each gains.
-void show_ranked(ErrorsArguments options) {
+// All errors of one plane and one bar together, by what mending each gains. Returns whether a test fails its tolerance.
+bool show_ranked(ErrorsArguments options) {
   if (!options.out.empty()) throw CLI::ValidationError("--out: cannot be combined with --show ranked");
   std::vector<SkippedFile> faults;
   if (any_folder_of_tests(options.files)) {
@@ -60,16 +60,20 @@ void show_ranked(ErrorsArguments options) {
   reports.skipped.insert(reports.skipped.end(), faults.begin(), faults.end());
   options.json ? print_json(json_value(result_of(reports))) : print_text(reports, options.details);
   for (const std::string& remark : reports.remarks) warning_line(remark);
+  return any_fails(reports);
 }
 
-void show_table(const ErrorsArguments& options) {
-  const TestFiles files = read_tests(names_of(options.files), options.how.strict, options.how.circle);
+bool show_table(const ErrorsArguments& options) {
+  TestFiles files = read_tests(names_of(options.files), options.how.strict, options.how.circle);
+  if (options.how.tolerance_um) files = checked(std::move(files), *options.how.tolerance_um);
   expect_no_input(options.out, files.files);
   for (const std::string& path : options.out) {
     write_bytes(path, path.ends_with(".csv") ? test_table_csv(files.tests) : json_of(files).dump(2) + '\n');
   }
   options.json ? print_json(json_of(files)) : fmt::print("{}", test_table_text(files, options.details));
   for (const std::string& path : options.out) wrote_line(path);
+  return std::any_of(files.tests.begin(), files.tests.end(),
+                     [](const MachineTest& one) { return one.passes == false; });
 }
 
 // Of two tests, the first before the second.
@@ -90,7 +94,8 @@ void show_change(const ErrorsArguments& options) {
   options.json ? print_json(json_of(comparison)) : fmt::print("{}", comparison_text(comparison, options.details));
 }
 
-void run(const ErrorsArguments& options, const std::vector<CLI::Option*>& of_a_ranking) {
+// Returns whether a test fails its tolerance.
+bool run(const ErrorsArguments& options, const std::vector<CLI::Option*>& of_a_ranking) {
   const auto found =
       std::find_if(of_a_ranking.begin(), of_a_ranking.end(), [](const auto* one) { return one->count() > 0; });
   if (found != of_a_ranking.end()) {
@@ -103,9 +108,13 @@ void run(const ErrorsArguments& options, const std::vector<CLI::Option*>& of_a_r
     }
     return show_ranked(options);
   }
-  if (options.view == View::change) return show_change(options);
+  if (options.view == View::change) {
+    if (options.how.tolerance_um) throw CLI::ValidationError("--tolerance: cannot be combined with --show change");
+    show_change(options);
+    return false;
+  }
   const bool ranked = options.view ? *options.view == View::ranked : options.out.empty() && is_one_test(options.files);
-  ranked ? show_ranked(options) : show_table(options);
+  return ranked ? show_ranked(options) : show_table(options);
 }
 
 }  // namespace
@@ -120,7 +129,9 @@ void add_errors(CLI::App& app) {
              "ranked: errors of a plane, largest gain first; table: one row per test; change: differences of two "
              "tests; default: ranked for one test, else table",
              [options](std::size_t at) { options->view = static_cast<View>(at); });
-  command->add_option("--tolerance", options->how.tolerance_um, "ranked: largest circularity that passes")
+  command
+      ->add_option("--tolerance", options->how.tolerance_um,
+                   "largest circularity that passes; exit status 3 if a test fails it or a limit in its file")
       ->type_name("UM")
       ->check(number_within(0.0, 1e6));
   add_choice(*command, "--prior", {"usual", "none"}, "usual",
@@ -139,11 +150,14 @@ void add_errors(CLI::App& app) {
   command->footer(
       "Examples:\n"
       "  ballbar errors sample-runs/qc20-style-b5r/00.b5r --tolerance 6\n"
-      "  ballbar errors sample-runs/machine-history --out errors.csv\n"
+      "  ballbar errors sample-runs/machine-history --tolerance 6 --out errors.csv\n"
       "  ballbar errors before.b5r after.b5r --show change");
-  const std::vector<CLI::Option*> of_a_ranking{command->get_option("--tolerance"), command->get_option("--prior"),
-                                               command->get_option("--model")};
-  command->callback([options, of_a_ranking] { run(*options, of_a_ranking); });
+  const std::vector<CLI::Option*> of_a_ranking{command->get_option("--prior"), command->get_option("--model")};
+  command->callback([options, of_a_ranking, command] {
+    constexpr int kFailsTolerance = 3;
+    const bool fails = run(*options, of_a_ranking);
+    if (CommandLine* const line = line_of(*command); fails && line != nullptr) line->status = kFailsTolerance;
+  });
 }
 
 }  // namespace ballbar::commands

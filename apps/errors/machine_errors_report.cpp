@@ -16,6 +16,7 @@
 #include "ballbar/units.hpp"
 #include "errors/machine_errors_result.hpp"
 #include "errors/quantity_text.hpp"
+#include "errors/stored_test.hpp"
 
 namespace ballbar {
 namespace {
@@ -40,12 +41,17 @@ ErrorsReport& group_of(ErrorsReports& reports, const Recording& recording) {
   return reports.groups.emplace_back();
 }
 
-void read_into(ErrorsReports& reports, const Source& source, const StatedCircle& stated) {
+void read_into(ErrorsReports& reports, const Source& source, const ErrorsOptions& options) {
   const std::string& file = source.name();
-  RecordingFile read = open_recording(source, known_readers(), stated);
+  RecordingFile read = open_recording(source, known_readers(), options.circle);
   std::move(read.remarks.begin(), read.remarks.end(), std::back_inserter(reports.remarks));
   if (read.recordings.empty() && read.b5r) {
-    StoredAlone alone{file, std::move(read.b5r->stored)};
+    StoredAlone alone{file, {}, {options.tolerance_um, std::nullopt, {}, limit_checks(*read.b5r)}};
+    if (const std::optional<StoredFeature> round = stored_circularity(*read.b5r)) {
+      alone.check.circularity_um = round->value;
+      alone.check.stored_in = round->parent;
+    }
+    alone.stored = std::move(read.b5r->stored);
     std::erase_if(alone.stored, [](const StoredFeature& feature) { return !feature.valid; });
     reports.results_alone.push_back(std::move(alone));
     return;
@@ -95,7 +101,7 @@ ErrorsReports errors_reports_of(const std::vector<Source>& files, const ErrorsOp
   ErrorsReports reports;
   for (const Source& file : files) {
     try {
-      read_into(reports, file, options.circle);
+      read_into(reports, file, options);
     } catch (const Error& error) {
       if (options.strict || files.size() == 1) throw;
       reports.skipped.push_back({file.name(), error.what()});
@@ -235,29 +241,23 @@ std::string left_text(const ErrorsReport& report) {
   return text;
 }
 
-std::vector<std::string> tolerance_texts(const ErrorsReport& report) {
-  std::vector<std::string> texts;
-  if (report.options.tolerance_um) {
-    const bool passes = report.found.circularity_um <= *report.options.tolerance_um;
-    texts.push_back(fmt::format("{}: circularity {:.1f} um, tolerance {:g} um", passes ? "pass" : "fail",
-                                report.found.circularity_um, *report.options.tolerance_um));
-  }
-  if (!report.b5r) return texts;
-  std::size_t within = 0;
-  for (const StoredFeature& feature : report.b5r->stored) {
-    if (!feature.valid) continue;
-    const std::optional<Judgement> judgement =
-        judged(report.b5r->limits, feature.name, feature.value, feature.data_type);
-    if (!judgement) continue;
-    if (*judgement == Judgement::pass) {
-      ++within;
-      continue;
-    }
-    texts.push_back(fmt::format("{}: stored {} of {:g} {} ({})", name_of(*judgement), feature.name, feature.value,
-                                unit_of_data_type(feature.data_type), feature.parent));
-  }
-  if (within > 0) texts.push_back(fmt::format("pass: {} stored results are within the file's limits", within));
-  return texts;
+ToleranceCheck check_of(const ErrorsReport& report) {
+  ToleranceCheck check{report.options.tolerance_um, report.found.circularity_um, {}, {}};
+  if (report.b5r) check.limits = limit_checks(*report.b5r);
+  return check;
+}
+
+std::optional<FeedForecast> forecast_of(const ErrorsReport& report) {
+  if (!report.options.tolerance_um) return std::nullopt;
+  return feed_forecast(report.found, report.recordings, *report.options.tolerance_um);
+}
+
+bool any_fails(const ErrorsReports& reports) {
+  const auto fails = [](const ToleranceCheck& check) { return passes(check) == false; };
+  return std::any_of(reports.groups.begin(), reports.groups.end(),
+                     [&](const ErrorsReport& one) { return fails(check_of(one)); }) ||
+         std::any_of(reports.results_alone.begin(), reports.results_alone.end(),
+                     [&](const StoredAlone& one) { return fails(one.check); });
 }
 
 std::vector<ErrorRow> error_rows(const ErrorsReport& report) {

@@ -10,6 +10,8 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/test_folder.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
+#include "errors/feed_forecast.hpp"
+#include "errors/tolerance_check.hpp"
 
 namespace ballbar {
 
@@ -34,6 +36,7 @@ struct ErrorsReport {
 struct StoredAlone {
   std::string file;
   std::vector<StoredFeature> stored;
+  ToleranceCheck check;
 };
 
 struct ErrorsReports {
@@ -67,9 +70,13 @@ std::string left_text(const ErrorsReport& report);
 // "named", "unexplained", "nothing": as the other verdicts.
 std::string verdict_of(const ErrorsReport& report);
 
-// "pass: circularity 6.6 um, at most 10 um": of the tolerance that was given, else of the limits in the file; one a
-// line.
-std::vector<std::string> tolerance_texts(const ErrorsReport& report);
+ToleranceCheck check_of(const ErrorsReport& report);
+
+// Of a circularity beyond the tolerance that was given.
+std::optional<FeedForecast> forecast_of(const ErrorsReport& report);
+
+// Whether a test of these fails.
+bool any_fails(const ErrorsReports& reports);
 
 void print_text(const ErrorsReports& reports, bool details = false);  // details: all rows
 

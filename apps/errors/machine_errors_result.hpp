@@ -175,6 +175,19 @@ inline constexpr auto kResult<PriorOfError> = ResultType{
                Field{"readings_alone", &PriorOfError::alone, "its value by the readings alone"},
                Field{"readings_alone_sigma", &PriorOfError::alone_sigma, ""}}};
 
+template <>
+inline constexpr auto kResult<FeedForecast> = ResultType{
+    "FeedForecast", "The feed at which the fitted model holds the tolerance.",
+    std::tuple{Field{"tolerance_um", &FeedForecast::tolerance_um, "of the circularity"},
+               Field{"feed_mm_per_min", &FeedForecast::feed_mm_per_min, "the highest that holds it; null: none does"},
+               Field{"sigma_mm_per_min",
+                     [](const FeedForecast& of) {
+                       return of.feed_mm_per_min ? std::optional(of.sigma_mm_per_min) : std::nullopt;
+                     },
+                     ""},
+               Field{"circularity_without_um", &FeedForecast::circularity_without_um, "without servo mismatch"},
+               Field{"text", &forecast_text, "a sentence"}}};
+
 // That the test shows, without columns: they are the axes'.
 std::vector<BoundEffect> significant_effects(const ErrorsReport& report);
 
@@ -198,18 +211,24 @@ inline constexpr auto kErrorsReportLeft =
 inline constexpr auto kErrorsReportDriven = std::tuple{
     Field{"plane", [](const ErrorsReport& of) { return of.recordings.front().plane; }, "XY, YZ, ZX"},
     Field{"nominal_length_mm", [](const ErrorsReport& of) { return of.recordings.front().nominal_length_mm; }, ""}};
+inline constexpr std::string_view kTolerancesMean = "pass or fail, a line each",
+                                  kPassesMean = "with a tolerance: whether it and the limits in the file hold";
 inline constexpr auto kErrorsReportRest = std::tuple_cat(
     std::tuple{Field{"file", [](const ErrorsReport& of) { return MayLack<B5r>{of.b5r}; }, "what the only file states"}},
     kErrorsReportVerdictFields, fields_through(&ErrorsReport::found, kErrorsReportFound),
     std::tuple{Field{"differences", &difference_texts, "where ours and the instrument's values differ, and why"}},
     fields_through(&ErrorsReport::found, kErrorsReportLeft),
-    std::tuple{Field{"left_text", &left_text, "what the errors do not explain"},
-               Field{"undetermined", [](const ErrorsReport& of) { return of.found.undetermined; },
-                     "what the readings do not tell apart"},
-               Field{"next_measurement", [](const ErrorsReport& of) { return MayLack<NextMeasurement>{of.found.next}; },
-                     "that would tell some of these apart"},
-               Field{"prior", [](const ErrorsReport& of) { return of.found.prior; }, ""},
-               Field{"tolerances", &tolerance_texts, "pass or fail, a line each"}});
+    std::tuple{
+        Field{"left_text", &left_text, "what the errors do not explain"},
+        Field{"undetermined", [](const ErrorsReport& of) { return of.found.undetermined; },
+              "what the readings do not tell apart"},
+        Field{"next_measurement", [](const ErrorsReport& of) { return MayLack<NextMeasurement>{of.found.next}; },
+              "that would tell some of these apart"},
+        Field{"prior", [](const ErrorsReport& of) { return of.found.prior; }, ""},
+        Field{"tolerances", [](const ErrorsReport& of) { return tolerance_texts(check_of(of)); }, kTolerancesMean},
+        Field{"passes", [](const ErrorsReport& of) { return MayLack<bool>{passes(check_of(of))}; }, kPassesMean},
+        Field{"feed_forecast", [](const ErrorsReport& of) { return MayLack<FeedForecast>{forecast_of(of)}; },
+              "of a test that fails its tolerance by a servo mismatch"}});
 
 template <>
 inline constexpr auto kResult<ErrorsReport> =
@@ -226,9 +245,11 @@ inline constexpr auto kResult<StoredFeature> = ResultType{
                Field{"unit", [](const StoredFeature& of) { return unit_of_data_type(of.data_type); }, ""}}};
 
 template <>
-inline constexpr auto kResult<StoredAlone> =
-    ResultType{"StoredAlone", "A file that stores results without readings.",
-               std::tuple{Field{"file", &StoredAlone::file, ""}, Field{"stored", &StoredAlone::stored, ""}}};
+inline constexpr auto kResult<StoredAlone> = ResultType{
+    "StoredAlone", "A file that stores results without readings.",
+    std::tuple{Field{"file", &StoredAlone::file, ""}, Field{"stored", &StoredAlone::stored, ""},
+               Field{"tolerances", [](const StoredAlone& of) { return tolerance_texts(of.check); }, kTolerancesMean},
+               Field{"passes", [](const StoredAlone& of) { return MayLack<bool>{passes(of.check)}; }, kPassesMean}}};
 
 // Of one group of recordings.
 struct ErrorsOfOne {

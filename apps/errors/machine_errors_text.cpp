@@ -17,7 +17,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kRemedies = 3;
-constexpr std::size_t kWidest = 144;
+constexpr std::size_t kWidest = 100, kWidestDetails = 144;
 constexpr std::size_t kErrorRows = 10, kStoredRows = 25, kDifferences = 3;  // without details
 
 std::string plain(double value, int decimals) { return fixed(value, decimals); }
@@ -89,11 +89,12 @@ std::vector<std::string> instrument_cells(const ErrorsReport& report, const Mach
   return cells;
 }
 
+// details: every row, and the columns of the instrument.
 std::string table_text(const ErrorsReport& report, bool details) {
-  std::vector<std::string> heading{"error", "value",      "unit",    "rank",           "gain um",
-                                   "IC um", "instrument", "share %", "instrument rank"};
+  std::vector<std::string> heading{"error", "value", "unit", "rank", "gain um", "IC um"};
   const bool stored = has_stored(report);
-  if (stored) heading.insert(heading.end(), {"stored", "stored rank"});
+  if (details) heading.insert(heading.end(), {"instrument", "share %", "instrument rank"});
+  if (details && stored) heading.insert(heading.end(), {"stored", "stored rank"});
   heading.emplace_back("confirmed");
   Table table(heading);
   std::size_t rows = 0;
@@ -111,8 +112,10 @@ std::string table_text(const ErrorsReport& report, bool details) {
              ? plain(ranked->gain_um, 1)
              : with_sigma(ranked->gain_um, ranked->gain_sigma_um, decimals_of_sigma(ranked->gain_sigma_um)));
     once(ranked == nullptr ? "" : plain(ranked->individual_circularity_um, 2));
-    const std::vector<std::string> instrument = instrument_cells(report, error, of_effect, stored);
-    row.insert(row.end(), instrument.begin(), instrument.end());
+    if (details) {
+      const std::vector<std::string> instrument = instrument_cells(report, error, of_effect, stored);
+      row.insert(row.end(), instrument.begin(), instrument.end());
+    }
     once(ranked == nullptr || !ranked->significant || !ranked->predicts_other_run ? "-"
          : *ranked->predicts_other_run                                            ? "yes"
                                                                                   : "no");
@@ -125,9 +128,21 @@ std::string table_text(const ErrorsReport& report, bool details) {
     add(one.error, one.ranked ? &*one.ranked : nullptr, effect == nullptr || effect != before);
     before = effect;
   }
-  std::string text = table.text(table_width(kWidest));
+  std::string text = table.text(table_width(details ? kWidestDetails : kWidest));
   if (rows > kErrorRows && !details) text += more_text(rows - kErrorRows) + '\n';
   return text;
+}
+
+// What the columns shown hold.
+std::string legend_text(const ErrorsReport& report, bool details) {
+  const char* const instrument = details ? "Instrument: as the instrument's software would report it. " : "";
+  const char* const stored =
+      details && has_stored(report) ? "Stored: in the file; same: equal to the instrument's. " : "";
+  return fmt::format(
+      "Gain: reduction of the circularity by correcting this error alone; gains do not add up. Rank: by gain; "
+      "-: not significant, none: no gain. IC: circularity of this error alone. ± is one sigma. {}{}Confirmed: found "
+      "in one direction, the error lowers the residual of the other.",
+      instrument, stored);
 }
 
 std::string prior_text(const ErrorsReport& report) {
@@ -141,20 +156,23 @@ std::string prior_text(const ErrorsReport& report) {
   return wrapped(fmt::format("Prior in the instrument's column: {}.", fmt::join(texts, ", ")));
 }
 
+// Below an empty line.
+void print_tolerances(const ToleranceCheck& check) {
+  const std::vector<std::string> texts = tolerance_texts(check);
+  if (!texts.empty()) fmt::print("\n");
+  for (const std::string& text : texts) fmt::print("{}", wrapped(one_line(text)));
+}
+
 void print_group(const ErrorsReport& report, bool details) {
   const MachineErrors& found = report.found;
   fmt::print("{}\n{}", head_text(report), wrapped(conclusion(report)));
+  print_tolerances(check_of(report));
+  if (const std::optional<FeedForecast> forecast = forecast_of(report)) {
+    fmt::print("{}", wrapped(forecast_text(*forecast)));
+  }
   if (const RankedError* const first = first_of(found)) fmt::print("\nballbar effects {}\n", first->effect->name);
-  for (const std::string& text : tolerance_texts(report)) fmt::print("{}\n", shortened(text, 100));
   fmt::print("\n{}", table_text(report, details));
-  fmt::print(
-      "{}",
-      wrapped(fmt::format(
-          "Gain: reduction of the circularity by correcting this error alone; gains do not add up. Rank: by gain; "
-          "-: not significant, none: no gain. IC: circularity of this error alone. ± is one sigma. Instrument: as the "
-          "instrument's software would report it. {}Confirmed: found in one direction, the error lowers the "
-          "residual of the other.",
-          has_stored(report) ? "Stored: in the file; same: equal to the instrument's. " : "")));
+  fmt::print("{}", wrapped(legend_text(report, details)));
   const std::vector<std::string> differences = difference_texts(report);
   for (std::size_t i = 0; i < differences.size() && (details || i < kDifferences); ++i) {
     fmt::print("{}", wrapped(differences[i]));
@@ -196,6 +214,7 @@ void print_text(const ErrorsReports& reports, bool details) {
     }
     if (!details) table.shorten(kStoredRows);
     fmt::print("{}", table.text(table_width(kWidest)));
+    print_tolerances(alone.check);
   }
   if (!reports.skipped.empty()) fmt::print("\n{}", left_out_text(reports.skipped));
 }

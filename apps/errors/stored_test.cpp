@@ -66,6 +66,22 @@ std::optional<std::size_t> rank_of(const B5r& b5r, std::string_view quantity) {
 
 }  // namespace
 
+std::optional<StoredFeature> stored_circularity(const B5r& b5r) {
+  std::optional<StoredFeature> largest;
+  for (const StoredFeature& stored : b5r.stored) {
+    const Unit* const unit = unit_called(stored.data_type);
+    if (!stored.valid || stored.name != "AF_CIRCULARITY" || unit == nullptr || unit->unit != "um") continue;
+    const bool of_analysis = stored.parent.starts_with(kAnalysis);
+    if (!of_analysis && !stored.parent.starts_with("run ")) continue;
+    StoredFeature one = stored;
+    one.value *= unit->factor;
+    one.data_type = "UT_LENGTH_UM";
+    if (of_analysis) return one;
+    if (!largest || one.value > largest->value) largest = std::move(one);
+  }
+  return largest;
+}
+
 MachineTest stored_test(const B5r& b5r) {
   MachineTest test;
   test.stored = true;
@@ -90,6 +106,11 @@ MachineTest stored_test(const B5r& b5r) {
     if (stored.data_type == "UT_SQUARENESS") test.squareness = MachineError{name, "um/m", value, kNoSigma};
     if (name == scale_name(axes_of(b5r.plane)[0])) scale_a = value;
     if (name == scale_name(axes_of(b5r.plane)[1])) scale_b = value;
+  }
+  const bool has_circularity = std::any_of(test.quantities.begin(), test.quantities.end(),
+                                           [](const TestQuantity& one) { return one.name == "circularity"; });
+  if (const auto round = stored_circularity(b5r); round && !has_circularity) {
+    test.quantities.push_back({"circularity", "um", round->value});
   }
   if (scale_a && scale_b) {
     const double unknown = std::numeric_limits<double>::quiet_NaN();

@@ -19,6 +19,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "errors/stored_test.hpp"
+#include "errors/tolerance_check.hpp"
 #include "terminal/stderr_line.hpp"
 
 namespace ballbar {
@@ -95,6 +96,9 @@ MachineTest test_of(const RecordingFile& file, Fits fits) {
   test.machine = file.b5r->machine;
   test.bar = file.b5r->serial_number;
   test.tolerances = stated_tolerances(*file.b5r);
+  for (const LimitCheck& one : limit_checks(*file.b5r)) {
+    if (one.judgement == Judgement::fail) test.beyond_limits.push_back(one.result.name);
+  }
   return test;
 }
 
@@ -220,6 +224,16 @@ TestFiles tests_below(const std::vector<std::string>& paths, bool strict, const 
 
 TestFiles test_heads_below(const std::vector<std::string>& paths, const StatedCircle& stated) {
   return tests_of(paths, false, stated, Fits::none);
+}
+
+bool are_stored(const std::vector<MachineTest>& tests) {
+  return std::all_of(tests.begin(), tests.end(), [](const MachineTest& one) { return one.stored; });
+}
+
+TestFiles checked(TestFiles files, double tolerance_um) {
+  files.tolerance_um = tolerance_um;
+  for (MachineTest& test : files.tests) test.passes = passes(test, tolerance_um);
+  return files;
 }
 
 TestFiles read_tests(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated) {

@@ -22,6 +22,7 @@ struct TestFiles {
   std::vector<SkippedTest> skipped;          // with faults, or of another kind of recording
   std::vector<std::string> remarks;          // the readers'
   std::vector<std::filesystem::path> files;  // all that were read
+  std::optional<double> tolerance_um;        // of the circularity, if it was given
 };
 
 // The recordings in the folders, their subfolders and archives; a path may also be a file. Ignores hidden files, links
@@ -35,5 +36,11 @@ TestFiles test_heads_below(const std::vector<std::string>& paths, const StatedCi
 
 // The same, but throws Error if there is no test.
 TestFiles read_tests(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated = {});
+
+// Whether all of them are of files without readings.
+bool are_stored(const std::vector<MachineTest>& tests);
+
+// The same tests with pass or fail.
+TestFiles checked(TestFiles files, double tolerance_um);
 
 }  // namespace ballbar

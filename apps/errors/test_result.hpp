@@ -47,9 +47,14 @@ inline constexpr auto kMachineTestMadeWith =
                Field{"stored", &MachineTest::stored, "values of the file, without readings"}};
 
 template <>
-inline constexpr auto kResult<MachineTest> =
-    ResultType{"MachineTest", "A test of a machine.",
-               std::tuple_cat(kMachineTestMadeWith, std::tuple{Field{"errors", &MachineTest::quantities, ""}})};
+inline constexpr auto kResult<MachineTest> = ResultType{
+    "MachineTest", "A test of a machine.",
+    std::tuple_cat(
+        kMachineTestMadeWith,
+        std::tuple{Field{"errors", &MachineTest::quantities, ""},
+                   Field{"beyond_limits", &MachineTest::beyond_limits, "stored results that fail a limit in the file"},
+                   Field{"passes", [](const MachineTest& of) { return MayLack<bool>{of.passes}; },
+                         "with a tolerance: whether it and these limits hold"}})};
 
 template <>
 inline constexpr auto kResult<TestFiles> =

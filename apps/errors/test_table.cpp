@@ -1,6 +1,7 @@
 #include "errors/test_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,54 @@ const TestQuantity* quantity_of(const MachineTest& test, std::string_view name) 
   const auto found =
       std::find_if(test.quantities.begin(), test.quantities.end(), [&](const auto& one) { return one.name == name; });
   return found == test.quantities.end() ? nullptr : &*found;
+}
+
+bool has_tolerance(const std::vector<MachineTest>& tests) {
+  return std::any_of(tests.begin(), tests.end(), [](const MachineTest& one) { return one.passes.has_value(); });
+}
+
+bool states_machine(const std::vector<MachineTest>& tests) {
+  return std::any_of(tests.begin(), tests.end(), [](const MachineTest& one) { return !one.machine.empty(); });
+}
+
+// "3 of 7 fail the tolerance of 6 um.", "All 7 pass the tolerance of 6 um."
+std::string tolerance_text(const TestFiles& files) {
+  std::size_t fail = 0, unknown = 0;
+  bool by_limits = false;
+  for (const MachineTest& test : files.tests) {
+    if (!test.passes) ++unknown;
+    if (test.passes == false) ++fail;
+    by_limits = by_limits || !test.beyond_limits.empty();
+  }
+  const std::size_t all = files.tests.size();
+  std::string text = fail > 0
+                         ? fmt::format("{} of {} fail{} the tolerance of {:g} um{}.", fail, all, fail == 1 ? "s" : "",
+                                       *files.tolerance_um, by_limits ? " or a limit in the file" : "")
+                         : fmt::format("{} of {} pass{} the tolerance of {:g} um.", all - unknown, all,
+                                       all - unknown == 1 ? "es" : "", *files.tolerance_um);
+  if (unknown > 0)
+    text += fmt::format(" {} no circularity.", unknown == 1 ? "1 test has" : fmt::format("{} tests have", unknown));
+  return text + "\n";
+}
+
+// What is compared, and the stored results that fail a limit.
+std::string checks_text(const TestFiles& files, std::size_t most) {
+  std::string text = "\n" + wrapped(
+                                "Circularity: largest less smallest reading of a test about the fitted centre; stored: "
+                                "AF_CIRCULARITY in a file without readings.");
+  std::size_t beyond = 0;
+  for (const MachineTest& test : files.tests) {
+    if (test.beyond_limits.empty() || ++beyond > most) continue;
+    text += wrapped(fmt::format("{}: stored {}: fail{} the limit in the file.", one_line(test.file),
+                                fmt::join(test.beyond_limits, ", "), test.beyond_limits.size() == 1 ? "s" : ""));
+  }
+  return beyond > most ? text + more_text(beyond - most, "test") + "\n" : text;
+}
+
+std::string circularity_cell(const MachineTest& test) {
+  const TestQuantity* const round = quantity_of(test, "circularity");
+  if (round == nullptr) return "-";
+  return test.stored ? fixed(round->value, 2) + " stored" : with_sigma(round->value, round->sigma, 2);
 }
 
 std::string heading_text(const TestFiles& files) {
@@ -79,7 +128,9 @@ std::string test_table_csv(const std::vector<MachineTest>& tests) {
       names.push_back(column_name(one, true));
     }
   }
+  const bool with_tolerance = has_tolerance(tests);
   std::string text = "file,machine,bar,date,plane,length_mm,feed_mm_per_min,start_deg,arc_deg,stored";
+  if (with_tolerance) text += ",passes";
   for (const std::string& name : names) text += ',' + name;
   text += '\n';
   for (const MachineTest& test : tests) {
@@ -93,6 +144,7 @@ std::string test_table_csv(const std::vector<MachineTest>& tests) {
                         csv_text(test.bar), test.started_s ? iso_date_text(*test.started_s) : "", name_of(test.plane),
                         csv_number(test.nominal_length_mm), optional_cell(test.feed_mm_per_min),
                         csv_number(test.start_deg), csv_number(test.arc_deg), test.stored ? 1 : 0);
+    if (with_tolerance) text += !test.passes ? "," : *test.passes ? ",1" : ",0";
     for (const std::string& cell : cells) text += ',' + cell;
     text += '\n';
   }
@@ -102,19 +154,34 @@ std::string test_table_csv(const std::vector<MachineTest>& tests) {
 std::string test_table_text(const TestFiles& files, bool details) {
   constexpr std::size_t kRows = 30, kSkipped = 5;
   std::string text = heading_text(files) + "\n";
-  Table table({"file", "date", "machine", "plane", "mm/min", "circularity um", "main error", "", ""});
+  if (files.tolerance_um) text += tolerance_text(files) + "\n";
+  const bool with_machine = states_machine(files.tests);
+  std::vector<std::string> heading{"file", "date"};
+  if (with_machine) heading.emplace_back("machine");
+  heading.insert(heading.end(), {"plane", "mm/min", "circularity um"});
+  if (files.tolerance_um) heading.emplace_back("tolerance");
+  heading.insert(heading.end(), {"main error", "", ""});
+  Table table(heading);
   for (const MachineTest& test : files.tests) {
-    const TestQuantity* const round = quantity_of(test, "circularity");
-    const TestQuantity* const first = first_to_mend(test);
-    table.add({one_line(test.file), test.started_s ? date_text(static_cast<double>(*test.started_s)) : "-",
-               test.machine.empty() ? "-" : one_line(test.machine), std::string(name_of(test.plane)),
-               test.feed_mm_per_min ? fmt::format("{:.0f}", *test.feed_mm_per_min) : "-",
-               round == nullptr ? "-" : with_sigma(round->value, round->sigma, 2),
-               first == nullptr ? "none" : first->name,
-               first == nullptr ? "" : with_sigma(first->value, first->sigma, 2), first == nullptr ? "" : first->unit});
+    std::vector<std::string> row{one_line(test.file),
+                                 test.started_s ? date_text(static_cast<double>(*test.started_s)) : "-"};
+    if (with_machine) row.push_back(test.machine.empty() ? "-" : one_line(test.machine));
+    row.insert(row.end(),
+               {std::string(name_of(test.plane)),
+                test.feed_mm_per_min ? fmt::format("{:.0f}", *test.feed_mm_per_min) : "-", circularity_cell(test)});
+    if (files.tolerance_um) row.emplace_back(!test.passes ? "-" : *test.passes ? "pass" : "fail");
+    if (const TestQuantity* const first = first_to_mend(test)) {
+      row.insert(
+          row.end(),
+          {first->name, test.stored ? fixed(first->value, 2) : with_sigma(first->value, first->sigma, 2), first->unit});
+    } else {
+      row.insert(row.end(), {test.stored ? "not in the file" : "none", "", ""});
+    }
+    table.add(row);
   }
   if (!details) table.shorten(kRows);
   text += table.text();
+  if (files.tolerance_um) text += checks_text(files, details ? files.tests.size() : kSkipped);
   const std::size_t shown = details ? files.skipped.size() : std::min(kSkipped, files.skipped.size());
   for (std::size_t i = 0; i < shown; ++i) text += "\n" + wrapped(files.skipped[i].sentence);
   if (shown < files.skipped.size()) text += more_text(files.skipped.size() - shown, "skipped file") + "\n";

@@ -69,9 +69,10 @@ FoundHistory found_history(TestFiles files, const std::vector<std::string>& fold
   std::vector<MachineTest>& tests = found.files.tests;
   expect_known(how.tolerances, tests);
   name_by_folder(tests, folders);
-  how.every_quantity = are_of_one_machine(tests);
+  const bool of_one_machine = are_of_one_machine(tests);
+  how.every_quantity = of_one_machine || are_stored(tests);
   found.history = history_of(tests, how);
-  if (how.every_quantity) found.geometry = machine_geometry(tests);
+  if (of_one_machine) found.geometry = machine_geometry(tests);
   return found;
 }
 

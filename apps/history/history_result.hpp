@@ -103,6 +103,8 @@ inline constexpr auto kResult<QuantityHistory> = ResultType{
                                     ""},
                               Field{"values", &QuantityHistory::value, "of tests of a day the mean"},
                               Field{"sigmas", &QuantityHistory::sigma, "of the fits; null: not known"},
+                              Field{"last", &QuantityHistory::last, "of the last test"},
+                              Field{"last_sigma", &QuantityHistory::last_sigma, "null: not known"},
                               Field{"fitted", &QuantityHistory::fitted, ""},
                               Field{"significant", &QuantityHistory::significant, "the last value"},
                               Field{"trend", [](const QuantityHistory& of) { return MayLack<Trend>{of.trend}; },
@@ -120,7 +122,7 @@ inline constexpr auto kResult<MachineHistory> = ResultType{
                Field{"findings", &MachineHistory::findings, "the clearest first"},
                Field{"tolerances", &MachineHistory::tolerances, ""},
                Field{"series", &MachineHistory::series,
-                     "every one of one machine, of several those with findings and tolerances"},
+                     "every one of one machine and of stored values alone, else those with findings and tolerances"},
                Field{"groups", &MachineHistory::groups, "of tests that can be compared"}}};
 
 template <>

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <optional>
 
 #include "ballbar/history/trend.hpp"
@@ -103,6 +105,58 @@ std::string group_text(const TestFiles& files, const MachineHistory& machine, st
   }
   if (!rows.empty()) text += table_of_rows(rows);
   return text;
+}
+
+// A quantity of one machine in each of its groups.
+struct StoredRow {
+  std::string name, unit;
+  std::size_t rank =
+      std::numeric_limits<std::size_t>::max();  // 0: circularity; else as the instrument's software ranks
+  std::vector<std::string> last;                // of each group
+};
+
+std::vector<StoredRow> stored_rows(const TestFiles& files, const MachineHistory& machine) {
+  std::vector<StoredRow> rows;
+  for (const QuantityHistory& one : machine.series) {
+    auto row = std::find_if(rows.begin(), rows.end(), [&](const StoredRow& known) { return known.name == one.name; });
+    if (row == rows.end()) {
+      rows.push_back({one.name, one.unit});
+      row = std::prev(rows.end());
+      row->last.resize(machine.groups.size(), "-");
+    }
+    row->last[one.group] = fixed(one.last, decimals_in(one.unit));
+    if (one.name == "circularity") row->rank = 0;
+    for (const TestQuantity& quantity : files.tests[one.tests.back()].quantities) {
+      if (quantity.name == one.name && quantity.rank) row->rank = std::min(row->rank, *quantity.rank);
+    }
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const StoredRow& a, const StoredRow& b) { return a.rank < b.rank; });
+  return rows;
+}
+
+// Of several machines with stored values alone: one table of the last values for each.
+std::string stored_machines_text(const TestFiles& files, const History& history, bool all) {
+  constexpr std::size_t kMachines = 6, kRows = 8;
+  std::string text;
+  for (std::size_t i = 0; i < history.machines.size() && (all || i < kMachines); ++i) {
+    const MachineHistory& machine = history.machines[i];
+    text += fmt::format("\n{}: {}, stored values of the last\n",
+                        machine.name.empty() ? "no name" : shortened(machine.name, 80), several(machine.tests, "test"));
+    std::vector<std::string> heading{"quantity", "unit"};
+    for (const TestGroup& group : machine.groups) heading.push_back(group_text(group));
+    Table table(heading);
+    const std::vector<StoredRow> rows = stored_rows(files, machine);
+    const std::size_t shown = all ? rows.size() : std::min(kRows, rows.size());
+    for (std::size_t k = 0; k < shown; ++k) {
+      std::vector<std::string> cells{rows[k].name, rows[k].unit};
+      cells.insert(cells.end(), rows[k].last.begin(), rows[k].last.end());
+      table.add(cells);
+    }
+    text += table.text(table_width(100));
+    if (shown < rows.size()) text += more_text(rows.size() - shown) + '\n';
+  }
+  const std::size_t machines = history.machines.size();
+  return all || machines <= kMachines ? text : text + '\n' + more_text(machines - kMachines, "machine") + '\n';
 }
 
 std::string machine_text(const TestFiles& files, const History& history, const MachineGeometry& geometry, bool all) {
@@ -241,11 +295,11 @@ std::vector<std::string> machine_conclusion(const History& history) {
 std::vector<std::string> quantity_row(const MachineHistory& machine, std::size_t series) {
   const QuantityHistory& one = machine.series[series];
   const int decimals = decimals_in(one.unit);
-  std::vector<std::string> row{one.name, one.unit, with_sigma(one.value.back(), one.sigma.back(), decimals)};
+  std::vector<std::string> row{one.name, one.unit, with_sigma(one.last, one.last_sigma, decimals)};
   if (one.value.size() > 1) {
-    const std::size_t last = one.value.size() - 1;
-    const double change = one.value[last] - one.value[last - 1];
-    const double sigmas = std::abs(change) / std::hypot(one.sigma[last], one.sigma[last - 1]);
+    const std::size_t before = one.value.size() - 2;
+    const double change = one.last - one.value[before];
+    const double sigmas = std::abs(change) / std::hypot(one.last_sigma, one.sigma[before]);
     row.push_back(signed_text(change, decimals) + (is_found(machine, series, false) ? " *" : ""));
     row.push_back(std::isfinite(sigmas) ? fmt::format("{:.1f}", sigmas) : "-");
   } else {
@@ -263,6 +317,7 @@ std::vector<std::string> quantity_row(const MachineHistory& machine, std::size_t
 std::string history_text(const TestFiles& files, const History& history, const MachineGeometry& geometry, bool all) {
   std::string text =
       history.machines.size() == 1 ? machine_text(files, history, geometry, all) : ranking_text(history, all);
+  if (history.machines.size() > 1 && are_stored(files.tests)) text += stored_machines_text(files, history, all);
   if (!history.without_date.empty()) {
     text += "\nNo date, so not part of any change or trend:\n" + list_text(history.without_date);
   }

@@ -122,6 +122,7 @@ void print_page(const Effect& effect) {
   print_part("Cause", page.cause);
   print_part("Formula", page.formula);
   print_part("Signature", page.signature);
+  print_part("On parts", page.on_parts);
   if (!effect.inputs.empty()) {
     Table inputs({"input", "unit", "meaning"});
     for (const Input& input : effect.inputs) {

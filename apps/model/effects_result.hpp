@@ -29,9 +29,11 @@ inline constexpr auto kResult<Parameter> = ResultType{
                Field{"meaning", &Parameter::meaning, ""}}};
 
 inline constexpr auto kEffectPage =
-    std::tuple{Field{"summary", &Explanation::summary, "in a line"}, Field{"cause", &Explanation::cause, ""},
+    std::tuple{Field{"summary", &Explanation::summary, "in a line"},
+               Field{"cause", &Explanation::cause, ""},
                Field{"formula", &Explanation::formula, "in the letters of the parameters"},
                Field{"signature", &Explanation::signature, "how it looks in a residual"},
+               Field{"on_parts", &Explanation::on_parts, "what it does to circles and holes; empty: no error of axes"},
                Field{"confused_with", &Explanation::confused_with, "other effects"}};
 inline constexpr auto kEffectUse =
     std::tuple{Field{"separated_by", &Explanation::separated_by, "the test that tells them apart"},

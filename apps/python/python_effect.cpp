@@ -168,6 +168,7 @@ std::shared_ptr<Effect> effect_of(const std::string& name, py::function call, co
                          .cause = text_of(explanation, "cause", ""),
                          .formula = text_of(explanation, "formula", name + "(...)"),
                          .signature = text_of(explanation, "signature", ""),
+                         .on_parts = text_of(explanation, "on_parts", ""),
                          .confused_with = {},
                          .separated_by = text_of(explanation, "separated_by", ""),
                          .remedy = text_of(explanation, "remedy", ""),

@@ -27,6 +27,7 @@ class CommandLine : public CLI::App {
   std::map<std::string, Source> values;                            // by their names
   Catalogue catalogue = built_in_catalogue();                      // of effects that models may have
   std::map<const CLI::App*, std::shared_ptr<LogRecipes>> recipes;  // by commands
+  int status = 0;                                                  // exit status of a command that ran
 };
 
 // That of a command; nullptr: of another program.

@@ -16,7 +16,8 @@ from . import _core
 from ._errors import BallbarError, UsageError
 
 _OF_A_PARAMETER = ("unit", "meaning", "lower", "upper", "start", "grid")
-_EXPLAINED = ("summary", "cause", "formula", "signature", "separated_by", "remedy", "validity", "source")
+_EXPLAINED = ("summary", "cause", "formula", "signature", "on_parts", "separated_by", "remedy", "validity",
+              "source")
 
 
 @dataclass(frozen=True)
@@ -296,7 +297,8 @@ def effect(
         Parameters that do not enter linearly: ``{"time_constant_s": {"start": 600.0, "lower": 30.0, "upper": 7200.0,
         "grid": [60.0, 600.0, 3600.0], "unit": "s"}}``. The grid holds the starts of a search, rising.
     **explanation : str
-        ``summary``, ``cause``, ``formula``, ``signature``, ``separated_by``, ``remedy``, ``validity``, ``source``.
+        ``summary``, ``cause``, ``formula``, ``signature``, ``on_parts``, ``separated_by``, ``remedy``, ``validity``,
+        ``source``.
 
     Returns
     -------

@@ -35,6 +35,12 @@ const Tolerance* tolerance_named(std::string_view quantity, std::span<const Tole
   return found == tolerances.end() ? nullptr : &*found;
 }
 
+// The test has it.
+const TestQuantity& quantity_of(const MachineTest& test, std::string_view name) {
+  return *std::find_if(test.quantities.begin(), test.quantities.end(),
+                       [&](const TestQuantity& one) { return one.name == name; });
+}
+
 // A step that was found at the exchange of the bar counts once.
 void join_bar_steps(const AllSeries& all, std::vector<Call*>& calls) {
   std::erase_if(calls, [&](const Call* bar) {
@@ -115,6 +121,9 @@ class MachineAssembly {
     one.time_s = series.time_s;
     one.value = series.value;
     one.sigma = series.sigma;
+    const TestQuantity& last = quantity_of(tests_[series.tests.back()], series.name);
+    one.last = last.value;
+    one.last_sigma = last.sigma;
     one.fitted = std::move(curve.fitted);
     one.level = curve.level;
     one.level_sigma = curve.sigma;
@@ -125,7 +134,7 @@ class MachineAssembly {
 
   void add_tolerance(const Tolerance& tolerance, bool has_trend) {
     const QuantityHistory& series = machine_.series.back();
-    const bool last_alone = within(tolerance, series.level) && !within(tolerance, series.value.back());
+    const bool last_alone = within(tolerance, series.level) && !within(tolerance, series.last);
     machine_.tolerances.push_back(
         {machine_.series.size() - 1, series.name, series.unit, series.plane, series.level, series.level_sigma,
          tolerance, tolerance_date(tolerance, series.level, has_trend ? series.trend : std::nullopt), last_alone});

@@ -51,6 +51,8 @@ TEST(all_effects, are_explained) {
       EXPECT_NE(find_effect(other, effect.level), nullptr) << effect.name << " is confused with unknown " << other;
     }
     EXPECT_FALSE(page.confused_with.empty()) << effect.name;
+    const bool is_error_of_axes = effect.rules.error_fit != ErrorFit::none;
+    EXPECT_EQ(page.on_parts.ends_with('.'), is_error_of_axes) << effect.name;
   });
 }
 

@@ -131,6 +131,16 @@ TEST(history, a_last_test_alone_beyond_its_tolerance_is_measured_again) {
   EXPECT_EQ(machine.reason, "play XY of the last test is beyond its tolerance, earlier ones are not. Measure again.");
 }
 
+TEST(history, last_is_the_last_test_of_a_day_and_not_its_mean) {
+  const MachineHistory machine =
+      machine_of({test_on(0, 1), test_on(40, 4), test_on(40.1, 2, 0.3)}, {{"play", {}, 2.5}});
+  const QuantityHistory& play = machine.series.at(0);
+  EXPECT_EQ(play.value.back(), 3.0);
+  EXPECT_EQ(play.last, 2.0);
+  EXPECT_EQ(play.last_sigma, 0.3);
+  EXPECT_FALSE(machine.tolerances.at(0).last_alone) << "the last test is within";
+}
+
 TEST(history, machines_have_their_own) {
   std::vector<MachineTest> tests{test_on(0, 1), test_on(40, 2), test_on(80, 3)};
   tests[0].machine = tests[2].machine = "mill 7";

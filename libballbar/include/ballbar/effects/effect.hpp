@@ -103,6 +103,7 @@ struct Explanation {
   std::string cause;
   std::string formula;                     // as evaluated, in the letters of the parameters
   std::string signature;                   // how it looks in a residual
+  std::string on_parts;                    // of an error of the axes: what it does to interpolated circles and holes
   std::vector<std::string> confused_with;  // names of effects
   std::string separated_by;                // the test that tells them apart
   std::string remedy;                      // in the workshop

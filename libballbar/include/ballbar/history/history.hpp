@@ -60,6 +60,8 @@ struct QuantityHistory {
   std::vector<double> time_s, value;
   std::vector<double> sigma;   // NaN: not known
   std::vector<double> fitted;  // the curve, at the same dates
+  double last = 0.0;           // value of the last test; value.back() is the mean of its day
+  double last_sigma = 0.0;     // NaN: not known
   double level = 0.0;          // of that curve at the last test
   double level_sigma = 0.0;
   double scatter = 0.0;        // s

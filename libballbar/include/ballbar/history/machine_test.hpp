@@ -48,6 +48,8 @@ struct MachineTest {
   bool stored = false;                // the file has stored values and no readings
   std::vector<TestQuantity> quantities;
   std::vector<Tolerance> tolerances;       // stated in the file
+  std::vector<std::string> beyond_limits;  // names of stored results that fail a limit in the file
+  std::optional<bool> passes;              // the tolerance of the circularity and these limits; nullopt: not asked
   std::optional<AxisScales> scales;        // of axes_of(plane)
   std::optional<MachineError> squareness;  // of the plane; sigma NaN: not known
 };

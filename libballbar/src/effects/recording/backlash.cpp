@@ -38,6 +38,12 @@ Effect backlash(Axis axis) {
            "play_neg (1 - x) / 2; over width_deg after a reversal, the sign changes linearly",
        .signature = "A step outwards (negative play: inwards) at the reversals of the axis, the same size at every "
                     "feed. The two directions step on opposite sides.",
+       .on_parts = a ? "An interpolated circle has a step of the play at 0 and 180 deg: its two halves are shifted "
+                       "along A. A bored or drilled hole is off by the play along A where A approaches it from the "
+                       "other side than its neighbours."
+                     : "An interpolated circle has a step of the play at 90 and 270 deg: its two halves are shifted "
+                       "along B. A bored or drilled hole is off by the play along B where B approaches it from the "
+                       "other side than its neighbours.",
        .confused_with = {a ? "reversal_spike_a" : "reversal_spike_b", a ? "lateral_play_b" : "lateral_play_a",
                          "servo_mismatch", "centre_drift"},
        .separated_by = "Measure a full circle in both directions at two feeds in the order A-B-B-A: a servo mismatch "

@@ -31,6 +31,9 @@ extern const Effect kCubicError{
      .cause = "A screw or scale with uneven error along the travel, an outdated error table, or an S-shaped guideway.",
      .formula = "(along / 2) cos 4 theta + (across / 2) sin 4 theta",
      .signature = "Four lobes per turn, equal in both directions and at every feed.",
+     .on_parts = "An interpolated circle has four lobes, sqrt(along^2 + across^2) high at the radius of the bar and "
+                 "less at smaller ones. Bored and drilled holes stay round, but their spacing varies from the middle "
+                 "of the travel to its ends, or their row is S-shaped.",
      .confused_with = {"sin_4_theta", "scale_mismatch", "lobing", "straightness_a", "straightness_b"},
      .separated_by = "A circle cannot show which of the two axes has the error. Use a shorter bar at several places, "
                      "or a laser along each axis.",

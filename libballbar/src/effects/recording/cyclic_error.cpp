@@ -98,6 +98,12 @@ Effect cyclic_error(Axis axis) {
            "it moves towards +, _rev towards -",
        .signature = "A wave fixed to the axis position: long near the reversals, short where the axis is fast, and "
                     "zero at the middle of the travel.",
+       .on_parts = a ? "An interpolated circle has waves, longest near 0 and 180 deg. Bored and drilled holes are off "
+                       "along A by up to half the value: two holes half a pitch apart by up to the value, two holes a "
+                       "whole number of pitches apart not at all."
+                     : "An interpolated circle has waves, longest near 90 and 270 deg. Bored and drilled holes are off "
+                       "along B by up to half the value: two holes half a pitch apart by up to the value, two holes a "
+                       "whole number of pitches apart not at all.",
        .confused_with = {"vibration", "lobing", a ? "cyclic_error_b" : "cyclic_error_a"},
        .separated_by = "Measure at another feed: a cyclic error stays in place, a vibration moves along the path.",
        .remedy = "Check bearing and alignment of the screw, the coupling and the mounting of the encoder.",

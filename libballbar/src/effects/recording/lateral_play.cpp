@@ -33,6 +33,12 @@ Effect lateral_play(Axis axis) {
            "+ play_neg (1 - x) / 2, x the axis' own position over R",
        .signature = "One direction is slightly larger, the other slightly smaller, mostly across the axis. A kink at "
                     "the reversals, equal at every feed.",
+       .on_parts = a ? "The diameter along B of an interpolated circle is smaller by the play in one direction and "
+                       "larger by the play in the other. A bored or drilled hole is off by the play along B where A "
+                       "approaches it from the other side than its neighbours."
+                     : "The diameter along A of an interpolated circle is smaller by the play in one direction and "
+                       "larger by the play in the other. A bored or drilled hole is off by the play along A where B "
+                       "approaches it from the other side than its neighbours.",
        .confused_with = {"scale_mismatch", a ? "lateral_play_b" : "lateral_play_a", "circle",
                          a ? "backlash_b" : "backlash_a"},
        .separated_by = "Measure both directions with one set-up: play changes sign with the direction, scale does not. "

@@ -31,6 +31,12 @@ Effect reversal_spike(Axis axis) {
        .formula = "height exp(- d / width), d the angle travelled since the reversal; one height for each end",
        .signature =
            "A short outward peak right after the reversal, on the opposite side of it in the opposite direction.",
+       .on_parts = a ? "An interpolated circle has a mark of that height right after 0 and 180 deg: a groove in a "
+                       "milled bore, a ridge on a boss. Bored and drilled holes are free of it, because it fades "
+                       "before the axis stands still."
+                     : "An interpolated circle has a mark of that height right after 90 and 270 deg: a groove in a "
+                       "milled bore, a ridge on a boss. Bored and drilled holes are free of it, because it fades "
+                       "before the axis stands still.",
        .confused_with = {a ? "backlash_a" : "backlash_b", "vibration"},
        .separated_by = "Measure two feeds: a spike grows higher or wider with the feed, a step of backlash does not. "
                        "With both directions it appears on both sides of the reversal.",

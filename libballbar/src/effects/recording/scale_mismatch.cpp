@@ -25,6 +25,9 @@ extern const Effect kScaleMismatch{
          "The ball screw or scale of one axis is longer because it is warmer, worn, stretched or badly compensated.",
      .formula = "(mismatch / 4) cos 2 theta, mismatch = 2 R (s_a - s_b), positive where A travels too far",
      .signature = "An oval along the axes, equal in both directions and at every feed.",
+     .on_parts = "An interpolated circle of radius r becomes an oval whose diameters along the two axes differ by "
+                 "mismatch r / R. Bored and drilled holes stay round, but their spacing along the two axes differs by "
+                 "mismatch / (2 R): 40 ppm where it is 8 um on a bar of 100 mm.",
      .confused_with = {"lateral_play_a", "lateral_play_b", "oval", "squareness"},
      .separated_by = "Measure both directions: play changes sign with the direction, scale does not. Warm up one axis "
                      "alone: a thermal cause makes the oval grow.",
@@ -32,7 +35,7 @@ extern const Effect kScaleMismatch{
          "Correct the pitch compensation or use linear scales; check temperature, stretch and bearing of the screw.",
      .validity =
          "Linear axes, first order; separating it from the centre needs about half a turn. The value is the difference "
-         "over a diameter, as instrument software stores it; divided by R it is the difference of the scales.",
+         "over a diameter, as instrument software stores it; divided by 2 R it is the difference of the scales.",
      .source = "Kinematics: a (1 + s_a), b (1 + s_b) in the length equation; sign and size as AF_SCALE_MISMATCH of "
                "measured .b5r files."},
     {angle_input()},

@@ -25,6 +25,8 @@ extern const Effect kSin4Theta{
               "that suits one speed only.",
      .formula = "dir (size / 2) sin 4 theta",
      .signature = "Four lobes per turn that change sign with the direction.",
+     .on_parts = "An interpolated circle has four lobes of that height, which change place with the direction of "
+                 "milling. Bored and drilled holes are free of it, because the axes stand still.",
      .confused_with = {"servo_mismatch", "backlash_a", "backlash_b", "cubic_error"},
      .separated_by = "Measure both directions: lobes that are equal in both are a cubic error of the axes.",
      .remedy = "Tune the position loops of both axes at the feed of the test, including feed-forward and friction "

@@ -24,6 +24,9 @@ extern const Effect kSquareness{
      .cause = "Misaligned guideways, a bent or settled bed, or a column that leans as it warms.",
      .formula = "- (R / 2) squareness sin 2 theta, positive where the angle from +A to +B is more than 90 deg",
      .signature = "An oval along the diagonals, equal in both directions and at every feed.",
+     .on_parts = "An interpolated circle of radius r becomes an oval whose diameters along the two diagonals differ by "
+                 "2 r squareness. Bored and drilled holes stay round, but a pattern of holes is sheared and milled "
+                 "sides are out of square by that angle: 20 um over 1 m where it is 20 um/m.",
      .confused_with = {"servo_mismatch", "oval", "scale_mismatch"},
      .separated_by = "Measure both directions: a servo mismatch turns its oval with the direction, squareness does "
                      "not. One direction alone cannot separate them.",

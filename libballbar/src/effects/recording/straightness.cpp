@@ -32,6 +32,12 @@ Effect straightness(Axis axis) {
        .cause = "A guideway bent by its own weight, by clamping, or by a bed that is warmer on top than below.",
        .formula = a ? "(bow / 4) sin 3 theta" : "- (bow / 4) cos 3 theta",
        .signature = "Three lobes per turn, equal in both directions and at every feed.",
+       .on_parts = a ? "An interpolated circle of radius r has three lobes of height (bow / 2) (r / R)^2, which a "
+                       "two-point gauge does not show. In a row of bored or drilled holes along A of length 2 R the "
+                       "middle is off by the bow along B; a milled side is as hollow or crowned."
+                     : "An interpolated circle of radius r has three lobes of height (bow / 2) (r / R)^2, which a "
+                       "two-point gauge does not show. In a row of bored or drilled holes along B of length 2 R the "
+                       "middle is off by the bow along A; a milled side is as hollow or crowned.",
        .confused_with = {"circle", "lobing", a ? "straightness_b" : "straightness_a"},
        .separated_by = "Measure a full circle: half an arc cannot separate a bow from the centre. With a longer bar a "
                        "bow grows with the square of the radius; lobes of the balls do not.",
