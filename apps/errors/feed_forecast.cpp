@@ -35,6 +35,8 @@ bool reads_feed(const Effect& effect) {
 ServoTrace servo_trace(const MachineErrors& found, const Effect& servo, std::span<const Recording> recordings) {
   ServoTrace trace;
   trace.s_um = curve_of(found, &servo, recordings);
+  trace.y_um.reserve(trace.s_um.size());
+  trace.feed_mm_per_min.reserve(trace.s_um.size());
   for (std::size_t k = 0; k < recordings.size(); ++k) {
     const Recording& one = recordings[k];
     double a_um = 0.0, b_um = 0.0;

@@ -76,6 +76,7 @@ std::string table_of_rows(const std::vector<std::vector<std::string>>& rows) {
   Table table(heading);
   for (const std::vector<std::string>& row : rows) {
     std::vector<std::string> cells;
+    cells.reserve(columns.size());
     for (const std::size_t k : columns) cells.push_back(row[k]);
     table.add(cells);
   }
@@ -87,6 +88,7 @@ std::string group_text(const TestFiles& files, const MachineHistory& machine, st
                        std::size_t& left_out) {
   const std::vector<std::size_t>& places = machine.groups[group].tests;
   std::vector<MachineTest> tests;
+  tests.reserve(places.size());
   for (const std::size_t i : places) tests.push_back(files.tests[i]);
   const auto stored = std::count_if(tests.begin(), tests.end(), [](const MachineTest& one) { return one.stored; });
   std::string text =

@@ -3,7 +3,7 @@
 import { unpacked } from "./packed";
 import type { Answer, Question } from "./worker";
 
-// The output of a command. status: 0 success, 1 error in the input, 2 error in the command line.
+// The output of a command. status: 0 success, 1 error in the input, 2 error in the command line, 3 a test fails its tolerance.
 export interface Ran {
   status: number;
   out: string;
