@@ -13,10 +13,12 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/stored_errors.hpp"
+#include "ballbar/number_text.hpp"
 #include "ballbar/units.hpp"
 #include "errors/machine_errors_result.hpp"
 #include "errors/quantity_text.hpp"
 #include "errors/stored_test.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {
@@ -25,6 +27,7 @@ constexpr double kNothing_um = 0.02;      // readings are written to 0.01 um
 constexpr double kMoreThanRepeats = 1.5;  // times the repeatability: a form is left
 constexpr double kDiffers = 2.0;          // sigma
 constexpr double kDiffers_um = 0.3;
+constexpr double kMore_um = 0.05;  // half of the last digit
 
 MachineErrorOptions fit_options(const ErrorsReport& report, const ErrorsOptions& options) {
   MachineErrorOptions how = report.b5r ? error_options(*report.b5r) : MachineErrorOptions{};
@@ -140,6 +143,33 @@ std::optional<bool> same_as_stored(const ErrorsReport& report, const MachineErro
   return std::abs(*error.as_instrument - *stored) <= 1.5 * digit + 1e-6;
 }
 
+std::string group_text(const ErrorsReport& report, const ErrorGroup& group) {
+  const Plane plane = report.recordings.front().plane;
+  std::vector<std::string> members;
+  const Effect* last = nullptr;
+  for (const MachineError& alone : group.alone) {
+    const std::string value =
+        fmt::format("{} {}", with_sigma(alone.value, alone.sigma, decimals_showing(2, alone.sigma, 4)), alone.unit);
+    if (alone.effect == last) {
+      members.back() += " and " + value;
+    } else {
+      members.push_back(fmt::format("{} of {}", plain_name(alone.effect->name, plane), value));
+    }
+    last = alone.effect;
+  }
+  std::string text = fmt::format("{}", fmt::join(members, " or "));
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  const double arc_deg = deg_from_rad(arc_rad(report.recordings.front()));
+  const auto same_direction = [&](const Recording& one) {
+    return one.direction == report.recordings.front().direction;
+  };
+  text += std::ranges::all_of(report.recordings, same_direction) ? ": one direction cannot tell."
+          : arc_deg < 358.0 ? fmt::format(": an arc of {:.0f} deg cannot tell.", arc_deg)
+                            : ": these readings cannot tell.";
+  if (report.found.next) text += " " + measurement_text(*report.found.next);
+  return text;
+}
+
 const RankedError* first_of(const MachineErrors& found) {
   const std::vector<const RankedError*> significant = significant_of(found);
   return significant.empty() ? nullptr : significant.front();
@@ -159,12 +189,16 @@ std::vector<std::string> difference_texts(const ErrorsReport& report) {
     most_um = one.individual_circularity_um;
     why = fmt::format("{} explains a part of it here, and the instrument does not have that error", one.effect->name);
   }
-  std::vector<std::string> texts;
+  std::vector<std::string> texts, not_reproduced;
   for (const RankedError& one : found.ranked) {
     if (one.effect->rules.error_fit == ErrorFit::at_reversals) continue;  // of another rule by what it is
     for (const std::size_t row : one.rows) {
       const MachineError& error = found.errors[row];
       if (!error.as_instrument) continue;
+      if (same_as_stored(report, error) == false) {
+        not_reproduced.push_back(fmt::format("{} ({:.{}f}, stored {:g})", error.name, *error.as_instrument,
+                                             error.unit == "ms" ? 2 : 1, *stored_value_of(report, error)));
+      }
       const double difference = std::abs(error.value - *error.as_instrument);
       const double um = error.unit == "um" || error.value == 0.0
                             ? difference
@@ -175,20 +209,27 @@ std::vector<std::string> difference_texts(const ErrorsReport& report) {
                                   *error.as_instrument, decimals, why));
     }
   }
+  if (!not_reproduced.empty()) {
+    texts.push_back(
+        fmt::format("The instrument's column does not reproduce the stored {}: its maker documents no "
+                    "estimator, and this one is derived from other files.",
+                    fmt::join(not_reproduced, ", ")));
+  }
   return texts;
 }
 
 std::string verdict_of(const ErrorsReport& report) {
   if (!significant_of(report.found).empty()) return "named";
+  if (!report.found.groups.empty()) return "equivalent";
   return report.found.left ? "unexplained" : "nothing";
 }
 
-std::string conclusion(const ErrorsReport& report) {
+namespace {
+
+// What the significant errors say.
+std::string significant_text(const ErrorsReport& report) {
   const MachineErrors& found = report.found;
   const std::vector<const RankedError*> significant = significant_of(found);
-  if (significant.empty()) {
-    return fmt::format("The circularity is {:.1f} um. No error of the axes is significant.", found.circularity_um);
-  }
   const RankedError& most = *significant.front();
   const Plane plane = report.recordings.front().plane;
   std::string words = with_axes(most.effect->explanation.summary, plane);
@@ -203,10 +244,37 @@ std::string conclusion(const ErrorsReport& report) {
   std::vector<std::string> others;
   for (std::size_t k = 1; k < significant.size(); ++k)
     others.push_back(plain_name(significant[k]->effect->name, plane));
-  text += fmt::format("Correcting {} significant errors lowers it to {:.1f} um. The other{}: {}.",
-                      significant.size() == 2 ? "both" : "all " + number_word(significant.size()),
-                      found.circularity_without_all_um, others.size() == 1 ? "" : "s", fmt::join(others, ", "));
+  const std::string all = significant.size() == 2 ? "both" : "all " + number_word(significant.size());
+  if (found.circularity_without_all_um > most.circularity_without_um + kMore_um) {
+    text += fmt::format(
+        "Correcting {} significant errors leaves {:.1f} um, more than this one alone: at some angles the "
+        "readings do not follow their curves.",
+        all, found.circularity_without_all_um);
+  } else {
+    text +=
+        fmt::format("Correcting {} significant errors lowers it to {:.1f} um.", all, found.circularity_without_all_um);
+  }
+  text += fmt::format(" The other{}: {}.", others.size() == 1 ? "" : "s", fmt::join(others, ", "));
   return text;
+}
+
+}  // namespace
+
+std::string conclusion(const ErrorsReport& report) {
+  const MachineErrors& found = report.found;
+  const bool any = !significant_of(found).empty();
+  std::string leading, following;
+  for (const ErrorGroup& group : found.groups) {
+    if (leading.empty() && (group.rank == std::size_t{1} || !any)) {
+      leading = fmt::format("{} Together they cause {:.1f} um of the circularity of {:.1f} um. ",
+                            group_text(report, group), group.individual_circularity_um, found.circularity_um);
+    } else {
+      following += " " + group_text(report, group);
+    }
+  }
+  if (any) return leading + significant_text(report) + following;
+  if (!leading.empty()) return leading + "No single error of the axes is significant." + following;
+  return fmt::format("The circularity is {:.1f} um. No error of the axes is significant.", found.circularity_um);
 }
 
 std::string left_text(const ErrorsReport& report) {
@@ -215,7 +283,12 @@ std::string left_text(const ErrorsReport& report) {
   if (!found.one_by_one.empty()) {
     text = fmt::format("Remaining error, one error added at a time: circle alone {:.2f} um RMS", found.circle_rms_um);
     for (const AddedError& one : found.one_by_one) {
-      text += fmt::format(", + {} {:.2f}", plain_name(one.effect->name, report.recordings.front().plane), one.rms_um);
+      const Plane plane = report.recordings.front().plane;
+      std::vector<std::string> names;
+      if (!one.group) names.push_back(plain_name(one.effect->name, plane));
+      for (std::size_t k = 0; one.group && k < found.groups[*one.group].effects.size(); ++k)
+        names.push_back(plain_name(found.groups[*one.group].effects[k]->name, plane));
+      text += fmt::format(", + {} {:.2f}", fmt::join(names, " or "), one.rms_um);
     }
     text += ". ";
   }

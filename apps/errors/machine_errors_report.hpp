@@ -49,6 +49,10 @@ struct ErrorsReports {
 // Reads and fits the files. Throws Error for an unreadable file if it is the only one, or with `strict`.
 ErrorsReports errors_reports_of(const std::vector<Source>& files, const ErrorsOptions& options);
 
+// The members of a group with the value that each would have alone, why these readings cannot separate them, and what
+// would.
+std::string group_text(const ErrorsReport& report, const ErrorGroup& group);
+
 // The stored values of the file for each row and effect.
 std::optional<double> stored_value_of(const ErrorsReport& report, const MachineError& error);
 std::optional<int> stored_rank_of(const ErrorsReport& report, const RankedError& ranked);

@@ -141,15 +141,46 @@ inline constexpr auto kResult<ErrorRow> = ResultType{
         Field{"p_value", if_ranked([](const ErrorRow& of) { return of.ranked->p_value; }),
               "of noise that shows as much"},
         Field{"shape", if_ranked([](const ErrorRow& of) { return of.ranked->shape; }),
-              "width of a spike, deg; pitch of a cyclic error, mm; null: none"},
+              "width of a spike or of a step of play, deg; pitch of a cyclic error, mm; null: none"},
         Field{"remedy", if_ranked([](const ErrorRow& of) { return of.ranked->effect->explanation.remedy; }), ""},
+        Field{"group", of_rank(&RankedError::group), "place in error_groups; null: in none"},
         Field{"in_the_model", &ErrorRow::in_the_model, "with a model: whether it has this error"}}};
 
+// The value of a member of a group without the others.
 template <>
-inline constexpr auto kResult<AddedError> =
-    ResultType{"AddedError", "The residual with this error and those before it.",
-               std::tuple{Field{"effect", [](const AddedError& of) { return of.effect->name; }, ""},
-                          Field{"rms_um", &AddedError::rms_um, ""}}};
+inline constexpr auto kResult<MachineError> =
+    ResultType{"ErrorAlone", "The value of an error if no other member of its group is there.",
+               std::tuple{Field{"name", &MachineError::name, "squareness, servo_mismatch, ..."},
+                          Field{"value", &MachineError::value, ""}, Field{"sigma", &MachineError::sigma, ""},
+                          Field{"unit", &MachineError::unit, "um, um/m, ms"}}};
+
+template <>
+inline constexpr auto kResult<ErrorGroup> = ResultType{
+    "ErrorGroup", "Errors that the readings show together and cannot separate.",
+    std::tuple{Field{"name", [](const ErrorGroup& of) { return name_of(of); }, "squareness_or_servo_mismatch, ..."},
+               Field{"effects",
+                     [](const ErrorGroup& of) {
+                       std::vector<std::string> names;
+                       for (const Effect* effect : of.effects) names.push_back(effect->name);
+                       return names;
+                     },
+                     "its members, as `ballbar effects` lists them"},
+               Field{"alone", &ErrorGroup::alone, "each member, if no other is there"},
+               Field{"individual_circularity_um", &ErrorGroup::individual_circularity_um,
+                     "peak to peak of the curve of all members"},
+               Field{"sigma_um", &ErrorGroup::sigma_um, "of it"},
+               Field{"p_value", &ErrorGroup::p_value, "of noise that shows as much"},
+               Field{"rank", &ErrorGroup::rank, "among the errors; null: the circularity stays"},
+               Field{"circularity_without_um", &ErrorGroup::circularity_without_um, "that remains if they are mended"},
+               Field{"circularity_gain_um", &ErrorGroup::gain_um, "circularity now less that"},
+               Field{"circularity_gain_sigma_um", &ErrorGroup::gain_sigma_um, "null: not asked for"}}};
+
+template <>
+inline constexpr auto kResult<AddedError> = ResultType{
+    "AddedError", "The residual with this error and those before it.",
+    std::tuple{Field{"effect", [](const AddedError& of) { return of.effect->name; }, "of a group its first member"},
+               Field{"group", &AddedError::group, "place in error_groups; null: a single error"},
+               Field{"rms_um", &AddedError::rms_um, ""}}};
 
 template <>
 inline constexpr auto kResult<LeftHarmonic> = ResultType{
@@ -193,9 +224,10 @@ std::vector<BoundEffect> significant_effects(const ErrorsReport& report);
 
 inline constexpr auto kErrorsReportVerdictFields = std::tuple{
     Field{"conclusion", [](const ErrorsReport& of) { return conclusion(of); }, "what it says in plain words"},
-    Field{"verdict", [](const ErrorsReport& of) { return verdict_of(of); }, "named, unexplained, nothing"},
+    Field{"verdict", [](const ErrorsReport& of) { return verdict_of(of); }, "named, equivalent, unexplained, nothing"},
     Field{"named", &significant_effects, "errors that the test shows"},
-    Field{"errors", &error_rows, "by what mending them gains, then those of the circle"}};
+    Field{"errors", &error_rows, "by what mending them gains, then those of the circle"},
+    Field{"error_groups", [](const ErrorsReport& of) { return of.found.groups; }, "that the readings cannot separate"}};
 inline constexpr auto kErrorsReportFound = std::tuple{
     Field{"one_by_one", &MachineErrors::one_by_one, "the significant ones, each time that which leaves least"},
     Field{"circle_rms_um", &MachineErrors::circle_rms_um, "that the circles alone leave"},

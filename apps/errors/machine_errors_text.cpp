@@ -98,6 +98,21 @@ std::string table_text(const ErrorsReport& report, bool details) {
   heading.emplace_back("confirmed");
   Table table(heading);
   std::size_t rows = 0;
+  const auto cell_of_gain = [](double gain_um, double sigma_um) {
+    return std::isnan(sigma_um) ? plain(gain_um, 1) : with_sigma(gain_um, sigma_um, decimals_of_sigma(sigma_um));
+  };
+  // A group, and below it the value that each member has alone.
+  const auto add_group = [&](const ErrorGroup& group) {
+    rows += 1 + group.alone.size();
+    const int decimals = decimals_of_sigma(group.sigma_um);
+    table.add({name_of(group), with_sigma(group.individual_circularity_um, group.sigma_um, decimals), "um",
+               group.rank ? fmt::format("{}", *group.rank) : "none", cell_of_gain(group.gain_um, group.gain_sigma_um),
+               plain(group.individual_circularity_um, 2)});
+    for (const MachineError& alone : group.alone) {
+      table.add(
+          {"  only " + alone.name, with_sigma(alone.value, alone.sigma, decimals_of_sigma(alone.sigma)), alone.unit});
+    }
+  };
   const auto add = [&](const MachineError& error, const RankedError* ranked, bool first) {
     if (++rows > kErrorRows && !details) return;
     const int decimals = decimals_of_sigma(error.sigma);
@@ -107,10 +122,7 @@ std::string table_text(const ErrorsReport& report, bool details) {
     const RankedError* const of_effect = first ? ranked : nullptr;
     const auto once = [&](const std::string& text) { row.push_back(of_effect == nullptr ? "" : text); };
     once(ranked == nullptr || !ranked->significant ? "-" : ranked->rank ? fmt::format("{}", *ranked->rank) : "none");
-    once(ranked == nullptr || !ranked->significant ? ""
-         : std::isnan(ranked->gain_sigma_um)
-             ? plain(ranked->gain_um, 1)
-             : with_sigma(ranked->gain_um, ranked->gain_sigma_um, decimals_of_sigma(ranked->gain_sigma_um)));
+    once(ranked == nullptr || !ranked->significant ? "" : cell_of_gain(ranked->gain_um, ranked->gain_sigma_um));
     once(ranked == nullptr ? "" : plain(ranked->individual_circularity_um, 2));
     if (details) {
       const std::vector<std::string> instrument = instrument_cells(report, error, of_effect, stored);
@@ -123,7 +135,15 @@ std::string table_text(const ErrorsReport& report, bool details) {
   };
   const std::vector<ErrorRow> all = error_rows(report);
   const Effect* before = nullptr;
+  std::size_t next = 0;  // group
+  const auto add_groups_before = [&](std::size_t rank) {
+    const std::vector<ErrorGroup>& groups = report.found.groups;
+    while (next < groups.size() && groups[next].rank.value_or(rank) <= rank) add_group(groups[next++]);
+  };
   for (const ErrorRow& one : all) {
+    const bool has_rank = one.ranked && one.ranked->rank;
+    add_groups_before(has_rank ? *one.ranked->rank : report.found.ranked.size() + report.found.groups.size());
+    if (one.ranked && one.ranked->group && !details) continue;  // shown with its group
     const Effect* const effect = one.ranked ? one.ranked->effect : nullptr;
     add(one.error, one.ranked ? &*one.ranked : nullptr, effect == nullptr || effect != before);
     before = effect;
@@ -140,9 +160,10 @@ std::string legend_text(const ErrorsReport& report, bool details) {
       details && has_stored(report) ? "Stored: in the file; same: equal to the instrument's. " : "";
   return fmt::format(
       "Gain: reduction of the circularity by correcting this error alone; gains do not add up. Rank: by gain; "
-      "-: not significant, none: no gain. IC: circularity of this error alone. ± is one sigma. {}{}Confirmed: found "
+      "-: not significant, none: no gain. IC: circularity of this error alone. ± is one sigma. {}{}{}Confirmed: found "
       "in one direction, the error lowers the residual of the other.",
-      instrument, stored);
+      report.found.groups.empty() ? "" : "Only: the value if no other member of the group is there. ", instrument,
+      stored);
 }
 
 std::string prior_text(const ErrorsReport& report) {
@@ -170,7 +191,9 @@ void print_group(const ErrorsReport& report, bool details) {
   if (const std::optional<FeedForecast> forecast = forecast_of(report)) {
     fmt::print("{}", wrapped(forecast_text(*forecast)));
   }
-  if (const RankedError* const first = first_of(found)) fmt::print("\nballbar effects {}\n", first->effect->name);
+  const RankedError* const first = first_of(found);
+  if (first != nullptr && (first->rank == std::size_t{1} || found.groups.empty()))
+    fmt::print("\nballbar effects {}\n", first->effect->name);
   fmt::print("\n{}", table_text(report, details));
   fmt::print("{}", wrapped(legend_text(report, details)));
   const std::vector<std::string> differences = difference_texts(report);

@@ -123,7 +123,7 @@ MachineTest test_head(std::span<const Recording> recordings) {
 
 MachineTest machine_test(const MachineErrors& errors, std::span<const Recording> recordings) {
   MachineTest test = test_head(recordings);
-  test.quantities.reserve(errors.errors.size() + 4);
+  test.quantities.reserve(errors.errors.size() + errors.groups.size() + 4);
   for (const MachineError& row : errors.errors) {
     const bool of_set_up = row.effect == nullptr && row.name.starts_with("centre_");
     test.quantities.push_back({row.name, row.unit, row.value, row.sigma, of_set_up});
@@ -133,6 +133,10 @@ MachineTest machine_test(const MachineErrors& errors, std::span<const Recording>
       test.quantities[row].significant = ranked.significant;
       test.quantities[row].rank = ranked.rank;
     }
+  }
+  for (const ErrorGroup& group : errors.groups) {
+    test.quantities.push_back(
+        {name_of(group), "um", group.individual_circularity_um, group.sigma_um, false, true, group.rank});
   }
   test.quantities.push_back({"circularity", "um", errors.circularity_um,
                              std::sqrt(2.0) * std::hypot(errors.noise.white_um, errors.noise.correlated_um)});

@@ -131,7 +131,8 @@ GainMap GainMaps::of(const Indices& chosen, const Eigen::MatrixXd& precision) co
   // reading sees would have the sigma of its sum alone, or of rounding.
   Eigen::MatrixXd held = (kRidge * normal.diagonal()).asDiagonal();
   held.topLeftCorner(precision.rows(), precision.cols()) += precision;
-  map.open = stages_.slow_variance_um2 * inverse * held * inverse;
+  // The columns of an inverse err along what is open: as left factors, they leave what is determined exact.
+  map.open = stages_.slow_variance_um2 * inverse * held * inverse.transpose();
   return map;
 }
 

@@ -20,7 +20,6 @@ namespace {
 
 constexpr double kWidthsOfSpike = 4.0;  // to where 2 % of its height are left
 constexpr double kCorrelated = 0.9;     // gains of errors that the readings hardly separate
-constexpr double kUndetermined = 1e6;   // of variances: the readings do not tell this combination
 
 // What the centre adds beyond its first order: exact length less radius, a cos and b sin. fine: these three columns.
 Eigen::VectorXd second_order(const Eigen::VectorXd& circle, const Eigen::MatrixXd& fine, double length_mm,
@@ -157,21 +156,6 @@ struct Gains {
   Eigen::MatrixXd covariance;
 };
 
-// chi^2 of gains in the directions that the readings determine at all.
-double p_together(const Eigen::VectorXd& values, const Eigen::MatrixXd& covariance, const Eigen::VectorXd& size) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(size.asDiagonal() * covariance * size.asDiagonal());
-  const Eigen::VectorXd along = solved.eigenvectors().transpose() * size.cwiseProduct(values);
-  double chi2 = 0.0;
-  std::size_t determined = 0;
-  for (Eigen::Index k = 0; k < along.size(); ++k) {
-    const double variance = solved.eigenvalues()[k];
-    if (variance > kUndetermined * solved.eigenvalues()[0]) continue;
-    chi2 += along[k] * along[k] / std::max(variance, 1e-300);
-    ++determined;
-  }
-  return chi2_upper_tail(chi2, determined);
-}
-
 // Largest correlation between gains of two effects.
 double correlation(const Eigen::MatrixXd& covariance, const Indices& one, const Indices& other) {
   const Eigen::VectorXd sigma = covariance.diagonal().cwiseMax(1e-300).cwiseSqrt();
@@ -208,66 +192,48 @@ std::vector<std::vector<std::size_t>> correlated_sets(const std::vector<Indices>
   return sets;
 }
 
-// Groups among these effects with these columns, from the fit of all. alone(columns, others): gains of the fit with
-// these columns and without the others.
-template <class Alone>
-std::vector<FittedGroup> groups_of(const std::vector<FittedEffect>& effects, const std::vector<Indices>& columns,
-                                   const Gains& all, const Eigen::VectorXd& size, const Alone& alone_fit) {
+// Groups among the effects together and the extra ones: in the fit of all (`whole`) no member is significant, and each
+// is so in the fit (`chosen`) without the other members. `damping`: as in fit_all; each is so with it, too.
+template <class Covariance>
+std::vector<FittedGroup> groups_in(const Stages& stages, const GainMaps& maps, const GainMap& whole,
+                                   const Indices& chosen, const Eigen::VectorXd& z_data, const Covariance& covariance,
+                                   const Eigen::MatrixXd* damping) {
+  std::vector<FittedEffect> effects = stages.extra.effects;
+  effects.insert(effects.end(), stages.together.effects.begin(), stages.together.effects.end());
+  const Gains all{whole.t * z_data, covariance(whole) + whole.open};
+  std::vector<Indices> columns;
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < effects.size(); ++k) {
+    const bool is_extra = k < stages.extra.effects.size();
+    columns.push_back(columns_of(effects[k], is_extra ? stages.together.columns.size() : 0));
     const double p = p_of(all.values(columns[k]), all.covariance(columns[k], columns[k]));
     if (effects[k].searched * effects[k].looked_at * p >= kFalseErrors) open.push_back(k);
   }
   std::vector<FittedGroup> groups;
-  for (std::vector<std::size_t> set : correlated_sets(columns, open, all.covariance)) {
-    if (set.size() < 2) continue;
-    const Indices own = joined(columns, set);
+  for (const std::vector<std::size_t>& set : correlated_sets(columns, open, all.covariance)) {
+    const Indices of_set = joined(columns, set);
     FittedGroup group;
-    group.p = p_together(all.values(own), all.covariance(own, own), size(own));
-    const double limit = kFalseErrors / effects[set.front()].looked_at;
-    if (group.p >= limit) continue;
-    // A member explains the readings by itself, too.
-    std::vector<Gains> alone;
-    for (const std::size_t member : set) {
-      alone.push_back(alone_fit(columns[member], own));
+    for (const std::size_t k : set) {
+      Indices kept = columns[k];
+      std::ranges::copy_if(chosen, std::back_inserter(kept),
+                           [&](Eigen::Index one) { return std::ranges::find(of_set, one) == of_set.end(); });
+      const auto size = static_cast<Eigen::Index>(columns[k].size());
+      const GainMap alone = maps.of(kept, {});
+      const Eigen::VectorXd values = (alone.t * z_data).head(size);
+      const Eigen::MatrixXd spread = (covariance(alone) + alone.open).topLeftCorner(size, size);
+      double p = p_of(values, spread);
+      if (damping != nullptr) {
+        const GainMap damped = maps.of(kept, (*damping)(kept, kept));
+        p = std::max(p, p_of((damped.t * z_data).head(size), covariance(damped).topLeftCorner(size, size)));
+      }
+      if (p * effects[k].looked_at >= kFalseErrors) continue;
+      group.p = std::min(1.0, std::min(group.p, p * static_cast<double>(set.size())));
+      // In the order of JointErrorFit::effects.
+      group.effects.push_back(k + (k < stages.extra.effects.size() ? 0 : stages.spikes.effects.size()));
+      group.alone.push_back(values);
+      group.covariance.push_back(spread);
     }
-    const auto explains = [&](std::size_t m) { return p_of(alone[m].values, alone[m].covariance) < limit; };
-    std::size_t explaining = 0;
-    for (std::size_t m = 0; m < set.size(); ++m) explaining += explains(m) ? 1 : 0;
-    for (std::size_t m = 0; m < set.size(); ++m) {
-      if (explaining > 1 && !explains(m)) continue;
-      group.effects.push_back(set[m]);
-      group.alone.push_back(alone[m].values);
-      group.covariance.push_back(alone[m].covariance);
-    }
-    groups.push_back(std::move(group));
-  }
-  return groups;
-}
-
-// `chosen`: columns of the fit, of those together and the extra ones.
-template <class Covariance>
-std::vector<FittedGroup> groups_in(const Stages& stages, const GainMaps& maps, const GainMap& whole,
-                                   const Indices& chosen, const Eigen::VectorXd& z_data, const Covariance& covariance) {
-  const Eigen::Index p = stages.together.columns.size();
-  std::vector<FittedEffect> effects = stages.extra.effects;
-  effects.insert(effects.end(), stages.together.effects.begin(), stages.together.effects.end());
-  std::vector<Indices> columns;
-  for (std::size_t k = 0; k < effects.size(); ++k)
-    columns.push_back(columns_of(effects[k], k < stages.extra.effects.size() ? p : 0));
-  const auto alone = [&](const Indices& member, const Indices& group) {
-    Indices rest = member;
-    for (const Eigen::Index k : chosen) {
-      if (std::ranges::find(group, k) == group.end()) rest.push_back(k);
-    }
-    const GainMap map = maps.of(rest, Eigen::MatrixXd::Zero(0, 0));
-    const auto size = static_cast<Eigen::Index>(member.size());
-    return Gains{(map.t * z_data).head(size), (covariance(map) + map.open).topLeftCorner(size, size)};
-  };
-  std::vector<FittedGroup> groups = groups_of(effects, columns, {whole.t * z_data, covariance(whole) + whole.open},
-                                              maps.normal().diagonal().cwiseSqrt(), alone);
-  for (FittedGroup& group : groups) {  // in the order of JointErrorFit::effects
-    for (std::size_t& k : group.effects) k += k < stages.extra.effects.size() ? 0 : stages.spikes.effects.size();
+    if (group.effects.size() > 1) groups.push_back(std::move(group));
   }
   return groups;
 }
@@ -344,7 +310,7 @@ void fit_all(JointErrorFit& fitted, Stages& stages, const Eigen::VectorXd& far, 
         std::sqrt(statement.coefficients.dot(fitted.covariance.topLeftCorner(p, p) * statement.coefficients));
   }
   fitted.curve_gains = fitted.gains;
-  fitted.groups = groups_in(stages, maps, whole, chosen, z_data, covariance);
+  fitted.groups = groups_in(stages, maps, whole, chosen, z_data, covariance, damping);
   if (damping == nullptr) return;
   const GainMap damped = maps.joined(whole, chosen, maps.of(chosen, *damping));
   const Eigen::VectorXd gains = damped.t * z_data;
@@ -355,15 +321,6 @@ void fit_all(JointErrorFit& fitted, Stages& stages, const Eigen::VectorXd& far, 
     const Indices own = columns_of(effect, 0);
     effect.p_damped = p_of(gains(own), spread(own, own));
   }
-  std::erase_if(fitted.groups, [&](const FittedGroup& group) {
-    Indices own;
-    for (const std::size_t k : group.effects) {
-      const Indices of_one = columns_of(fitted.effects[k], 0);
-      own.insert(own.end(), of_one.begin(), of_one.end());
-    }
-    const double p_damped = p_together(gains(own), spread(own, own), fitted.normal.diagonal().cwiseSqrt()(own));
-    return p_damped * fitted.effects[group.effects.front()].looked_at >= kFalseErrors;
-  });
 }
 
 }  // namespace

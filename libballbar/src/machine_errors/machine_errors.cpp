@@ -132,6 +132,12 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
   return found;
 }
 
+std::string name_of(const ErrorGroup& group) {
+  std::string name;
+  for (const Effect* effect : group.effects) name += (name.empty() ? "" : "_or_") + effect->name;
+  return name;
+}
+
 std::optional<AxisScales> axis_scales(const MachineErrors& found, double nominal_length_mm) {
   std::optional<std::size_t> scale, mismatch;
   for (std::size_t k = 0; k < found.errors.size(); ++k) {

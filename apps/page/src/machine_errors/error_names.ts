@@ -2,6 +2,7 @@
 // of the page. Of several in one text each.
 import { axes_of_plane } from "../drawing/angles";
 import { plain } from "../drawing/text";
+import type { MachineErrorsPart } from "../report";
 import { language, named, t } from "../texts/texts";
 
 export const error_name = (name: string, plane: string | undefined, most = 60): string => {
@@ -28,6 +29,16 @@ export const error_name = (name: string, plane: string | undefined, most = 60): 
   );
   return plain(spaced.join("").replaceAll(" with ", ` ${t.errors_with} `), most);
 };
+
+type ErrorGroup = MachineErrorsPart["error_groups"][number];
+
+// Errors that the readings cannot separate: "squareness or servo mismatch".
+export const group_name = ({ effects }: ErrorGroup, plane: string | undefined): string =>
+  effects.map((effect) => error_name(effect, plane)).join(t.errors_or);
+
+// The group that comes before every error; a report of an older program has none.
+export const leading_group = ({ error_groups, errors }: MachineErrorsPart): ErrorGroup | undefined =>
+  (error_groups ?? []).find(({ rank }) => rank === 1 || !errors.some(({ significant }) => significant === true));
 
 // A name that is typed into commands, "lagged_expansion(T_room_degC)" or "backlash_a_pos". On a page that is not in
 // English it stands after what it means.

@@ -1,6 +1,6 @@
 // The errors of the machine, found from one test: the circle and the ranked table beside it.
 import { error_tests, type ErrorTest, ranked_errors } from "./error_curves";
-import { error_name, unit_shown } from "./error_names";
+import { error_name, group_name, leading_group, unit_shown } from "./error_names";
 import { error_page } from "./error_page";
 import { circle_table, errors_table, gains_table, stated_table } from "./error_tables";
 import { errors_picture, kErrors_picture, without_picture } from "./errors_pictures";
@@ -24,6 +24,11 @@ export const verdict_of = ({ part, recordings }: ErrorTest): Sentence => {
   const circularity = shown(part.circularity_um, 1);
   if (part.conclusion === "") return t.errors_circularity_is({ value: shown(part.circularity_um, 2) });
   if (language === "en") return english(part.conclusion);
+  const group = leading_group(part);
+  if (group) {
+    const errors = group_name(group, recordings[0]?.plane);
+    return t.errors_conclusion_group({ circularity, errors, um: shown(group.individual_circularity_um, 1) });
+  }
   const most = ranked_errors(part).find(({ first }) => first.rank !== null || first.significant === true);
   if (!most) return t.errors_conclusion_none({ circularity });
   const error = error_name(most.effect, recordings[0]?.plane);
@@ -35,7 +40,11 @@ export const verdict_of = ({ part, recordings }: ErrorTest): Sentence => {
 const residual_of = ({ part, recordings }: ErrorTest): Sentence => {
   const steps = part.one_by_one ?? []; // a report of an older program has none
   if (language === "en" || steps.length === 0) return english(part.left_text);
-  const added = steps.map(({ effect, rms_um }) => `+ ${error_name(effect, recordings[0]?.plane)} ${shown(rms_um, 2)}`);
+  const plane = recordings[0]?.plane;
+  const added = steps.map(({ effect, group, rms_um }) => {
+    const of_group = part.error_groups?.[group ?? -1];
+    return `+ ${of_group ? group_name(of_group, plane) : error_name(effect, plane)} ${shown(rms_um, 2)}`;
+  });
   const first = t.errors_one_by_one({ circle: shown(part.circle_rms_um, 2), added: added.join(", ") });
   return english_after(first, part.left_text.slice(part.left_text.indexOf(". ") + 2));
 };

@@ -1,7 +1,7 @@
 // All tests in one table: of each the numbers of ISO 230-4 against the limits of its file, its largest error and what
 // mending that gains. A column a test, as they are few; many have a row each.
 import { type ErrorTest, ranked_errors, type RankedError } from "./error_curves";
-import { error_name, unit_shown } from "./error_names";
+import { error_name, group_name, leading_group, unit_shown } from "./error_names";
 import { once_each } from "../recordings/recording_groups";
 import { plain } from "../drawing/text";
 import { decimals_for, shown, with_sigma } from "../drawing/theme";
@@ -72,11 +72,14 @@ const largest_error = ({ part }: ErrorTest): RankedError | undefined =>
   ranked_errors(part).find(({ first }) => first.rank !== null || first.significant === true);
 
 const largest_of = (test: ErrorTest): string => {
+  const group = leading_group(test.part);
+  if (group) return group_name(group, test.recordings[0]?.plane);
   const largest = largest_error(test);
   return largest ? error_name(largest.effect, test.recordings[0]?.plane) : "–";
 };
 
-const without_largest = (test: ErrorTest): string => shown(largest_error(test)?.first.circularity_without_um, 2);
+const without_largest = (test: ErrorTest): string =>
+  shown((leading_group(test.part) ?? largest_error(test)?.first)?.circularity_without_um, 2);
 
 const value_of = ({ part }: ErrorTest, name: string): string => {
   const row = part.errors.find((one) => one.name === name);

@@ -206,6 +206,10 @@ export const de: Texts = {
     ({ circularity, error }) => `Die Kreisformabweichung beträgt ${circularity} µm. Die Behebung von ${error} allein senkt sie nicht.`,
   errors_conclusion_none:
     ({ circularity }) => `Die Kreisformabweichung beträgt ${circularity} µm. Kein Fehler der Achsen ist signifikant.`,
+  errors_conclusion_group:
+    ({ circularity, errors, um }) =>
+      `Die Kreisformabweichung beträgt ${circularity} µm, davon ${um} µm durch ${errors}: Diese Messwerte können das nicht unterscheiden.`,
+  errors_or: " oder ",
   errors_of_axis: ({ name, axis }) => `${name} ${axis}`,
   errors_gain: "Gewinn µm",
   errors_whole_table: "Alle Fehler, mit den Werten des Messgeräts",

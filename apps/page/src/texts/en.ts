@@ -213,6 +213,10 @@ export const en = {
     ({ circularity, error }: { circularity: string; error: string }) => `The circularity is ${circularity} µm. Correcting ${error} alone does not lower it.`,
   errors_conclusion_none:
     ({ circularity }: { circularity: string }) => `The circularity is ${circularity} µm. No error of the axes is significant.`,
+  errors_conclusion_group:
+    ({ circularity, errors, um }: { circularity: string; errors: string; um: string }) =>
+      `The circularity is ${circularity} µm, ${um} µm of it by ${errors}: these readings cannot tell which.`,
+  errors_or: " or ",
   errors_of_axis: ({ name, axis }: { name: string; axis: string }) => `${name} of ${axis}`,
   errors_gain: "gain µm",
   errors_whole_table: "All errors, with the instrument's values",

@@ -8,8 +8,13 @@
 // The fit is unweighted, over the readings farther than 1.5 deg from a reversal. V is the covariance of the residual
 // noise of this full model: white and correlated, by restricted likelihood, averaged over correlation length and share.
 // A reversal spike is fitted to the residual of all others within 9 deg after its own reversal. If it is significant,
-// these readings are left out of the fit of the others. The width of the spikes and the pitch of the cyclic errors are
-// the only shapes; both are searched on a grid.
+// these readings are left out of the fit of the others. Play is taken up over a width of 0 to 1.5 deg after a reversal;
+// a spike needs a Bayes factor of 2 ln B >= 10 beside a step of any width (heights N(0, 3 um), equal priors of the
+// widths). The widths of steps and spikes and the pitch of the cyclic errors are the only shapes; all are searched on a
+// grid.
+//
+// Errors that the readings cannot separate are groups (ErrorGroup). A group is a set of effects whose gains are
+// correlated by more than 0.9. None of them is significant beside the others, and each is significant without them.
 //
 // Each value comes with the value that instrument software would give (`as_instrument`, no sigma): (X' X + L)^-1 X' y.
 // The precisions L pull errors to 0 that an arc determines poorly. They are derived from stored values and curves. On
@@ -69,7 +74,7 @@ struct InstrumentRank {
 // One effect with all of its rows, and its influence on the circle.
 struct RankedError {
   const Effect* effect = nullptr;
-  std::optional<double> shape;             // width of a spike, deg; pitch of a cyclic error, mm
+  std::optional<double> shape;             // width of a spike or of a step of play, deg; pitch, mm
   std::vector<std::size_t> rows;           // indices into MachineErrors::errors
   double individual_circularity_um = 0.0;  // IC: peak to peak of its own curve over all recordings
   double share_percent = 0.0;              // of the sum of all IC
@@ -87,19 +92,22 @@ struct RankedError {
 };
 
 // Errors that the readings show together and cannot separate: one direction does not tell squareness from servo
-// mismatch. It is found from the covariance of the joint fit: no member is significant beside the others, all of them
-// together are.
+// mismatch. It is found from the covariance of the joint fit: no member is significant beside the others, and each one
+// is significant without them.
 struct ErrorGroup {
   std::vector<const Effect*> effects;
   std::vector<MachineError> alone;         // the rows of each member, if it is the only one of the group
   double individual_circularity_um = 0.0;  // peak to peak of the curve of all members
   double sigma_um = 0.0;                   // of it
-  double p_value = 1.0;                    // of all gains together
+  double p_value = 1.0;                    // of its most significant member, corrected for their number
   std::optional<std::size_t> rank;         // among the significant errors; nullopt: no gain
   double circularity_without_um = 0.0;     // circularity if the members are corrected
   double gain_um = 0.0;
   double gain_sigma_um = 0.0;  // NaN: not requested
 };
+
+// "squareness_or_servo_mismatch"
+std::string name_of(const ErrorGroup& group);
 
 // A harmonic in the residual.
 struct LeftHarmonic {
