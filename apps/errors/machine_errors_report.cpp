@@ -191,7 +191,6 @@ std::vector<std::string> difference_texts(const ErrorsReport& report) {
   }
   std::vector<std::string> texts, not_reproduced;
   for (const RankedError& one : found.ranked) {
-    if (one.effect->rules.error_fit == ErrorFit::at_reversals) continue;  // of another rule by what it is
     for (const std::size_t row : one.rows) {
       const MachineError& error = found.errors[row];
       if (!error.as_instrument) continue;
@@ -199,6 +198,7 @@ std::vector<std::string> difference_texts(const ErrorsReport& report) {
         not_reproduced.push_back(fmt::format("{} ({:.{}f}, stored {:g})", error.name, *error.as_instrument,
                                              error.unit == "ms" ? 2 : 1, *stored_value_of(report, error)));
       }
+      if (one.effect->rules.error_fit == ErrorFit::at_reversals) continue;  // of another rule by what it is
       const double difference = std::abs(error.value - *error.as_instrument);
       const double um = error.unit == "um" || error.value == 0.0
                             ? difference
@@ -210,10 +210,10 @@ std::vector<std::string> difference_texts(const ErrorsReport& report) {
     }
   }
   if (!not_reproduced.empty()) {
-    texts.push_back(
-        fmt::format("The instrument's column does not reproduce the stored {}: its maker documents no "
-                    "estimator, and this one is derived from other files.",
-                    fmt::join(not_reproduced, ", ")));
+    texts.insert(texts.begin(),
+                 fmt::format("The instrument's column does not reproduce the stored {}: its maker documents no "
+                             "estimator, and this one is derived from other files.",
+                             fmt::join(not_reproduced, ", ")));
   }
   return texts;
 }
