@@ -136,16 +136,16 @@ void refit(Stages& stages, const Eigen::VectorXd& far, const Eigen::MatrixXd& pr
   with_first(stages.cyclic, stages.first);
 }
 
-// Gains of the first fit, once the cyclic errors are taken off, and what both leave of the rows.
+// Gains of a fit of the columns together, once the cyclic errors are taken off, and what both leave of the rows.
 struct FirstFit {
   Eigen::VectorXd gains, left;
 };
-FirstFit first_fit(const Stages& stages, const ErrorRows& rows) {
+FirstFit first_fit(const Stages& stages, const Block& together, const ErrorRows& rows) {
   const Eigen::MatrixXd& columns = stages.together.columns.values;
   const Eigen::VectorXd first_left = rows.deviation_um - columns * stages.first.solve(rows.deviation_um);
   const Eigen::VectorXd without_cyclic =
       rows.deviation_um - stages.cyclic.part.columns.values * stages.cyclic.block.solve(first_left);
-  FirstFit fit{stages.first.solve(without_cyclic), {}};
+  FirstFit fit{together.solve(without_cyclic), {}};
   fit.left = without_cyclic - columns * fit.gains;
   return fit;
 }
@@ -239,9 +239,9 @@ std::vector<FittedGroup> groups_in(const Stages& stages, const GainMaps& maps, c
 }
 
 // The steps of the plays get the widths that the readings show. Result: the spikes that a step of some width explains.
-std::vector<const Effect*> fit_step_widths(Stages& stages, const ErrorRows& rows,
+std::vector<const Effect*> fit_step_widths(Stages& stages, const Block& together, const ErrorRows& rows,
                                            const std::vector<const Effect*>& spikes, const Noise& noise) {
-  const auto [gains, left] = first_fit(stages, rows);
+  const auto [gains, left] = first_fit(stages, together, rows);
   std::vector<const Effect*> explained;
   for (const Effect* spike : spikes) {
     const auto step = std::ranges::find_if(stages.together.effects, [&](const FittedEffect& one) {
@@ -406,7 +406,7 @@ JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options
   const Eigen::VectorXd waves = damped_waves.solve(measured - columns * damped.solve(measured));
   const Eigen::VectorXd gains = damped.solve(measured - stages.cyclic.part.columns.values * waves);
 
-  const Eigen::VectorXd left = first_fit(stages, of).left;
+  const Eigen::VectorXd left = first_fit(stages, stages.first, of).left;
   stages.extra = extra_part(where_they_show, of, {&columns, &stages.first}, left, far);
   Eigen::MatrixXd smooth(of.size(), columns.cols() + waves.size() + stages.extra.columns.size());
   smooth.leftCols(columns.cols()) = columns;
@@ -422,9 +422,10 @@ JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options
   const QuietRows quiet = quiet_rows(of, smooth);
   fitted.noise = error_noise(quiet.rows, quiet.columns);
   fitted.slow_variance_um2 = slow_variance_um2(of, fitted.noise);
-  const std::vector<const Effect*> explained = fit_step_widths(stages, of, at_reversals, fitted.noise.front().noise);
+  const std::vector<const Effect*> explained =
+      fit_step_widths(stages, damping == nullptr ? stages.first : damped, of, at_reversals, fitted.noise.front().noise);
   const auto fit_spikes = [&] {
-    stages.spikes = spikes_in(at_reversals, of, first_fit(stages, of).left, fitted.noise.front().noise);
+    stages.spikes = spikes_in(at_reversals, of, first_fit(stages, stages.first, of).left, fitted.noise.front().noise);
     for (FittedEffect& one : stages.spikes.effects)
       one.is_needed = std::ranges::find(explained, one.effect) == explained.end();
   };
