@@ -4,7 +4,7 @@
 //
 // The readings come from the kinematics of two axes with a scale error each and a squareness, not from the model of
 // the fit; radius 100 mm, 0.01 um resolution. Sizes are fixed or uniform, the signs random: mismatch of the scales and
-// squareness of 10 to 40 um/m, which is 0.5 to 2 um of amplitude. Noise: white; white with a memory of 3 deg; a memory
+// squareness of 0 to 80 um/m, which is up to 4 um of amplitude. Noise: white; white with a memory of 3 deg; a memory
 // of 8 deg alone. Before: the circle alone (CircleOptions::oval = false). Fails (exit 1) where a coverage leaves its range.
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ struct OvalOf {
   const char* name;
   double least_um_per_m, most_um_per_m;  // mismatch of the scales, and squareness
 };
-constexpr OvalOf kOvals[] = {{"15", 15.0, 15.0}, {"30", 30.0, 30.0}, {"0 to 40", 0.0, 40.0}};
+constexpr OvalOf kOvals[] = {{"20", 20.0, 20.0}, {"50", 50.0, 50.0}, {"0 to 80", 0.0, 80.0}};
 
 struct Truth {
   double a_um = 0.0, b_um = 0.0, radius_um = 0.0;

@@ -15,62 +15,93 @@ namespace ballbar {
 namespace {
 
 constexpr double kOvalOfRadius = 20e-6, kLeastOval_um = 0.5;
-struct OvalSize {
-  double times, prior;
+struct SizeOf {
+  double times, prior;  // of the usual oval
 };
-constexpr std::array kOvals = {OvalSize{0.5, 0.25}, OvalSize{1.0, 0.4}, OvalSize{2.0, 0.25}, OvalSize{4.0, 0.1}};
+constexpr std::array kOvals = {SizeOf{0.5, 0.3}, SizeOf{1.0, 0.45}, SizeOf{2.0, 0.2}, SizeOf{4.0, 0.05}};
+// Of the third harmonic. More of it is seldom, and then the readings of a longer arc show it.
+constexpr std::array kThirds = {SizeOf{0.0, 0.9}, SizeOf{0.25, 0.07}, SizeOf{0.7, 0.03}};
 constexpr std::array kLogWhites = {-6.0, 0.0, 2.0, 4.0};  // white variance over what is new of the memory in a row
 constexpr std::size_t kMemories = 6;
 constexpr double kLongestMemory = 0.25;  // of the arc: what lasts longer has the form of the circle and its oval
-constexpr Eigen::Index kFewRows = 12;    // of which no memory can be told
-constexpr double kUnlikely = 20.0;       // ln of the likelihood below the best
+constexpr Eigen::Index kFewRows = 16;    // of which no memory can be told
+constexpr double kUnlikely = 9.0;        // ln of the likelihood below the best
 
-using Matrix5d = Eigen::Matrix<double, 5, 5>;
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
+constexpr int kArcColumns = ArcRows::kColumns, kArcUnknowns = kArcColumns - 1;
+using Triangle = Eigen::Matrix<double, kArcColumns, kArcColumns>;
+using ArcUnknowns = Eigen::Vector<double, kArcUnknowns>;
+using ArcUnknownsCovariance = Eigen::Matrix<double, kArcUnknowns, kArcUnknowns>;
 
-// With what is likely of one noise and one size of the oval.
-struct Point {
-  double log_likelihood = 0.0;
-  Eigen::Matrix<double, 5, 1> mean;
-  Matrix5d covariance;
+// Standard deviations of u, and their share beforehand.
+struct Sizes {
+  Eigen::Vector4d um;
+  double prior = 0.0;
 };
 
-Matrix6d triangle_of(const Eigen::MatrixXd& columns) {
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns);
-  Matrix6d triangle = Matrix6d::Zero();
-  const Eigen::Index rows = std::min<Eigen::Index>(6, columns.rows());
-  triangle.topRows(rows) = qr.matrixQR().topRows(rows).triangularView<Eigen::Upper>();
+std::vector<Sizes> sizes_of(double oval_um) {
+  std::vector<Sizes> sizes;
+  for (const SizeOf& second : kOvals) {
+    for (const SizeOf& third : kThirds) {
+      sizes.push_back({oval_um * Eigen::Vector4d(second.times, second.times, third.times, third.times),
+                       second.prior * third.prior});
+    }
+  }
+  return sizes;
+}
+
+// With one noise and one size of u: what they leave likely.
+struct Point {
+  double log_likelihood = 0.0, weight = 0.0;  // weights sum to 1
+  ArcUnknowns mean;
+  ArcUnknownsCovariance covariance;
+};
+
+template <class Columns>
+Triangle triangle_of(const Columns& columns) {
+  const Eigen::HouseholderQR<Columns> qr(columns);
+  Triangle triangle = Triangle::Zero();
+  const Eigen::Index rows = std::min<Eigen::Index>(kArcColumns, columns.rows());
+  triangle.topRows(rows) = qr.matrixQR().topRows(rows).template triangularView<Eigen::Upper>();
   return triangle;
 }
 
-// The triangle of white [X Z y], with the prior of the oval as two rows more:
-//   |U b - q|^2 + d^2,  covariance (U' U)^-1,  -2 ln L = ln det V + n ln v + 4 ln s + ln det U' U + d^2
-Point point_of(const Matrix6d& white, double log_determinant, double rows, double variance, double oval_um) {
-  Eigen::MatrixXd stacked = Eigen::MatrixXd::Zero(8, 6);
-  stacked.topRows<6>() = white / std::sqrt(variance);
-  stacked(6, 3) = stacked(7, 4) = 1.0 / oval_um;
-  const Matrix6d triangle = triangle_of(stacked);
-  const auto upper = triangle.topLeftCorner<5, 5>().triangularView<Eigen::Upper>();
-  const Matrix5d inverse = upper.solve(Matrix5d::Identity());
+// The triangle of white [X Z y], with the prior of u as rows more:
+//   |U b - q|^2 + d^2,  covariance (U' U)^-1,  -2 ln L = ln det V + n ln v + 2 ln s1 s2 s3 s4 + ln det U' U + d^2
+Point point_of(const Triangle& white, double log_determinant, double rows, double variance,
+               const Eigen::Vector4d& sizes_um) {
+  constexpr double kNothing_um = 1e-6;
+  Eigen::Matrix<double, kArcColumns + 4, kArcColumns> stacked =
+      Eigen::Matrix<double, kArcColumns + 4, kArcColumns>::Zero();
+  stacked.topRows<kArcColumns>() = white / std::sqrt(variance);
+  double log_sizes = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    const double size = std::max(sizes_um[k], kNothing_um);
+    stacked(kArcColumns + k, 3 + k) = 1.0 / size;
+    log_sizes += std::log(size);
+  }
+  const Triangle triangle = triangle_of(stacked);
+  const auto upper = triangle.topLeftCorner<kArcUnknowns, kArcUnknowns>().triangularView<Eigen::Upper>();
+  const ArcUnknownsCovariance inverse = upper.solve(ArcUnknownsCovariance::Identity());
   Point point;
-  point.mean = inverse * triangle.topRightCorner<5, 1>();
+  point.mean = inverse * triangle.topRightCorner<kArcUnknowns, 1>();
   point.covariance = inverse * inverse.transpose();
-  point.log_likelihood = -0.5 * (log_determinant + rows * std::log(variance) + 4.0 * std::log(oval_um) +
-                                 2.0 * triangle.diagonal().head<5>().array().abs().log().sum() +
-                                 triangle(5, 5) * triangle(5, 5));
+  point.log_likelihood = -0.5 * (log_determinant + rows * std::log(variance) + 2.0 * log_sizes +
+                                 2.0 * triangle.diagonal().head<kArcUnknowns>().array().abs().log().sum() +
+                                 triangle(kArcUnknowns, kArcUnknowns) * triangle(kArcUnknowns, kArcUnknowns));
   return point;
 }
 
-// v: what X and Z leave; of few rows what X leaves, and the oval is in it.
-double variance_of(const Matrix6d& white, Eigen::Index rows) {
+// v: what X and Z leave; of few rows what X leaves, and u is in it.
+double variance_of(const Triangle& white, Eigen::Index rows) {
   const double least = std::numeric_limits<double>::min();
-  if (rows < kFewRows) return std::max(white.col(5).tail<3>().squaredNorm() / static_cast<double>(rows - 3), least);
-  return std::max(white(5, 5) * white(5, 5) / static_cast<double>(rows - 5), least);
+  const Eigen::Index fitted = rows < kFewRows ? 3 : kArcUnknowns;
+  return std::max(white.col(kArcUnknowns).tail(kArcColumns - fitted).squaredNorm() / static_cast<double>(rows - fitted),
+                  least);
 }
 
 // Independent rows over rows, for the worst of b:  v (X'X)^-1 over (X' V^-1 X)^-1, of one variance of a row.
-double effective_share(const Matrix6d& plain, const Matrix6d& white) {
-  const auto variances = [](const Matrix6d& triangle) {
+double effective_share(const Triangle& plain, const Triangle& white) {
+  const auto variances = [](const Triangle& triangle) {
     const Eigen::Matrix3d inverse =
         triangle.topLeftCorner<3, 3>().triangularView<Eigen::Upper>().solve(Eigen::Matrix3d::Identity());
     return Eigen::Array3d(inverse.rowwise().squaredNorm().array());
@@ -97,21 +128,21 @@ ArcEstimate arc_estimate(const ArcRows& rows, double oval_um) {
   const Eigen::Index n = rows.columns.rows();
   std::vector<double> times(static_cast<std::size_t>(n));
   for (std::size_t i = 0; i < times.size(); ++i) times[i] = static_cast<double>(i);
-  const Matrix6d plain = triangle_of(rows.columns);
+  const Triangle plain = triangle_of(rows.columns);
   const std::vector<Covariance> noises = noises_of(n);
+  const std::vector<Sizes> sizes = sizes_of(oval_um);
   std::vector<Point> points;
   double best = -std::numeric_limits<double>::infinity();
   ArcEstimate estimate;
   for (const Covariance& noise : noises) {
     const Whitening whitening(noise, times);
-    const Matrix6d white = triangle_of(whitened_rows(whitening, rows.columns));
+    const Triangle white = triangle_of(whitened_rows(whitening, rows.columns));
     const double variance = variance_of(white, n);
     // White noise is as likely beforehand as all memories together.
     const double log_prior = noise.correlated > 0.0 ? -std::log(static_cast<double>(noises.size() - 1)) : 0.0;
-    for (const OvalSize& size : kOvals) {
-      Point point =
-          point_of(white, whitening.log_determinant(), static_cast<double>(n), variance, size.times * oval_um);
-      point.log_likelihood += log_prior + std::log(size.prior);
+    for (const auto& [sizes_um, prior] : sizes) {
+      Point point = point_of(white, whitening.log_determinant(), static_cast<double>(n), variance, sizes_um);
+      point.log_likelihood += log_prior + std::log(prior);
       if (point.log_likelihood > best) {
         best = point.log_likelihood;
         estimate.autocorrelation = noise.correlated > 0.0 ? std::exp(-1.0 / noise.time_s) : 0.0;
@@ -120,20 +151,19 @@ ArcEstimate arc_estimate(const ArcRows& rows, double oval_um) {
       points.push_back(point);
     }
   }
+  std::erase_if(points, [&](const Point& point) { return point.log_likelihood < best - kUnlikely; });
   double sum = 0.0;
-  Eigen::Matrix<double, 5, 1> mean = Eigen::Matrix<double, 5, 1>::Zero();
-  Matrix5d square = Matrix5d::Zero();
-  for (const Point& point : points) {
-    if (!(point.log_likelihood > best - kUnlikely)) continue;
-    const double weight = std::exp(point.log_likelihood - best);
-    sum += weight;
-    mean += weight * point.mean;
-    square += weight * (point.covariance + point.mean * point.mean.transpose());
+  for (Point& point : points) sum += point.weight = std::exp(point.log_likelihood - best);
+  ArcUnknowns mean = ArcUnknowns::Zero();
+  ArcUnknownsCovariance square = ArcUnknownsCovariance::Zero();
+  for (Point& point : points) {
+    point.weight /= sum;
+    mean += point.weight * point.mean;
+    square += point.weight * (point.covariance + point.mean * point.mean.transpose());
   }
-  mean /= sum;
   estimate.b = mean.head<3>();
-  estimate.oval_um = mean.tail<2>();
-  estimate.covariance_um2 = (square / sum - mean * mean.transpose()).topLeftCorner<3, 3>();
+  estimate.u = mean.tail<4>();
+  estimate.covariance_um2 = (square - mean * mean.transpose()).topLeftCorner<3, 3>();
   return estimate;
 }
 

@@ -176,8 +176,9 @@ void for_each_arc_row(const Rows& rows, const Eigen::Vector3d& p, const std::vec
   least_squares::for_each_block<3>(rows, p, [&](Eigen::Index first, const auto& part) {
     for (Eigen::Index i = 0; i < part.rows(); ++i) {
       const double twice_rad = 2.0 * angle_rad[static_cast<std::size_t>(first + i)];
-      Eigen::Matrix<double, 1, 6> row;
-      row << -part.row(i).template head<3>(), std::cos(twice_rad), std::sin(twice_rad), part(i, 3);
+      Eigen::RowVector<double, ArcRows::kColumns> row;
+      row << -part.row(i).template head<3>(), std::cos(twice_rad), std::sin(twice_rad), std::cos(1.5 * twice_rad),
+          std::sin(1.5 * twice_rad), part(i, 3);
       use(first + i, row);
     }
   });
@@ -190,17 +191,18 @@ ArcRows arc_rows(const Rows& rows, const Eigen::Vector3d& p, const std::vector<d
   const Eigen::Index kept = rows.size() - static_cast<Eigen::Index>(discounted.size());
   const Eigen::Index together = (kept + kMostArcRows - 1) / kMostArcRows;
   ArcRows means;
-  means.columns.setZero(kept / together, 6);  // fewer than `together` at the end are left out
+  means.columns.setZero(kept / together, ArcRows::kColumns);  // fewer than `together` at the end are left out
   auto next = discounted.begin();
   Eigen::Index taken = 0;
-  for_each_arc_row(rows, p, angle_rad, [&](Eigen::Index reading, const Eigen::Matrix<double, 1, 6>& row) {
-    if (next != discounted.end() && static_cast<Eigen::Index>(*next) == reading) {
-      ++next;
-      return;
-    }
-    const Eigen::Index mean = taken++ / together;
-    if (mean < means.columns.rows()) means.columns.row(mean) += row / static_cast<double>(together);
-  });
+  for_each_arc_row(rows, p, angle_rad,
+                   [&](Eigen::Index reading, const Eigen::RowVector<double, ArcRows::kColumns>& row) {
+                     if (next != discounted.end() && static_cast<Eigen::Index>(*next) == reading) {
+                       ++next;
+                       return;
+                     }
+                     const Eigen::Index mean = taken++ / together;
+                     if (mean < means.columns.rows()) means.columns.row(mean) += row / static_cast<double>(together);
+                   });
   return means;
 }
 
@@ -222,22 +224,24 @@ void take_up_oval(const Rows& rows, const Eigen::Vector3d& p, const std::vector<
   circle.centre_a_um += estimate.b[0];
   circle.centre_b_um += estimate.b[1];
   circle.radius_mm += mm_from_um(estimate.b[2]);
-  Eigen::Matrix<double, 6, 1> left;
-  left << -estimate.b, -estimate.oval_um, 1.0;
+  Eigen::Vector<double, ArcRows::kColumns> left;
+  left << -estimate.b, -estimate.u, 1.0;
   double sum = 0.0, sum_kept = 0.0;
   auto next = circle.discounted.begin();
-  for_each_arc_row(rows, p, angle_rad, [&](Eigen::Index reading, const Eigen::Matrix<double, 1, 6>& row) {
-    const double residual = row.dot(left);
-    sum += residual * residual;
-    if (next != circle.discounted.end() && static_cast<Eigen::Index>(*next) == reading) {
-      ++next;
-    } else {
-      sum_kept += residual * residual;
-    }
-  });
+  for_each_arc_row(rows, p, angle_rad,
+                   [&](Eigen::Index reading, const Eigen::RowVector<double, ArcRows::kColumns>& row) {
+                     const double residual = row.dot(left);
+                     sum += residual * residual;
+                     if (next != circle.discounted.end() && static_cast<Eigen::Index>(*next) == reading) {
+                       ++next;
+                     } else {
+                       sum_kept += residual * residual;
+                     }
+                   });
   const auto n = static_cast<double>(rows.size());
   circle.rms_um = std::sqrt(sum / n);
-  circle.sigma_reading_um = std::sqrt(sum_kept / std::max(1.0, n - static_cast<double>(circle.discounted.size()) - 5.0));
+  circle.sigma_reading_um =
+      std::sqrt(sum_kept / std::max(1.0, n - static_cast<double>(circle.discounted.size()) - 5.0));
 }
 
 template <class Rows>
