@@ -5,7 +5,8 @@
 // The readings come from the kinematics of two axes with a scale error each and a squareness, not from the model of
 // the fit; radius 100 mm, 0.01 um resolution. Sizes are fixed or uniform, the signs random: mismatch of the scales and
 // squareness of 0 to 80 um/m, which is up to 4 um of amplitude. Noise: white; white with a memory of 3 deg; a memory
-// of 8 deg alone. Before: the circle alone (CircleOptions::oval = false). Fails (exit 1) where a coverage leaves its range.
+// of 8 deg alone. Before: the circle alone (CircleOptions::oval = false). Fails (exit 1) where a coverage leaves its
+// range.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -137,8 +138,9 @@ bool print_row(const std::string& name, const Row& row, double least, double mos
 
 int main(int argc, char** argv) {
   const int seeds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 16;
-  fmt::print("Coverage in % of 2 sigma of centre A, centre B, radius; root mean square of the error and of the sigma of "
-             "the centre, um\n");
+  fmt::print(
+      "Coverage in % of 2 sigma of centre A, centre B, radius; root mean square of the error and of the sigma of "
+      "the centre, um\n");
   fmt::print("{:<40} {:>6} | {:<36} | {:<36}\n", "", "", "the circle alone (before)", "with the oval");
   fmt::print("{:<40} {:>6} | {:>6} {:>6} {:>6} {:>7} {:>7} | {:>6} {:>6} {:>6} {:>7} {:>7}\n", "case", "fits", "A", "B",
              "R", "error", "sigma", "A", "B", "R", "error", "sigma");
@@ -159,8 +161,8 @@ int main(int argc, char** argv) {
             const double start_deg = std::uniform_real_distribution<double>(0.0, 360.0)(random);
             Row row;
             for (const Direction direction : {Direction::CCW, Direction::CW}) {
-              const Recording recording = recording_of(truth, kNoises[n], kArcs_deg[a], kSpacings_deg[s], start_deg,
-                                                       direction, random);
+              const Recording recording =
+                  recording_of(truth, kNoises[n], kArcs_deg[a], kSpacings_deg[s], start_deg, direction, random);
               row.before.add(fit_circle(recording, {.oval = false}), truth);
               row.now.add(fit_circle(recording), truth);
               if (seed % 2 == 0) break;  // one direction
@@ -184,6 +186,7 @@ int main(int argc, char** argv) {
   for (std::size_t o = 0; o < std::size(kOvals); ++o)
     good = print_row(fmt::format("mismatch, squareness {} um/m", kOvals[o].name), of_oval[o], 0.92, 0.98) && good;
   good = print_row("all", all, 0.92, 0.98) && good;
-  const bool better = std::hypot(all.now.off_um(0), all.now.off_um(1)) < std::hypot(all.before.off_um(0), all.before.off_um(1));
+  const bool better =
+      std::hypot(all.now.off_um(0), all.now.off_um(1)) < std::hypot(all.before.off_um(0), all.before.off_um(1));
   return good && better ? 0 : 1;
 }

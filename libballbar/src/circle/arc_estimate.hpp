@@ -26,7 +26,7 @@ namespace ballbar {
 // scale mismatch, or 40 um/m of squareness. The third harmonic is 0 on most paths, else 0.25 or 0.7 of the usual oval.
 double usual_oval_um(double radius_mm);
 
-// Readings as means of up to a few neighbours: [X Z y], um.
+// Readings, or means of as many neighbours: [X Z y], um.
 struct ArcRows {
   static constexpr int kColumns = 8;
   Eigen::Matrix<double, Eigen::Dynamic, kColumns, Eigen::RowMajor> columns;

@@ -170,13 +170,15 @@ bool has_oval(const Recording& recording, const CircleOptions& options, double a
   return options.oval && recording.motion == Motion::linear_axes && arc_deg < kFullArc_deg;
 }
 
+using ArcRow = Eigen::RowVector<double, ArcRows::kColumns>;
+
 // Rows of the linear model about `p`. Calls use(reading, row) for each reading.
 template <class Rows, class Use>
 void for_each_arc_row(const Rows& rows, const Eigen::Vector3d& p, const std::vector<double>& angle_rad, Use use) {
   least_squares::for_each_block<3>(rows, p, [&](Eigen::Index first, const auto& part) {
     for (Eigen::Index i = 0; i < part.rows(); ++i) {
       const double twice_rad = 2.0 * angle_rad[static_cast<std::size_t>(first + i)];
-      Eigen::RowVector<double, ArcRows::kColumns> row;
+      ArcRow row;
       row << -part.row(i).template head<3>(), std::cos(twice_rad), std::sin(twice_rad), std::cos(1.5 * twice_rad),
           std::sin(1.5 * twice_rad), part(i, 3);
       use(first + i, row);
@@ -194,15 +196,14 @@ ArcRows arc_rows(const Rows& rows, const Eigen::Vector3d& p, const std::vector<d
   means.columns.setZero(kept / together, ArcRows::kColumns);  // fewer than `together` at the end are left out
   auto next = discounted.begin();
   Eigen::Index taken = 0;
-  for_each_arc_row(rows, p, angle_rad,
-                   [&](Eigen::Index reading, const Eigen::RowVector<double, ArcRows::kColumns>& row) {
-                     if (next != discounted.end() && static_cast<Eigen::Index>(*next) == reading) {
-                       ++next;
-                       return;
-                     }
-                     const Eigen::Index mean = taken++ / together;
-                     if (mean < means.columns.rows()) means.columns.row(mean) += row / static_cast<double>(together);
-                   });
+  for_each_arc_row(rows, p, angle_rad, [&](Eigen::Index reading, const ArcRow& row) {
+    if (next != discounted.end() && static_cast<Eigen::Index>(*next) == reading) {
+      ++next;
+      return;
+    }
+    const Eigen::Index mean = taken++ / together;
+    if (mean < means.columns.rows()) means.columns.row(mean) += row / static_cast<double>(together);
+  });
   return means;
 }
 
@@ -215,8 +216,8 @@ void take_up_oval(const Rows& rows, const Eigen::Vector3d& p, const std::vector<
   const ArcEstimate estimate = arc_estimate(means, circle.oval_um);
   circle.covariance_um2 = estimate.covariance_um2;
   circle.autocorrelation = estimate.autocorrelation;
-  circle.effective_readings =
-      estimate.effective_share * static_cast<double>(rows.size() - static_cast<Eigen::Index>(circle.discounted.size()));
+  const auto kept = static_cast<double>(rows.size() - static_cast<Eigen::Index>(circle.discounted.size()));
+  circle.effective_readings = estimate.effective_share * kept;
   if (circle.model == CircleModel::polar) {
     circle.covariance_um2 += estimate.b * estimate.b.transpose();
     return;
@@ -228,20 +229,15 @@ void take_up_oval(const Rows& rows, const Eigen::Vector3d& p, const std::vector<
   left << -estimate.b, -estimate.u, 1.0;
   double sum = 0.0, sum_kept = 0.0;
   auto next = circle.discounted.begin();
-  for_each_arc_row(rows, p, angle_rad,
-                   [&](Eigen::Index reading, const Eigen::RowVector<double, ArcRows::kColumns>& row) {
-                     const double residual = row.dot(left);
-                     sum += residual * residual;
-                     if (next != circle.discounted.end() && static_cast<Eigen::Index>(*next) == reading) {
-                       ++next;
-                     } else {
-                       sum_kept += residual * residual;
-                     }
-                   });
-  const auto n = static_cast<double>(rows.size());
-  circle.rms_um = std::sqrt(sum / n);
-  circle.sigma_reading_um =
-      std::sqrt(sum_kept / std::max(1.0, n - static_cast<double>(circle.discounted.size()) - 5.0));
+  for_each_arc_row(rows, p, angle_rad, [&](Eigen::Index reading, const ArcRow& row) {
+    const double square = std::pow(row.dot(left), 2);
+    const bool is_discounted = next != circle.discounted.end() && static_cast<Eigen::Index>(*next) == reading;
+    sum += square;
+    if (is_discounted) ++next;
+    if (!is_discounted) sum_kept += square;
+  });
+  circle.rms_um = std::sqrt(sum / static_cast<double>(rows.size()));
+  circle.sigma_reading_um = std::sqrt(sum_kept / std::max(1.0, kept - (ArcRows::kColumns - 1)));
 }
 
 template <class Rows>
@@ -251,7 +247,8 @@ void solve(const Rows& rows, const Eigen::Vector3d& start, double radius_um, con
   double scale_um = 0.0;
   if (options.robust) solution = minimise_robustly(rows, std::move(solution), scale_um);
   finish(rows, solution, radius_um, scale_um, circle);
-  if (solution.determined && circle.rms_um >= kExact_um && has_oval(recording, options, circle.arc_deg)) {
+  const bool is_enough = rows.size() - static_cast<Eigen::Index>(circle.discounted.size()) >= 4;
+  if (solution.determined && is_enough && circle.rms_um >= kExact_um && has_oval(recording, options, circle.arc_deg)) {
     take_up_oval(rows, solution.p, recording.angle_rad, circle);
   }
 }

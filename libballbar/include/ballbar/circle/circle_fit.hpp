@@ -16,12 +16,16 @@
 // A negative autocorrelation does not narrow the interval. Readings are taken as equally spaced in time for this.
 //
 // Arcs below 359 deg of linear axes. What the axes do to the path is an oval in the first place, and on an arc an oval
-// looks like another centre: 2 um of it move the least-squares centre of 120 deg by 6 um. So centre and radius are
-// those of a Gaussian linear model with the oval u = (cos 2 theta, sin 2 theta), which is 0 on average; a standard
-// deviation of its amplitudes of 2.1 um at 100 mm (20 um/m, and 0.5 um whatever the radius) is the usual one, and half
-// of it to four times are averaged by their likelihood, as is the noise, white and with a memory of up to a quarter of
-// the arc (src/circle/arc_estimate.hpp). The polar circle keeps the values of the instrument's software; its covariance
-// is about these. On a full circle an oval does not move the centre, and nothing changes.
+// looks like another centre: 2 um of it move the least-squares centre of 120 deg by up to 6 um. So centre and radius
+// come from a Gaussian linear model of circle, form of the path and noise (src/circle/arc_estimate.hpp):
+//
+//   - cos 2 theta and sin 2 theta, each 0 +- s. s = 2.1 um at 100 mm is usual: 20 um/m, and 0.5 um whatever the radius.
+//     Half of it, once, twice and four times are averaged by their likelihood.
+//   - a third harmonic, which is most likely 0
+//   - white noise, and noise with a memory of up to a quarter of the arc, averaged likewise
+//
+// The polar circle keeps the values of the instrument's software, and its covariance is about these. On a full circle
+// the form of the path does not move the centre; there, for rotary axes and for spindles the circle is fitted alone.
 //
 // Measured coverage of the intervals: tests/study, circle.cpp and arc.cpp.
 //
