@@ -127,10 +127,8 @@ std::string sigma_text(const Fitted& fitted, bool is_polar) {
   text += '.';
   if (oval_um > 0.0) {
     text += fmt::format(
-        " On an arc an oval of the path looks like another centre: ± holds what an oval of usual size, {:.1f} um, "
-        "leaves "
-        "open{}.",
-        oval_um, is_polar ? "" : "; G is about the least-squares centre, which leaves the oval out");
+        " On an arc an oval of the path looks like another centre. ± includes an oval of usual size, {:.1f} um.{}",
+        oval_um, is_polar ? "" : " G is about the least-squares centre, without the oval.");
   }
   return wrapped(text);
 }
