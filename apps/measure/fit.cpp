@@ -80,12 +80,15 @@ std::string remarks_text(const FittedRecording& one, const std::string& name) {
   const Circle& circle = *one.circle;
   std::string text;
   const double sigma_um = std::max(circle.sigma_centre_a_um(), circle.sigma_centre_b_um());
-  if (std::isfinite(sigma_um) && sigma_um > one.circularity->circular_deviation_um) {
+  const double circularity_um = one.circularity->circular_deviation_um;
+  const bool is_arc = circle.arc_deg < 359.0;
+  if (is_arc && std::isfinite(sigma_um) && sigma_um > circularity_um) {
+    const char* what = circle.model == CircleModel::polar ? "the polar circle of an arc" : "an arc";
     text +=
-        wrapped(fmt::format("{}: an arc of {:.0f} deg does not determine the centre: sigma {:.2g} um, circularity "
+        wrapped(fmt::format("{}: {} of {:.0f} deg does not determine the centre: sigma {:.2g} um, circularity "
                             "{:.2g} um.",
-                            name, circle.arc_deg, sigma_um, one.circularity->circular_deviation_um));
-  } else if (circle.arc_deg < 359.0) {
+                            name, what, circle.arc_deg, sigma_um, circularity_um));
+  } else if (is_arc) {
     text +=
         wrapped(fmt::format("{}: on a partial arc the centre correlates with the radius, A by {:.2f} and B by {:.2f}.",
                             name, circle.correlation_a_radius(), circle.correlation_b_radius()));
