@@ -79,7 +79,16 @@ std::string axial_text(const Fitted& fitted, bool details) {
 std::string remarks_text(const FittedRecording& one, const std::string& name) {
   const Circle& circle = *one.circle;
   std::string text;
-  if (circle.arc_deg < 359.0) {
+  const double sigma_um = std::max(circle.sigma_centre_a_um(), circle.sigma_centre_b_um());
+  const double circularity_um = one.circularity->circular_deviation_um;
+  const bool is_arc = circle.arc_deg < 359.0;
+  if (is_arc && std::isfinite(sigma_um) && sigma_um > circularity_um) {
+    const char* what = circle.model == CircleModel::polar ? "the polar circle of an arc" : "an arc";
+    text +=
+        wrapped(fmt::format("{}: {} of {:.0f} deg does not determine the centre: sigma {:.2g} um, circularity "
+                            "{:.2g} um.",
+                            name, what, circle.arc_deg, sigma_um, circularity_um));
+  } else if (is_arc) {
     text +=
         wrapped(fmt::format("{}: on a partial arc the centre correlates with the radius, A by {:.2f} and B by {:.2f}.",
                             name, circle.correlation_a_radius(), circle.correlation_b_radius()));
@@ -101,10 +110,11 @@ std::string remarks_text(const FittedRecording& one, const std::string& name) {
   return text;
 }
 
-std::string sigma_text(const Fitted& fitted) {
+std::string sigma_text(const Fitted& fitted, bool is_polar) {
   double fewest = std::numeric_limits<double>::infinity();
-  double phi = 0.0;
+  double phi = 0.0, oval_um = 0.0;
   for (const FittedRecording& one : fitted.recordings) {
+    if (one.circle) oval_um = std::max(oval_um, one.circle->oval_um);
     if (one.circle && one.circle->autocorrelation > phi) {
       phi = one.circle->autocorrelation;
       fewest = std::min(fewest, one.circle->effective_readings);
@@ -117,7 +127,13 @@ std::string sigma_text(const Fitted& fitted) {
         "independent one{}",
         phi, fewest, fewest < 1.5 ? "" : "s");
   }
-  return wrapped(text + '.');
+  text += '.';
+  if (oval_um > 0.0) {
+    text += fmt::format(
+        " On an arc an oval of the path looks like another centre. ± includes an oval of usual size, {:.1f} um.{}",
+        oval_um, is_polar ? "" : " G is about the least-squares centre, without the oval.");
+  }
+  return wrapped(text);
 }
 
 // To the digits the instrument's software prints: one less than ours.
@@ -192,7 +208,7 @@ std::string fits_text(const Fitted& fitted, const FitArguments& options) {
   for (const FittedPair& pair : fitted.pairs) compared += pair_text(pair);
   const bool is_too_long = !options.details && lines_in(text + compared) > kScreenLines;
   text += is_too_long ? more_text(lines_in(compared), "line") + " of ISO 230-4 and stored values\n\n" : compared;
-  if (!circles.empty()) text += sigma_text(fitted);
+  if (!circles.empty()) text += sigma_text(fitted, options.polar);
   std::size_t remarks = 0;
   for (const FittedRecording& one : fitted.recordings) {
     const std::string remark = one.circle ? remarks_text(one, name_of_row(fitted, one)) : "";

@@ -31,7 +31,10 @@ FittedRecording fit_recording(const std::string& file, std::size_t index, Record
     return fitted;
   }
   const Circle circle = fit_circle(fitted.recording, options);
-  const Circularity round = circularity(fitted.recording, circle);
+  CircleOptions alone = options;
+  alone.oval = false;
+  fitted.least_squares = circle.oval_um > 0.0 ? fit_circle(fitted.recording, alone) : circle;
+  const Circularity round = circularity(fitted.recording, *fitted.least_squares);
   const std::string run = b5r ? parent_of(*b5r, index) : std::string();
   const auto radius_mm = b5r ? stored_value(*b5r, run, "AF_BEST_RADIUS", "UT_LENGTH_MM") : std::nullopt;
   fitted.results = {
@@ -63,7 +66,7 @@ FittedPair fit_pair(const FittedRecording& first, const FittedRecording& second,
   const bool first_is_ccw = first.recording.direction == Direction::CCW;
   const FittedRecording& ccw = first_is_ccw ? first : second;
   const FittedRecording& cw = first_is_ccw ? second : first;
-  const Bidirectional both = bidirectional(ccw.recording, *ccw.circle, cw.recording, *cw.circle);
+  const Bidirectional both = bidirectional(ccw.recording, *ccw.least_squares, cw.recording, *cw.least_squares);
   const char* old_edition = "ISO230_4 1996";
   const char* new_edition = "ISO230_4 2005";
   FittedPair pair;

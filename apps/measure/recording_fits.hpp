@@ -30,7 +30,8 @@ struct FittedRecording {
   std::size_t index = 0;  // within the file
   std::string test_name;  // that a `.b5r` states
   Recording recording;
-  std::optional<Circle> circle;            // kind circle
+  std::optional<Circle> circle;         // kind circle
+  std::optional<Circle> least_squares;  // that of G and of ISO 230-4; another one on an arc, whose oval it leaves out
   std::optional<Circularity> circularity;  //   "
   std::optional<AxialLength> axial;        // kind axial
   std::vector<Compared> results;           // with stored values where the file is a `.b5r`

@@ -21,6 +21,13 @@ constexpr double kOff = 0.02;              // of the radius: not on the circle
 constexpr double kOn = 0.01;               // of the radius: rms of what is
 constexpr double kLeastArc_rad = 150.0 * kPi / 180.0;
 constexpr double kLeastArcCutOff_rad = 30.0 * kPi / 180.0;
+// Shorter arcs that are swept steadily, in tables of lengths, angles and times alone. The curve of a slow log is bent
+// as well, but its radius is small, or its readings go back and forth, or they lie off the circle.
+constexpr double kLeastSweptArc_rad = 10.0 * kPi / 180.0;
+constexpr double kLeastSweptGuess_rad = 60.0 * kPi / 180.0;  // without names, or without the unit of the angle
+constexpr double kOnOfSagitta = 0.02;                        // rms over the height of the arc above its chord
+constexpr double kLeastRadius_mm = 1.0;
+constexpr double kForward = 0.8;      // of the way of all steps: what the runs go
 constexpr double kLeastLength = 5.0;  // mm or um: less is a deviation
 constexpr double kWidestStep_rad = 60.0 * kPi / 180.0;
 constexpr std::size_t kMostSectors = 24, kReadingsOfASector = 4;  // of the arc
@@ -28,6 +35,7 @@ constexpr double kLeastOfASector = 0.2;                           // of the mean
 
 constexpr double kBack_rad = 5.0 * kPi / 180.0;
 constexpr double kShortest_rad = 30.0 * kPi / 180.0;
+constexpr double kShortestOfLongest = 0.5;
 
 // Without the readings at both ends that stand still.
 CircleRun moving(const std::vector<double>& angle_rad, CircleRun run, double step_rad) {
@@ -67,26 +75,40 @@ PlaneCircle circle_through(const std::vector<double>& x, const std::vector<doubl
   return algebraic_circle(some_x, some_y);
 }
 
-// Whether these points go round: steadily, over enough of an arc.
-bool goes_round(const std::vector<double>& x, const std::vector<double>& y, const CoordinateCircle& circle,
-                double least_arc_rad) {
+std::vector<double> angles_about(const std::vector<double>& x, const std::vector<double>& y,
+                                 const CoordinateCircle& circle) {
   std::vector<double> angle_rad;
   angle_rad.reserve(circle.rows.size());
   for (const std::size_t row : circle.rows) {
     angle_rad.push_back(std::atan2(y[row] - circle.centre_b, x[row] - circle.centre_a));
   }
-  angle_rad = unwrapped(std::move(angle_rad));
-  return span_of(angle_rad) >= least_arc_rad && middle_step_rad(angle_rad) < kWidestStep_rad;
+  return unwrapped(std::move(angle_rad));
+}
+
+// Over enough of an arc, in steps that show the way.
+bool goes_round(const std::vector<double>& unwrapped_rad, double least_arc_rad) {
+  return span_of(unwrapped_rad) >= least_arc_rad && middle_step_rad(unwrapped_rad) < kWidestStep_rad;
+}
+
+// Whether runs make up the way of all steps.
+bool is_swept(const std::vector<double>& unwrapped_rad, double least_arc_rad) {
+  if (!goes_round(unwrapped_rad, least_arc_rad) || middle_step_rad(unwrapped_rad) == 0.0) return false;
+  double way_rad = 0.0, forward_rad = 0.0;
+  for (std::size_t i = 1; i < unwrapped_rad.size(); ++i) way_rad += std::abs(unwrapped_rad[i] - unwrapped_rad[i - 1]);
+  for (const CircleRun& run : runs_of(unwrapped_rad)) forward_rad += std::abs(run.travel_rad);
+  return forward_rad >= kForward * way_rad;
+}
+
+// Whether all columns with a unit are lengths, angles, times or feeds: none is a temperature or a load.
+bool is_of_paths(const ColumnTable& table) {
+  return std::all_of(table.columns.begin(), table.columns.end(), [](const NumberColumn& column) {
+    return column.unit.empty() || mm_per_unit(column) || rad_per_unit(column) || seconds_per_unit(column) ||
+           column.unit.find('/') != std::string::npos;
+  });
 }
 
 // Whether the readings lie all along the arc. Two temperatures that rest at a few levels lie on a circle too.
-bool covers_arc(const std::vector<double>& x, const std::vector<double>& y, const CoordinateCircle& circle) {
-  std::vector<double> angle_rad;
-  angle_rad.reserve(circle.rows.size());
-  for (const std::size_t row : circle.rows) {
-    angle_rad.push_back(std::atan2(y[row] - circle.centre_b, x[row] - circle.centre_a));
-  }
-  angle_rad = unwrapped(std::move(angle_rad));
+bool covers_arc(const std::vector<double>& angle_rad) {
   const double first_rad = *std::min_element(angle_rad.begin(), angle_rad.end());
   const double arc_rad = std::min(span_of(angle_rad), 2.0 * kPi);
   std::vector<std::size_t> sectors(std::min(kMostSectors, angle_rad.size() / kReadingsOfASector));
@@ -98,8 +120,20 @@ bool covers_arc(const std::vector<double>& x, const std::vector<double>& y, cons
   return static_cast<double>(*std::min_element(sectors.begin(), sectors.end())) >= kLeastOfASector * mean;
 }
 
+// Whether a part of a circle shorter than half of it can be one.
+bool is_swept_arc(const ColumnTable& table, const CoordinateCircle& circle, const std::vector<double>& angle_rad,
+                  double rms, double least_arc_rad) {
+  const double sagitta = circle.radius * (1.0 - std::cos(0.5 * std::min(span_of(angle_rad), kPi)));
+  const double radius_mm = circle.radius * mm_per_unit(table.columns[circle.a]).value_or(1.0);
+  return rms <= kOnOfSagitta * sagitta && radius_mm >= kLeastRadius_mm && is_swept(angle_rad, least_arc_rad) &&
+         covers_arc(angle_rad) && is_of_paths(table);
+}
+
+// How sure the columns are to be coordinates.
+enum class Coordinates { named, head_of_named, found, of_table_without_names };
+
 // Throws Error where there is none: points on one line.
-std::optional<CoordinateCircle> circle_of(const ColumnTable& table, std::size_t a, std::size_t b, bool cut_off) {
+std::optional<CoordinateCircle> circle_of(const ColumnTable& table, std::size_t a, std::size_t b, Coordinates are) {
   const std::vector<double>&x = table.columns[a].values, &y = table.columns[b].values;
   CoordinateCircle circle;
   circle.a = a;
@@ -127,12 +161,19 @@ std::optional<CoordinateCircle> circle_of(const ColumnTable& table, std::size_t 
     rms = std::sqrt(sum / static_cast<double>(circle.rows.size()));
   }
   if (rms > kOn * circle.radius) return std::nullopt;
-  return goes_round(x, y, circle, cut_off ? kLeastArcCutOff_rad : kLeastArc_rad) ? std::optional(circle) : std::nullopt;
+  const std::vector<double> angle_rad = angles_about(x, y, circle);
+  const bool is_named = are == Coordinates::named || are == Coordinates::head_of_named;
+  const bool is_round = goes_round(angle_rad, are == Coordinates::head_of_named ? kLeastArcCutOff_rad : kLeastArc_rad);
+  if (is_round && (is_named || covers_arc(angle_rad))) return circle;
+  if (are == Coordinates::found) return std::nullopt;
+  const double least_arc_rad = is_named ? kLeastSweptArc_rad : kLeastSweptGuess_rad;
+  return is_swept_arc(table, circle, angle_rad, rms, least_arc_rad) ? std::optional(circle) : std::nullopt;
 }
 
-std::optional<CoordinateCircle> circle_or_none(const ColumnTable& table, std::size_t a, std::size_t b, bool cut_off) {
+std::optional<CoordinateCircle> circle_or_none(const ColumnTable& table, std::size_t a, std::size_t b,
+                                               Coordinates are) {
   try {
-    return circle_of(table, a, b, cut_off);
+    return circle_of(table, a, b, are);
   } catch (const Error&) {
     return std::nullopt;
   }
@@ -166,13 +207,19 @@ std::optional<CoordinateCircle> named_circle(const ColumnTable& table, bool comm
     for (const AxisColumn& b : columns) {
       const std::optional<Plane> plane = plane_of(a.axis, b.axis);
       if (!plane) continue;
-      auto circle = circle_or_none(table, a.column, b.column, cut_off);
+      auto circle =
+          circle_or_none(table, a.column, b.column, cut_off ? Coordinates::head_of_named : Coordinates::named);
       if (!circle) continue;
       circle->plane = plane;
       return circle;
     }
   }
   return std::nullopt;
+}
+
+bool has_no_names(const ColumnTable& table) {
+  return std::all_of(table.columns.begin(), table.columns.end(),
+                     [](const NumberColumn& column) { return column.name.empty() && column.unit.empty(); });
 }
 
 bool could_be_coordinate(const NumberColumn& column) {
@@ -182,13 +229,14 @@ bool could_be_coordinate(const NumberColumn& column) {
 }
 
 std::optional<CoordinateCircle> nameless_circle(const ColumnTable& table) {
+  const Coordinates are = has_no_names(table) ? Coordinates::of_table_without_names : Coordinates::found;
   const std::size_t columns = std::min(table.columns.size(), kMostColumns);
   for (std::size_t a = 0; a < columns; ++a) {
     if (!could_be_coordinate(table.columns[a])) continue;
     for (std::size_t b = a + 1; b < columns; ++b) {
       if (!could_be_coordinate(table.columns[b])) continue;
-      auto circle = circle_or_none(table, a, b, false);
-      if (circle && covers_arc(table.columns[a].values, table.columns[b].values, *circle)) return circle;
+      const auto circle = circle_or_none(table, a, b, are);
+      if (circle) return circle;
     }
   }
   return std::nullopt;
@@ -205,19 +253,13 @@ std::optional<double> unit_of_a_turn(const std::vector<double>& angle) {
   return std::nullopt;
 }
 
-// Deg, or rad where the numbers stay within a turn of those.
-double likely_unit(const std::vector<double>& angle) {
-  const double span = span_of(angle);
-  return span > 2.0 && span <= 2.05 * kPi ? 1.0 : rad_from_deg(1.0);
-}
+// Deg, or rad where the numbers stay within a turn of those: as deg they would be no arc.
+double likely_unit(const std::vector<double>& angle) { return span_of(angle) <= 2.05 * kPi ? 1.0 : rad_from_deg(1.0); }
 
-bool runs_round(const std::vector<double>& angle, double rad_per_unit, bool cut_off) {
+std::vector<double> angles_of(const std::vector<double>& angle, double rad_per_unit) {
   std::vector<double> angle_rad(angle.size());
   std::transform(angle.begin(), angle.end(), angle_rad.begin(), [&](double value) { return value * rad_per_unit; });
-  angle_rad = unwrapped(std::move(angle_rad));
-  const double step_rad = middle_step_rad(angle_rad);
-  const double least_rad = cut_off ? kLeastArcCutOff_rad : kLeastArc_rad;
-  return span_of(angle_rad) >= least_rad && step_rad > 0.0 && step_rad < kWidestStep_rad;
+  return unwrapped(std::move(angle_rad));
 }
 
 std::optional<std::size_t> column_called(const ColumnTable& table, ColumnWord word) {
@@ -225,11 +267,6 @@ std::optional<std::size_t> column_called(const ColumnTable& table, ColumnWord wo
     if (word_of(table.columns[i]) == word) return i;
   }
   return std::nullopt;
-}
-
-bool has_no_names(const ColumnTable& table) {
-  return std::all_of(table.columns.begin(), table.columns.end(),
-                     [](const NumberColumn& column) { return column.name.empty() && column.unit.empty(); });
 }
 
 // A table over time may hold an angle beside other things: there, only a column that is named. Both columns of a table
@@ -286,7 +323,10 @@ std::vector<CircleRun> runs_of(const std::vector<double>& unwrapped_rad) {
   runs.push_back({start, unwrapped_rad.size() - 1});
   const double step_rad = middle_step_rad(unwrapped_rad);
   for (CircleRun& run : runs) run = moving(unwrapped_rad, run, step_rad);
-  std::erase_if(runs, [](const CircleRun& run) { return std::abs(run.travel_rad) < kShortest_rad; });
+  double longest_rad = 0.0;
+  for (const CircleRun& run : runs) longest_rad = std::max(longest_rad, std::abs(run.travel_rad));
+  const double shortest_rad = std::min(kShortest_rad, kShortestOfLongest * longest_rad);
+  std::erase_if(runs, [&](const CircleRun& run) { return std::abs(run.travel_rad) < shortest_rad; });
   return runs;
 }
 
@@ -304,13 +344,20 @@ std::optional<PolarCircle> polar_circle(const ColumnTable& table, bool cut_off) 
   PolarCircle circle;
   const std::optional<std::size_t> named = column_called(table, ColumnWord::angle);
   const std::optional<double> turn = named ? std::nullopt : unit_of_a_turn(table.columns.front().values);
-  if (!named && !(turn && has_no_names(table))) return std::nullopt;
+  const bool is_stated = stated_radius_mm(table.preamble).has_value();  // above two columns without names
+  if (!named && !((turn || is_stated) && has_no_names(table))) return std::nullopt;
   circle.angle = named.value_or(0);
   const NumberColumn& angle = table.columns[circle.angle];
   circle.rad_per_unit = turn ? *turn : rad_per_unit(angle).value_or(likely_unit(angle.values));
-  if (!runs_round(angle.values, circle.rad_per_unit, cut_off)) return std::nullopt;
   circle.values = value_columns(table, circle.angle);
   if (circle.values.empty()) return std::nullopt;
+  const std::vector<double> angle_rad = angles_of(angle.values, circle.rad_per_unit);
+  const double least_swept_rad = rad_per_unit(angle) ? kLeastSweptArc_rad : kLeastSweptGuess_rad;
+  const bool is_named = named ? word_of(table.columns[circle.values.front()]) != ColumnWord::none : is_stated;
+  const bool is_arc = is_named && is_of_paths(table) && is_swept(angle_rad, least_swept_rad);
+  const bool is_round =
+      goes_round(angle_rad, cut_off ? kLeastArcCutOff_rad : kLeastArc_rad) && middle_step_rad(angle_rad) > 0.0;
+  if (!is_arc && !is_round) return std::nullopt;
   const std::vector<double>& values = table.columns[circle.values.front()].values;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   circle.are_lengths = *low > kLeastLength && *high - *low <= 0.2 * *high;

@@ -40,7 +40,7 @@ struct CircleRun {
 };
 
 // A run ends where the angle comes back by more than 5 deg. Readings that stand still at its ends are left out, and
-// runs of less than 30 deg beside longer ones.
+// runs of less than 30 deg beside ones of twice their length.
 std::vector<CircleRun> runs_of(const std::vector<double>& unwrapped_rad);
 
 }  // namespace ballbar

@@ -170,7 +170,7 @@ void expect_lengths(std::string_view name, const RecordingFile& file) {
     }
   }
   if (file.recordings.empty()) {
-    throw Error(fmt::format("{}: expected a run of at least 30 deg round a circle, found none.", name));
+    throw Error(fmt::format("{}: expected a run round a circle, found none.", name));
   }
 }
 
@@ -243,8 +243,8 @@ RecordingFile read_circle_table(std::string_view bytes, std::string_view name, c
   if (const auto circle = coordinate_circle(table, false)) return file_of(name, table, *circle, stated);
   if (const auto circle = polar_circle(table, false)) return file_of(name, table, *circle, stated);
   throw Error(
-      fmt::format("{}: expected a circle, found none. A circle has coordinates on it, or an angle over at least 150 "
-                  "deg with a length or a deviation.",
+      fmt::format("{}: expected a circle, found none. A circle has coordinates on it, or an angle with a length or "
+                  "a deviation. Name the columns of an arc, as in X_mm,Y_mm or angle_deg,deviation_um.",
                   name));
 }
 

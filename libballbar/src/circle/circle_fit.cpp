@@ -10,6 +10,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/numerics/interruption.hpp"
 #include "ballbar/units.hpp"
+#include "circle/arc_estimate.hpp"
 #include "circle/circle_residuals.hpp"
 #include "circle/inlier_readings.hpp"
 #include "numerics/autocorrelation.hpp"
@@ -24,6 +25,9 @@ using least_squares::Solution;
 
 constexpr double kSmallestArc_deg = 5.0;
 constexpr Eigen::Index kStartReadings = 512;  // the algebraic start needs no more
+constexpr Eigen::Index kMostArcRows = 2048;   // of an arc's estimate: more readings enter as means of neighbours
+constexpr double kExact_um = 1e-6;            // below, the residual is the rounding of double precision
+constexpr double kFullArc_deg = 359.0;        // from here on a turn: its oval is orthogonal to the centre
 constexpr double kHuber = 1.345;              // 95 % efficient at normal noise
 
 Eigen::Map<const Eigen::ArrayXd> array_of(const std::vector<double>& values) {
@@ -132,8 +136,7 @@ void finish(const Rows& rows, const Solution<3>& solution, double radius_um, dou
 
   const bool robust = scale_um > 0.0;
   const double bound = kTukey * scale_um;
-  // Below 1e-6 um the residual is the rounding of double precision, whose pattern says nothing.
-  const bool exact = circle.rms_um < 1e-6;
+  const bool exact = circle.rms_um < kExact_um;  // its pattern says nothing
   const least_squares::Autocorrelation rho =
       exact    ? least_squares::Autocorrelation{}
       : robust ? least_squares::autocorrelation_of((residual.abs() < bound).select(residual, 0.0))
@@ -162,12 +165,92 @@ void finish(const Rows& rows, const Solution<3>& solution, double radius_um, dou
   if (variance_um2 == 0.0) circle.effective_readings = n;
 }
 
+// Whether the oval of the path moves the circle: linear axes, not a full turn.
+bool has_oval(const Recording& recording, const CircleOptions& options, double arc_deg) {
+  return options.oval && recording.motion == Motion::linear_axes && arc_deg < kFullArc_deg;
+}
+
+using ArcRow = Eigen::RowVector<double, ArcRows::kColumns>;
+
+// Rows of the linear model about `p`. Calls use(reading, row) for each reading.
+template <class Rows, class Use>
+void for_each_arc_row(const Rows& rows, const Eigen::Vector3d& p, const std::vector<double>& angle_rad, Use use) {
+  least_squares::for_each_block<3>(rows, p, [&](Eigen::Index first, const auto& part) {
+    for (Eigen::Index i = 0; i < part.rows(); ++i) {
+      const double twice_rad = 2.0 * angle_rad[static_cast<std::size_t>(first + i)];
+      ArcRow row;
+      row << -part.row(i).template head<3>(), std::cos(twice_rad), std::sin(twice_rad), std::cos(1.5 * twice_rad),
+          std::sin(1.5 * twice_rad), part(i, 3);
+      use(first + i, row);
+    }
+  });
+}
+
+// Means of neighbours without the discounted readings.
 template <class Rows>
-void solve(const Rows& rows, const Eigen::Vector3d& start, double radius_um, bool robust, Circle& circle) {
+ArcRows arc_rows(const Rows& rows, const Eigen::Vector3d& p, const std::vector<double>& angle_rad,
+                 const std::vector<std::size_t>& discounted) {
+  const Eigen::Index kept = rows.size() - static_cast<Eigen::Index>(discounted.size());
+  const Eigen::Index together = (kept + kMostArcRows - 1) / kMostArcRows;
+  ArcRows means;
+  means.columns.setZero(kept / together, ArcRows::kColumns);  // fewer than `together` at the end are left out
+  auto next = discounted.begin();
+  Eigen::Index taken = 0;
+  for_each_arc_row(rows, p, angle_rad, [&](Eigen::Index reading, const ArcRow& row) {
+    if (next != discounted.end() && static_cast<Eigen::Index>(*next) == reading) {
+      ++next;
+      return;
+    }
+    const Eigen::Index mean = taken++ / together;
+    if (mean < means.columns.rows()) means.columns.row(mean) += row / static_cast<double>(together);
+  });
+  return means;
+}
+
+// The circle of an arc with an oval. A polar circle keeps its values, which are the instrument's: its covariance is
+// the second moment about them.
+template <class Rows>
+void take_up_oval(const Rows& rows, const Eigen::Vector3d& p, const std::vector<double>& angle_rad, Circle& circle) {
+  const ArcRows means = arc_rows(rows, p, angle_rad, circle.discounted);
+  circle.oval_um = usual_oval_um(circle.radius_mm);
+  const ArcEstimate estimate = arc_estimate(means, circle.oval_um);
+  circle.covariance_um2 = estimate.covariance_um2;
+  circle.autocorrelation = estimate.autocorrelation;
+  const auto kept = static_cast<double>(rows.size() - static_cast<Eigen::Index>(circle.discounted.size()));
+  circle.effective_readings = estimate.effective_share * kept;
+  if (circle.model == CircleModel::polar) {
+    circle.covariance_um2 += estimate.b * estimate.b.transpose();
+    return;
+  }
+  circle.centre_a_um += estimate.b[0];
+  circle.centre_b_um += estimate.b[1];
+  circle.radius_mm += mm_from_um(estimate.b[2]);
+  Eigen::Vector<double, ArcRows::kColumns> left;
+  left << -estimate.b, -estimate.u, 1.0;
+  double sum = 0.0, sum_kept = 0.0;
+  auto next = circle.discounted.begin();
+  for_each_arc_row(rows, p, angle_rad, [&](Eigen::Index reading, const ArcRow& row) {
+    const double square = std::pow(row.dot(left), 2);
+    const bool is_discounted = next != circle.discounted.end() && static_cast<Eigen::Index>(*next) == reading;
+    sum += square;
+    if (is_discounted) ++next;
+    if (!is_discounted) sum_kept += square;
+  });
+  circle.rms_um = std::sqrt(sum / static_cast<double>(rows.size()));
+  circle.sigma_reading_um = std::sqrt(sum_kept / std::max(1.0, kept - (ArcRows::kColumns - 1)));
+}
+
+template <class Rows>
+void solve(const Rows& rows, const Eigen::Vector3d& start, double radius_um, const Recording& recording,
+           const CircleOptions& options, Circle& circle) {
   Solution<3> solution = least_squares::minimise<3>(rows, start, least_squares::Start::near);
   double scale_um = 0.0;
-  if (robust) solution = minimise_robustly(rows, std::move(solution), scale_um);
+  if (options.robust) solution = minimise_robustly(rows, std::move(solution), scale_um);
   finish(rows, solution, radius_um, scale_um, circle);
+  const bool is_enough = rows.size() - static_cast<Eigen::Index>(circle.discounted.size()) >= 4;
+  if (solution.determined && is_enough && circle.rms_um >= kExact_um && has_oval(recording, options, circle.arc_deg)) {
+    take_up_oval(rows, solution.p, recording.angle_rad, circle);
+  }
 }
 
 }  // namespace
@@ -201,7 +284,7 @@ Circle fit_circle(const Recording& recording, const CircleOptions& options) {
     directions.cosine *= rho_um;
     directions.sine *= rho_um;
     const PointRows rows{std::move(directions.cosine), std::move(directions.sine), start.radius};
-    solve(rows, p0, start.radius, options.robust, circle);
+    solve(rows, p0, start.radius, recording, options, circle);
   } else {
     const LengthRows rows{std::move(directions.cosine),
                           std::move(directions.sine),
@@ -209,7 +292,7 @@ Circle fit_circle(const Recording& recording, const CircleOptions& options) {
                           circle.length_correction_um,
                           height_um,
                           start.radius};
-    solve(rows, p0, start.radius, options.robust, circle);
+    solve(rows, p0, start.radius, recording, options, circle);
   }
   circle.elongation_correction_um = exact ? elongation_correction_um(ElongationForm::exact, circle.radius_mm,
                                                                      recording.height_offset_mm, options.elongation_um)

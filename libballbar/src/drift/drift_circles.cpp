@@ -95,16 +95,25 @@ Position position_of(const SessionTest& test, const std::vector<Circle>& circles
 DriftSeries drift_by_circles(const Session& session, const DriftOptions& options) {
   DriftSeries series;
   std::vector<std::vector<Circle>> fits;
+  // On an arc the position allows for an oval of the path. The same oval is in all tests, and their difference is that
+  // of the circles without it.
+  CircleOptions alone = options.circle;
+  alone.oval = false;
   for (const SessionTest& test : session.tests) {
+    std::vector<Circle> placed;
     fits.push_back(in_test(test, [&] {
       if (test.circles.empty()) throw Error("circles needs at least one circle recording in every test");
-      std::vector<Circle> circles;
-      for (std::size_t i = 0; i < test.circles.size(); ++i) {
-        circles.push_back(test.stored.empty() ? fit_circle(test.circles[i], options.circle) : test.stored[i]);
+      placed = test.stored;
+      if (placed.empty()) {
+        for (const Recording& recording : test.circles) placed.push_back(fit_circle(recording, options.circle));
+      }
+      std::vector<Circle> circles = placed;
+      for (std::size_t i = 0; i < circles.size(); ++i) {
+        if (circles[i].oval_um > 0.0) circles[i] = fit_circle(test.circles[i], alone);
       }
       return circles;
     }));
-    series.positions.push_back(position_of(test, fits.back()));
+    series.positions.push_back(position_of(test, placed));
     series.points.emplace_back().time_s = test.elapsed_s;
   }
   std::string references;

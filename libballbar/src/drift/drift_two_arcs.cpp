@@ -186,6 +186,7 @@ Arcs arcs_of(const Recording& c_arc, const Recording& a_arc, const TwoArcs& fit,
 TwoArcs fit_two_arcs(const Recording& c_arc, const Recording& a_arc, const DriftOptions& options) {
   CircleOptions each = options.circle;
   each.model = CircleModel::length_equation;
+  each.oval = false;  // the same in all tests
   TwoArcs fit;
   fit.c_circle = fit_circle(c_arc, each);
   fit.a_circle = fit_circle(a_arc, each);

@@ -170,6 +170,76 @@ TEST(circle_table, assumes_a_whole_radius_and_asks_for_that_of_deviations) {
             "f: expected the nominal radius of this circle, found only deviations. State it, as in --radius 100mm.");
 }
 
+// An arc from 10 deg, n readings, each a row.
+std::string arc(double arc_deg, const Row& row, int n = 200) {
+  std::string text;
+  for (int i = 0; i < n; ++i) {
+    const double angle_rad = rad_from_deg(10.0 + i * arc_deg / (n - 1));
+    text += row(angle_rad, 100.0 + mm_from_um(deviation_um(angle_rad))) + '\n';
+  }
+  return text;
+}
+
+std::string um_over_deg(double angle_rad, double radius_mm) {
+  return fmt::format("{:.3f};{:.2f}", deg_from_rad(angle_rad), um_from_mm(radius_mm - 100.0));
+}
+
+TEST(circle_table, an_arc_of_any_length) {
+  const auto expect_arc = [](const std::string& text, std::size_t runs = 1) {
+    SCOPED_TRACE(text.substr(0, 80));
+    EXPECT_EQ(found_in(reader_of(text)), "a circle in a table of numbers");
+    const RecordingFile file = read_circle_table(text, "f", {});
+    ASSERT_EQ(file.recordings.size(), runs);
+    for (const Recording& recording : file.recordings) {
+      EXPECT_EQ(recording.nominal_length_mm, 100.0);
+      EXPECT_GE(recording.length_mm.size(), 195u) << "of 200";
+      EXPECT_NEAR(recording.length_mm.front(), 100.0 + mm_from_um(deviation_um(recording.angle_rad.front())), 2e-5);
+    }
+  };
+  const Row point_mm = [](double t, double r) {
+    return fmt::format("{:.5f},{:.5f}", r * std::cos(t), r * std::sin(t));
+  };
+  const Row um_first = [](double t, double r) {
+    return fmt::format("{:.2f}\t{:.3f}", um_from_mm(r - 100.0), deg_from_rad(t));
+  };
+  const Row um_over_rad = [](double t, double r) { return fmt::format("{:.6f};{:.2f}", t, um_from_mm(r - 100.0)); };
+  for (const double arc_deg : {12.0, 40.0, 120.0}) {
+    expect_arc("X_mm,Y_mm\n" + arc(arc_deg, point_mm));
+    expect_arc("Radius: 100 mm\nangle_deg;deviation_um\n" + arc(arc_deg, um_over_deg));
+    expect_arc("Radius: 100 mm\nphi_rad;dr_um\n" + arc(arc_deg, um_over_rad));
+    expect_arc("Radius: 100 mm\nAbweichung [um]\tWinkel [Grad]\n" + with_commas(arc(arc_deg, um_first)));
+  }
+  // Without names, or without the unit of the angle, from 60 deg.
+  expect_arc(arc(110.0, point_mm));
+  expect_arc("Radius: 100 mm\n" + arc(110.0, um_over_deg));
+  expect_arc("Radius: 100 mm\nphi;dr_um\n" + arc(80.0, um_over_rad));
+  // Both directions of a short arc.
+  std::string back = arc(20.0, um_over_deg);
+  for (int i = 199; i >= 0; --i) {
+    const double angle_rad = rad_from_deg(10.0 + i * 20.0 / 199);
+    back += um_over_deg(angle_rad, 100.0 + mm_from_um(deviation_um(angle_rad))) + '\n';
+  }
+  expect_arc("Radius: 100 mm\nangle_deg;deviation_um\n" + back, 2);
+}
+
+// Bent curves of slow logs, and an angle that is one column of many.
+TEST(circle_table, bent_curves_of_logs_are_no_arcs) {
+  std::string drift = "time_s,x_um,y_um\n", drift_mm = "time_s,x_mm,y_mm\n", two = "", temperatures = "time_s;T1;T2\n",
+              tilt = "time_s,angle_deg,deviation_um,T_degC\n", lean = "time_s,angle_deg,deviation_um\n";
+  for (int i = 0; i < 2000; ++i) {
+    const double fast = 1.0 - std::exp(-i / 300.0), slow = 1.0 - std::exp(-i / 700.0);
+    drift += fmt::format("{},{:.3f},{:.3f}\n", 10 * i, 30.0 * fast, 60.0 * slow);
+    drift_mm += fmt::format("{},{:.6f},{:.6f}\n", 10 * i, 0.03 * fast, 0.06 * slow);
+    two += fmt::format("{:.3f},{:.3f}\n", 30.0 * fast, 60.0 * slow);
+    temperatures += fmt::format("{};{:.3f};{:.3f}\n", 10 * i, 20.0 + 5.0 * fast, 20.0 + 4.0 * slow);
+    tilt += fmt::format("{},{:.4f},{:.3f},{:.2f}\n", 10 * i, 20.0 * fast, 60.0 * slow, 20.0 + 0.01 * i);
+    lean += fmt::format("{},{:.4f},{:.3f}\n", 10 * i, 0.02 * fast + 0.001 * std::sin(i), 60.0 * slow);
+  }
+  for (const std::string& text : {drift, drift_mm, two, temperatures, tilt, lean}) {
+    EXPECT_FALSE(holds_circle(text)) << text.substr(0, 40);
+  }
+}
+
 TEST(circle_table, other_tables_are_none) {
   const auto kind = [](const std::string& text) { return found_in(reader_of(text)); };
   std::string temperatures = "Zeit [s];T1 [°C];T2 [°C]\n", rotary = "angle;error [arcsec]\n", oven = "t;a\n";
@@ -189,7 +259,6 @@ TEST(circle_table, other_tables_are_none) {
   EXPECT_FALSE(holds_circle("X;Y\n" + rows(50.0, [](double, double) { return std::string("50.0;50.0"); })));
 }
 
-// Of a longer file only the head is looked at.
 // Two heaters, each off at 25 or on at 95 and 100: the corners of a rectangle, which a circle passes, with a few rows
 // on the way between them.
 TEST(circle_table, temperatures_that_rest_at_levels_are_none) {
@@ -204,6 +273,7 @@ TEST(circle_table, temperatures_that_rest_at_levels_are_none) {
   EXPECT_FALSE(holds_circle(text));
 }
 
+// Of a longer file only the head is looked at.
 TEST(circle_table, is_known_by_the_first_part_of_a_long_file) {
   std::string text = "Radius;50\nX;Y\n";
   for (int i = 0; i < 20000; ++i) {

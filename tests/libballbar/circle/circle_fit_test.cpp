@@ -121,6 +121,110 @@ TEST(CircleFit, PartialArcSaysHowLittleItKnows) {
   EXPECT_LT(std::abs(wide.correlation_a_radius()), 0.01);
 }
 
+// Readings of tests/study/arc.cpp in few lines: an oval u cos 2t + w sin 2t and noise with a memory of 3 deg.
+Recording arc_with_oval(double arc_deg, int n, unsigned seed, double noise_um = 0.2) {
+  Recording recording = exact(-5.0, -3.0, 100.0, 0.0, 10.0, arc_deg, n);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  const double keeps = std::exp(-arc_deg / n / 3.0);
+  double memory_um = noise_um * normal(random);
+  for (std::size_t i = 0; i < recording.length_mm.size(); ++i) {
+    memory_um = keeps * memory_um + std::sqrt(1.0 - keeps * keeps) * noise_um * normal(random);
+    const double twice_rad = 2.0 * recording.angle_rad[i];
+    const double oval_um = 1.26 * std::cos(twice_rad) - 1.0 * std::sin(twice_rad);
+    recording.length_mm[i] += mm_from_um(oval_um + memory_um + 0.5 * noise_um * normal(random));
+  }
+  return recording;
+}
+
+// 2 sigma hold 19 of 20, and 3 sigma all but 1 in 370: of 40 fits three outside 2.5 sigma (1 in 80) are too many.
+TEST(CircleFit, AnArcsSigmaHoldsItsOval) {
+  for (const double arc_deg : {110.0, 150.0, 200.0}) {
+    int out = 0, out_alone = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+      const Recording recording = arc_with_oval(arc_deg, 400, seed);
+      const Circle circle = fit_circle(recording);
+      out += std::abs(circle.centre_b_um + 3.0) > 2.5 * circle.sigma_centre_b_um();
+      const Circle alone = fit_circle(recording, {.oval = false});
+      out_alone += std::abs(alone.centre_b_um + 3.0) > 2.5 * alone.sigma_centre_b_um();
+      EXPECT_NEAR(circle.oval_um, std::hypot(0.5, 2.0), 1e-3) << "20 um/m of 100 mm, and 0.5 um";
+      EXPECT_EQ(alone.oval_um, 0.0);
+    }
+    EXPECT_LE(out, 2) << arc_deg;
+    if (arc_deg > 150.0) continue;  // the least-squares residual shows the oval, as one of a long memory
+    EXPECT_GT(out_alone, 20) << arc_deg << ": the least-squares centre is off by more than its sigma";
+  }
+}
+
+// Without noise the readings tell the oval from the centre on any arc.
+TEST(CircleFit, AnExactOvalDoesNotMoveTheCentreOfAnArc) {
+  const Circle circle = fit_circle(arc_with_oval(150.0, 400, 1, 0.0));
+  EXPECT_NEAR(circle.centre_a_um, -5.0, 1e-3) << "second order of the centre: 5^2 / 2e5 um in lengths of an oval";
+  EXPECT_NEAR(circle.centre_b_um, -3.0, 1e-3);
+  EXPECT_NEAR(um_from_mm(circle.radius_mm - 100.0), 0.0, 1e-3);
+  // Least squares of cos and sin 2 (t - 85 deg) on the arc: 2.71 of the one, 1.13 of the other.
+  EXPECT_GT(std::abs(fit_circle(arc_with_oval(150.0, 400, 1, 0.0), {.oval = false}).centre_b_um + 3.0), 2.0);
+}
+
+TEST(CircleFit, AFullCircleAndARotaryAxisHaveNoOvalInTheirCentre) {
+  Recording full = arc_with_oval(360.0, 720, 2);
+  Recording rotary = arc_with_oval(150.0, 400, 3);
+  rotary.motion = Motion::rotary_axis;
+  for (const Recording& recording : {full, rotary}) {
+    const Circle circle = fit_circle(recording), alone = fit_circle(recording, {.oval = false});
+    EXPECT_EQ(circle.centre_a_um, alone.centre_a_um);
+    EXPECT_EQ(circle.radius_mm, alone.radius_mm);
+    EXPECT_EQ(circle.covariance_um2, alone.covariance_um2);
+    EXPECT_EQ(circle.oval_um, 0.0);
+  }
+  // At 355 deg, which is an arc, the oval hardly moves it either.
+  const Recording nearly = arc_with_oval(355.0, 710, 2);
+  EXPECT_NEAR(fit_circle(nearly).centre_a_um, fit_circle(nearly, {.oval = false}).centre_a_um, 0.1);
+}
+
+TEST(CircleFit, APolarArcKeepsTheValuesOfTheInstrument) {
+  const Recording recording = arc_with_oval(150.0, 400, 4);
+  const Circle circle = fit_circle(recording, {.model = CircleModel::polar});
+  const Circle alone = fit_circle(recording, {.model = CircleModel::polar, .oval = false});
+  EXPECT_EQ(circle.centre_b_um, alone.centre_b_um);
+  EXPECT_EQ(circle.radius_mm, alone.radius_mm);
+  EXPECT_LT(std::abs(circle.centre_b_um + 3.0), 2.0 * circle.sigma_centre_b_um());
+  EXPECT_GT(std::abs(alone.centre_b_um + 3.0), 4.0 * alone.sigma_centre_b_um());
+}
+
+// More readings than rows of the estimate enter as means, and the answer is that of fewer readings of as much noise.
+TEST(CircleFit, AnArcOfManyReadingsIsThatOfTheirMeans) {
+  const Circle many = fit_circle(arc_with_oval(150.0, 9000, 5));
+  const Circle few = fit_circle(arc_with_oval(150.0, 1500, 5));
+  for (const Circle& circle : {many, few}) {
+    EXPECT_NEAR(circle.centre_a_um, -5.0, 3.0 * circle.sigma_centre_a_um());
+    EXPECT_NEAR(circle.centre_b_um, -3.0, 3.0 * circle.sigma_centre_b_um());
+    EXPECT_NEAR(circle.sigma_reading_um, 0.2, 0.05) << "0.22 um; the oval takes some of the memory";
+  }
+  EXPECT_NEAR(many.sigma_centre_b_um() / few.sigma_centre_b_um(), 1.0, 0.5) << "the memory, not the readings, counts";
+}
+
+TEST(CircleFit, AShortArcOrOneOfFewReadingsHasAWideSigma) {
+  const Circle shortest = fit_circle(arc_with_oval(40.0, 200, 6));
+  EXPECT_GT(shortest.sigma_centre_a_um(), 3.0);
+  EXPECT_LT(std::abs(shortest.centre_a_um + 5.0), 3.0 * shortest.sigma_centre_a_um());
+  const Circle few = fit_circle(arc_with_oval(120.0, 6, 7));
+  EXPECT_GT(few.sigma_centre_b_um(), 2.0) << "an oval of 2.1 um moves the centre of 120 deg by up to 6 um";
+  EXPECT_TRUE(few.covariance_um2.allFinite());
+}
+
+TEST(CircleFit, ARobustArcForgetsOutliers) {
+  Recording recording = arc_with_oval(150.0, 400, 8);
+  for (const std::size_t i : {30U, 31U, 250U}) recording.length_mm[i] += 0.05;  // 50 um
+  const Circle circle = fit_circle(recording, {.robust = true});
+  for (const std::size_t i : {30U, 31U, 250U}) {
+    EXPECT_NE(std::find(circle.discounted.begin(), circle.discounted.end(), i), circle.discounted.end()) << i;
+  }
+  EXPECT_NEAR(circle.centre_b_um, -3.0, 3.0 * circle.sigma_centre_b_um());
+  EXPECT_LT(circle.sigma_centre_b_um(), 1.5);
+  EXPECT_GT(circle.rms_um, 4.0) << "of all readings: 50 um sqrt(3 / 400)";
+}
+
 TEST(CircleFit, RobustFitForgetsAndListsOutliers) {
   Recording recording = exact(20.0, -30.0, 100.0, 0.0, 0.0, 360.0, 1000);
   std::mt19937_64 random(9);

@@ -13,8 +13,21 @@
 //
 // with phi and q from the residual's autocorrelation at lags 1 to 8 (ARMA(1,1): noise on top of a slow
 // residual), s^2 = residual sum of squares / (n - trace(H^-1 S)). White residual: phi = 0, C = s^2 H^-1.
-// A negative autocorrelation does not narrow the interval. Measured coverage of 95 % intervals: see
-// tests/study. Readings are taken as equally spaced in time for this.
+// A negative autocorrelation does not narrow the interval. Readings are taken as equally spaced in time for this.
+//
+// Arcs below 359 deg of linear axes. What the axes do to the path is an oval in the first place, and on an arc an oval
+// looks like another centre: 2 um of it move the least-squares centre of 120 deg by up to 6 um. So centre and radius
+// come from a Gaussian linear model of circle, form of the path and noise (src/circle/arc_estimate.hpp):
+//
+//   - cos 2 theta and sin 2 theta, each 0 +- s. s = 2.1 um at 100 mm is usual: 20 um/m, and 0.5 um whatever the radius.
+//     Half of it, once, twice and four times are averaged by their likelihood.
+//   - a third harmonic, which is most likely 0
+//   - white noise, and noise with a memory of up to a quarter of the arc, averaged likewise
+//
+// The polar circle keeps the values of the instrument's software, and its covariance is about these. On a full circle
+// the form of the path does not move the centre; there, for rotary axes and for spindles the circle is fitted alone.
+//
+// Measured coverage of the intervals: tests/study, circle.cpp and arc.cpp.
 //
 // Throws Error: not a circle recording, fewer than 4 readings, arc under 5 deg, a reading shorter than
 // the height difference of the balls. Linear time, at most 64 bytes a reading besides the recording.
@@ -38,6 +51,8 @@ struct CircleOptions {
                                // than a quarter of the readings are off to one side
   double elongation_um = 0.0;  // dL of the spindle during this recording; corrected inside the fit
   ElongationForm elongation_form = ElongationForm::exact;
+  bool oval = true;  // false: the least-squares circle of an arc too, for what its oval does not change: G of
+                     // ISO 230-4, and the difference of two recordings of one path
 };
 
 struct Circle {
@@ -47,9 +62,10 @@ struct Circle {
   double radius_mm = 0.0;                                    // R
   Eigen::Matrix3d covariance_um2 = Eigen::Matrix3d::Zero();  // of (a, b, R); infinite where undetermined
   double sigma_reading_um = 0.0;                             // from the residual
-  double rms_um = 0.0;                                       // of the residual
+  double rms_um = 0.0;                                       // of the residual; of an arc, of circle and oval
   double autocorrelation = 0.0;                              // phi, 0 where the residual is white
   double effective_readings = 0.0;        // n s^2(white) / s^2(autocorrelated) for the worst of a, b, R
+  double oval_um = 0.0;                   // usual size of an oval that the values allow for; 0: none
   double elongation_correction_um = 0.0;  // absolute value of what was subtracted
   std::vector<std::size_t> discounted;    // robust: readings given less than a tenth of full weight
   std::size_t readings = 0;

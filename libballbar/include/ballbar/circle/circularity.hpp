@@ -19,6 +19,7 @@ struct Circularity {
   double min_radial_um = 0.0;  // F min
 };
 
+// `circle`: the least-squares one (CircleOptions::oval = false on an arc) gives the G of ISO 230-4.
 // sigma: the extremes are single readings, so each carries the readings' short-term noise
 // (sigma of successive differences / sqrt 2); the centre's covariance adds its share. The range of n
 // noisy readings is also biased upwards; that is not in sigma.

@@ -21,7 +21,8 @@
 // circles. One or more circle recordings a test (a `.b5r` has two, CCW and CW): the centres of one
 // plane are averaged with equal weights and give that plane's two axes. A test without readings uses its stored circles
 // instead of fits; their sigma is not known (NaN). Each plane has its own reference, because tests may take the planes
-// in turn. An axis that two planes of one test measure is averaged.
+// in turn. An axis that two planes of one test measure is averaged. On arcs the drift is that of the least-squares
+// circles, because the oval of the path cancels; the position of a test allows for the oval (circle_fit.hpp).
 //
 // Every sigma is that of the difference to the reference test (covariance_of_change_um2 of circle_fit.hpp). A residual
 // that repeats from test to test cancels. All rows share the contribution of the reference. The row of the reference is

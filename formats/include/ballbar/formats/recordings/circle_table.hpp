@@ -1,6 +1,8 @@
 // Circles exported by other instruments and controls, as a table of text. The format is recognised by the numbers,
 // whatever the header: two coordinates that lie on a circle (grid encoders such as KGM, circularity tests of CNCs), or
-// an angle that covers a turn with a radius, a length or a deviation.
+// an angle with a radius, a length or a deviation. An arc may have any length from 10 deg; below 150 deg its columns
+// are named, or from 60 deg on those of a table without names, it is swept steadily, and no column is a temperature or
+// a load.
 //
 // Separators, decimal signs and encodings are those of a log (log.hpp). The runs of both directions follow one another,
 // or are two columns of radius with CCW and CW in their names. Coordinates count from the centre of their circle,
