@@ -127,9 +127,11 @@ Series with_feed(Series trace) {
 JointErrorFit joint_error_fit(const Series& trace, const MachineErrorOptions& options) {
   const ErrorSetUp set_up = set_up_of(trace);
   if (set_up.arc_rad < kShortestArc_rad) {
-    throw Error(fmt::format(
-        "expected an arc of at least {:.0f} deg, on less the errors of the axes look alike, found {:.0f} deg.",
-        deg_from_rad(kShortestArc_rad), deg_from_rad(set_up.arc_rad)));
+    throw Error(
+        fmt::format("an arc of {:.0f} deg is too short for the errors of the axes: expected at least {:.0f} deg, below "
+                    "which they look "
+                    "alike. ballbar fit gives the circle.",
+                    deg_from_rad(set_up.arc_rad), deg_from_rad(kShortestArc_rad)));
   }
   const ErrorRows rows = error_rows(with_feed(trace));
   JointErrorFit fitted = joint_error_fit(rows, options, set_up);

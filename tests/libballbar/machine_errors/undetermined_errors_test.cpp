@@ -109,8 +109,10 @@ TEST(UndeterminedErrors, ShortestArc) {
     machine_errors(made::both_runs(test));
     ADD_FAILURE() << "not refused";
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(),
-                 "expected an arc of at least 60 deg, on less the errors of the axes look alike, found 40 deg.");
+    EXPECT_STREQ(
+        error.what(),
+        "an arc of 40 deg is too short for the errors of the axes: expected at least 60 deg, below which they look "
+        "alike. ballbar fit gives the circle.");
   }
 }
 
