@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "ballbar/circle/trace.hpp"
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
@@ -62,16 +64,34 @@ std::string stop_text(const AutomaticAddition& how, const Diagnosis& diagnosis) 
   }
 }
 
+// Whether the recordings state no value of an input of the effect.
+bool lacks_input(const Effect& effect, const Series& trace) {
+  return std::any_of(effect.inputs.begin(), effect.inputs.end(), [&](const Input& input) {
+    const std::vector<double>& values = find_column(trace, trace_column(input.role))->values;
+    return std::none_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  });
+}
+
 // The errors of the axes that are significant, each a revision, first the one that leaves least. Returns why it
 // stopped.
 std::string add_errors(const AutomaticAddition& how, const ModelData& data, Additions& additions) {
   const MachineErrors found =
       with_source(how.model.data.front().name(), [&] { return machine_errors_of_trace(*data.series); });
+  std::string not_added;
   for (const AddedError& one : found.one_by_one) {
     const std::vector<Term>& terms = additions.model.model().terms;
     const bool has =
         std::any_of(terms.begin(), terms.end(), [&](const Term& term) { return term.effect.get() == one.effect; });
     if (has) continue;
+    if (one.group) {
+      std::string names = name_of(found.groups[*one.group]);
+      not_added += fmt::format(" Not added, since these readings cannot separate them: {}.", names);
+      continue;
+    }
+    if (lacks_input(*one.effect, *data.series)) {
+      not_added += fmt::format(" Not added, since the recordings state no feed: {}.", one.effect->name);
+      continue;
+    }
     additions.model.add({term_of(one.effect->name, {}, Level::recording)});
     additions.effect_tests.push_back(additions.model.revise({.prune = how.prune}));
     additions.effect_tests.back().after.verdict = name_of(Verdict::named);
@@ -79,12 +99,12 @@ std::string add_errors(const AutomaticAddition& how, const ModelData& data, Addi
   const double left_um = found.residual_rms_um;
   return found.left ? fmt::format(
                           "Stopped: no other error of the axes is significant. A wave of {} per turn remains that no "
-                          "known effect explains.",
-                          found.left->harmonic)
+                          "known effect explains.{}",
+                          found.left->harmonic, not_added)
                     : fmt::format(
                           "Stopped: no other error of the axes is significant. With all errors, {:.2f} um RMS "
-                          "remains.",
-                          left_um);
+                          "remains.{}",
+                          left_um, not_added);
 }
 
 // The same effect on the same columns; a step or a jump at the same time.

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
 #include "ballbar/circle/circularity.hpp"
 #include "ballbar/error.hpp"
@@ -129,6 +130,9 @@ ErrorsReports errors_reports_of(const std::vector<Source>& files, const ErrorsOp
 }
 
 std::optional<double> stored_value_of(const ErrorsReport& report, const MachineError& error) {
+  // Without a feed a delay is in um, and the stored one in ms.
+  const auto has_unit = [&](const Parameter& gain) { return gain.unit == error.unit; };
+  if (error.effect != nullptr && std::ranges::none_of(error.effect->parameters, has_unit)) return std::nullopt;
   return report.b5r ? stored_error(*report.b5r, error.name) : std::nullopt;
 }
 
@@ -142,6 +146,37 @@ std::optional<bool> same_as_stored(const ErrorsReport& report, const MachineErro
   const double digit = error.unit == "um/m" ? 1.0 : error.unit == "ms" ? 0.01 : 0.1;
   return std::abs(*error.as_instrument - *stored) <= 1.5 * digit + 1e-6;
 }
+
+namespace {
+
+bool is_of(const ErrorGroup& group, const std::optional<NextMeasurement>& next) {
+  return next && std::any_of(group.effects.begin(), group.effects.end(),
+                             [&](const Effect* effect) { return effect->name == next->error; });
+}
+
+// By the measurement that would tell: what these recordings lack.
+std::string what_cannot_tell(const ErrorsReport& report, const ErrorGroup& group) {
+  if (!is_of(group, report.found.next)) return "these readings";
+  double longest_rad = 0.0;
+  for (const Recording& one : report.recordings) longest_rad = std::max(longest_rad, arc_rad(one));
+  switch (report.found.next->measurement) {
+    case Measurement::other_direction:
+      return "one direction";
+    case Measurement::full_circle:
+      return fmt::format("an arc of {:.0f} deg", deg_from_rad(longest_rad));
+    default:
+      return "one feed";
+  }
+}
+
+std::string names_of(const ErrorGroup& group, Plane plane) {
+  std::vector<std::string> names;
+  names.reserve(group.effects.size());
+  for (const Effect* effect : group.effects) names.push_back(plain_name(effect->name, plane));
+  return fmt::format("{}", fmt::join(names, " or "));
+}
+
+}  // namespace
 
 std::string group_text(const ErrorsReport& report, const ErrorGroup& group) {
   const Plane plane = report.recordings.front().plane;
@@ -159,15 +194,7 @@ std::string group_text(const ErrorsReport& report, const ErrorGroup& group) {
   }
   std::string text = fmt::format("{}", fmt::join(members, " or "));
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  const double arc_deg = deg_from_rad(arc_rad(report.recordings.front()));
-  const auto same_direction = [&](const Recording& one) {
-    return one.direction == report.recordings.front().direction;
-  };
-  text += std::ranges::all_of(report.recordings, same_direction) ? ": one direction cannot tell."
-          : arc_deg < 358.0 ? fmt::format(": an arc of {:.0f} deg cannot tell.", arc_deg)
-                            : ": these readings cannot tell.";
-  if (report.found.next) text += " " + measurement_text(*report.found.next);
-  return text;
+  return text + fmt::format(": {} cannot tell.", what_cannot_tell(report, group));
 }
 
 const RankedError* first_of(const MachineErrors& found) {
@@ -240,11 +267,13 @@ std::string significant_text(const ErrorsReport& report) {
                                              found.circularity_um, most.circularity_without_um)
                                : fmt::format("The circularity is {:.1f} um. Correcting {} alone does not lower it. ",
                                              found.circularity_um, first);
-  if (significant.size() == 1) return text + "No other error is significant.";
+  const std::size_t count = significant.size() + found.groups.size();
+  if (count == 1) return text + "No other error is significant.";
   std::vector<std::string> others;
   for (std::size_t k = 1; k < significant.size(); ++k)
     others.push_back(plain_name(significant[k]->effect->name, plane));
-  const std::string all = significant.size() == 2 ? "both" : "all " + number_word(significant.size());
+  for (const ErrorGroup& group : found.groups) others.push_back(names_of(group, plane));
+  const std::string all = count == 2 ? "both" : "all " + number_word(count);
   if (found.circularity_without_all_um > most.circularity_without_um + kMore_um) {
     text += fmt::format(
         "Correcting {} significant errors leaves {:.1f} um, more than this one alone: at some angles the "
@@ -265,12 +294,16 @@ std::string conclusion(const ErrorsReport& report) {
   const bool any = !significant_of(found).empty();
   std::string leading, following;
   for (const ErrorGroup& group : found.groups) {
-    if (leading.empty() && (group.rank == std::size_t{1} || !any)) {
-      leading = fmt::format("{} Together they cause {:.1f} um of the circularity of {:.1f} um. ",
-                            group_text(report, group), group.individual_circularity_um, found.circularity_um);
-    } else {
-      following += " " + group_text(report, group);
+    std::string text = group_text(report, group);
+    if (is_of(group, found.next)) text += " " + measurement_text(*found.next);
+    if (!leading.empty() || (any && group.rank != std::size_t{1})) {
+      following += " " + text;
+      continue;
     }
+    leading = text + " ";
+    leading += group.rank ? fmt::format("Correcting them lowers the circularity from {:.1f} to {:.1f} um. ",
+                                        found.circularity_um, group.circularity_without_um)
+                          : fmt::format("The circularity is {:.1f} um. ", found.circularity_um);
   }
   if (any) return leading + significant_text(report) + following;
   if (!leading.empty()) return leading + "No single error of the axes is significant." + following;
@@ -284,11 +317,9 @@ std::string left_text(const ErrorsReport& report) {
     text = fmt::format("Remaining error, one error added at a time: circle alone {:.2f} um RMS", found.circle_rms_um);
     for (const AddedError& one : found.one_by_one) {
       const Plane plane = report.recordings.front().plane;
-      std::vector<std::string> names;
-      if (!one.group) names.push_back(plain_name(one.effect->name, plane));
-      for (std::size_t k = 0; one.group && k < found.groups[*one.group].effects.size(); ++k)
-        names.push_back(plain_name(found.groups[*one.group].effects[k]->name, plane));
-      text += fmt::format(", + {} {:.2f}", fmt::join(names, " or "), one.rms_um);
+      const std::string name =
+          one.group ? names_of(found.groups[*one.group], plane) : plain_name(one.effect->name, plane);
+      text += fmt::format(", + {} {:.2f}", name, one.rms_um);
     }
     text += ". ";
   }

@@ -49,8 +49,7 @@ struct ErrorsReports {
 // Reads and fits the files. Throws Error for an unreadable file if it is the only one, or with `strict`.
 ErrorsReports errors_reports_of(const std::vector<Source>& files, const ErrorsOptions& options);
 
-// The members of a group with the value that each would have alone, why these readings cannot separate them, and what
-// would.
+// The members of a group with the value that each would have alone, and why these readings cannot separate them.
 std::string group_text(const ErrorsReport& report, const ErrorGroup& group);
 
 // The stored values of the file for each row and effect.
@@ -71,7 +70,7 @@ std::vector<std::string> difference_texts(const ErrorsReport& report);
 std::string conclusion(const ErrorsReport& report);
 std::string left_text(const ErrorsReport& report);
 
-// "named", "unexplained", "nothing": as the other verdicts.
+// "named", "equivalent", "unexplained", "nothing": as the other verdicts.
 std::string verdict_of(const ErrorsReport& report);
 
 ToleranceCheck check_of(const ErrorsReport& report);

@@ -17,6 +17,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kRemedies = 3;
+constexpr std::size_t kNoRank = static_cast<std::size_t>(-1);  // behind every rank
 constexpr std::size_t kWidest = 100, kWidestDetails = 144;
 constexpr std::size_t kErrorRows = 10, kStoredRows = 25, kDifferences = 3;  // without details
 
@@ -97,7 +98,7 @@ std::string table_text(const ErrorsReport& report, bool details) {
   if (details && stored) heading.insert(heading.end(), {"stored", "stored rank"});
   heading.emplace_back("confirmed");
   Table table(heading);
-  std::size_t rows = 0;
+  std::size_t rows = 0, hidden = 0;
   const auto cell_of_gain = [](double gain_um, double sigma_um) {
     return std::isnan(sigma_um) ? plain(gain_um, 1) : with_sigma(gain_um, sigma_um, decimals_of_sigma(sigma_um));
   };
@@ -114,7 +115,10 @@ std::string table_text(const ErrorsReport& report, bool details) {
     }
   };
   const auto add = [&](const MachineError& error, const RankedError* ranked, bool first) {
-    if (++rows > kErrorRows && !details) return;
+    if (++rows > kErrorRows && !details) {
+      ++hidden;
+      return;
+    }
     const int decimals = decimals_of_sigma(error.sigma);
     const bool marked = ranked != nullptr && report.options.in_the_model.contains(ranked->effect->name);
     std::vector<std::string> row{(marked ? "+ " : "") + error.name, with_sigma(error.value, error.sigma, decimals),
@@ -138,18 +142,18 @@ std::string table_text(const ErrorsReport& report, bool details) {
   std::size_t next = 0;  // group
   const auto add_groups_before = [&](std::size_t rank) {
     const std::vector<ErrorGroup>& groups = report.found.groups;
-    while (next < groups.size() && groups[next].rank.value_or(rank) <= rank) add_group(groups[next++]);
+    while (next < groups.size() && groups[next].rank.value_or(kNoRank) <= rank) add_group(groups[next++]);
   };
   for (const ErrorRow& one : all) {
     const bool has_rank = one.ranked && one.ranked->rank;
-    add_groups_before(has_rank ? *one.ranked->rank : report.found.ranked.size() + report.found.groups.size());
+    add_groups_before(has_rank ? *one.ranked->rank : kNoRank);
     if (one.ranked && one.ranked->group && !details) continue;  // shown with its group
     const Effect* const effect = one.ranked ? one.ranked->effect : nullptr;
     add(one.error, one.ranked ? &*one.ranked : nullptr, effect == nullptr || effect != before);
     before = effect;
   }
   std::string text = table.text(table_width(details ? kWidestDetails : kWidest));
-  if (rows > kErrorRows && !details) text += more_text(rows - kErrorRows) + '\n';
+  if (hidden > 0) text += more_text(hidden) + '\n';
   return text;
 }
 
@@ -213,7 +217,7 @@ void print_group(const ErrorsReport& report, bool details) {
   if (!found.undetermined.empty()) {
     fmt::print("{}", wrapped(fmt::format("Not separable by these readings: {}.", fmt::join(found.undetermined, "; "))));
   }
-  if (found.next) fmt::print("{}\n", measurement_text(*found.next));
+  if (found.next && found.groups.empty()) fmt::print("{}\n", measurement_text(*found.next));
   if (details) fmt::print("{}", prior_text(report));
 }
 

@@ -39,7 +39,9 @@ Eigen::RowVectorXd sum_of(const JointErrorFit& errors, const Effect& effect, std
 }
 
 double shape_of(const JointErrorFit& errors, const Term& term, std::size_t parameter) {
-  if (term.settings[parameter].held) return term.settings[parameter].start;
+  const Setting& setting = term.settings[parameter];
+  const bool is_fitted = !setting.stated && parameter == shape_of(*term.effect);  // as errors fits it
+  if (setting.held && !is_fitted) return setting.start;
   for (const FittedEffect& effect : errors.effects) {
     if (effect.effect == term.effect.get() && effect.shape) return *effect.shape;
   }

@@ -104,8 +104,9 @@ std::map<std::string, std::vector<std::size_t>> by_machine(std::span<const Machi
   return places;
 }
 
-// Whose name a row's begins with: the longest.
+// Whose name a row's begins with: the longest; nullptr: a group of errors.
 const Effect* effect_of_row(std::string_view row) {
+  if (row.find("_or_") != std::string_view::npos) return nullptr;
   const Effect* longest = nullptr;
   for (const auto& effect : built_in_catalogue()) {
     if (effect->level != Level::recording || effect->rules.error_fit == ErrorFit::none) continue;

@@ -13,13 +13,15 @@ namespace {
 
 constexpr double kStep_deg = 0.3;  // after a reversal: there the step of the play is not over
 
+// In the instrument's curve the play is taken up at once.
 // Fine rows of the curve of the effects that are fitted together, and of the circles (nullptr).
 Eigen::VectorXd curve_as_instrument(const JointErrorFit& fitted, const Effect* effect) {
   Eigen::VectorXd curve = Eigen::VectorXd::Zero(fitted.columns.fine.rows());
   for (std::size_t k = 0; k < fitted.columns.columns.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
     if (fitted.columns.columns[k].effect != effect || std::isnan(fitted.as_instrument[column])) continue;
-    curve += fitted.as_instrument[column] * fitted.columns.fine.col(column);
+    const bool is_first = column < fitted.at_once.cols();
+    curve += fitted.as_instrument[column] * (is_first ? fitted.at_once.col(column) : fitted.columns.fine.col(column));
   }
   return curve;
 }

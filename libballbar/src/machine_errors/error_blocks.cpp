@@ -131,7 +131,8 @@ GainMap GainMaps::of(const Indices& chosen, const Eigen::MatrixXd& precision) co
   // reading sees would have the sigma of its sum alone, or of rounding.
   Eigen::MatrixXd held = (kRidge * normal.diagonal()).asDiagonal();
   held.topLeftCorner(precision.rows(), precision.cols()) += precision;
-  // The columns of an inverse err along what is open: as left factors, they leave what is determined exact.
+  // The rounding of the inverse is along the open combinations. With the inverse as the left factor on both sides, the
+  // variance of a determined combination has none of it.
   map.open = stages_.slow_variance_um2 * inverse * held * inverse.transpose();
   return map;
 }

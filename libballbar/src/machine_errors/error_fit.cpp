@@ -1,9 +1,9 @@
 #include "machine_errors/error_fit.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "ballbar/circle/trace.hpp"
@@ -209,31 +209,41 @@ std::vector<FittedGroup> groups_in(const Stages& stages, const GainMaps& maps, c
     const double p = p_of(all.values(columns[k]), all.covariance(columns[k], columns[k]));
     if (effects[k].searched * effects[k].looked_at * p >= kFalseErrors) open.push_back(k);
   }
+  // What does not explain the readings alone is no member; without it the others may be other sets.
   std::vector<FittedGroup> groups;
-  for (const std::vector<std::size_t>& set : correlated_sets(columns, open, all.covariance)) {
-    const Indices of_set = joined(columns, set);
-    FittedGroup group;
-    for (const std::size_t k : set) {
-      Indices kept = columns[k];
-      std::ranges::copy_if(chosen, std::back_inserter(kept),
-                           [&](Eigen::Index one) { return std::ranges::find(of_set, one) == of_set.end(); });
-      const auto size = static_cast<Eigen::Index>(columns[k].size());
-      const GainMap alone = maps.of(kept, {});
-      const Eigen::VectorXd values = (alone.t * z_data).head(size);
-      const Eigen::MatrixXd spread = (covariance(alone) + alone.open).topLeftCorner(size, size);
-      double p = p_of(values, spread);
-      if (damping != nullptr) {
-        const GainMap damped = maps.of(kept, (*damping)(kept, kept));
-        p = std::max(p, p_of((damped.t * z_data).head(size), covariance(damped).topLeftCorner(size, size)));
+  for (bool is_smaller = true; is_smaller;) {
+    groups.clear();
+    is_smaller = false;
+    for (const std::vector<std::size_t>& set : correlated_sets(columns, open, all.covariance)) {
+      if (set.size() < 2) continue;
+      const Indices of_set = joined(columns, set);
+      FittedGroup group;
+      for (const std::size_t k : set) {
+        Indices kept = columns[k];
+        std::ranges::copy_if(chosen, std::back_inserter(kept),
+                             [&](Eigen::Index one) { return std::ranges::find(of_set, one) == of_set.end(); });
+        const auto size = static_cast<Eigen::Index>(columns[k].size());
+        const GainMap alone = maps.of(kept, {});
+        const Eigen::VectorXd values = (alone.t * z_data).head(size);
+        const Eigen::MatrixXd spread = (covariance(alone) + alone.open).topLeftCorner(size, size);
+        double p = p_of(values, spread);
+        if (damping != nullptr) {
+          const GainMap damped = maps.of(kept, (*damping)(kept, kept));
+          p = std::max(p, p_of((damped.t * z_data).head(size), covariance(damped).topLeftCorner(size, size)));
+        }
+        if (p * effects[k].looked_at * effects[k].searched >= kFalseErrors) {
+          std::erase(open, k);
+          is_smaller = true;
+          continue;
+        }
+        group.p = std::min(1.0, std::min(group.p, p * static_cast<double>(set.size())));
+        // In the order of JointErrorFit::effects.
+        group.effects.push_back(k + (k < stages.extra.effects.size() ? 0 : stages.spikes.effects.size()));
+        group.alone.push_back(values);
+        group.covariance.push_back(spread);
       }
-      if (p * effects[k].looked_at >= kFalseErrors) continue;
-      group.p = std::min(1.0, std::min(group.p, p * static_cast<double>(set.size())));
-      // In the order of JointErrorFit::effects.
-      group.effects.push_back(k + (k < stages.extra.effects.size() ? 0 : stages.spikes.effects.size()));
-      group.alone.push_back(values);
-      group.covariance.push_back(spread);
+      if (group.effects.size() > 1) groups.push_back(std::move(group));
     }
-    if (group.effects.size() > 1) groups.push_back(std::move(group));
   }
   return groups;
 }
@@ -422,6 +432,7 @@ JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options
   const QuietRows quiet = quiet_rows(of, smooth);
   fitted.noise = error_noise(quiet.rows, quiet.columns);
   fitted.slow_variance_um2 = slow_variance_um2(of, fitted.noise);
+  fitted.at_once = stages.together.columns.fine;
   const std::vector<const Effect*> explained =
       fit_step_widths(stages, damping == nullptr ? stages.first : damped, of, at_reversals, fitted.noise.front().noise);
   const auto fit_spikes = [&] {

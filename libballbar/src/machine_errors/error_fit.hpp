@@ -35,6 +35,7 @@ struct FittedGroup {
 struct JointErrorFit {
   ErrorRows rows;  // deviation_um freed of what a centre adds in second order
   ErrorColumns columns;
+  Eigen::MatrixXd at_once;        // the first fine columns, with play that is taken up at once
   Eigen::VectorXd gains;          // one a column
   Eigen::VectorXd as_instrument;  // likewise, by the estimator of as_instrument.hpp; NaN: it has none
   Eigen::MatrixXd covariance;     // of the gains

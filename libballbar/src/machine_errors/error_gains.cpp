@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
+#include <utility>
 
 #include "ballbar/circle/trace.hpp"
 #include "ballbar/units.hpp"
@@ -68,16 +70,17 @@ struct Blocks {
 
 // Errors that are corrected together: a single one, or those of a group.
 struct Correction {
-  std::vector<const Effect*> effects;
+  std::vector<std::size_t> columns;
   Eigen::VectorXd curve;
 };
 
 Correction correction_of(const JointErrorFit& fitted, const std::vector<const Effect*>& effects) {
-  Correction one{effects, Eigen::VectorXd::Zero(fitted.columns.fine.rows())};
+  Correction one{{}, Eigen::VectorXd::Zero(fitted.columns.fine.rows())};
   for (const FittedEffect& fit : fitted.effects) {
-    // Of a group an error that is not in the fit is in the curves of the others.
+    // The fit explains a group by its members in the fit alone.
     if (std::ranges::find(effects, fit.effect) == effects.end() || (effects.size() > 1 && !fit.in_the_fit)) continue;
     one.curve += fitted.fine_curve(fit.effect);
+    one.columns.insert(one.columns.end(), fit.columns.begin(), fit.columns.end());
   }
   return one;
 }
@@ -106,10 +109,9 @@ std::vector<double> gain_sigmas_um(const std::vector<Correction>& corrections, c
     const double circularity_um = now.range_without(Eigen::VectorXd::Zero(change.size()));
     for (std::size_t k = 0; k < corrections.size(); ++k) {
       Eigen::VectorXd curve = corrections[k].curve;
-      for (std::size_t c = 0; c < fitted.columns.columns.size(); ++c) {
+      for (const std::size_t c : corrections[k].columns) {
         const auto column = static_cast<Eigen::Index>(c);
-        if (std::ranges::find(corrections[k].effects, fitted.columns.columns[c].effect) != corrections[k].effects.end())
-          curve += gains[column] * fitted.columns.fine.col(column);
+        curve += gains[column] * fitted.columns.fine.col(column);
       }
       const double gain = circularity_um - now.range_without(curve);
       sums[k] += gain;
@@ -142,6 +144,17 @@ void rank(std::vector<RankedError>& ranked, std::vector<ErrorGroup>& groups) {
   }
   std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   for (std::size_t k = 0; k < places.size(); ++k) *places[k].second = k + 1;
+  // Groups by rank, those without one last.
+  std::vector<std::size_t> order(groups.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return groups[k].rank.value_or(places.size() + 1); });
+  std::vector<ErrorGroup> sorted;
+  sorted.reserve(groups.size());
+  for (const std::size_t k : order) sorted.push_back(std::move(groups[k]));
+  groups = std::move(sorted);
+  for (RankedError& one : ranked) {
+    if (one.group) one.group = static_cast<std::size_t>(std::ranges::find(order, *one.group) - order.begin());
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "ballbar/circle/trace.hpp"
 #include "ballbar/error.hpp"

@@ -6,6 +6,10 @@ import type { MachineErrorsPart } from "../report";
 import { language, named, t } from "../texts/texts";
 
 export const error_name = (name: string, plane: string | undefined, most = 60): string => {
+  if (name.includes("_or_")) {
+    const members = name.split("_or_").map((member) => error_name(member, plane, most));
+    return plain(members.join(t.errors_or), most);
+  }
   const [a, b] = axes_of_plane(plane);
   const axes: Record<string, string> = { a, b };
   const sides: Record<string, string> = { pos: "+", neg: "−", fwd: "→", rev: "←" };

@@ -26,8 +26,8 @@ export const verdict_of = ({ part, recordings }: ErrorTest): Sentence => {
   if (language === "en") return english(part.conclusion);
   const group = leading_group(part);
   if (group) {
-    const errors = group_name(group, recordings[0]?.plane);
-    return t.errors_conclusion_group({ circularity, errors, um: shown(group.individual_circularity_um, 1) });
+    const errors = capital(group_name(group, recordings[0]?.plane));
+    return t.errors_conclusion_group({ circularity, errors, without: shown(group.circularity_without_um, 1) });
   }
   const most = ranked_errors(part).find(({ first }) => first.rank !== null || first.significant === true);
   if (!most) return t.errors_conclusion_none({ circularity });

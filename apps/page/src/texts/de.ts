@@ -207,8 +207,8 @@ export const de: Texts = {
   errors_conclusion_none:
     ({ circularity }) => `Die Kreisformabweichung beträgt ${circularity} µm. Kein Fehler der Achsen ist signifikant.`,
   errors_conclusion_group:
-    ({ circularity, errors, um }) =>
-      `Die Kreisformabweichung beträgt ${circularity} µm, davon ${um} µm durch ${errors}: Diese Messwerte können das nicht unterscheiden.`,
+    ({ circularity, errors, without }) =>
+      `${errors}: Diese Messwerte können das nicht unterscheiden. Die Behebung senkt die Kreisformabweichung von ${circularity} auf ${without} µm.`,
   errors_or: " oder ",
   errors_of_axis: ({ name, axis }) => `${name} ${axis}`,
   errors_gain: "Gewinn µm",

@@ -214,8 +214,8 @@ export const en = {
   errors_conclusion_none:
     ({ circularity }: { circularity: string }) => `The circularity is ${circularity} µm. No error of the axes is significant.`,
   errors_conclusion_group:
-    ({ circularity, errors, um }: { circularity: string; errors: string; um: string }) =>
-      `The circularity is ${circularity} µm, ${um} µm of it by ${errors}: these readings cannot tell which.`,
+    ({ circularity, errors, without }: { circularity: string; errors: string; without: string }) =>
+      `${errors}: these readings cannot tell which. Correcting them lowers the circularity from ${circularity} to ${without} µm.`,
   errors_or: " or ",
   errors_of_axis: ({ name, axis }: { name: string; axis: string }) => `${name} of ${axis}`,
   errors_gain: "gain µm",

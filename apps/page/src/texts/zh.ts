@@ -194,8 +194,8 @@ export const zh: Texts = {
     ({ circularity, error, without }) => `修复${error}后，圆度从 ${circularity} µm 降至 ${without} µm。`,
   errors_conclusion_no_gain: ({ circularity, error }) => `圆度为 ${circularity} µm。仅修复${error}不能使其降低。`,
   errors_conclusion_none: ({ circularity }) => `圆度为 ${circularity} µm。没有显著的轴误差。`,
-  errors_conclusion_group: ({ circularity, errors, um }) =>
-    `圆度为 ${circularity} µm，其中 ${um} µm 来自${errors}：这些读数无法区分是哪一个。`,
+  errors_conclusion_group: ({ circularity, errors, without }) =>
+    `${errors}：这些读数无法区分是哪一个。修复后，圆度从 ${circularity} µm 降至 ${without} µm。`,
   errors_or: "或",
   errors_of_axis: ({ name, axis }) => `${axis} 轴${name}`,
   errors_gain: "改善 µm",

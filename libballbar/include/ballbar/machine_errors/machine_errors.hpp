@@ -148,9 +148,9 @@ struct MachineErrors {
   std::vector<MachineError> errors;
   Eigen::MatrixXd covariance;               // of the values in `errors`, in that order
   std::vector<RankedError> ranked;          // by rank, then the others by falling IC
-  std::vector<ErrorGroup> groups;           // by falling IC
+  std::vector<ErrorGroup> groups;           // by rank, those without one last
   double circularity_um = 0.0;              // max - min of all readings about the fitted centre
-  double circularity_without_all_um = 0.0;  // circularity if all significant errors are corrected
+  double circularity_without_all_um = 0.0;  // circularity if all significant errors and groups are corrected
   double circle_rms_um = 0.0;               // residual of the circles alone
   double residual_rms_um = 0.0;             // residual of all errors
   // Significant errors in the order of forward selection: each step adds the one that lowers the residual most.

@@ -12,7 +12,7 @@ namespace {
 // and 2 um too far on the way back: a step outwards of 4 um. At 180 deg the same.
 TEST(backlash, steps_outwards_by_the_play_at_the_axis_reversal) {
   const auto at = [](double angle_deg, double direction) {
-    return added_um("backlash_a", {4.0, 4.0}, {.angle_deg = angle_deg, .direction = direction});
+    return added_um("backlash_a", {4.0, 4.0, 0.0}, {.angle_deg = angle_deg, .direction = direction});
   };
   EXPECT_NEAR(at(-0.01, kCcw), -2.0, 1e-6);
   EXPECT_NEAR(at(0.01, kCcw), 2.0, 1e-6);
@@ -26,7 +26,7 @@ TEST(backlash, steps_outwards_by_the_play_at_the_axis_reversal) {
 
 TEST(backlash, of_b_steps_at_90_and_270_deg) {
   const auto at = [](double angle_deg, double direction) {
-    return added_um("backlash_b", {4.0, 4.0}, {.angle_deg = angle_deg, .direction = direction});
+    return added_um("backlash_b", {4.0, 4.0, 0.0}, {.angle_deg = angle_deg, .direction = direction});
   };
   EXPECT_NEAR(at(89.99, kCcw), -2.0, 1e-6);
   EXPECT_NEAR(at(90.01, kCcw), 2.0, 1e-6);
@@ -38,15 +38,29 @@ TEST(backlash, of_b_steps_at_90_and_270_deg) {
 // 6 um at the + end and 2 um at the - end: 4 um in the middle, 5 um at half the way towards +. Outside of 60 deg A is
 // at + 1/2 and, CCW, on its way back: half of 5 um times 1/2.
 TEST(backlash, goes_linearly_from_one_end_to_the_other) {
-  const auto a = [](double angle_deg) { return added_um("backlash_a", {6.0, 2.0}, {.angle_deg = angle_deg}); };
+  const auto a = [](double angle_deg) { return added_um("backlash_a", {6.0, 2.0, 0.0}, {.angle_deg = angle_deg}); };
   EXPECT_NEAR(a(0.01) - a(-0.01), 6.0, 1e-6);
   EXPECT_NEAR(a(180.01) - a(179.99), 2.0, 1e-6);
   EXPECT_NEAR(a(60.0), 1.25, kRounding_um);
   EXPECT_NEAR(a(120.0), -0.75, kRounding_um);
-  const auto b = [](double angle_deg) { return added_um("backlash_b", {6.0, 2.0}, {.angle_deg = angle_deg}); };
+  const auto b = [](double angle_deg) { return added_um("backlash_b", {6.0, 2.0, 0.0}, {.angle_deg = angle_deg}); };
   EXPECT_NEAR(b(90.01) - b(89.99), 6.0, 1e-6);
   EXPECT_NEAR(b(270.01) - b(269.99), 2.0, 1e-6);
   EXPECT_NEAR(b(30.0), -1.25, kRounding_um);
+}
+
+// 4 um over 1 deg: a quarter of the step after 0.25 deg, all of it after 1 deg; before the reversal nothing.
+TEST(backlash, is_taken_up_over_its_width) {
+  const auto at = [](double angle_deg, double direction) {
+    return added_um("backlash_a", {4.0, 4.0, 1.0}, {.angle_deg = angle_deg, .direction = direction});
+  };
+  const auto half_play_um = [](double angle_deg) { return 2.0 * std::cos(angle_deg * 0.017453292519943295); };
+  EXPECT_NEAR(at(-0.01, kCcw), -2.0, 1e-6);
+  EXPECT_NEAR(at(0.25, kCcw), -0.5 * half_play_um(0.25), kRounding_um);
+  EXPECT_NEAR(at(0.75, kCcw), 0.5 * half_play_um(0.75), kRounding_um);
+  EXPECT_NEAR(at(1.0, kCcw), half_play_um(1.0), kRounding_um);
+  EXPECT_NEAR(at(180.25, kCcw), -0.5 * half_play_um(0.25), kRounding_um);
+  EXPECT_NEAR(at(-0.25, kCw), -0.5 * half_play_um(0.25), kRounding_um);
 }
 
 // 5 um at the + end, 3 um at the - end, width 2 deg: after 2 deg 37 %.
