@@ -207,6 +207,7 @@ Eigen::VectorXd excess_of(const ErrorRows& rows, const Eigen::VectorXd& residual
   };
   std::array<double, kReversals + 1> squares{}, count{};
   for (Eigen::Index i = 0; i < rows.size(); ++i) {
+    if (rows.from_reversal_deg[i] <= kAtReversal_deg) continue;
     squares[place_of(i)] += rows.count[i] * residual[i] * residual[i];
     count[place_of(i)] += rows.count[i];
   }

@@ -53,7 +53,7 @@ struct QuietRows {
 QuietRows quiet_rows(const ErrorRows& rows, const Eigen::MatrixXd& columns);
 
 // By how much the readings within the reach of each reversal scatter more than those of none, a factor for each row; 1
-// where that is not clear.
+// where that is not clear. Readings up to 1.5 deg after a reversal are left out: they are single ones.
 Eigen::VectorXd excess_of(const ErrorRows& rows, const Eigen::VectorXd& residual);
 
 }  // namespace ballbar
