@@ -205,7 +205,9 @@ TEST(MachineErrorsWithoutFeed, HaveTheServoMismatchInUm) {
     EXPECT_EQ(found.errors.size(), 30U);
     for (const MachineError& row : found.errors) {
       const bool is_servo = row.name == "servo_mismatch";
-      if (is_servo) EXPECT_EQ(row.unit, "um");
+      if (is_servo) {
+        EXPECT_EQ(row.unit, "um");
+      }
       const double truth = test.of(row.name) * (is_servo ? test.feed_mm_per_min / 60.0 : 1.0);
       EXPECT_NEAR(row.value, truth, 4.0 * row.sigma) << row.name;
       EXPECT_LT(row.sigma, row.unit == "um/m" ? 3.0 : 1.0) << row.name;

@@ -16,7 +16,8 @@
 namespace ballbar {
 
 struct TestQuantity {
-  std::string name;  // a row or a group of MachineErrors, or "circularity", "residual_rms", "scale_x", "scale_y", "scale_z"
+  std::string
+      name;  // a row or a group of MachineErrors, or "circularity", "residual_rms", "scale_x", "scale_y", "scale_z"
   std::string unit;
   double value = 0.0;
   double sigma = std::numeric_limits<double>::quiet_NaN();  // NaN: not known, as for stored values
