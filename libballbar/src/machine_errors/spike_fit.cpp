@@ -19,8 +19,10 @@ constexpr double kIndependentWidths = 2.0;  // the curves of all are alike
 constexpr double kNotPassed = 1e-6;         // square of a spike whose reversal no recording passes, by the noise
 constexpr double kSpikes = 4.0;             // at both ends of both axes
 constexpr double kStepWidths_deg[] = {0.0, 0.2, 0.4, 0.6, 0.8, 1.0, 1.25, 1.5};
-constexpr double kUsualHeight_um = 3.0;  // prior sigma of a spike
-constexpr double kGap_deg = 45.0;        // from one reversal of an axis to the next there is more
+constexpr double kNoWidth_deg = 1e-9;
+constexpr double kSettlings_deg[] = {0.2, 0.35, 0.5, 0.7, 1.0};  // of a step that settles exponentially
+constexpr double kUsualHeight_um = 3.0;                          // prior sigma of a spike
+constexpr double kGap_deg = 45.0;  // from one reversal of an axis to the next there is more
 
 // Neighbouring rows of one recording, after one reversal, and the root of their covariance.
 struct Window {
@@ -131,8 +133,20 @@ StepWidth step_width(const PlayStep& step, const Effect& spike, const ErrorRows&
     }
     beside.push_back(alone.back() + std::log(sum));
   }
+  // A step that settles exponentially lacks the play, as a spike, at first: also at the reversal itself, where a step
+  // of no width has half of it.
+  std::vector<double> steps = alone;
+  const Eigen::VectorXd after = left(near) - at_once + curve(kNoWidth_deg);
+  for (const double settling_deg : kSettlings_deg) {
+    const Eigen::MatrixXd lacks = at.means(unit_curves(spike, at.fine, settling_deg))(Eigen::all, step.gains);
+    const Eigen::VectorXd rest = after + lacks * step.values;
+    steps.push_back(-0.5 * rest.dot(filters_of(rest, windows).col(0)));
+  }
   StepWidth result;
-  result.spike_evidence = 2.0 * (log_sum(beside) - log_sum(alone));
+  const auto mean_of = [](const std::vector<double>& logs) {
+    return log_sum(logs) - std::log(static_cast<double>(logs.size()));
+  };
+  result.spike_evidence = 2.0 * (mean_of(beside) - mean_of(steps));
   const std::vector<double>& likelihood = result.spike_evidence >= kLeastSpikeEvidence ? beside : alone;
   const auto best = std::max_element(likelihood.begin(), likelihood.end()) - likelihood.begin();
   result.width_deg = kStepWidths_deg[best];

@@ -106,6 +106,20 @@ TEST(StepsOfPlay, have_a_width_and_no_spike) {
   }
 }
 
+// A step of 4 um that settles as 1 - exp(-d / w).
+TEST(StepsOfPlay, that_settle_exponentially_have_no_spike) {
+  for (const double settling_deg : {0.3, 0.7}) {
+    made::ErrorTest test = with({{"backlash_a_pos", 4.0},
+                                 {"backlash_a_neg", 4.0},
+                                 {"reversal_spike_a_pos", -4.0},
+                                 {"reversal_spike_a_neg", -4.0}});
+    test.spike_width_deg = settling_deg;
+    const MachineErrors found = machine_errors(made::both_runs(test));
+    EXPECT_TRUE(ranked_of(found, "backlash_a")->significant);
+    EXPECT_FALSE(ranked_of(found, "reversal_spike_a")->significant) << settling_deg;
+  }
+}
+
 TEST(StepsOfPlay, with_a_spike_beside_them) {
   made::ErrorTest test = with(
       {{"backlash_a_pos", 2.0}, {"backlash_a_neg", 2.0}, {"reversal_spike_a_pos", 2.0}, {"reversal_spike_a_neg", 2.0}});
