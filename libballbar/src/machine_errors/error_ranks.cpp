@@ -247,20 +247,17 @@ std::vector<ErrorGroup> error_groups(const JointErrorFit& fitted) {
     group.sigma_um = std::sqrt(std::max(0.0, variance));
     groups.push_back(std::move(group));
   }
-  std::stable_sort(groups.begin(), groups.end(), [](const ErrorGroup& a, const ErrorGroup& b) {
-    return a.individual_circularity_um > b.individual_circularity_um;
-  });
   return groups;
 }
 
 std::vector<RankedError> ranked_errors(const JointErrorFit& fitted, const ErrorTable& table) {
   const Eigen::VectorXd residual = fitted.residual();
   const Directions directions = directions_of(fitted.rows);
-  const std::vector<ErrorGroup> groups = error_groups(fitted);
   std::vector<RankedError> ranked;
   ranked.reserve(fitted.effects.size());
   double sum_um = 0.0;
-  for (const FittedEffect& effect : fitted.effects) {
+  for (std::size_t place = 0; place < fitted.effects.size(); ++place) {
+    const FittedEffect& effect = fitted.effects[place];
     RankedError one;
     one.effect = effect.effect;
     one.shape = effect.shape;
@@ -282,8 +279,8 @@ std::vector<RankedError> ranked_errors(const JointErrorFit& fitted, const ErrorT
     const bool of_each_recording = fitted.columns.columns[effect.columns.front()].recording.has_value();
     const bool is_spike = effect.effect->rules.error_fit == ErrorFit::at_reversals;
     if ((of_each_recording || is_spike) && one.predicts_other_run == false) one.significant = false;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      if (std::ranges::find(groups[g].effects, effect.effect) == groups[g].effects.end()) continue;
+    for (std::size_t g = 0; g < fitted.groups.size(); ++g) {
+      if (std::ranges::find(fitted.groups[g].effects, place) == fitted.groups[g].effects.end()) continue;
       one.group = g;
       one.significant = false;
     }

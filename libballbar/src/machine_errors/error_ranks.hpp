@@ -19,7 +19,7 @@ struct ErrorTable {
 // widened if its 95 % interval reaches 0, because an amplitude is never negative, and not 0 in pure noise.
 ErrorTable error_table(const JointErrorFit& fitted, CyclicOfRuns cyclic_of_runs);
 
-// The groups of the fit, by falling IC; without ranks and gains, which error_gains.hpp sets.
+// The groups of the fit, in its order; without ranks and gains, which error_gains.hpp sets.
 std::vector<ErrorGroup> error_groups(const JointErrorFit& fitted);
 
 // Sorted by falling IC, without ranks, which error_gains.hpp sets.

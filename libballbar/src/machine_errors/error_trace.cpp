@@ -129,8 +129,7 @@ JointErrorFit joint_error_fit(const Series& trace, const MachineErrorOptions& op
   if (set_up.arc_rad < kShortestArc_rad) {
     throw Error(
         fmt::format("an arc of {:.0f} deg is too short for the errors of the axes: expected at least {:.0f} deg, below "
-                    "which they look "
-                    "alike. ballbar fit gives the circle.",
+                    "which they look alike. ballbar fit gives the circle.",
                     deg_from_rad(set_up.arc_rad), deg_from_rad(kShortestArc_rad)));
   }
   const ErrorRows rows = error_rows(with_feed(trace));

@@ -9,7 +9,7 @@
 // noise of this full model: white and correlated, by restricted likelihood, averaged over correlation length and share.
 // A reversal spike is fitted to the residual of all others within 9 deg after its own reversal. If it is significant,
 // these readings are left out of the fit of the others. Play is taken up over a width of 0 to 1.5 deg after a reversal;
-// a spike needs a Bayes factor of 2 ln B >= 10 beside a step of any width, linear or exponential (heights N(0, 2 um),
+// a spike needs a Bayes factor of 2 ln B >= 10 beside a step of any width, linear or exponential (heights N(0, 3 um),
 // equal priors of the widths). The widths of steps and spikes and the pitch of the cyclic errors are the only shapes;
 // all are searched on a grid.
 //
