@@ -77,9 +77,9 @@ std::vector<Colour> bands_of(const std::vector<Colour>& lines) {
     double within = 0.0, between = 0.0;
     std::size_t counted = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const long begin = std::lround((static_cast<double>(i) + 0.25) * length);
-      const long end = std::lround((static_cast<double>(i) + 0.75) * length);
-      const std::span stretch(lines.begin() + begin, lines.begin() + end);
+      const auto begin = static_cast<std::size_t>(std::lround((static_cast<double>(i) + 0.25) * length));
+      const auto end = static_cast<std::size_t>(std::lround((static_cast<double>(i) + 0.75) * length));
+      const auto stretch = std::span(lines).subspan(begin, end - begin);
       bands.push_back(median_colour(stretch.size(), [&](std::size_t j) { return stretch[j]; }));
       for (const Colour& colour : stretch) within += change(colour, bands.back()) * change(colour, bands.back());
       counted += stretch.size();
