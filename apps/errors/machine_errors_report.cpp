@@ -132,7 +132,9 @@ ErrorsReports errors_reports_of(const std::vector<Source>& files, const ErrorsOp
 std::optional<double> stored_value_of(const ErrorsReport& report, const MachineError& error) {
   // Without a feed a delay is in um, and the stored one in ms.
   const auto has_unit = [&](const Parameter& gain) { return gain.unit == error.unit; };
-  if (error.effect != nullptr && std::ranges::none_of(error.effect->parameters, has_unit)) return std::nullopt;
+  if (error.effect != nullptr &&
+      std::none_of(error.effect->parameters.begin(), error.effect->parameters.end(), has_unit))
+    return std::nullopt;
   return report.b5r ? stored_error(*report.b5r, error.name) : std::nullopt;
 }
 

@@ -127,7 +127,8 @@ MachineTest machine_test(const MachineErrors& errors, std::span<const Recording>
   for (const MachineError& row : errors.errors) {
     // Without a feed a delay is in um: another quantity than that of other tests.
     const auto has_unit = [&](const Parameter& gain) { return gain.unit == row.unit; };
-    const bool is_comparable = row.effect == nullptr || std::ranges::any_of(row.effect->parameters, has_unit);
+    const bool is_comparable =
+        row.effect == nullptr || std::any_of(row.effect->parameters.begin(), row.effect->parameters.end(), has_unit);
     const bool of_set_up = !is_comparable || (row.effect == nullptr && row.name.starts_with("centre_"));
     test.quantities.push_back({row.name, row.unit, row.value, row.sigma, of_set_up});
   }

@@ -220,8 +220,8 @@ std::vector<FittedGroup> groups_in(const Stages& stages, const GainMaps& maps, c
       FittedGroup group;
       for (const std::size_t k : set) {
         Indices kept = columns[k];
-        std::ranges::copy_if(chosen, std::back_inserter(kept),
-                             [&](Eigen::Index one) { return std::ranges::find(of_set, one) == of_set.end(); });
+        std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(kept),
+                     [&](Eigen::Index one) { return std::find(of_set.begin(), of_set.end(), one) == of_set.end(); });
         const auto size = static_cast<Eigen::Index>(columns[k].size());
         const GainMap alone = maps.of(kept, {});
         const Eigen::VectorXd values = (alone.t * z_data).head(size);
@@ -254,9 +254,10 @@ std::vector<const Effect*> fit_step_widths(Stages& stages, const Block& together
   const auto [gains, left] = first_fit(stages, together, rows);
   std::vector<const Effect*> explained;
   for (const Effect* spike : spikes) {
-    const auto step = std::ranges::find_if(stages.together.effects, [&](const FittedEffect& one) {
-      return shape_of(*one.effect) != kNoShape && one.effect->rules.reversal_deg == spike->rules.reversal_deg;
-    });
+    const auto step =
+        std::find_if(stages.together.effects.begin(), stages.together.effects.end(), [&](const FittedEffect& one) {
+          return shape_of(*one.effect) != kNoShape && one.effect->rules.reversal_deg == spike->rules.reversal_deg;
+        });
     if (step == stages.together.effects.end()) continue;
     const Indices columns = columns_of(*step, 0);
     PlayStep play{step->effect, {}, gains(columns)};
@@ -438,7 +439,7 @@ JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options
   const auto fit_spikes = [&] {
     stages.spikes = spikes_in(at_reversals, of, first_fit(stages, stages.first, of).left, fitted.noise.front().noise);
     for (FittedEffect& one : stages.spikes.effects)
-      one.is_needed = std::ranges::find(explained, one.effect) == explained.end();
+      one.is_needed = std::find(explained.begin(), explained.end(), one.effect) == explained.end();
   };
   fit_spikes();
   const auto errors = static_cast<double>(jointly.size() + along_the_travel.size() + where_they_show.size());

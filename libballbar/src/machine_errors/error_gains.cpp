@@ -78,7 +78,9 @@ Correction correction_of(const JointErrorFit& fitted, const std::vector<const Ef
   Correction one{{}, Eigen::VectorXd::Zero(fitted.columns.fine.rows())};
   for (const FittedEffect& fit : fitted.effects) {
     // The fit explains a group by its members in the fit alone.
-    if (std::ranges::find(effects, fit.effect) == effects.end() || (effects.size() > 1 && !fit.in_the_fit)) continue;
+    if (std::find(effects.begin(), effects.end(), fit.effect) == effects.end() ||
+        (effects.size() > 1 && !fit.in_the_fit))
+      continue;
     one.curve += fitted.fine_curve(fit.effect);
     one.columns.insert(one.columns.end(), fit.columns.begin(), fit.columns.end());
   }
@@ -147,13 +149,15 @@ void rank(std::vector<RankedError>& ranked, std::vector<ErrorGroup>& groups) {
   // Groups by rank, those without one last.
   std::vector<std::size_t> order(groups.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return groups[k].rank.value_or(places.size() + 1); });
+  const auto place_of = [&](std::size_t k) { return groups[k].rank.value_or(places.size() + 1); };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place_of(a) < place_of(b); });
   std::vector<ErrorGroup> sorted;
   sorted.reserve(groups.size());
   for (const std::size_t k : order) sorted.push_back(std::move(groups[k]));
   groups = std::move(sorted);
   for (RankedError& one : ranked) {
-    if (one.group) one.group = static_cast<std::size_t>(std::ranges::find(order, *one.group) - order.begin());
+    if (one.group)
+      one.group = static_cast<std::size_t>(std::find(order.begin(), order.end(), *one.group) - order.begin());
   }
 }
 

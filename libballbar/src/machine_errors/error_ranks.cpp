@@ -280,7 +280,9 @@ std::vector<RankedError> ranked_errors(const JointErrorFit& fitted, const ErrorT
     const bool is_spike = effect.effect->rules.error_fit == ErrorFit::at_reversals;
     if ((of_each_recording || is_spike) && one.predicts_other_run == false) one.significant = false;
     for (std::size_t g = 0; g < fitted.groups.size(); ++g) {
-      if (std::ranges::find(fitted.groups[g].effects, place) == fitted.groups[g].effects.end()) continue;
+      if (std::find(fitted.groups[g].effects.begin(), fitted.groups[g].effects.end(), place) ==
+          fitted.groups[g].effects.end())
+        continue;
       one.group = g;
       one.significant = false;
     }
