@@ -50,7 +50,7 @@ bool is_new(Measurement measurement, const Series& trace) {
   if (measurement == Measurement::full_circle) return arc_rad >= kShortestArc_rad && arc_rad < kFullTurn_rad;
   if (measurement == Measurement::another_feed) return true;
   const std::vector<double>& direction = find_column(trace, trace_column("direction"))->values;
-  return std::ranges::min(direction) == std::ranges::max(direction);
+  return std::all_of(direction.begin(), direction.end(), [&](double one) { return one == direction.front(); });
 }
 
 // The trace with each of its recordings once more, as this measurement has it. What is measured stays as it is.
