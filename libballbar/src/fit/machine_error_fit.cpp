@@ -31,8 +31,8 @@ Eigen::Index offset_of(const Model& model, std::size_t term) {
 // The value of a gain as a linear combination of the fit's gains; the mean for separate gains of recordings.
 Eigen::RowVectorXd sum_of(const JointErrorFit& errors, const Effect& effect, std::size_t gain) {
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(errors.gains.size());
-  for (std::size_t k = 0; k < errors.columns.columns.size(); ++k) {
-    const ErrorColumn& column = errors.columns.columns[k];
+  for (std::size_t k = 0; k < errors.columns().size(); ++k) {
+    const ErrorColumn& column = errors.columns()[k];
     if (column.effect == &effect && column.gain == gain) sum[static_cast<Eigen::Index>(k)] = 1.0;
   }
   return sum.sum() > 0.0 ? Eigen::RowVectorXd(sum / sum.sum()) : sum;
@@ -42,7 +42,7 @@ double shape_of(const JointErrorFit& errors, const Term& term, std::size_t param
   const Setting& setting = term.settings[parameter];
   const bool is_fitted = !setting.stated && parameter == shape_of(*term.effect);  // as errors fits it
   if (setting.held && !is_fitted) return setting.start;
-  for (const FittedEffect& effect : errors.effects) {
+  for (const FittedEffect& effect : errors.design.effects) {
     if (effect.effect == term.effect.get() && effect.shape) return *effect.shape;
   }
   return term.settings[parameter].start;

@@ -13,15 +13,15 @@ namespace {
 
 constexpr double kStep_deg = 0.3;  // after a reversal: there the step of the play is not over
 
-// In the instrument's curve the play is taken up at once.
-// Fine rows of the curve of the effects that are fitted together, and of the circles (nullptr).
+// Fine rows of the curve of the effects that are fitted together, play being taken up at once, and of the circles
+// (nullptr).
 Eigen::VectorXd curve_as_instrument(const JointErrorFit& fitted, const Effect* effect) {
-  Eigen::VectorXd curve = Eigen::VectorXd::Zero(fitted.columns.fine.rows());
-  for (std::size_t k = 0; k < fitted.columns.columns.size(); ++k) {
+  Eigen::VectorXd curve = Eigen::VectorXd::Zero(fitted.design.x.fine.rows());
+  for (std::size_t k = 0; k < fitted.columns().size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    if (fitted.columns.columns[k].effect != effect || std::isnan(fitted.as_instrument[column])) continue;
+    if (fitted.columns()[k].effect != effect || std::isnan(fitted.as_instrument[column])) continue;
     const bool is_first = column < fitted.at_once.cols();
-    curve += fitted.as_instrument[column] * (is_first ? fitted.at_once.col(column) : fitted.columns.fine.col(column));
+    curve += fitted.as_instrument[column] * (is_first ? fitted.at_once.col(column) : fitted.design.x.fine.col(column));
   }
   return curve;
 }
@@ -30,7 +30,7 @@ Eigen::VectorXd left_as_instrument(const JointErrorFit& fitted) {
   const std::vector<double>& deviation_um = find_column(fitted.rows.fine, "deviation_um")->values;
   Eigen::VectorXd left = Eigen::VectorXd::Map(deviation_um.data(), static_cast<Eigen::Index>(deviation_um.size())) -
                          curve_as_instrument(fitted, nullptr);
-  for (const FittedEffect& effect : fitted.effects) {
+  for (const FittedEffect& effect : fitted.design.effects) {
     if (effect.effect->rules.error_fit == ErrorFit::together) left -= curve_as_instrument(fitted, effect.effect);
   }
   return left;
@@ -55,10 +55,10 @@ double spike_of(const JointErrorFit& fitted, const Eigen::VectorXd& left, double
 
 void add_spikes_as_instrument(JointErrorFit& fitted, CyclicOfRuns of_runs) {
   const Eigen::VectorXd left = left_as_instrument(fitted);
-  for (const FittedEffect& effect : fitted.effects) {
+  for (const FittedEffect& effect : fitted.design.effects) {
     if (effect.effect->rules.error_fit != ErrorFit::at_reversals) continue;
     for (const std::size_t k : effect.columns) {
-      const double half_turn_deg = fitted.columns.columns[k].gain == 0 ? 0.0 : 180.0;  // its + end first
+      const double half_turn_deg = fitted.columns()[k].gain == 0 ? 0.0 : 180.0;  // its + end first
       double largest = 0.0, sum = 0.0, count = 0.0;
       for (std::size_t recording = 0; recording < fitted.rows.recordings; ++recording) {
         const double one = spike_of(fitted, left, effect.effect->rules.reversal_deg + half_turn_deg, recording);
@@ -79,9 +79,8 @@ void add_ranks_as_instrument(const JointErrorFit& fitted, const std::vector<Mach
   double sum_um = 0.0;
   for (RankedError& one : ranked) {
     const EffectRules& rules = one.effect->rules;
-    const bool is_full = fitted.arc_rad >= kFullTurn_rad;
     if (rules.ranked_by_instrument == RankedByInstrument::never) continue;
-    if (rules.ranked_by_instrument == RankedByInstrument::on_full_turns && !is_full) continue;
+    if (rules.ranked_by_instrument == RankedByInstrument::on_full_turns && !fitted.is_full) continue;
     double circularity_um = -1.0;
     if (rules.error_fit == ErrorFit::together) {
       const Eigen::VectorXd curve = curve_as_instrument(fitted, one.effect);

@@ -1,5 +1,7 @@
 #include "machine_errors/error_fit.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -7,48 +9,39 @@
 #include <utility>
 
 #include "ballbar/circle/trace.hpp"
+#include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
 #include "machine_errors/as_instrument.hpp"
-#include "machine_errors/cyclic_fit.hpp"
-#include "machine_errors/error_blocks.hpp"
-#include "machine_errors/spike_fit.hpp"
+#include "machine_errors/error_set_up.hpp"
+#include "machine_errors/reversal_fit.hpp"
 #include "numerics/not_finite.hpp"
-#include "numerics/tails.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kWidthsOfSpike = 4.0;  // to where 2 % of its height are left
-constexpr double kCorrelated = 0.9;     // gains of errors that the readings hardly separate
+constexpr double kFromOwnReversal_deg[2] = {12.0, 63.0};  // where cyclic errors are read
+constexpr double kWidthsOfSpike = 4.0;                    // to where 2 % of its height are left
 
-// What the centre adds beyond its first order: exact length less radius, a cos and b sin. fine: these three columns.
-Eigen::VectorXd second_order(const Eigen::VectorXd& circle, const Eigen::MatrixXd& fine, double length_mm,
-                             double height_mm) {
-  Eigen::VectorXd more(fine.rows());
-  const double radius_mm = length_mm + mm_from_um(circle[0]);
-  for (Eigen::Index i = 0; i < fine.rows(); ++i) {
-    const double cos = fine(i, 1), sin = fine(i, 2);
-    const double a_mm = mm_from_um(circle[1]) + radius_mm * cos, b_mm = mm_from_um(circle[2]) + radius_mm * sin;
-    const double square = a_mm * a_mm + b_mm * b_mm + height_mm * height_mm;
-    const double exact_um = um_from_mm((square - length_mm * length_mm) / (std::sqrt(square) + length_mm));
-    more[i] = exact_um - circle[0] - circle[1] * cos - circle[2] * sin;
-  }
-  return more;
-}
-
-// Takes it off the deviation, with the circle that fits it.
-void free_of_second_order(JointErrorFit& fitted, const ErrorColumns& circle, double length_mm, double height_mm) {
+// What the centre adds beyond its first order: exact length less radius, a cos and b sin. Takes it off the deviation,
+// with the circle that fits it.
+void free_of_second_order(JointErrorFit& fitted, const ErrorColumns& circle, const ErrorSetUp& set_up) {
   const Eigen::VectorXd measured = fitted.rows.deviation_um;
-  const Eigen::MatrixXd columns = circle.values.leftCols(3);
+  const Eigen::MatrixXd columns = circle.values.leftCols(3), fine = circle.fine.leftCols(3);
   const Eigen::MatrixXd weighted = fitted.rows.count.asDiagonal() * columns;
-  Eigen::MatrixXd normal = columns.transpose() * weighted;
-  normal.diagonal() *= 1.0 + kRidge;
-  const Eigen::LLT<Eigen::MatrixXd> root(normal);
+  const Eigen::LDLT<Eigen::MatrixXd> root(columns.transpose() * weighted);
+  fitted.second_order_um.resize(fine.rows());
   for (int step = 0; step < 3; ++step) {
-    const Eigen::VectorXd fit = root.solve(weighted.transpose() * fitted.rows.deviation_um);
-    fitted.second_order_um = second_order(fit, circle.fine, length_mm, height_mm);
-    fitted.rows.deviation_um = measured - fitted.rows.mean({fitted.second_order_um.data(),
-                                                            static_cast<std::size_t>(fitted.second_order_um.size())});
+    const Eigen::Vector3d fit = root.solve(weighted.transpose() * fitted.rows.deviation_um);
+    const double radius_mm = set_up.length_mm + mm_from_um(fit[0]);
+    for (Eigen::Index i = 0; i < fine.rows(); ++i) {
+      const double a_mm = mm_from_um(fit[1]) + radius_mm * fine(i, 1),
+                   b_mm = mm_from_um(fit[2]) + radius_mm * fine(i, 2);
+      const double square = a_mm * a_mm + b_mm * b_mm + set_up.height_mm * set_up.height_mm;
+      const double exact_um =
+          um_from_mm((square - set_up.length_mm * set_up.length_mm) / (std::sqrt(square) + set_up.length_mm));
+      fitted.second_order_um[i] = exact_um - fine.row(i) * fit;
+    }
+    fitted.rows.deviation_um = measured - fitted.rows.means(fitted.second_order_um);
   }
 }
 
@@ -60,304 +53,249 @@ std::vector<const Effect*> effects_fitted(ErrorFit where) {
   return effects;
 }
 
-// The circles, without an effect, and the errors that are fitted together.
-Part together_part(const ErrorColumns& circle, const std::vector<const Effect*>& effects, const ErrorRows& rows) {
-  std::vector<std::pair<FittedEffect, ErrorColumns>> own{{FittedEffect{}, circle}};
-  own.reserve(effects.size() + 1);
-  for (const Effect* effect : effects) {
-    own.emplace_back(FittedEffect{effect}, present(effect_columns(*effect, 0.0, rows, false), rows.count));
-  }
-  Part part = part_of(own, rows);
-  part.effects.erase(part.effects.begin());
-  return part;
+// Weight of the rows without the reversals.
+Eigen::VectorXd far_weight(const ErrorRows& rows) {
+  return rows.count.array() * (rows.from_reversal_deg.array() > kAtReversal_deg).cast<double>();
 }
 
-// Of shapes the one that lowers most what all others leave, over the readings of these weights.
-Part extra_part(const std::vector<const Effect*>& effects, const ErrorRows& rows, const Base& base,
-                const Eigen::VectorXd& left, const Eigen::VectorXd& weight) {
-  std::vector<std::pair<FittedEffect, ErrorColumns>> own;
-  own.reserve(effects.size());
-  for (const Effect* effect : effects) {
+// What an estimate leaves of the rows.
+Eigen::VectorXd rest_of(const ErrorRows& rows, const ErrorDesign& design, const GainEstimate& estimate) {
+  const Eigen::VectorXd gains = estimate.t * (design.z.transpose() * rows.deviation_um);
+  return rows.deviation_um - design.x.values(Eigen::all, estimate.columns) * gains;
+}
+
+void add_cyclic(ErrorDesign& design, const ErrorRows& rows, const ErrorSetUp& set_up, const Eigen::VectorXd& left) {
+  for (const Effect* effect : effects_fitted(ErrorFit::along_the_travel)) {
+    Eigen::VectorXd weight = rows.count;
+    Indices read;
+    for (Eigen::Index i = 0; i < rows.size(); ++i) {
+      const double from_deg = from_reversal_deg(rows.angle_rad[i], effect->rules.reversal_deg);
+      const bool is_read = from_deg >= kFromOwnReversal_deg[0] && from_deg <= kFromOwnReversal_deg[1];
+      if (is_read) {
+        read.push_back(i);
+      } else {
+        weight[i] = 0.0;
+      }
+    }
+    const std::optional<double> known = effect->rules.reversal_deg == 0.0 ? set_up.pitch_a_mm : set_up.pitch_b_mm;
+    const std::vector<double> tried = known ? std::vector{*known} : effect->parameters[shape_of(*effect)].grid;
+    const double pitch_mm =
+        tried.size() == 1 ? tried.front() : best_shape(*effect, tried, rows_at(rows, read), left(read), weight(read));
+    const ErrorColumns columns = present(effect_columns(*effect, pitch_mm, rows, true), weight);
+    add(design, {effect, pitch_mm, static_cast<double>(tried.size())}, columns, weight.asDiagonal() * columns.values);
+  }
+}
+
+void add_where_they_show(ErrorDesign& design, const ErrorRows& rows, const Eigen::VectorXd& left,
+                         const GainEstimate& together, const Eigen::VectorXd& far) {
+  for (const Effect* effect : effects_fitted(ErrorFit::where_it_shows)) {
     const std::size_t shape = shape_of(*effect);
     const std::vector<double> tried = shape == kNoShape ? std::vector<double>{0.0} : effect->parameters[shape].grid;
-    const double best = best_shape(*effect, tried, rows, base, left, weight);
-    own.emplace_back(FittedEffect{effect,
-                                  shape == kNoShape ? std::nullopt : std::optional<double>(best),
-                                  {},
-                                  static_cast<double>(tried.size()),
-                                  1.0,
-                                  false},
-                     present(effect_columns(*effect, best, rows, false), weight));
-  }
-  return part_of(own, rows);
-}
-
-Indices columns_of(const FittedEffect& effect, Eigen::Index first) {
-  Indices columns;
-  columns.reserve(effect.columns.size());
-  for (const std::size_t k : effect.columns) columns.push_back(first + static_cast<Eigen::Index>(k));
-  return columns;
-}
-
-// Which of the extra errors are clear beside all others: then they are in the fit.
-void choose(std::vector<FittedEffect>& effects, const Eigen::VectorXd& gains, const Eigen::MatrixXd& covariance,
-            Eigen::Index first) {
-  for (FittedEffect& effect : effects) {
-    const Indices own = columns_of(effect, first);
-    effect.in_the_fit =
-        effect.is_needed && effect.searched * effect.looked_at * p_of(gains(own), covariance(own, own)) < kFalseErrors;
+    const double best = best_shape(*effect, tried, rows, left, far, &design, &together);
+    const ErrorColumns columns = present(effect_columns(*effect, best, rows, false), far);
+    FittedEffect fitted{effect, shape == kNoShape ? std::nullopt : std::optional(best)};
+    fitted.searched = static_cast<double>(tried.size());
+    add(design, std::move(fitted), columns, far.asDiagonal() * columns.values);
   }
 }
 
-void append(std::vector<FittedEffect>& all, std::vector<FittedEffect> effects, Eigen::Index first) {
-  for (FittedEffect& effect : effects) {
-    for (std::size_t& column : effect.columns) column += static_cast<std::size_t>(first);
-    all.push_back(std::move(effect));
+// The noise that all but the spikes leave. What CCW and CW have together stands first, then what they differ by: the
+// noise is fitted with the circles of each.
+std::vector<WeightedNoise> noise_of(const ErrorRows& rows, const ErrorDesign& design) {
+  Eigen::MatrixXd columns = design.x.values;
+  const bool differ = columns.cols() > 3 && design.x.columns[3].effect == nullptr && !design.x.columns[3].recording;
+  for (Eigen::Index k = 0; differ && k < 3; ++k) {
+    const Eigen::VectorXd half = 0.5 * columns.col(k), shift = columns.col(k + 3);
+    columns.col(k) = half + shift;
+    columns.col(k + 3) = half - shift;
   }
+  const QuietRows quiet = quiet_rows(rows, columns);
+  return error_noise(quiet.rows, quiet.columns);
 }
 
-// Whether the circles of CCW and CW are told apart.
-bool differ(const ErrorColumns& together) {
-  return together.size() > 3 && together.columns[3].effect == nullptr && !together.columns[3].recording;
-}
-
-// What is fitted one after another.
-struct Stages {
-  Part together;
-  Block first;  // of the columns together, over the rows of `far`
-  CyclicPart cyclic;
-  Part extra;
-  Spikes spikes;
-};
-
-// The first fit over other rows and with another prior, and the cyclic errors, of the same pitches, on what it leaves.
-void refit(Stages& stages, const Eigen::VectorXd& far, const Eigen::MatrixXd& precision) {
-  stages.first = block_of(stages.together.columns.values, far, precision);
-  with_first(stages.cyclic, stages.first);
-}
-
-// Gains of a fit of the columns together, once the cyclic errors are taken off, and what both leave of the rows.
-struct FirstFit {
-  Eigen::VectorXd gains, left;
-};
-FirstFit first_fit(const Stages& stages, const Block& together, const ErrorRows& rows) {
-  const Eigen::MatrixXd& columns = stages.together.columns.values;
-  const Eigen::VectorXd first_left = rows.deviation_um - columns * stages.first.solve(rows.deviation_um);
-  const Eigen::VectorXd without_cyclic =
-      rows.deviation_um - stages.cyclic.part.columns.values * stages.cyclic.block.solve(first_left);
-  FirstFit fit{together.solve(without_cyclic), {}};
-  fit.left = without_cyclic - columns * fit.gains;
-  return fit;
-}
-
-// Gains and their covariance.
-struct Gains {
-  Eigen::VectorXd values;
-  Eigen::MatrixXd covariance;
-};
-
-// Largest correlation between gains of two effects.
-double correlation(const Eigen::MatrixXd& covariance, const Indices& one, const Indices& other) {
-  const Eigen::VectorXd sigma = covariance.diagonal().cwiseMax(1e-300).cwiseSqrt();
-  double largest = 0.0;
-  for (const Eigen::Index i : one) {
-    for (const Eigen::Index j : other) {
-      largest = std::max(largest, std::abs(covariance(i, j)) / (sigma[i] * sigma[j]));
+// The steps of the plays get the widths that the readings show; without a spike that a step explains. gains: of the
+// design's columns.
+void fit_step_widths(ErrorDesign& design, const ErrorRows& rows, const Eigen::VectorXd& gains, const Noise& noise,
+                     std::vector<const Effect*>& explained) {
+  const Eigen::VectorXd left = rows.deviation_um - design.x.values * gains;
+  for (const Effect* spike : effects_fitted(ErrorFit::at_reversals)) {
+    for (FittedEffect& step : design.effects) {
+      const bool is_its = step.effect->rules.error_fit == ErrorFit::together && shape_of(*step.effect) != kNoShape &&
+                          step.effect->rules.reversal_deg == spike->rules.reversal_deg;
+      if (!is_its) continue;
+      PlayStep play{step.effect, {}, gains(step.columns)};
+      for (const Eigen::Index k : step.columns)
+        play.gains.push_back(design.x.columns[static_cast<std::size_t>(k)].gain);
+      const StepWidth found = step_width(play, *spike, rows, left, noise);
+      if (!found.needs_spike) explained.push_back(spike);
+      step.shape = found.width_deg;
+      const ErrorColumns wide = effect_columns(*step.effect, found.width_deg, rows, false);
+      design.x.values(Eigen::all, step.columns) = wide.values(Eigen::all, play.gains);
+      design.x.fine(Eigen::all, step.columns) = wide.fine(Eigen::all, play.gains);
+      const Eigen::VectorXd far = far_weight(rows);
+      design.z(Eigen::all, step.columns) = far.asDiagonal() * design.x.values(Eigen::all, step.columns);
+      refresh(design, step.columns);
     }
   }
-  return largest;
 }
 
-Indices joined(const std::vector<Indices>& columns, const std::vector<std::size_t>& which) {
-  Indices all;
-  for (const std::size_t k : which) all.insert(all.end(), columns[k].begin(), columns[k].end());
-  return all;
+bool grows_with_feed(const Effect& effect) {
+  return std::any_of(effect.inputs.begin(), effect.inputs.end(),
+                     [](const Input& input) { return input.role == "feed"; });
 }
 
-// Sets of effects with correlated gains, among those that are not significant.
-std::vector<std::vector<std::size_t>> correlated_sets(const std::vector<Indices>& columns,
-                                                      const std::vector<std::size_t>& open,
-                                                      const Eigen::MatrixXd& covariance) {
-  std::vector<std::vector<std::size_t>> sets;
-  for (const std::size_t k : open) {
-    std::vector<std::size_t> set{k};
-    std::erase_if(sets, [&](const std::vector<std::size_t>& other) {
-      if (correlation(covariance, columns[k], joined(columns, other)) < kCorrelated) return false;
-      set.insert(set.end(), other.begin(), other.end());
-      return true;
-    });
-    std::sort(set.begin(), set.end());
-    sets.push_back(std::move(set));
-  }
-  return sets;
+// Combinations that the readings cannot separate: of X' W X, and those of the cyclic errors that are held at 0.
+std::vector<std::string> undetermined(const ErrorDesign& design) {
+  const Indices smooth = columns_of(design, {ErrorFit::together, ErrorFit::where_it_shows});
+  std::vector<ErrorColumn> names, cyclic_names;
+  for (const Eigen::Index k : smooth) names.push_back(design.x.columns[static_cast<std::size_t>(k)]);
+  std::vector<std::string> phrases = undetermined(design.products(smooth, smooth), names);
+  const Eigen::MatrixXd held =
+      gain_estimate(design, columns_of(design, {ErrorFit::together, ErrorFit::along_the_travel})).held;
+  for (const Eigen::Index k : columns_of(design, {ErrorFit::along_the_travel}))
+    cyclic_names.push_back(design.x.columns[static_cast<std::size_t>(k)]);
+  if (held.cols() > 0) phrases.push_back(undetermined_names(held.rowwise().norm(), cyclic_names));
+  return phrases;
 }
 
-// Groups among the effects together and the extra ones: in the fit of all (`whole`) no member is significant, and each
-// is so in the fit (`chosen`) without the other members. `damping`: as in fit_all; each is so with it, too.
-template <class Covariance>
-std::vector<FittedGroup> groups_in(const Stages& stages, const GainMaps& maps, const GainMap& whole,
-                                   const Indices& chosen, const Eigen::VectorXd& z_data, const Covariance& covariance,
-                                   const Eigen::MatrixXd* damping) {
-  std::vector<FittedEffect> effects = stages.extra.effects;
-  effects.insert(effects.end(), stages.together.effects.begin(), stages.together.effects.end());
-  const Gains all{whole.t * z_data, covariance(whole) + whole.open};
-  std::vector<Indices> columns;
-  std::vector<std::size_t> open;
-  for (std::size_t k = 0; k < effects.size(); ++k) {
-    const bool is_extra = k < stages.extra.effects.size();
-    columns.push_back(columns_of(effects[k], is_extra ? stages.together.columns.size() : 0));
-    const double p = p_of(all.values(columns[k]), all.covariance(columns[k], columns[k]));
-    if (effects[k].searched * effects[k].looked_at * p >= kFalseErrors) open.push_back(k);
-  }
-  // What does not explain the readings alone is no member; without it the others may be other sets.
-  std::vector<FittedGroup> groups;
-  for (bool is_smaller = true; is_smaller;) {
-    groups.clear();
-    is_smaller = false;
-    for (const std::vector<std::size_t>& set : correlated_sets(columns, open, all.covariance)) {
-      if (set.size() < 2) continue;
-      const Indices of_set = joined(columns, set);
-      FittedGroup group;
-      for (const std::size_t k : set) {
-        Indices kept = columns[k];
-        std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(kept),
-                     [&](Eigen::Index one) { return std::find(of_set.begin(), of_set.end(), one) == of_set.end(); });
-        const auto size = static_cast<Eigen::Index>(columns[k].size());
-        const GainMap alone = maps.of(kept, {});
-        const Eigen::VectorXd values = (alone.t * z_data).head(size);
-        const Eigen::MatrixXd spread = (covariance(alone) + alone.open).topLeftCorner(size, size);
-        double p = p_of(values, spread);
-        if (damping != nullptr) {
-          const GainMap damped = maps.of(kept, (*damping)(kept, kept));
-          p = std::max(p, p_of((damped.t * z_data).head(size), covariance(damped).topLeftCorner(size, size)));
-        }
-        if (p * effects[k].looked_at * effects[k].searched >= kFalseErrors) {
-          std::erase(open, k);
-          is_smaller = true;
-          continue;
-        }
-        group.p = std::min(1.0, std::min(group.p, p * static_cast<double>(set.size())));
-        // In the order of JointErrorFit::effects.
-        group.effects.push_back(k + (k < stages.extra.effects.size() ? 0 : stages.spikes.effects.size()));
-        group.alone.push_back(values);
-        group.covariance.push_back(spread);
-      }
-      if (group.effects.size() > 1) groups.push_back(std::move(group));
-    }
-  }
-  return groups;
-}
+// All gains with their covariance. prior: on an arc, where curves are drawn with it, since two errors that the arc
+// hardly tells apart would be large ones against each other; an error must be significant with it, too.
+void fit_all(JointErrorFit& fitted, const Eigen::MatrixXd& prior) {
+  ErrorDesign& design = fitted.design;
+  const ErrorRows& rows = fitted.rows;
+  const Eigen::VectorXd z_data = design.z.transpose() * rows.deviation_um;
+  const Indices all = columns_of(
+      design, {ErrorFit::together, ErrorFit::along_the_travel, ErrorFit::where_it_shows, ErrorFit::at_reversals});
+  const GainEstimate whole = gain_estimate(design, all);
+  const Eigen::VectorXd excess = excess_of(rows, rest_of(rows, design, whole));
+  const Eigen::MatrixXd scatter = scatter_of(excess.asDiagonal() * design.z, rows, fitted.noise);
+  const auto scatter_only = [&](const GainEstimate& estimate) -> Gains {
+    return {estimate.t * z_data, estimate.t * scatter * estimate.t.transpose()};
+  };
+  const auto gains_of = [&](const GainEstimate& estimate) {
+    Gains gains = scatter_only(estimate);
+    gains.covariance += fitted.slow_variance_um2 * estimate.open;
+    return gains;
+  };
+  const Gains of_all = gains_of(whole);
 
-// The steps of the plays get the widths that the readings show. Result: the spikes that a step of some width explains.
-std::vector<const Effect*> fit_step_widths(Stages& stages, const Block& together, const ErrorRows& rows,
-                                           const std::vector<const Effect*>& spikes, const Noise& noise) {
-  const auto [gains, left] = first_fit(stages, together, rows);
-  std::vector<const Effect*> explained;
-  for (const Effect* spike : spikes) {
-    const auto step =
-        std::find_if(stages.together.effects.begin(), stages.together.effects.end(), [&](const FittedEffect& one) {
-          return shape_of(*one.effect) != kNoShape && one.effect->rules.reversal_deg == spike->rules.reversal_deg;
-        });
-    if (step == stages.together.effects.end()) continue;
-    const Indices columns = columns_of(*step, 0);
-    PlayStep play{step->effect, {}, gains(columns)};
-    for (const std::size_t k : step->columns) play.gains.push_back(stages.together.columns.columns[k].gain);
-    const StepWidth found = step_width(play, *spike, rows, left, noise);
-    if (found.spike_evidence < kLeastSpikeEvidence) explained.push_back(spike);
-    step->shape = found.width_deg;
-    const ErrorColumns wide = effect_columns(*step->effect, found.width_deg, rows, false);
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      const auto gain = static_cast<Eigen::Index>(play.gains[k]);
-      stages.together.columns.values.col(columns[k]) = wide.values.col(gain);
-      stages.together.columns.fine.col(columns[k]) = wide.fine.col(gain);
-    }
+  Indices chosen;
+  for (FittedEffect& effect : design.effects) {
+    if (effect.effect->rules.error_fit != ErrorFit::where_it_shows) continue;
+    effect.in_the_fit = corrected_p(effect, of_all, all) < kFalseErrors;
   }
-  return explained;
-}
-
-// All gains with their covariance: those together with the extra ones that are clear, then the spikes. `damping`: on an
-// arc, where curves are drawn with it, since two errors that the arc hardly tells apart would be large ones against
-// each other; and an error must show with it too.
-void fit_all(JointErrorFit& fitted, Stages& stages, const Eigen::VectorXd& far, const Eigen::MatrixXd* damping) {
-  const ErrorRows& of = fitted.rows;
-  const Eigen::Index p = stages.together.columns.size(), c = stages.cyclic.part.columns.size();
-  const Eigen::Index e = stages.extra.columns.size();
-  const std::vector<const ErrorColumns*> all{&stages.together.columns, &stages.cyclic.part.columns,
-                                             &stages.extra.columns, &stages.spikes.columns};
-  fitted.columns = joined(all, of);
-  const GainMaps maps({&of, &far, &stages.first, &stages.together.columns, &stages.cyclic.part.columns,
-                       &stages.cyclic.block, &stages.cyclic.of_together, &stages.cyclic.shared, &stages.extra.columns,
-                       &stages.spikes.columns, &stages.spikes.filters, fitted.slow_variance_um2});
-  const Eigen::VectorXd z_data = maps.z().transpose() * of.deviation_um;
-  const Eigen::MatrixXd nothing = Eigen::MatrixXd::Zero(p, p);
-  const GainMap whole = maps.of(maps.all(), nothing);
-  const GainMap everything = maps.joined(whole, maps.all(), whole);
-  const Eigen::VectorXd left = of.deviation_um - fitted.columns.values * (everything.t * z_data);
-  const Eigen::MatrixXd scatter = scatter_of(excess_of(of, left).asDiagonal() * maps.z(), of, fitted.noise);
-  const auto covariance = [&](const GainMap& map) -> Eigen::MatrixXd { return map.t * scatter * map.t.transpose(); };
-
-  const GainMap extra{whole.t.bottomRows(e), whole.open.bottomRightCorner(e, e)};
-  choose(stages.extra.effects, extra.t * z_data, covariance(extra) + extra.open, 0);
-  Indices chosen = range_of(0, p);
-  for (const FittedEffect& effect : stages.extra.effects) {
-    if (!effect.in_the_fit) continue;
-    for (const Eigen::Index k : columns_of(effect, p)) chosen.push_back(k);
+  fitted.gains = of_all.values;
+  const std::vector<bool> in = fitted.in_the_fit();
+  for (const Eigen::Index k : all) {
+    const bool is_spike = kind_of(design.x.columns[static_cast<std::size_t>(k)]) == ErrorFit::at_reversals;
+    if (is_spike || in[static_cast<std::size_t>(k)]) chosen.push_back(k);
   }
-  const GainMap map = maps.joined(whole, chosen, maps.of(chosen, nothing));
-  fitted.gains = map.t * z_data;
-  fitted.covariance = covariance(map) + map.open;
-  fitted.map = map.t;
-  fitted.weighted = maps.z();
-  fitted.normal = maps.normal();
-  choose(stages.spikes.effects, fitted.gains, fitted.covariance, p + c + e);
-  fitted.effects.clear();
-  append(fitted.effects, stages.extra.effects, p + c);
-  append(fitted.effects, stages.spikes.effects, p + c + e);
-  append(fitted.effects, stages.together.effects, 0);
-  append(fitted.effects, stages.cyclic.part.effects, p);
-  for (PriorStatement& statement : fitted.prior) {
-    statement.alone = statement.coefficients.dot(fitted.gains.head(p));
-    statement.alone_sigma =
-        std::sqrt(statement.coefficients.dot(fitted.covariance.topLeftCorner(p, p) * statement.coefficients));
+  const GainEstimate estimate = gain_estimate(design, chosen);
+  const Gains gains = gains_of(estimate);
+  fitted.gains(chosen) = gains.values;
+  fitted.covariance = of_all.covariance;
+  fitted.covariance(chosen, Eigen::all).setZero();
+  fitted.covariance(Eigen::all, chosen).setZero();
+  fitted.covariance(chosen, chosen) = gains.covariance;
+  for (FittedEffect& effect : design.effects) {
+    if (effect.effect->rules.error_fit == ErrorFit::at_reversals)
+      effect.in_the_fit = effect.is_needed && corrected_p(effect, gains, chosen) < kFalseErrors;
   }
+  const GainEstimate with_prior = prior.size() > 0 ? gain_estimate(design, chosen, prior) : estimate;
   fitted.curve_gains = fitted.gains;
-  fitted.groups = groups_in(stages, maps, whole, chosen, z_data, covariance, damping);
-  if (damping == nullptr) return;
-  const GainMap damped = maps.joined(whole, chosen, maps.of(chosen, *damping));
-  const Eigen::VectorXd gains = damped.t * z_data;
-  const Eigen::MatrixXd spread = covariance(damped);
-  fitted.curve_gains = gains;
-  fitted.map = damped.t;
-  for (FittedEffect& effect : fitted.effects) {
-    const Indices own = columns_of(effect, 0);
-    effect.p_damped = p_of(gains(own), spread(own, own));
+  fitted.curve_gains(chosen) = with_prior.t * z_data;
+  fitted.map = whole.t;
+  fitted.map(chosen, Eigen::all) = with_prior.t;
+  const Eigen::MatrixXd spread = fitted.map * scatter * fitted.map.transpose();
+  for (FittedEffect& effect : design.effects) {
+    if (prior.size() > 0)
+      effect.p_with_prior = p_of(fitted.curve_gains(effect.columns), spread(effect.columns, effect.columns));
   }
+  Indices smooth;  // a spike is no member of a group
+  std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(smooth), [&](Eigen::Index k) {
+    return kind_of(design.x.columns[static_cast<std::size_t>(k)]) != ErrorFit::at_reversals;
+  });
+  fitted.groups = inseparable(design, of_all, all, smooth, [&](const Indices& columns) {
+    std::vector<Gains> fits{gains_of(gain_estimate(design, columns))};
+    if (prior.size() > 0) fits.push_back(scatter_only(gain_estimate(design, columns, prior)));
+    return fits;
+  });
+  for (PriorStatement& statement : fitted.prior) {
+    const Eigen::Index p = statement.coefficients.size();
+    statement.alone = statement.coefficients.dot(fitted.gains.head(p));
+    const Eigen::VectorXd of_gains = fitted.covariance.topLeftCorner(p, p) * statement.coefficients;
+    statement.alone_sigma = std::sqrt(std::max(0.0, statement.coefficients.dot(of_gains)));
+  }
+}
+
+// The spikes, and all gains.
+void fit_beside_spikes(JointErrorFit& fitted, const Eigen::MatrixXd& prior,
+                       const std::vector<const Effect*>& explained) {
+  ErrorDesign& design = fitted.design;
+  const Eigen::VectorXd left = rest_of(fitted.rows, design, gain_estimate(design, all_of(design)));
+  for (const Effect* spike : effects_fitted(ErrorFit::at_reversals))
+    add_spikes(design, *spike, fitted.rows, left, fitted.noise.front().noise);
+  for (FittedEffect& effect : design.effects) {
+    if (std::find(explained.begin(), explained.end(), effect.effect) != explained.end()) effect.is_needed = false;
+  }
+  fit_all(fitted, prior);
+}
+
+// The centre of the readings: of the fit, on an arc of the circles alone, as `fit` gives it; the radius stays, and how
+// CCW and CW differ.
+void free_of_centre(JointErrorFit& fitted, const Series& trace) {
+  const ErrorColumns& x = fitted.design.x;
+  Indices circle;
+  for (std::size_t k = 0; k < x.columns.size() && x.columns[k].effect == nullptr; ++k) {
+    circle.push_back(static_cast<Eigen::Index>(k));
+    const std::string& name = x.columns[k].name;
+    if (name.starts_with("centre_a") || name.starts_with("centre_b")) fitted.centres.push_back(circle.back());
+  }
+  if (fitted.is_full) {
+    fitted.centre_map = fitted.map(fitted.centres, Eigen::all) * fitted.design.z.transpose();
+  } else {
+    const Eigen::MatrixXd weighted = fitted.rows.count.asDiagonal() * x.values(Eigen::all, circle);
+    const Eigen::MatrixXd normal = x.values(Eigen::all, circle).transpose() * weighted;
+    fitted.centre_map = normal.ldlt().solve(Eigen::MatrixXd(weighted.transpose()))(fitted.centres, Eigen::all);
+  }
+  const Eigen::VectorXd taken =
+      fitted.second_order_um + x.fine(Eigen::all, fitted.centres) * (fitted.centre_map * fitted.rows.deviation_um);
+  Eigen::VectorXd fit = fitted.second_order_um;
+  const std::vector<bool> in = fitted.in_the_fit();
+  for (std::size_t k = 0; k < in.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    if (in[k]) fit += fitted.curve_gains[column] * x.fine.col(column);
+  }
+  fitted.freed_um = find_column(trace, "deviation_um")->values;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < fitted.freed_um.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(fitted.rows.fine_of[i]);
+    const double left = fitted.freed_um[i] - fit[row];
+    squares += left * left;
+    fitted.freed_um[i] -= taken[row];
+  }
+  const double of_rows = fitted.residual().cwiseAbs2().dot(fitted.rows.count);
+  fitted.within_um2 = std::max(0.0, (squares - of_rows) / fitted.rows.count.sum());
 }
 
 }  // namespace
 
-double p_of(const Eigen::VectorXd& values, const Eigen::MatrixXd& covariance) {
-  const auto number = static_cast<std::size_t>(values.size());
-  const double together = chi2_upper_tail(values.dot(covariance.ldlt().solve(values)), number);
-  const double clearest = values.cwiseAbs2().cwiseQuotient(covariance.diagonal().cwiseMax(1e-300)).maxCoeff();
-  const double alone = static_cast<double>(number) * chi2_upper_tail(clearest, 1);
-  return std::min(1.0, std::min(together, alone));
+Eigen::VectorXd JointErrorFit::centre_curve(const Eigen::VectorXd& fine) const {
+  return design.x.fine(Eigen::all, centres) * (centre_map * rows.means(fine));
 }
 
 Eigen::VectorXd JointErrorFit::fine_curve(const Effect* effect) const {
-  Eigen::VectorXd curve = Eigen::VectorXd::Zero(columns.fine.rows());
-  for (std::size_t k = 0; k < columns.columns.size(); ++k) {
-    if (columns.columns[k].effect != effect) continue;
-    const auto column = static_cast<Eigen::Index>(k);
-    curve += curve_gains[column] * columns.fine.col(column);
+  Eigen::VectorXd curve = Eigen::VectorXd::Zero(design.x.fine.rows());
+  for (const FittedEffect& one : design.effects) {
+    if (one.effect == effect) curve += design.x.fine(Eigen::all, one.columns) * curve_gains(one.columns);
   }
   return curve;
 }
 
 std::vector<bool> JointErrorFit::in_the_fit() const {
-  std::vector<bool> in(columns.columns.size(), true);
-  for (const FittedEffect& effect : effects) {
-    for (const std::size_t k : effect.columns) in[k] = effect.in_the_fit;
+  std::vector<bool> in(design.x.columns.size(), true);
+  for (const FittedEffect& effect : design.effects) {
+    for (const Eigen::Index k : effect.columns) in[static_cast<std::size_t>(k)] = effect.in_the_fit;
   }
   return in;
 }
@@ -367,7 +305,7 @@ Eigen::VectorXd JointErrorFit::residual() const {
   const std::vector<bool> in = in_the_fit();
   for (std::size_t k = 0; k < in.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    if (in[k]) left -= curve_gains[column] * columns.values.col(column);
+    if (in[k]) left -= curve_gains[column] * design.x.values.col(column);
   }
   return left;
 }
@@ -376,103 +314,80 @@ double JointErrorFit::rms_um(const Eigen::VectorXd& left) const {
   return std::sqrt(within_um2 + left.cwiseAbs2().dot(rows.count) / rows.count.sum());
 }
 
-JointErrorFit joint_error_fit(ErrorRows rows, const MachineErrorOptions& options, const ErrorSetUp& set_up) {
+JointErrorFit joint_error_fit(const Series& trace, const MachineErrorOptions& options) {
+  const ErrorSetUp set_up = set_up_of(trace);
+  if (set_up.arc_rad < kShortestArc_rad) {
+    throw Error(
+        fmt::format("an arc of {:.0f} deg is too short for the errors of the axes: expected at least {:.0f} deg, below "
+                    "which they look alike. ballbar fit gives the circle.",
+                    deg_from_rad(set_up.arc_rad), deg_from_rad(kShortestArc_rad)));
+  }
   JointErrorFit fitted;
-  fitted.arc_rad = set_up.arc_rad;
-  fitted.rows = std::move(rows);
-  const ErrorRows& of = fitted.rows;
-  const Eigen::VectorXd measured = of.deviation_um;
-  const ErrorColumns circle = circle_columns(of);
-  free_of_second_order(fitted, circle, set_up.length_mm, set_up.height_mm);
-  const bool is_full = set_up.arc_rad >= kFullTurn_rad;
-  const std::vector<const Effect*> jointly = effects_fitted(ErrorFit::together);
-  const std::vector<const Effect*> along_the_travel = effects_fitted(ErrorFit::along_the_travel);
-  const std::vector<const Effect*> at_reversals = effects_fitted(ErrorFit::at_reversals);
-  std::vector<const Effect*> where_they_show = effects_fitted(ErrorFit::where_it_shows);
-  if (!is_full) {
-    for (const Effect* effect : where_they_show) {
+  fitted.is_full = set_up.arc_rad >= kFullTurn_rad;
+  fitted.rows = error_rows(with_feed(trace));
+  const ErrorRows& rows = fitted.rows;
+  const Eigen::VectorXd measured = rows.deviation_um;
+  const ErrorColumns circle = circle_columns(rows);
+  free_of_second_order(fitted, circle, set_up);
+
+  ErrorDesign& design = fitted.design;
+  const Eigen::VectorXd far = far_weight(rows);
+  add(design, {}, circle, far.asDiagonal() * circle.values);
+  for (const Effect* effect : effects_fitted(ErrorFit::together)) {
+    const ErrorColumns columns = present(effect_columns(*effect, 0.0, rows, false), rows.count);
+    add(design, {effect}, columns, far.asDiagonal() * columns.values);
+  }
+  fitted.at_once = design.x.fine;
+  fitted.prior =
+      prior_of(design.x, rows.count.sum() / static_cast<double>(rows.recordings), set_up.arc_rad, set_up.middle_rad);
+  const Eigen::MatrixXd usual = precision_of(fitted.prior, design.x.size());
+  const Eigen::MatrixXd prior = fitted.is_full || !options.prior ? Eigen::MatrixXd() : usual;
+  const Indices together = columns_of(design, {ErrorFit::together});
+  add_cyclic(design, rows, set_up, rest_of(rows, design, gain_estimate(design, together)));
+
+  const Eigen::VectorXd as_instrument =
+      gain_estimate(design, all_of(design), usual).t * (design.z.transpose() * measured);
+  if (fitted.is_full) {
+    const Eigen::VectorXd left = rest_of(rows, design, gain_estimate(design, all_of(design)));
+    add_where_they_show(design, rows, left, gain_estimate(design, together), far);
+  } else {
+    for (const Effect* effect : effects_fitted(ErrorFit::where_it_shows))
       fitted.undetermined.push_back(effect->name + ", for which a full turn is needed");
-    }
-    where_they_show.clear();
   }
-  Stages stages{together_part(circle, jointly, of), {}, {}, {}, {}};
-  const Eigen::MatrixXd& columns = stages.together.columns.values;
-  const std::vector<PriorStatement> prior = prior_of(
-      stages.together.columns, of.count.sum() / static_cast<double>(of.recordings), set_up.arc_rad, set_up.middle_rad);
-  const Eigen::MatrixXd usual = precision_of(prior, columns.cols());
-  fitted.prior = prior;
-  const Eigen::MatrixXd* const damping = is_full || !options.prior ? nullptr : &usual;
+  fitted.noise = noise_of(rows, design);
+  fitted.slow_variance_um2 = slow_variance_um2(rows, fitted.noise);
+  std::vector<const Effect*> explained;  // spikes
+  const Eigen::VectorXd gains =
+      gain_estimate(design, all_of(design), prior).t * (design.z.transpose() * rows.deviation_um);
+  fit_step_widths(design, rows, gains, fitted.noise.front().noise, explained);
+  const auto others = static_cast<double>(design.effects.size());
+  for (FittedEffect& effect : design.effects) effect.looked_at = others;
+  fit_beside_spikes(fitted, prior, explained);
 
-  // The first fit without the reversals, and the cyclic errors on what it leaves.
-  const Eigen::VectorXd far =
-      of.count.cwiseProduct((of.from_reversal_deg.array() > kAtReversal_deg).cast<double>().matrix());
-  const Eigen::MatrixXd nothing = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
-  stages.first = block_of(columns, far, nothing);
-  const Eigen::VectorXd first_left = of.deviation_um - columns * stages.first.solve(of.deviation_um);
-  stages.cyclic = cyclic_part(along_the_travel, of, set_up, columns, stages.first, first_left);
-
-  // As the instrument: with its prior, and the cyclic errors taken off first.
-  const Block damped{stages.first.weighted, inverse_of(stages.first.normal, usual)};
-  const Block damped_waves{stages.cyclic.block.weighted, cyclic_inverse(stages.cyclic, damped.inverse).inverse};
-  const Eigen::VectorXd waves = damped_waves.solve(measured - columns * damped.solve(measured));
-  const Eigen::VectorXd gains = damped.solve(measured - stages.cyclic.part.columns.values * waves);
-
-  const Eigen::VectorXd left = first_fit(stages, stages.first, of).left;
-  stages.extra = extra_part(where_they_show, of, {&columns, &stages.first}, left, far);
-  Eigen::MatrixXd smooth(of.size(), columns.cols() + waves.size() + stages.extra.columns.size());
-  smooth.leftCols(columns.cols()) = columns;
-  smooth.middleCols(columns.cols(), waves.size()) = stages.cyclic.part.columns.values;
-  smooth.rightCols(stages.extra.columns.size()) = stages.extra.columns.values;
-  // For what CCW and CW have together and what they differ by, which stand first, the circles of each: the noise is
-  // then fitted with what each recording has of its own.
-  for (Eigen::Index k = 0; differ(stages.together.columns) && k < 3; ++k) {
-    const Eigen::VectorXd half = 0.5 * smooth.col(k), shift = smooth.col(k + 3);
-    smooth.col(k) = half + shift;
-    smooth.col(k + 3) = half - shift;
-  }
-  const QuietRows quiet = quiet_rows(of, smooth);
-  fitted.noise = error_noise(quiet.rows, quiet.columns);
-  fitted.slow_variance_um2 = slow_variance_um2(of, fitted.noise);
-  fitted.at_once = stages.together.columns.fine;
-  const std::vector<const Effect*> explained =
-      fit_step_widths(stages, damping == nullptr ? stages.first : damped, of, at_reversals, fitted.noise.front().noise);
-  const auto fit_spikes = [&] {
-    stages.spikes = spikes_in(at_reversals, of, first_fit(stages, stages.first, of).left, fitted.noise.front().noise);
-    for (FittedEffect& one : stages.spikes.effects)
-      one.is_needed = std::find(explained.begin(), explained.end(), one.effect) == explained.end();
-  };
-  fit_spikes();
-  const auto errors = static_cast<double>(jointly.size() + along_the_travel.size() + where_they_show.size());
-  for (Part* part : {&stages.together, &stages.cyclic.part, &stages.extra}) {
-    for (FittedEffect& effect : part->effects) effect.looked_at = errors;
-  }
-  fit_all(fitted, stages, far, damping);
-
-  // Where a spike shows, the readings under it tell nothing of the others.
-  Eigen::VectorXd beyond = far;
-  for (const FittedEffect& effect : stages.spikes.effects) {
+  Eigen::VectorXd beyond = far;  // without the readings under a spike
+  for (const FittedEffect& effect : design.effects) {
+    if (effect.effect->rules.error_fit != ErrorFit::at_reversals || !effect.in_the_fit) continue;
     const double reach_deg = std::min(kNearReversal_deg, kWidthsOfSpike * effect.shape.value_or(0.0));
-    for (Eigen::Index i = 0; effect.in_the_fit && i < of.size(); ++i) {
-      if (since_reversal_deg(of, i, effect.effect->rules.reversal_deg) <= reach_deg) beyond[i] = 0.0;
-    }
+    for (Eigen::Index i = 0; i < rows.size(); ++i)
+      if (since_reversal_deg(rows, i, effect.effect->rules.reversal_deg) <= reach_deg) beyond[i] = 0.0;
   }
   if (beyond != far) {
-    refit(stages, beyond, nothing);
-    fit_spikes();
-    fit_all(fitted, stages, beyond, damping);
+    remove_last(design, ErrorFit::at_reversals);
+    const Indices weighted = columns_of(design, {ErrorFit::together, ErrorFit::where_it_shows});
+    design.z(Eigen::all, weighted) = beyond.asDiagonal() * design.x.values(Eigen::all, weighted);
+    refresh(design, weighted);
+    fit_beside_spikes(fitted, prior, explained);
   }
-  std::vector<ErrorColumn> names = stages.together.columns.columns;
-  names.insert(names.end(), stages.extra.columns.columns.begin(), stages.extra.columns.columns.end());
-  std::vector<std::string> phrases = undetermined(fitted.normal, names);
-  if (stages.cyclic.undetermined.cols() > 0) {
-    phrases.push_back(
-        undetermined_names(stages.cyclic.undetermined.rowwise().norm(), stages.cyclic.part.columns.columns));
-  }
+
+  std::vector<std::string> phrases = undetermined(design);
   fitted.undetermined.insert(fitted.undetermined.begin(), phrases.begin(), phrases.end());
   fitted.as_instrument = Eigen::VectorXd::Constant(fitted.gains.size(), kUnknown);
-  fitted.as_instrument.head(gains.size()) = gains;
-  fitted.as_instrument.segment(gains.size(), waves.size()) = waves;
+  fitted.as_instrument.head(as_instrument.size()) = as_instrument;
   add_spikes_as_instrument(fitted, options.cyclic_of_runs);
+  for (ErrorColumn& column : design.x.columns) {
+    if (column.effect != nullptr && grows_with_feed(*column.effect) && !states_feed(trace)) column.unit = "um";
+  }
+  free_of_centre(fitted, trace);
   return fitted;
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kLeastGain_um = 0.05;
 constexpr double kBlock_deg = 10.0;
-constexpr int kDraws = 40;
+constexpr Eigen::Index kDraws = 40;
 
 // Largest and smallest reading of each fine row: what a curve that is constant in it makes of the circularity.
 struct Extremes {
@@ -70,20 +70,26 @@ struct Blocks {
 
 // Errors that are corrected together: a single one, or those of a group.
 struct Correction {
-  std::vector<std::size_t> columns;
-  Eigen::VectorXd curve;
+  Indices columns;
+  Eigen::VectorXd curve;  // fine rows
 };
 
+// Fine rows as they are about the centre that fits them. That of a full turn is of the fit, in which an error adds
+// nothing to it.
+Eigen::VectorXd about_centre(const JointErrorFit& fitted, const Eigen::VectorXd& fine) {
+  return fitted.is_full ? fine : fine - fitted.centre_curve(fine);
+}
+
 Correction correction_of(const JointErrorFit& fitted, const std::vector<const Effect*>& effects) {
-  Correction one{{}, Eigen::VectorXd::Zero(fitted.columns.fine.rows())};
-  for (const FittedEffect& fit : fitted.effects) {
+  Correction one{{}, Eigen::VectorXd::Zero(fitted.design.x.fine.rows())};
+  for (const FittedEffect& fit : fitted.design.effects) {
     // The fit explains a group by its members in the fit alone.
-    if (std::find(effects.begin(), effects.end(), fit.effect) == effects.end() ||
-        (effects.size() > 1 && !fit.in_the_fit))
-      continue;
+    const bool is_one = std::find(effects.begin(), effects.end(), fit.effect) != effects.end();
+    if (!is_one || (effects.size() > 1 && !fit.in_the_fit)) continue;
     one.curve += fitted.fine_curve(fit.effect);
     one.columns.insert(one.columns.end(), fit.columns.begin(), fit.columns.end());
   }
+  one.curve = about_centre(fitted, one.curve);
   return one;
 }
 
@@ -92,39 +98,28 @@ std::vector<double> gain_sigmas_um(const std::vector<Correction>& corrections, c
                                    const Extremes& extremes) {
   // The readings in the middle of their row: what they scatter within it stays.
   Eigen::VectorXd left = 0.5 * (extremes.largest + extremes.smallest);
-  for (const FittedEffect& effect : fitted.effects) {
-    if (effect.in_the_fit) left -= fitted.fine_curve(effect.effect);
+  for (const FittedEffect& effect : fitted.design.effects) {
+    if (effect.in_the_fit) left -= about_centre(fitted, fitted.fine_curve(effect.effect));
   }
   const Blocks blocks(fitted);
   std::mt19937_64 random(1);
-  std::vector<double> sums(corrections.size(), 0.0), squares(corrections.size(), 0.0);
-  for (int draw = 0; draw < kDraws; ++draw) {
+  Eigen::MatrixXd drawn(kDraws, static_cast<Eigen::Index>(corrections.size()));
+  for (Eigen::Index draw = 0; draw < kDraws; ++draw) {
     Eigen::VectorXd change = blocks.drawn(left, random) - left;
-    const Eigen::VectorXd gains =
-        fitted.map *
-        (fitted.weighted.transpose() * fitted.rows.mean({change.data(), static_cast<std::size_t>(change.size())}));
-    for (std::size_t c = 0; c < fitted.columns.columns.size(); ++c) {
-      const auto column = static_cast<Eigen::Index>(c);
-      if (is_centre(fitted.columns.columns[c])) change -= gains[column] * fitted.columns.fine.col(column);
-    }
+    const Eigen::VectorXd gains = fitted.map * (fitted.design.z.transpose() * fitted.rows.means(change));
+    change -= fitted.centre_curve(change);
     const Extremes now{extremes.largest + change, extremes.smallest + change};
     const double circularity_um = now.range_without(Eigen::VectorXd::Zero(change.size()));
     for (std::size_t k = 0; k < corrections.size(); ++k) {
-      Eigen::VectorXd curve = corrections[k].curve;
-      for (const std::size_t c : corrections[k].columns) {
-        const auto column = static_cast<Eigen::Index>(c);
-        curve += gains[column] * fitted.columns.fine.col(column);
-      }
-      const double gain = circularity_um - now.range_without(curve);
-      sums[k] += gain;
-      squares[k] += gain * gain;
+      const auto& [columns, curve] = corrections[k];
+      const Eigen::VectorXd shift = fitted.design.x.fine(Eigen::all, columns) * gains(columns);
+      const double without_um = now.range_without(curve + about_centre(fitted, shift));
+      drawn(draw, static_cast<Eigen::Index>(k)) = circularity_um - without_um;
     }
   }
   std::vector<double> sigmas;
-  for (std::size_t k = 0; k < corrections.size(); ++k) {
-    const double mean = sums[k] / kDraws;
-    sigmas.push_back(std::sqrt(std::max(0.0, squares[k] / kDraws - mean * mean) * kDraws / (kDraws - 1.0)));
-  }
+  for (const auto& gains : drawn.colwise())
+    sigmas.push_back(std::sqrt((gains.array() - gains.mean()).square().sum() / (kDraws - 1.0)));
   return sigmas;
 }
 
@@ -168,7 +163,7 @@ void add_gains(MachineErrors& found, const JointErrorFit& fitted, bool with_sigm
   found.circularity_um = extremes.largest.maxCoeff() - extremes.smallest.minCoeff();
   std::vector<Correction> corrections;  // of significant errors and groups
   std::vector<double*> sigmas;
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(fitted.columns.fine.rows());
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(fitted.design.x.fine.rows());
   const auto correct = [&](auto& one, const std::vector<const Effect*>& effects, bool is_significant) {
     Correction correction = correction_of(fitted, effects);
     one.circularity_without_um = extremes.range_without(correction.curve);

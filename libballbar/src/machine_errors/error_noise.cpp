@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <numeric>
-#include <optional>
+#include <span>
 #include <utility>
 
 #include "ballbar/units.hpp"
@@ -19,13 +17,14 @@ namespace ballbar {
 namespace {
 
 constexpr std::array kWhiteOfCorrelated = {0.1, 0.33, 1.0, 3.0, 10.0};  // w / q
-constexpr std::size_t kUsualWhite = 1;
+constexpr double kUsualWhite = 0.33;
 constexpr std::array kFineMemories = {0.5, 0.7, 1.0, 1.4, 2.0};  // times the best of the first look
 constexpr std::size_t kMemories = 6;
 constexpr double kMemoriesATurn = 16.0;
 constexpr double kLeastWeight = 0.03;    // of the likeliest
 constexpr double kLeastVariance = 1e-6;  // of q = 1
 constexpr double kLeastOfSpan = 1e-5;    // of a column that the others do not have, or it is theirs
+constexpr double kClearExcess = 1.5;     // of variances
 constexpr double kLeast_um = 1e-4;       // readings are written to 0.01 um
 
 // From two rows to a sixteenth of a turn, evenly in the logarithm: what lasts longer has the forms of the errors, and
@@ -85,11 +84,6 @@ RowMemory row_memory(const ErrorRows& rows, double memory_s) {
   return memory;
 }
 
-struct RestrictedEstimate {
-  double log_likelihood = 0.0;
-  double variance = 0.0;  // s^2: of q^2 = 1
-};
-
 // Recordings, rows after one another, remember nothing of the one before.
 bool is_start(const ErrorRows& rows, std::size_t row) {
   return row == 0 || rows.recording[row] != rows.recording[row - 1];
@@ -131,64 +125,6 @@ LinearFilter filter_of(const ErrorRows& rows, double memory_s) {
                        .starts = starts});
 }
 
-// For q = 1.
-RestrictedEstimate restricted(const RestrictedLikelihood& likelihood, const LinearFilter& filter, double memory_s,
-                              double white, Eigen::Index rows) {
-  const LinearFilter::Sums sums = likelihood.sums(filter, {white * white, 1.0, memory_s});
-  const auto freedom = static_cast<double>(std::max<Eigen::Index>(rows - likelihood.columns(), 1));
-  RestrictedEstimate result;
-  result.variance = std::max(sums.squares / freedom, kLeast_um * kLeast_um);
-  result.log_likelihood = -0.5 * (freedom * std::log(result.variance) + sums.log_variances);
-  return result;
-}
-
-// Of these memories and kWhiteOfCorrelated, from the middle on: all that lie beside one with a weight. Weights are
-// logarithms of the likelihood. `known`: of kUsualWhite, for one memory.
-std::vector<WeightedNoise> likely_noises(const ErrorRows& rows, const RestrictedLikelihood& likelihood,
-                                         const std::vector<double>& memories_s, double known_memory_s,
-                                         const RestrictedEstimate& known) {
-  constexpr std::size_t kWhites = kWhiteOfCorrelated.size();
-  std::vector<std::optional<LinearFilter>> filters(memories_s.size());
-  std::vector<bool> looked_at(filters.size() * kWhites, false);
-  struct Place {
-    std::size_t memory = 0, white = 0;
-    bool open = true;  // what lies beside it was not looked at
-  };
-  std::vector<Place> places;
-  std::vector<WeightedNoise> noises;
-  places.reserve(looked_at.size());
-  noises.reserve(looked_at.size());
-  const auto look_at = [&](std::size_t memory, std::size_t white) {
-    if (looked_at[memory * kWhites + white]) return;
-    looked_at[memory * kWhites + white] = true;
-    const bool is_known = white == kUsualWhite && memories_s[memory] == known_memory_s;
-    if (!is_known && !filters[memory]) filters[memory] = filter_of(rows, memories_s[memory]);
-    const RestrictedEstimate found =
-        is_known ? known
-                 : restricted(likelihood, *filters[memory], memories_s[memory], kWhiteOfCorrelated[white], rows.size());
-    const double correlated_um = std::sqrt(found.variance);
-    const double white_um = kWhiteOfCorrelated[white] * correlated_um;
-    noises.push_back({found.log_likelihood, {white_um, correlated_um, memories_s[memory], found.log_likelihood}});
-    places.push_back({memory, white});
-  };
-  look_at(filters.size() / 2, kUsualWhite);
-  for (;;) {
-    double most = noises.front().weight;
-    std::size_t next = noises.size();  // the likeliest that is open
-    for (std::size_t k = 0; k < noises.size(); ++k) {
-      most = std::max(most, noises[k].weight);
-      if (places[k].open && (next == noises.size() || noises[k].weight > noises[next].weight)) next = k;
-    }
-    if (next == noises.size() || noises[next].weight < most + std::log(kLeastWeight)) return noises;
-    places[next].open = false;
-    const auto [memory, white, open] = places[next];
-    const auto before = [](std::size_t k) { return k - std::min<std::size_t>(k, 1); };
-    for (std::size_t m = before(memory); m < std::min(memory + 2, filters.size()); ++m) {
-      for (std::size_t w = before(white); w < std::min(white + 2, kWhites); ++w) look_at(m, w);
-    }
-  }
-}
-
 // Orthonormal columns that span these, whose own size, of which some may be taken off, is 1.
 Eigen::MatrixXd span_of(const Eigen::MatrixXd& columns) {
   if (columns.size() == 0) return columns.leftCols(0);
@@ -202,36 +138,24 @@ Eigen::MatrixXd span_of(const Eigen::MatrixXd& columns) {
   return span;
 }
 
-// The same of all columns, first of those that one recording alone has: they stay 0 in the others.
-Eigen::MatrixXd span_of(const Eigen::MatrixXd& columns, const std::vector<std::size_t>& starts) {
-  Eigen::MatrixXd shared = columns;
-  for (Eigen::Index k = 0; k < shared.cols(); ++k) {
-    const double size = shared.col(k).norm();
-    if (size > 0.0) shared.col(k) /= size;
+// The joined row of each quiet one; -1: it is not quiet.
+std::vector<Eigen::Index> joined_row_of(const ErrorRows& rows) {
+  std::vector<Eigen::Index> joined(static_cast<std::size_t>(rows.size()), -1);
+  Eigen::Index row = -1;
+  Eigen::Index first = -2;  // of the joined row
+  for (Eigen::Index i = 0; i < rows.size(); ++i) {
+    if (rows.from_reversal_deg[i] <= kNearReversal_deg) continue;
+    const auto at = static_cast<std::size_t>(i);
+    const bool second = first == i - 1 && rows.recording[at] == rows.recording[at - 1];
+    if (!second) {
+      ++row;
+      first = i;
+    } else {
+      first = -2;
+    }
+    joined[at] = row;
   }
-  std::vector<Eigen::Index> left(static_cast<std::size_t>(columns.cols()));
-  std::iota(left.begin(), left.end(), Eigen::Index{0});
-  Eigen::MatrixXd span(columns.rows(), columns.cols());
-  Eigen::Index rank = 0;
-  for (std::size_t k = 0; k < starts.size(); ++k) {
-    const auto first = static_cast<Eigen::Index>(starts[k]);
-    const Eigen::Index end = k + 1 < starts.size() ? static_cast<Eigen::Index>(starts[k + 1]) : columns.rows();
-    const auto is_own = [&](Eigen::Index column) {
-      return shared.col(column).head(first).isZero(0.0) && shared.col(column).tail(columns.rows() - end).isZero(0.0);
-    };
-    const auto own = std::stable_partition(left.begin(), left.end(), [&](Eigen::Index c) { return !is_own(c); });
-    const Eigen::MatrixXd basis =
-        span_of(shared(Eigen::seq(first, end - 1), std::vector<Eigen::Index>(own, left.end())));
-    left.erase(own, left.end());
-    auto rows = shared.middleRows(first, end - first);
-    rows -= basis * (basis.transpose() * rows);
-    span.middleCols(rank, basis.cols()).setZero();
-    span.block(first, rank, end - first, basis.cols()) = basis;
-    rank += basis.cols();
-  }
-  const Eigen::MatrixXd basis = span_of(shared(Eigen::all, left));
-  span.middleCols(rank, basis.cols()) = basis;
-  return span.leftCols(rank + basis.cols());
+  return joined;
 }
 
 }  // namespace
@@ -239,32 +163,46 @@ Eigen::MatrixXd span_of(const Eigen::MatrixXd& columns, const std::vector<std::s
 std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::MatrixXd& columns) {
   // Of what the columns span: on a short arc some are the sum of others, and their X' V^-1 X has no root.
   const std::vector<std::size_t> starts = starts_of(rows);
-  const RestrictedLikelihood likelihood({rows.deviation_um.data(), rows.recording.size()}, span_of(columns, starts),
-                                        starts);
+  const RestrictedLikelihood likelihood({rows.deviation_um.data(), rows.recording.size()}, span_of(columns), starts);
+  std::map<std::pair<double, double>, WeightedNoise> points;  // by memory and by w / q; weights are logarithms
+  const auto look_at = [&](double memory_s, std::span<const double> whites) {
+    const LinearFilter filter = filter_of(rows, memory_s);
+    for (const double white : whites) {
+      WeightedNoise& point = points[{memory_s, white}];
+      if (point.noise.correlation_time_s > 0.0) continue;
+      const LinearFilter::Sums sums = likelihood.sums(filter, {white * white, 1.0, memory_s});
+      const auto freedom = static_cast<double>(std::max<Eigen::Index>(rows.size() - likelihood.columns(), 1));
+      const double variance = std::max(sums.squares / freedom, kLeast_um * kLeast_um);  // s^2: of q^2 = 1
+      point.weight = -0.5 * (freedom * std::log(variance) + sums.log_variances);
+      const double correlated_um = std::sqrt(variance);
+      point.noise = {white * correlated_um, correlated_um, memory_s, point.weight};
+    }
+  };
+  const auto likeliest = [&] {
+    return std::max_element(points.begin(), points.end(),
+                            [](const auto& a, const auto& b) { return a.second.weight < b.second.weight; })
+        ->first;
+  };
   const std::array<double, kMemories> memories = memories_s(rows);
-  std::size_t best = 0;
-  RestrictedEstimate likeliest{-std::numeric_limits<double>::infinity()};
-  for (std::size_t k = 0; k < memories.size(); ++k) {
-    const RestrictedEstimate one =
-        restricted(likelihood, filter_of(rows, memories[k]), memories[k], kWhiteOfCorrelated[kUsualWhite], rows.size());
-    if (one.log_likelihood > likeliest.log_likelihood) likeliest = one, best = k;
-  }
-  std::vector<double> fine_s;
-  fine_s.reserve(kFineMemories.size());
+  for (const double memory_s : memories) look_at(memory_s, {&kUsualWhite, 1});
+  const double best_s = likeliest().first;
+  look_at(best_s, kWhiteOfCorrelated);
+  const auto best = std::find(kWhiteOfCorrelated.begin(), kWhiteOfCorrelated.end(), likeliest().second);
+  const auto from = best == kWhiteOfCorrelated.begin() ? best : best - 1;
+  const auto to = std::min(best + 2, kWhiteOfCorrelated.end());
   for (const double times : kFineMemories) {
-    if (times * memories[best] <= 1.0001 * memories.back()) fine_s.push_back(times * memories[best]);
+    if (times * best_s <= 1.0001 * memories.back()) look_at(times * best_s, {from, to});
   }
-  std::vector<WeightedNoise> noises = likely_noises(rows, likelihood, fine_s, memories[best], likeliest);
-  const auto likelier = [](const WeightedNoise& a, const WeightedNoise& b) { return a.weight > b.weight; };
-  std::stable_sort(noises.begin(), noises.end(), likelier);
-  const double most = noises.front().weight;
+  std::vector<WeightedNoise> noises;
+  const double most = points[likeliest()].weight;
   double sum = 0.0;
-  for (WeightedNoise& noise : noises) {
-    noise.weight = std::exp(noise.weight - most);
-    if (noise.weight < kLeastWeight) noise.weight = 0.0;
-    sum += noise.weight;
+  for (const auto& [place, point] : points) {
+    const double weight = std::exp(point.weight - most);
+    if (weight < kLeastWeight) continue;
+    noises.push_back({weight, point.noise});
+    sum += weight;
   }
-  std::erase_if(noises, [](const WeightedNoise& noise) { return !(noise.weight > 0.0); });
+  std::stable_sort(noises.begin(), noises.end(), [](const auto& a, const auto& b) { return a.weight > b.weight; });
   for (WeightedNoise& noise : noises) noise.weight /= sum;
   return noises;
 }
@@ -293,31 +231,24 @@ Eigen::MatrixXd spread_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
     }
     spreads.push_back({q2, std::move(memory.with_others), decays_of(rows, memory_s)});
   }
-  constexpr Eigen::Index kGroup = 8;  // columns that are taken together, so that their sums stay in registers
-  using Group = Eigen::Array<double, 1, kGroup>;
-  Eigen::Array<double, Eigen::Dynamic, kGroup, Eigen::RowMajor> z(columns.rows(), kGroup), correlated = z;
-  Eigen::MatrixXd all(columns.rows(), columns.cols());  // V Z
-  for (Eigen::Index first = 0; first < columns.cols(); first += kGroup) {
-    const Eigen::Index together = std::min(kGroup, columns.cols() - first);
-    z.setZero();
-    z.leftCols(together) = columns.middleCols(first, together);
-    correlated = z.colwise() * own;
-    for (const Spread& of : spreads) {
-      // sum over j of k_j exp(-|t_i - t_j| / theta) z_j: those before and the row itself, then those after.
-      Group sum = Group::Zero();
-      for (Eigen::Index i = 0; i < z.rows(); ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        sum = of.decay[at] * sum + of.with_others[at] * z.row(i);
-        correlated.row(i) += (of.q2 * of.with_others[at]) * sum;
-      }
-      sum.setZero();
-      for (Eigen::Index i = z.rows() - 1; i > 0; --i) {
-        const auto at = static_cast<std::size_t>(i);
-        sum = of.decay[at] * (sum + of.with_others[at] * z.row(i));
-        correlated.row(i - 1) += (of.q2 * of.with_others[at - 1]) * sum;
-      }
+  using RowMajor = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const RowMajor z = columns.array();
+  RowMajor all = z.colwise() * own;  // V Z
+  Eigen::ArrayXd sum(z.cols());
+  for (const Spread& of : spreads) {
+    // sum over j of k_j exp(-|t_i - t_j| / theta) z_j: those before and the row itself, then those after.
+    sum.setZero();
+    for (Eigen::Index i = 0; i < z.rows(); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      sum = of.decay[at] * sum + of.with_others[at] * z.row(i).transpose();
+      all.row(i) += (of.q2 * of.with_others[at]) * sum.transpose();
     }
-    all.middleCols(first, together) = correlated.leftCols(together);
+    sum.setZero();
+    for (Eigen::Index i = z.rows() - 1; i > 0; --i) {
+      const auto at = static_cast<std::size_t>(i);
+      sum = of.decay[at] * (sum + of.with_others[at] * z.row(i).transpose());
+      all.row(i - 1) += (of.q2 * of.with_others[at - 1]) * sum.transpose();
+    }
   }
   return all;
 }
@@ -360,6 +291,56 @@ double slow_variance_um2(const ErrorRows& rows, const std::vector<WeightedNoise>
                               one.noise.correlated_um * one.noise.correlated_um * (1.0 + decay) / (1.0 - decay));
   }
   return variance;
+}
+
+QuietRows quiet_rows(const ErrorRows& rows, const Eigen::MatrixXd& columns) {
+  const std::vector<Eigen::Index> joined = joined_row_of(rows);
+  Eigen::Index n = 0;
+  for (const Eigen::Index row : joined) n = std::max(n, row + 1);
+  QuietRows quiet;
+  ErrorRows& of = quiet.rows;
+  of.count = of.time_s = of.angle_rad = of.interval_s = of.deviation_um = Eigen::VectorXd::Zero(n);
+  of.recording.resize(static_cast<std::size_t>(n));
+  of.recordings = rows.recordings;
+  quiet.columns = Eigen::MatrixXd::Zero(n, columns.cols());
+  for (Eigen::Index i = 0; i < rows.size(); ++i) {
+    const Eigen::Index row = joined[static_cast<std::size_t>(i)];
+    if (row < 0) continue;
+    of.count[row] += rows.count[i];
+    of.time_s[row] += rows.count[i] * rows.time_s[i];
+    of.angle_rad[row] += rows.count[i] * rows.angle_rad[i];
+    of.deviation_um[row] += rows.count[i] * rows.deviation_um[i];
+    of.interval_s[row] = rows.interval_s[i];
+    of.recording[static_cast<std::size_t>(row)] = rows.recording[static_cast<std::size_t>(i)];
+    quiet.columns.row(row) += rows.count[i] * columns.row(i);
+  }
+  for (Eigen::VectorXd* sum : {&of.time_s, &of.angle_rad, &of.deviation_um}) *sum = sum->cwiseQuotient(of.count);
+  quiet.columns.array().colwise() /= of.count.array();
+  return quiet;
+}
+
+Eigen::VectorXd excess_of(const ErrorRows& rows, const Eigen::VectorXd& residual) {
+  // Of the four reversals each, and of all rows that are near none.
+  constexpr std::size_t kReversals = 4;
+  const auto place_of = [&](Eigen::Index i) {
+    if (rows.from_reversal_deg[i] > kNearReversal_deg) return kReversals;
+    return static_cast<std::size_t>(std::llround(deg_from_rad(rows.angle_rad[i]) / 90.0) % 4 + 4) % kReversals;
+  };
+  std::array<double, kReversals + 1> squares{}, count{};
+  for (Eigen::Index i = 0; i < rows.size(); ++i) {
+    if (rows.from_reversal_deg[i] <= kAtReversal_deg) continue;
+    squares[place_of(i)] += rows.count[i] * residual[i] * residual[i];
+    count[place_of(i)] += rows.count[i];
+  }
+  Eigen::VectorXd excess = Eigen::VectorXd::Ones(rows.size());
+  if (!(squares[kReversals] > 0.0)) return excess;
+  const double quiet = squares[kReversals] / count[kReversals];
+  for (Eigen::Index i = 0; i < rows.size(); ++i) {
+    const std::size_t place = place_of(i);
+    const double ratio = place == kReversals ? 1.0 : squares[place] / count[place] / quiet;
+    if (ratio >= kClearExcess) excess[i] = std::sqrt(ratio);
+  }
+  return excess;
 }
 
 }  // namespace ballbar

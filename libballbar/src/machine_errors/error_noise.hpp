@@ -30,6 +30,19 @@ struct WeightedNoise {
 // From the deviation and the fitted columns, row by row. Sorted by falling weight; unlikely points are left out.
 std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::MatrixXd& columns);
 
+// Rows beyond the reach of a reversal, two of a recording joined to one, with the means of columns: what the noise is
+// learnt from. Near a reversal the form of a spike is never quite that of the model, and what is left there is no
+// noise.
+struct QuietRows {
+  ErrorRows rows;
+  Eigen::MatrixXd columns;
+};
+QuietRows quiet_rows(const ErrorRows& rows, const Eigen::MatrixXd& columns);
+
+// By how much the readings within the reach of each reversal scatter more than those of none, a factor for each row; 1
+// where that is not clear. Readings up to 1.5 deg after a reversal are left out: they are single ones.
+Eigen::VectorXd excess_of(const ErrorRows& rows, const Eigen::VectorXd& residual);
+
 // V Z of columns Z (rows by k), V over all points of the grid.
 Eigen::MatrixXd spread_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
                           const std::vector<WeightedNoise>& noises);

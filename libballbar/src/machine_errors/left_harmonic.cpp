@@ -8,7 +8,6 @@
 #include <map>
 
 #include "ballbar/units.hpp"
-#include "machine_errors/spike_fit.hpp"
 #include "numerics/not_finite.hpp"
 
 namespace ballbar {
@@ -101,9 +100,7 @@ double repeatability_um(const ErrorRows& rows, const Eigen::VectorXd& residual) 
 }
 
 std::optional<LeftHarmonic> left_harmonic(const ErrorRows& rows, const Eigen::MatrixXd& columns,
-                                          const Eigen::VectorXd& residual, const std::vector<WeightedNoise>& noises,
-                                          double arc_rad) {
-  if (arc_rad < kPi) return std::nullopt;  // waves of a short arc are not told apart
+                                          const Eigen::VectorXd& residual, const std::vector<WeightedNoise>& noises) {
   std::vector<std::vector<Wave>> waves;
   waves.reserve(rows.recordings);
   for (std::size_t k = 0; k < rows.recordings; ++k) waves.push_back(waves_of(rows, residual, noises, k));

@@ -17,7 +17,6 @@ double repeatability_um(const ErrorRows& rows, const Eigen::VectorXd& residual);
 // noise that is left beside it, as a wave that was not in the model makes the noise look slower than it is. `columns`:
 // those of the model.
 std::optional<LeftHarmonic> left_harmonic(const ErrorRows& rows, const Eigen::MatrixXd& columns,
-                                          const Eigen::VectorXd& residual, const std::vector<WeightedNoise>& noises,
-                                          double arc_rad);
+                                          const Eigen::VectorXd& residual, const std::vector<WeightedNoise>& noises);
 
 }  // namespace ballbar

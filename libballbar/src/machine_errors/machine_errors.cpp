@@ -14,6 +14,7 @@
 #include "machine_errors/error_fit.hpp"
 #include "machine_errors/error_gains.hpp"
 #include "machine_errors/error_ranks.hpp"
+#include "machine_errors/error_set_up.hpp"
 #include "machine_errors/left_harmonic.hpp"
 
 namespace ballbar {
@@ -75,7 +76,7 @@ std::vector<AddedError> one_by_one(const JointErrorFit& fitted, const MachineErr
 // Those of the fit that are not of the reversals or of the travel alone.
 std::vector<ShapedEffect> smooth_errors(const JointErrorFit& fitted) {
   std::vector<ShapedEffect> errors;
-  for (const FittedEffect& one : fitted.effects) {
+  for (const FittedEffect& one : fitted.design.effects) {
     const ErrorFit kind = one.effect->rules.error_fit;
     if (!one.in_the_fit || (kind != ErrorFit::together && kind != ErrorFit::where_it_shows)) continue;
     errors.push_back({one.effect, one.shape.value_or(0.0)});
@@ -105,18 +106,15 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
     found.prior.push_back({statement.name, std::sqrt(fitted.slow_variance_um2 / statement.precision), statement.alone,
                            statement.alone_sigma, statement.unit});
   }
-  found.gains.reserve(fitted.columns.columns.size());
-  for (std::size_t k = 0; k < fitted.columns.columns.size(); ++k) {
-    const ErrorColumn& column = fitted.columns.columns[k];
+  const std::vector<bool> in_the_fit = fitted.in_the_fit();
+  for (std::size_t k = 0; k < fitted.columns().size(); ++k) {
+    const ErrorColumn& column = fitted.columns()[k];
     double shape = 0.0;
-    bool in_the_fit = true;
-    for (const FittedEffect& effect : fitted.effects) {
-      if (effect.effect != column.effect) continue;
-      shape = effect.shape.value_or(0.0);
-      in_the_fit = effect.in_the_fit;
+    for (const FittedEffect& effect : fitted.design.effects) {
+      if (effect.effect == column.effect) shape = effect.shape.value_or(0.0);
     }
     found.gains.push_back({column.effect, column.gain, column.recording,
-                           fitted.curve_gains[static_cast<Eigen::Index>(k)], shape, column.name, in_the_fit});
+                           fitted.curve_gains[static_cast<Eigen::Index>(k)], shape, column.name, in_the_fit[k]});
   }
   add_ranks_as_instrument(fitted, found.errors, found.ranked);
   add_gains(found, fitted, options.details);
@@ -128,7 +126,8 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
   found.repeatability_um = std::sqrt(fitted.within_um2 + repeats_um * repeats_um);  // of readings, as the residual
   if (options.details) {
     found.next = next_measurement(with_feed(trace), smooth_errors(fitted));
-    found.left = left_harmonic(fitted.rows, fitted.columns.values, residual, fitted.noise, fitted.arc_rad);
+    const bool has_waves = longest_arc_rad(trace) >= kPi;  // waves of a shorter arc are not told apart
+    if (has_waves) found.left = left_harmonic(fitted.rows, fitted.design.x.values, residual, fitted.noise);
   }
   return found;
 }

@@ -7,9 +7,7 @@
 #include <vector>
 
 #include "ballbar/circle/trace.hpp"
-#include "machine_errors/cyclic_fit.hpp"
-#include "machine_errors/error_blocks.hpp"
-#include "machine_errors/error_fit.hpp"
+#include "machine_errors/error_design.hpp"
 
 namespace ballbar {
 namespace {
@@ -28,19 +26,22 @@ struct SeparatedErrors {
 
 SeparatedErrors separated_errors(const Series& trace, std::span<const ShapedEffect> effects) {
   const ErrorRows rows = error_rows(trace);
-  std::vector<std::pair<FittedEffect, ErrorColumns>> own{{FittedEffect{}, circle_columns(rows)}};
-  for (const ShapedEffect& one : effects) {
-    own.emplace_back(FittedEffect{one.effect}, effect_columns(*one.effect, one.shape, rows, false));
-  }
-  const ErrorColumns together = part_of(own, rows).columns;
   const Eigen::VectorXd far = rows.count.array() * (rows.from_reversal_deg.array() > kAtReversal_deg).cast<double>();
-  // What depends on an input that is not stated is not in the readings.
-  const Block block = block_of(together.values.array().isNaN().select(0.0, together.values), far, {});
-  SeparatedErrors found{{}, block.inverse, {}, own.front().second.size()};
-  found.own = (block.normal.diagonal().array() * block.inverse.diagonal().array()).inverse();
-  for (const ErrorColumn& one : together.columns) {
+  ErrorDesign design;
+  const auto add_to_design = [&](const Effect* effect, const ErrorColumns& columns) {
+    // What depends on an input that is not stated is not in the readings.
+    const Eigen::MatrixXd values = columns.values.array().isNaN().select(0.0, columns.values);
+    add(design, {effect}, {columns.columns, values, columns.fine}, far.asDiagonal() * values);
+  };
+  add_to_design(nullptr, circle_columns(rows));
+  SeparatedErrors found;
+  found.circles = design.x.size();
+  for (const ShapedEffect& one : effects)
+    add_to_design(one.effect, effect_columns(*one.effect, one.shape, rows, false));
+  for (const ErrorColumn& one : design.x.columns)
     found.names.push_back(one.effect == nullptr ? one.name : one.effect->name);
-  }
+  found.covariance = inverse_of(design.products);
+  found.own = (design.products.diagonal().array() * found.covariance.diagonal().array()).inverse();
   return found;
 }
 

@@ -100,14 +100,13 @@ TEST(MachineErrors, AllTogetherAreFound) {
   EXPECT_LT(found.residual_rms_um, 0.04);  // the curves at means of half a degree
 }
 
-// Of the reversals' steps the waves of the screws leave 0.5 um.
 TEST(MachineErrors, WavesBesideAllOthersAreFound) {
   made::ErrorTest test = made::full_turn();
   for (const Alone& one : kErrors) {
     if (!std::string(one.name).starts_with("reversal")) test.errors[one.name] = one.value;
   }
   const MachineErrors found = without_prior(test);
-  for (const MachineError& row : found.errors) EXPECT_NEAR(row.value, test.of(row.name), 0.6) << row.name;
+  for (const MachineError& row : found.errors) EXPECT_NEAR(row.value, test.of(row.name), 0.05) << row.name;
 }
 
 // 0.5 mm off centre: a^2 / 2 R = 0.8 um of second order, which is no oval of the axes.

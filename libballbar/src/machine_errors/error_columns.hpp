@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "ballbar/effects/effect.hpp"
-#include "ballbar/units.hpp"
 #include "machine_errors/error_rows.hpp"
+#include "machine_errors/error_set_up.hpp"
 
 namespace ballbar {
-
-inline constexpr double kFullTurn_rad = 2.0 * kPi * 0.995;  // with tolerance for a missing reading
 
 // The column of one gain, of an effect or of the circle (effect nullptr).
 struct ErrorColumn {
@@ -36,8 +34,6 @@ ErrorColumns circle_columns(const ErrorRows& rows);
 
 // The columns of one effect; `recordings`: separate ones for each recording.
 ErrorColumns effect_columns(const Effect& effect, double shape, const ErrorRows& rows, bool of_each_recording);
-
-ErrorColumns joined(const std::vector<const ErrorColumns*>& parts, const ErrorRows& rows);
 
 // One statement of the prior: sum of coefficients times gains = 0, with the weight of `readings` readings.
 struct PriorStatement {

@@ -1,4 +1,4 @@
-#include "machine_errors/error_model.hpp"
+#include "machine_errors/error_columns.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -145,24 +145,6 @@ ErrorColumns effect_columns(const Effect& effect, double shape, const ErrorRows&
   if (!of_each_recording) columns.fine = std::move(curves);
   columns.values = rows.means(columns.fine);
   return columns;
-}
-
-ErrorColumns joined(const std::vector<const ErrorColumns*>& parts, const ErrorRows& rows) {
-  ErrorColumns all;
-  Eigen::Index columns = 0;
-  for (const ErrorColumns* part : parts) columns += part->size();
-  all.values.resize(rows.size(), columns);
-  all.fine.resize(static_cast<Eigen::Index>(rows.row_of.size()), columns);
-  all.columns.reserve(static_cast<std::size_t>(columns));
-  Eigen::Index at = 0;
-  for (const ErrorColumns* part : parts) {
-    if (part->size() == 0) continue;
-    all.columns.insert(all.columns.end(), part->columns.begin(), part->columns.end());
-    all.values.middleCols(at, part->size()) = part->values;
-    all.fine.middleCols(at, part->size()) = part->fine;
-    at += part->size();
-  }
-  return all;
 }
 
 std::vector<PriorStatement> prior_of(const ErrorColumns& columns, double readings_of_one, double arc_rad,
