@@ -25,11 +25,6 @@ Indices present_of(const Eigen::VectorXd& squares, const Eigen::MatrixXd& fine) 
   return kept;
 }
 
-void append(Eigen::MatrixXd& all, const Eigen::MatrixXd& columns) {
-  all.conservativeResize(columns.rows(), all.cols() + columns.cols());
-  all.rightCols(columns.cols()) = columns;
-}
-
 }  // namespace
 
 ErrorFit kind_of(const ErrorColumn& column) {
@@ -51,16 +46,41 @@ Indices all_of(const ErrorDesign& design) {
   return all;
 }
 
-void add(ErrorDesign& design, FittedEffect effect, const ErrorColumns& columns, const Eigen::MatrixXd& z) {
-  if (columns.size() == 0) return;
-  for (Eigen::Index k = 0; k < columns.size(); ++k) effect.columns.push_back(design.x.size() + k);
-  if (effect.effect != nullptr) design.effects.push_back(std::move(effect));
-  append(design.x.values, columns.values);
-  append(design.x.fine, columns.fine);
-  append(design.z, z);
-  design.x.columns.insert(design.x.columns.end(), columns.columns.begin(), columns.columns.end());
-  Indices added(static_cast<std::size_t>(columns.size()));
-  std::iota(added.begin(), added.end(), design.x.size() - columns.size());
+EffectDesign weighted(FittedEffect effect, ErrorColumns x, const Eigen::VectorXd& weight) {
+  EffectDesign one;
+  one.effect = std::move(effect);
+  one.z = weight.asDiagonal() * x.values;
+  one.x = std::move(x);
+  return one;
+}
+
+void add(ErrorDesign& design, const std::vector<EffectDesign>& effects) {
+  Indices added;
+  for (const EffectDesign& one : effects) {
+    if (one.x.size() == 0) continue;
+    FittedEffect effect = one.effect;
+    for (const ErrorColumn& column : one.x.columns) {
+      effect.columns.push_back(static_cast<Eigen::Index>(design.x.columns.size()));
+      design.x.columns.push_back(column);
+    }
+    added.insert(added.end(), effect.columns.begin(), effect.columns.end());
+    if (effect.effect != nullptr) design.effects.push_back(std::move(effect));
+  }
+  if (added.empty()) return;
+  Eigen::Index at = added.front();
+  for (const EffectDesign& one : effects) {
+    if (one.x.size() == 0) continue;
+    if (at == added.front()) {
+      const auto all = static_cast<Eigen::Index>(design.x.columns.size());
+      design.x.values.conservativeResize(one.x.values.rows(), all);
+      design.x.fine.conservativeResize(one.x.fine.rows(), all);
+      design.z.conservativeResize(one.x.values.rows(), all);
+    }
+    design.x.values.middleCols(at, one.x.size()) = one.x.values;
+    design.x.fine.middleCols(at, one.x.size()) = one.x.fine;
+    design.z.middleCols(at, one.x.size()) = one.z;
+    at += one.x.size();
+  }
   refresh(design, added);
 }
 
@@ -76,9 +96,9 @@ void remove_last(ErrorDesign& design, ErrorFit kind) {
 void refresh(ErrorDesign& design, const Indices& changed) {
   const Eigen::MatrixXd x = design.x.values(Eigen::all, changed), z = design.z(Eigen::all, changed);
   design.products.conservativeResize(design.x.size(), design.x.size());
-  design.products(changed, Eigen::all) = z.transpose() * design.x.values;
-  design.products(Eigen::all, changed) = design.z.transpose() * x;
   const Indices spikes = columns_of(design, {ErrorFit::at_reversals});
+  design.products(changed, Eigen::all) = z.transpose() * design.x.values;
+  if (spikes != changed) design.products(Eigen::all, changed) = design.z.transpose() * x;
   const Indices others = columns_of(design, {ErrorFit::together, ErrorFit::along_the_travel, ErrorFit::where_it_shows});
   design.products(others, spikes).setZero();
 }
@@ -98,33 +118,32 @@ GainEstimate gain_estimate(const ErrorDesign& design, const Indices& columns, co
   held.topLeftCorner(of_prior - columns.begin(), of_prior - columns.begin()) += prior(first, first);
   equations += held;
   GainEstimate estimate{columns, Eigen::MatrixXd::Zero(size, design.z.cols()), {}, {}};
-  Eigen::MatrixXd left = Eigen::MatrixXd::Identity(size, size), right = left;  // T = right (left' A right)^-1 left'
+  Eigen::MatrixXd inverse = equations.partialPivLu().inverse();
+  // The cyclic errors' equations without the others have the inverse of this block. Their least singular value is at
+  // least 1 / its norm.
   if (!cyclic.empty()) {
     const Eigen::VectorXd scale = equations.diagonal()(cyclic).cwiseSqrt().cwiseInverse();
-    const Eigen::MatrixXd of_others =
-        equations(others, others).partialPivLu().solve(Eigen::MatrixXd(equations(others, cyclic)));
-    const Eigen::MatrixXd alone = equations(cyclic, cyclic) - equations(cyclic, others) * of_others;
-    const Eigen::MatrixXd scaled = scale.asDiagonal() * alone * scale.asDiagonal();
-    // The least singular value is at least 1 / |inverse|.
-    if (!(scaled.partialPivLu().inverse().norm() < 1.0 / kDetermined)) {
-      const Eigen::JacobiSVD<Eigen::MatrixXd> solved(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::MatrixXd unscaled =
+        scale.cwiseInverse().asDiagonal() * inverse(cyclic, cyclic) * scale.cwiseInverse().asDiagonal();
+    if (!(unscaled.norm() < 1.0 / kDetermined)) {
+      const Eigen::MatrixXd of_others =
+          equations(others, others).partialPivLu().solve(Eigen::MatrixXd(equations(others, cyclic)));
+      const Eigen::MatrixXd alone = equations(cyclic, cyclic) - equations(cyclic, others) * of_others;
+      const Eigen::JacobiSVD<Eigen::MatrixXd> solved(scale.asDiagonal() * alone * scale.asDiagonal(),
+                                                     Eigen::ComputeFullU | Eigen::ComputeFullV);
       const Eigen::Index determined = (solved.singularValues().array() >= kDetermined).count();
-      Indices kept = others;  // the others, then the determined combinations
-      for (Eigen::Index k = 0; k < determined; ++k) kept.push_back(cyclic[static_cast<std::size_t>(k)]);
-      left(cyclic, cyclic) = Eigen::MatrixXd::Zero(alone.rows(), alone.cols());
-      right(cyclic, cyclic) = left(cyclic, cyclic);
-      for (Eigen::Index k = 0; k < determined; ++k) {
-        const Eigen::Index place = cyclic[static_cast<std::size_t>(k)];
-        left(cyclic, place) = scale.asDiagonal() * solved.matrixU().col(k);
-        right(cyclic, place) = scale.asDiagonal() * solved.matrixV().col(k);
-      }
-      left = Eigen::MatrixXd(left(Eigen::all, kept));
-      right = Eigen::MatrixXd(right(Eigen::all, kept));
+      // T = right (left' A right)^-1 left': the others, then the determined combinations.
+      const auto combinations = [&](const Eigen::MatrixXd& of_cyclic) {
+        Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size, size - of_cyclic.rows() + determined);
+        for (std::size_t k = 0; k < others.size(); ++k) all(others[k], static_cast<Eigen::Index>(k)) = 1.0;
+        all(cyclic, Eigen::lastN(determined)) = scale.asDiagonal() * of_cyclic.leftCols(determined);
+        return all;
+      };
+      const Eigen::MatrixXd left = combinations(solved.matrixU()), right = combinations(solved.matrixV());
+      inverse = right * (left.transpose() * equations * right).partialPivLu().solve(Eigen::MatrixXd(left.transpose()));
       estimate.held = solved.matrixV().rightCols(alone.cols() - determined);
     }
   }
-  const Eigen::MatrixXd inverse =
-      right * (left.transpose() * equations * right).partialPivLu().solve(Eigen::MatrixXd(left.transpose()));
   estimate.t(Eigen::all, columns) = inverse;
   // T L T', with T L = s^2 of the prior. The ridge is one too: without it a combination that no reading sees would have
   // the sigma of rounding.

@@ -50,8 +50,16 @@ ErrorFit kind_of(const ErrorColumn& column);
 Indices columns_of(const ErrorDesign& design, std::initializer_list<ErrorFit> kinds);
 Indices all_of(const ErrorDesign& design);
 
-// Adds columns with their Z, and the effect unless it is nullptr (circles) or has no columns.
-void add(ErrorDesign& design, FittedEffect effect, const ErrorColumns& columns, const Eigen::MatrixXd& z);
+// An effect, its columns and their Z; nullptr: circles.
+struct EffectDesign {
+  FittedEffect effect;
+  ErrorColumns x;
+  Eigen::MatrixXd z;
+};
+// Z = W X of rows with these weights.
+EffectDesign weighted(FittedEffect effect, ErrorColumns x, const Eigen::VectorXd& weight);
+// Adds those that have columns.
+void add(ErrorDesign& design, const std::vector<EffectDesign>& effects);
 // Takes off what was added last: the effects and columns of one kind.
 void remove_last(ErrorDesign& design, ErrorFit kind);
 

@@ -65,6 +65,7 @@ Eigen::VectorXd rest_of(const ErrorRows& rows, const ErrorDesign& design, const 
 }
 
 void add_cyclic(ErrorDesign& design, const ErrorRows& rows, const ErrorSetUp& set_up, const Eigen::VectorXd& left) {
+  std::vector<EffectDesign> cyclic;
   for (const Effect* effect : effects_fitted(ErrorFit::along_the_travel)) {
     Eigen::VectorXd weight = rows.count;
     Indices read;
@@ -82,21 +83,30 @@ void add_cyclic(ErrorDesign& design, const ErrorRows& rows, const ErrorSetUp& se
     const double pitch_mm =
         tried.size() == 1 ? tried.front() : best_shape(*effect, tried, rows_at(rows, read), left(read), weight(read));
     const ErrorColumns columns = present(effect_columns(*effect, pitch_mm, rows, true), weight);
-    add(design, {effect, pitch_mm, static_cast<double>(tried.size())}, columns, weight.asDiagonal() * columns.values);
+    FittedEffect fitted;
+    fitted.effect = effect;
+    fitted.shape = pitch_mm;
+    fitted.searched = static_cast<double>(tried.size());
+    cyclic.push_back(weighted(std::move(fitted), columns, weight));
   }
+  add(design, cyclic);
 }
 
 void add_where_they_show(ErrorDesign& design, const ErrorRows& rows, const Eigen::VectorXd& left,
                          const GainEstimate& together, const Eigen::VectorXd& far) {
+  std::vector<EffectDesign> added;
   for (const Effect* effect : effects_fitted(ErrorFit::where_it_shows)) {
     const std::size_t shape = shape_of(*effect);
     const std::vector<double> tried = shape == kNoShape ? std::vector<double>{0.0} : effect->parameters[shape].grid;
     const double best = best_shape(*effect, tried, rows, left, far, &design, &together);
     const ErrorColumns columns = present(effect_columns(*effect, best, rows, false), far);
-    FittedEffect fitted{effect, shape == kNoShape ? std::nullopt : std::optional(best)};
+    FittedEffect fitted;
+    fitted.effect = effect;
+    if (shape != kNoShape) fitted.shape = best;
     fitted.searched = static_cast<double>(tried.size());
-    add(design, std::move(fitted), columns, far.asDiagonal() * columns.values);
+    added.push_back(weighted(std::move(fitted), columns, far));
   }
+  add(design, added);
 }
 
 // The noise that all but the spikes leave. What CCW and CW have together stands first, then what they differ by: the
@@ -233,8 +243,10 @@ void fit_beside_spikes(JointErrorFit& fitted, const Eigen::MatrixXd& prior,
                        const std::vector<const Effect*>& explained) {
   ErrorDesign& design = fitted.design;
   const Eigen::VectorXd left = rest_of(fitted.rows, design, gain_estimate(design, all_of(design)));
+  std::vector<EffectDesign> spikes;
   for (const Effect* spike : effects_fitted(ErrorFit::at_reversals))
-    add_spikes(design, *spike, fitted.rows, left, fitted.noise.front().noise);
+    spikes.push_back(spike_design(*spike, fitted.rows, left, fitted.noise.front().noise));
+  add(design, spikes);
   for (FittedEffect& effect : design.effects) {
     if (std::find(explained.begin(), explained.end(), effect.effect) != explained.end()) effect.is_needed = false;
   }
@@ -332,11 +344,14 @@ JointErrorFit joint_error_fit(const Series& trace, const MachineErrorOptions& op
 
   ErrorDesign& design = fitted.design;
   const Eigen::VectorXd far = far_weight(rows);
-  add(design, {}, circle, far.asDiagonal() * circle.values);
+  std::vector<EffectDesign> of_all{weighted(FittedEffect(), circle, far)};
   for (const Effect* effect : effects_fitted(ErrorFit::together)) {
     const ErrorColumns columns = present(effect_columns(*effect, 0.0, rows, false), rows.count);
-    add(design, {effect}, columns, far.asDiagonal() * columns.values);
+    FittedEffect one;
+    one.effect = effect;
+    of_all.push_back(weighted(std::move(one), columns, far));
   }
+  add(design, of_all);
   fitted.at_once = design.x.fine;
   fitted.prior =
       prior_of(design.x, rows.count.sum() / static_cast<double>(rows.recordings), set_up.arc_rad, set_up.middle_rad);

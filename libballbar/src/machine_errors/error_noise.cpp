@@ -1,11 +1,11 @@
 #include "machine_errors/error_noise.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -17,7 +17,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::array kWhiteOfCorrelated = {0.1, 0.33, 1.0, 3.0, 10.0};  // w / q
-constexpr double kUsualWhite = 0.33;
+constexpr std::size_t kUsualWhite = 1;
 constexpr std::array kFineMemories = {0.5, 0.7, 1.0, 1.4, 2.0};  // times the best of the first look
 constexpr std::size_t kMemories = 6;
 constexpr double kMemoriesATurn = 16.0;
@@ -125,17 +125,33 @@ LinearFilter filter_of(const ErrorRows& rows, double memory_s) {
                        .starts = starts});
 }
 
-// Orthonormal columns that span these, whose own size, of which some may be taken off, is 1.
-Eigen::MatrixXd span_of(const Eigen::MatrixXd& columns) {
-  if (columns.size() == 0) return columns.leftCols(0);
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> parts(columns.rows(), columns.cols());
-  parts.compute(columns);
-  parts.setThreshold(kLeastOfSpan / std::max(parts.maxPivot(), kLeastOfSpan));
-  const Eigen::Index rank = parts.rank();
-  // X P = Q R
-  Eigen::MatrixXd span = columns(Eigen::all, parts.colsPermutation().indices().head(rank));
-  parts.matrixR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(span);
-  return span;
+// Orthonormal columns that span these, by Gram-Schmidt. Those of one recording alone come first, so that they stay 0 in
+// the others.
+Eigen::MatrixXd span_of(const Eigen::MatrixXd& columns, const std::vector<std::size_t>& starts) {
+  const auto is_of_one = [&](Eigen::Index k) {
+    std::size_t recordings = 0;
+    for (std::size_t r = 0; r < starts.size(); ++r) {
+      const auto first = static_cast<Eigen::Index>(starts[r]);
+      const Eigen::Index end = r + 1 < starts.size() ? static_cast<Eigen::Index>(starts[r + 1]) : columns.rows();
+      if (!columns.col(k).segment(first, end - first).isZero(0.0)) ++recordings;
+    }
+    return recordings == 1;
+  };
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(columns.cols()));
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  std::stable_partition(order.begin(), order.end(), is_of_one);
+  Eigen::MatrixXd span(columns.rows(), columns.cols());
+  Eigen::Index rank = 0;
+  for (const Eigen::Index k : order) {
+    const double size = columns.col(k).norm();
+    if (!(size > 0.0)) continue;
+    span.col(rank) = columns.col(k) / size;
+    for (int pass = 0; pass < 2; ++pass)
+      span.col(rank) -= span.leftCols(rank) * (span.leftCols(rank).transpose() * span.col(rank)).eval();
+    const double own = span.col(rank).norm();
+    if (own > kLeastOfSpan) span.col(rank++) /= own;
+  }
+  return span.leftCols(rank);
 }
 
 // The joined row of each quiet one; -1: it is not quiet.
@@ -163,20 +179,21 @@ std::vector<Eigen::Index> joined_row_of(const ErrorRows& rows) {
 std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::MatrixXd& columns) {
   // Of what the columns span: on a short arc some are the sum of others, and their X' V^-1 X has no root.
   const std::vector<std::size_t> starts = starts_of(rows);
-  const RestrictedLikelihood likelihood({rows.deviation_um.data(), rows.recording.size()}, span_of(columns), starts);
-  std::map<std::pair<double, double>, WeightedNoise> points;  // by memory and by w / q; weights are logarithms
-  const auto look_at = [&](double memory_s, std::span<const double> whites) {
-    const LinearFilter filter = filter_of(rows, memory_s);
-    for (const double white : whites) {
-      WeightedNoise& point = points[{memory_s, white}];
-      if (point.noise.correlation_time_s > 0.0) continue;
-      const LinearFilter::Sums sums = likelihood.sums(filter, {white * white, 1.0, memory_s});
-      const auto freedom = static_cast<double>(std::max<Eigen::Index>(rows.size() - likelihood.columns(), 1));
-      const double variance = std::max(sums.squares / freedom, kLeast_um * kLeast_um);  // s^2: of q^2 = 1
-      point.weight = -0.5 * (freedom * std::log(variance) + sums.log_variances);
-      const double correlated_um = std::sqrt(variance);
-      point.noise = {white * correlated_um, correlated_um, memory_s, point.weight};
-    }
+  const RestrictedLikelihood likelihood({rows.deviation_um.data(), rows.recording.size()}, span_of(columns, starts),
+                                        starts);
+  std::map<double, LinearFilter> filters;                          // by memory
+  std::map<std::pair<double, std::size_t>, WeightedNoise> points;  // by memory and w / q; weights are logarithms
+  const auto look_at = [&](double memory_s, std::size_t white) {
+    const auto [point, is_new] = points.try_emplace({memory_s, white});
+    if (!is_new) return;
+    const auto filter = filters.try_emplace(memory_s, filter_of(rows, memory_s)).first;
+    const double ratio = kWhiteOfCorrelated[white];
+    const LinearFilter::Sums sums = likelihood.sums(filter->second, {ratio * ratio, 1.0, memory_s});
+    const auto freedom = static_cast<double>(std::max<Eigen::Index>(rows.size() - likelihood.columns(), 1));
+    const double variance = std::max(sums.squares / freedom, kLeast_um * kLeast_um);  // s^2: of q^2 = 1
+    const double log_likelihood = -0.5 * (freedom * std::log(variance) + sums.log_variances);
+    const double correlated_um = std::sqrt(variance);
+    point->second = {log_likelihood, {ratio * correlated_um, correlated_um, memory_s, log_likelihood}};
   };
   const auto likeliest = [&] {
     return std::max_element(points.begin(), points.end(),
@@ -184,14 +201,21 @@ std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::Matri
         ->first;
   };
   const std::array<double, kMemories> memories = memories_s(rows);
-  for (const double memory_s : memories) look_at(memory_s, {&kUsualWhite, 1});
-  const double best_s = likeliest().first;
-  look_at(best_s, kWhiteOfCorrelated);
-  const auto best = std::find(kWhiteOfCorrelated.begin(), kWhiteOfCorrelated.end(), likeliest().second);
-  const auto from = best == kWhiteOfCorrelated.begin() ? best : best - 1;
-  const auto to = std::min(best + 2, kWhiteOfCorrelated.end());
+  for (const double memory_s : memories) look_at(memory_s, kUsualWhite);
+  std::vector<double> fine_s;
   for (const double times : kFineMemories) {
-    if (times * best_s <= 1.0001 * memories.back()) look_at(times * best_s, {from, to});
+    const double memory_s = times * likeliest().first;
+    if (memory_s <= 1.0001 * memories.back()) fine_s.push_back(memory_s);
+  }
+  // What lies beside the likeliest point, until it stays the likeliest.
+  for (auto best = likeliest();;) {
+    const auto place = std::find(fine_s.begin(), fine_s.end(), best.first);
+    const std::size_t most_white = std::min(best.second + 2, kWhiteOfCorrelated.size());
+    for (auto m = place - (place == fine_s.begin() ? 0 : 1); m != fine_s.end() && m <= place + 1; ++m) {
+      for (std::size_t w = best.second - std::min<std::size_t>(best.second, 1); w < most_white; ++w) look_at(*m, w);
+    }
+    if (likeliest() == best) break;
+    best = likeliest();
   }
   std::vector<WeightedNoise> noises;
   const double most = points[likeliest()].weight;

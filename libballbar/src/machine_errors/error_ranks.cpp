@@ -95,15 +95,17 @@ Eigen::VectorXd fitted_curve(const JointErrorFit& fitted, const std::set<const E
 
 // Columns of some effects; those that recordings have of their own are put together.
 Eigen::MatrixXd shared_columns(const JointErrorFit& fitted, const std::set<const Effect*>& effects) {
-  std::map<std::pair<const Effect*, std::size_t>, Indices> by_gain;
+  std::map<std::pair<const Effect*, std::size_t>, Eigen::VectorXd> by_gain;
   for (std::size_t k = 0; k < fitted.columns().size(); ++k) {
-    const ErrorColumn& column = fitted.columns()[k];
-    if (effects.contains(column.effect)) by_gain[{column.effect, column.gain}].push_back(static_cast<Eigen::Index>(k));
+    const auto& [name, unit, effect, gain, recording] = fitted.columns()[k];
+    if (!effects.contains(effect)) continue;
+    Eigen::VectorXd& sum = by_gain[{effect, gain}];
+    if (sum.size() == 0) sum.setZero(fitted.rows.size());
+    sum += fitted.design.x.values.col(static_cast<Eigen::Index>(k));
   }
   Eigen::MatrixXd shared(fitted.rows.size(), static_cast<Eigen::Index>(by_gain.size()));
   Eigen::Index at = 0;
-  for (const auto& [gain, columns] : by_gain)
-    shared.col(at++) = fitted.design.x.values(Eigen::all, columns).rowwise().sum();
+  for (const auto& [gain, sum] : by_gain) shared.col(at++) = sum;
   return shared;
 }
 

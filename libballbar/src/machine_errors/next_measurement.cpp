@@ -27,17 +27,19 @@ struct SeparatedErrors {
 SeparatedErrors separated_errors(const Series& trace, std::span<const ShapedEffect> effects) {
   const ErrorRows rows = error_rows(trace);
   const Eigen::VectorXd far = rows.count.array() * (rows.from_reversal_deg.array() > kAtReversal_deg).cast<double>();
-  ErrorDesign design;
-  const auto add_to_design = [&](const Effect* effect, const ErrorColumns& columns) {
+  std::vector<EffectDesign> all{weighted(FittedEffect(), circle_columns(rows), far)};
+  for (const ShapedEffect& one : effects) {
+    ErrorColumns columns = effect_columns(*one.effect, one.shape, rows, false);
     // What depends on an input that is not stated is not in the readings.
-    const Eigen::MatrixXd values = columns.values.array().isNaN().select(0.0, columns.values);
-    add(design, {effect}, {columns.columns, values, columns.fine}, far.asDiagonal() * values);
-  };
-  add_to_design(nullptr, circle_columns(rows));
+    columns.values = columns.values.array().isNaN().select(0.0, columns.values).eval();
+    FittedEffect fitted;
+    fitted.effect = one.effect;
+    all.push_back(weighted(std::move(fitted), std::move(columns), far));
+  }
+  ErrorDesign design;
+  add(design, all);
   SeparatedErrors found;
-  found.circles = design.x.size();
-  for (const ShapedEffect& one : effects)
-    add_to_design(one.effect, effect_columns(*one.effect, one.shape, rows, false));
+  found.circles = all.front().x.size();
   for (const ErrorColumn& one : design.x.columns)
     found.names.push_back(one.effect == nullptr ? one.name : one.effect->name);
   found.covariance = inverse_of(design.products);

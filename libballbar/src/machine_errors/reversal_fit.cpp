@@ -68,10 +68,9 @@ const std::vector<double>& widths_of(const Effect& spike) { return spike.paramet
 
 }  // namespace
 
-void add_spikes(ErrorDesign& design, const Effect& spike, const ErrorRows& rows, const Eigen::VectorXd& left,
-                const Noise& noise) {
+EffectDesign spike_design(const Effect& spike, const ErrorRows& rows, const Eigen::VectorXd& left, const Noise& noise) {
   const RowsAfter after = rows_after(rows, spike.rules.reversal_deg, noise);
-  if (after.rows.empty()) return;
+  if (after.rows.empty()) return {};
   const ErrorRows near = rows_at(rows, after.rows);
   double best_deg = widths_of(spike).front(), most = -1.0;
   for (const double width_deg : widths_of(spike)) {
@@ -86,10 +85,15 @@ void add_spikes(ErrorDesign& design, const Effect& spike, const ErrorRows& rows,
   }
   Eigen::VectorXd weight = Eigen::VectorXd::Zero(rows.size());
   weight(after.rows) = rows.count(after.rows);
-  const ErrorColumns columns = present(effect_columns(spike, best_deg, rows, false), weight);
-  Eigen::MatrixXd z = Eigen::MatrixXd::Zero(rows.size(), columns.size());
-  z(after.rows, Eigen::all) = after.filtered(columns.values(after.rows, Eigen::all));
-  add(design, {&spike, best_deg, kIndependentWidths, kSpikes}, columns, z);
+  EffectDesign design;
+  design.x = present(effect_columns(spike, best_deg, rows, false), weight);
+  design.z = Eigen::MatrixXd::Zero(rows.size(), design.x.size());
+  design.z(after.rows, Eigen::all) = after.filtered(design.x.values(after.rows, Eigen::all));
+  design.effect.effect = &spike;
+  design.effect.shape = best_deg;
+  design.effect.searched = kIndependentWidths;
+  design.effect.looked_at = kSpikes;
+  return design;
 }
 
 StepWidth step_width(const PlayStep& step, const Effect& spike, const ErrorRows& rows, const Eigen::VectorXd& left,

@@ -17,9 +17,8 @@
 
 namespace ballbar {
 
-// Adds the spikes of one effect to the design. left: what all other errors leave of the rows; it tells the width.
-void add_spikes(ErrorDesign& design, const Effect& spike, const ErrorRows& rows, const Eigen::VectorXd& left,
-                const Noise& noise);
+// The spikes of one effect. left: what all other errors leave of the rows; it tells the width.
+EffectDesign spike_design(const Effect& spike, const ErrorRows& rows, const Eigen::VectorXd& left, const Noise& noise);
 
 // The step of an axis' play: its effect, some of its gains and their values.
 struct PlayStep {
