@@ -112,6 +112,8 @@ inline constexpr auto kResult<ErrorRow> = ResultType{
         Field{"value", [](const ErrorRow& of) { return of.error.value; }, ""},
         Field{"sigma", [](const ErrorRow& of) { return of.error.sigma; }, ""},
         Field{"unit", [](const ErrorRow& of) { return of.error.unit; }, "um, um/m, ms"},
+        Field{"determined", [](const ErrorRow& of) { return of.error.determined; },
+              "whether one sigma moves the readings by less than the circularity"},
         Field{"as_instrument",
               [](const ErrorRow& of) {
                 return of.error.as_instrument

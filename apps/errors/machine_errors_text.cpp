@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kRemedies = 3;
 constexpr std::size_t kNoRank = static_cast<std::size_t>(-1);  // behind every rank
 constexpr std::size_t kWidest = 100, kWidestDetails = 144;
-constexpr std::size_t kErrorRows = 10, kStoredRows = 25, kDifferences = 3;  // without details
+constexpr std::size_t kErrorRows = 10, kStoredRows = 25, kDifferences = 3, kInseparable = 3;  // without details
 
 std::string plain(double value, int decimals) { return fixed(value, decimals); }
 
@@ -115,13 +115,15 @@ std::string table_text(const ErrorsReport& report, bool details) {
     }
   };
   const auto add = [&](const MachineError& error, const RankedError* ranked, bool first) {
+    if (!error.determined && !details) return;  // in one line below
     if (++rows > kErrorRows && !details) {
       ++hidden;
       return;
     }
     const int decimals = decimals_of_sigma(error.sigma);
     const bool marked = ranked != nullptr && report.options.in_the_model.contains(ranked->effect->name);
-    std::vector<std::string> row{(marked ? "+ " : "") + error.name, with_sigma(error.value, error.sigma, decimals),
+    std::vector<std::string> row{(marked ? "+ " : "") + error.name,
+                                 error.determined ? with_sigma(error.value, error.sigma, decimals) : "not determined",
                                  error.unit};
     const RankedError* const of_effect = first ? ranked : nullptr;
     const auto once = [&](const std::string& text) { row.push_back(of_effect == nullptr ? "" : text); };
@@ -155,6 +157,28 @@ std::string table_text(const ErrorsReport& report, bool details) {
   std::string text = table.text(table_width(details ? kWidestDetails : kWidest));
   if (hidden > 0) text += more_text(hidden) + '\n';
   return text;
+}
+
+// Those whose sigma alone moves the readings by more than the circularity.
+std::string undetermined_text(const ErrorsReport& report, bool details) {
+  std::vector<std::string> names;
+  for (const ErrorRow& row : error_rows(report)) {
+    const bool is_of_group = row.ranked && row.ranked->group;
+    if (!row.error.determined && !is_of_group) names.push_back(row.error.name);
+  }
+  if (names.empty() || details) return "";
+  return wrapped(fmt::format("Not determined by these readings, ± above the circularity: {}.", fmt::join(names, ", ")));
+}
+
+// Combinations that look alike; some of many.
+std::string inseparable_text(const ErrorsReport& report, bool details) {
+  const std::vector<std::string>& all = report.found.undetermined;
+  if (all.empty()) return "";
+  const std::size_t shown = details ? all.size() : std::min(all.size(), kInseparable);
+  const std::string more =
+      shown < all.size() ? fmt::format("; {} more combinations, --details names them", all.size() - shown) : "";
+  return wrapped(fmt::format("Not separable by these readings: {}{}.",
+                             fmt::join(all.begin(), all.begin() + static_cast<long>(shown), "; "), more));
 }
 
 // What the columns shown hold.
@@ -198,7 +222,7 @@ void print_group(const ErrorsReport& report, bool details) {
   const RankedError* const first = first_of(found);
   if (first != nullptr && (first->rank == std::size_t{1} || found.groups.empty()))
     fmt::print("\nballbar effects {}\n", first->effect->name);
-  fmt::print("\n{}", table_text(report, details));
+  fmt::print("\n{}{}", table_text(report, details), undetermined_text(report, details));
   fmt::print("{}", wrapped(legend_text(report, details)));
   const std::vector<std::string> differences = difference_texts(report);
   for (std::size_t i = 0; i < differences.size() && (details || i < kDifferences); ++i) {
@@ -214,9 +238,7 @@ void print_group(const ErrorsReport& report, bool details) {
                             ranked.effect->explanation.remedy)));
   }
   fmt::print("\n{}", wrapped(left_text(report)));
-  if (!found.undetermined.empty()) {
-    fmt::print("{}", wrapped(fmt::format("Not separable by these readings: {}.", fmt::join(found.undetermined, "; "))));
-  }
+  fmt::print("{}", inseparable_text(report, details));
   if (found.next && found.groups.empty()) fmt::print("{}\n", measurement_text(*found.next));
   if (details) fmt::print("{}", prior_text(report));
 }

@@ -94,11 +94,12 @@ void remove_last(ErrorDesign& design, ErrorFit kind) {
 }
 
 void refresh(ErrorDesign& design, const Indices& changed) {
-  const Eigen::MatrixXd x = design.x.values(Eigen::all, changed), z = design.z(Eigen::all, changed);
-  design.products.conservativeResize(design.x.size(), design.x.size());
   const Indices spikes = columns_of(design, {ErrorFit::at_reversals});
-  design.products(changed, Eigen::all) = z.transpose() * design.x.values;
-  if (spikes != changed) design.products(Eigen::all, changed) = design.z.transpose() * x;
+  design.products.conservativeResize(design.x.size(), design.x.size());
+  design.products(changed, Eigen::all) = design.z(Eigen::all, changed).eval().transpose() * design.x.values;
+  const bool is_all = static_cast<Eigen::Index>(changed.size()) == design.x.size();
+  if (!is_all && changed != spikes)
+    design.products(Eigen::all, changed) = design.z.transpose() * design.x.values(Eigen::all, changed).eval();
   const Indices others = columns_of(design, {ErrorFit::together, ErrorFit::along_the_travel, ErrorFit::where_it_shows});
   design.products(others, spikes).setZero();
 }

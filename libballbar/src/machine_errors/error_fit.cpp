@@ -109,6 +109,31 @@ void add_where_they_show(ErrorDesign& design, const ErrorRows& rows, const Eigen
   add(design, added);
 }
 
+// Columns of the circles and of the errors in the fit, without spikes.
+Indices smooth_in_the_fit(const ErrorDesign& design) {
+  std::vector<bool> in(design.x.columns.size(), true);
+  for (const FittedEffect& effect : design.effects) {
+    const bool is_one = effect.in_the_fit && effect.effect->rules.error_fit != ErrorFit::at_reversals;
+    for (const Eigen::Index k : effect.columns) in[static_cast<std::size_t>(k)] = is_one;
+  }
+  Indices columns;
+  for (std::size_t k = 0; k < in.size(); ++k) {
+    if (in[k]) columns.push_back(static_cast<Eigen::Index>(k));
+  }
+  return columns;
+}
+
+// Those that are significant before the spikes are known.
+void choose_where_they_show(ErrorDesign& design, const ErrorRows& rows, const std::vector<WeightedNoise>& noise) {
+  const GainEstimate all = gain_estimate(design, all_of(design));
+  for (FittedEffect& effect : design.effects) {
+    if (effect.effect->rules.error_fit != ErrorFit::where_it_shows) continue;
+    const Eigen::MatrixXd weights = design.z * all.t(effect.columns, Eigen::all).transpose();
+    const double p = p_of(weights.transpose() * rows.deviation_um, scatter_of(weights, rows, noise));
+    effect.in_the_fit = effect.searched * effect.looked_at * p < kFalseErrors;
+  }
+}
+
 // The noise that all but the spikes leave. What CCW and CW have together stands first, then what they differ by: the
 // noise is fitted with the circles of each.
 std::vector<WeightedNoise> noise_of(const ErrorRows& rows, const ErrorDesign& design) {
@@ -242,7 +267,7 @@ void fit_all(JointErrorFit& fitted, const Eigen::MatrixXd& prior) {
 void fit_beside_spikes(JointErrorFit& fitted, const Eigen::MatrixXd& prior,
                        const std::vector<const Effect*>& explained) {
   ErrorDesign& design = fitted.design;
-  const Eigen::VectorXd left = rest_of(fitted.rows, design, gain_estimate(design, all_of(design)));
+  const Eigen::VectorXd left = rest_of(fitted.rows, design, gain_estimate(design, smooth_in_the_fit(design)));
   std::vector<EffectDesign> spikes;
   for (const Effect* spike : effects_fitted(ErrorFit::at_reversals))
     spikes.push_back(spike_design(*spike, fitted.rows, left, fitted.noise.front().noise));
@@ -371,12 +396,14 @@ JointErrorFit joint_error_fit(const Series& trace, const MachineErrorOptions& op
   }
   fitted.noise = noise_of(rows, design);
   fitted.slow_variance_um2 = slow_variance_um2(rows, fitted.noise);
-  std::vector<const Effect*> explained;  // spikes
-  const Eigen::VectorXd gains =
-      gain_estimate(design, all_of(design), prior).t * (design.z.transpose() * rows.deviation_um);
-  fit_step_widths(design, rows, gains, fitted.noise.front().noise, explained);
   const auto others = static_cast<double>(design.effects.size());
   for (FittedEffect& effect : design.effects) effect.looked_at = others;
+  choose_where_they_show(design, rows, fitted.noise);
+  std::vector<const Effect*> explained;  // spikes
+  const GainEstimate smooth = gain_estimate(design, smooth_in_the_fit(design), prior);
+  Eigen::VectorXd gains = Eigen::VectorXd::Zero(design.x.size());
+  gains(smooth.columns) = smooth.t * (design.z.transpose() * rows.deviation_um);
+  fit_step_widths(design, rows, gains, fitted.noise.front().noise, explained);
   fit_beside_spikes(fitted, prior, explained);
 
   Eigen::VectorXd beyond = far;  // without the readings under a spike

@@ -147,12 +147,15 @@ ErrorTable error_table(const JointErrorFit& fitted, CyclicOfRuns cyclic_of_runs)
     const ErrorColumn& first = fitted.columns()[static_cast<std::size_t>(columns.front())];
     MachineError row{rows[r].name, first.unit, 0.0, 0.0, first.effect};
     auto slope = slopes.row(static_cast<Eigen::Index>(r));
+    table.extent_um.push_back(0.0);
     const bool has_instrument = !fitted.as_instrument(columns).hasNaN();
     if (columns.size() == 1) {
       slope[columns.front()] = 1.0;
       row.value = fitted.gains[columns.front()];
       row.sigma = std::sqrt(std::max(0.0, fitted.covariance(columns.front(), columns.front())));
       if (has_instrument) row.as_instrument = fitted.as_instrument[columns.front()];
+      const auto unit = fitted.design.x.fine.col(columns.front());
+      table.extent_um.back() = row.sigma * (unit.maxCoeff() - unit.minCoeff());
     } else {
       const Amplitude amplitude = amplitude_of(fitted, fitted.gains, columns, cyclic_of_runs);
       slope = amplitude.slope;

@@ -12,7 +12,8 @@ namespace ballbar {
 
 struct ErrorTable {
   std::vector<MachineError> rows;
-  Eigen::MatrixXd covariance;  // of the rows' values
+  Eigen::MatrixXd covariance;     // of the rows' values
+  std::vector<double> extent_um;  // of the curve of one sigma of each, peak to peak; 0 of an amplitude
 };
 
 // One row per gain; sine and cosine, possibly of each recording, give one amplitude. The sigma of an amplitude is

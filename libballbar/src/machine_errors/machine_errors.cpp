@@ -118,6 +118,8 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
   }
   add_ranks_as_instrument(fitted, found.errors, found.ranked);
   add_gains(found, fitted, options.details);
+  for (std::size_t k = 0; k < found.errors.size(); ++k)
+    found.errors[k].determined = table.extent_um[k] <= found.circularity_um;
   found.circle_rms_um = rms_with_um(fitted, {});
   if (options.details) found.one_by_one = one_by_one(fitted, found);
   const Eigen::VectorXd residual = fitted.residual();

@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -107,64 +106,42 @@ StepWidth step_width(const PlayStep& step, const Effect& spike, const ErrorRows&
   const auto curve = [&](double width_deg) -> Eigen::VectorXd {
     return unit(*step.effect, width_deg)(Eigen::all, step.gains) * step.values;
   };
-  struct OneSpike {
-    double square = 0.0, along = 0.0;  // f' s, f' e
-  };
   const Eigen::VectorXd without = left(after.rows) + curve(0.0);
-  std::vector<double> chi2;                            // of each step alone, the exponential ones last
-  std::vector<std::vector<std::vector<OneSpike>>> of;  // of each width of the step, of each of the spike, of its ends
-  double least = std::numeric_limits<double>::infinity();
   std::vector<Eigen::MatrixXd> spikes, filters;
   for (const double width_deg : widths_of(spike)) {
     spikes.push_back(unit(spike, width_deg));
     filters.push_back(after.filtered(spikes.back()));
   }
-  for (const double width_deg : kStepWidths_deg) {
-    const Eigen::VectorXd rest = without - curve(width_deg);
-    chi2.push_back(after.chi2(rest));
-    of.emplace_back();
-    for (std::size_t k = 0; k < spikes.size(); ++k) {
-      of.back().emplace_back();
-      double lowers = 0.0;
-      for (Eigen::Index end = 0; end < spikes[k].cols(); ++end) {
-        const OneSpike one{filters[k].col(end).dot(spikes[k].col(end)), filters[k].col(end).dot(rest)};
-        if (one.square > kNotPassed) lowers += one.along * one.along / one.square;
-        of.back().back().push_back(one);
-      }
-      least = std::min(least, chi2.back() - lowers);
-    }
-  }
-  // A step that settles exponentially lacks the play, as a spike, at first: also at the reversal itself, where a step
-  // of no width has half of it.
-  for (const double settling_deg : kSettlings_deg) {
-    const Eigen::VectorXd lacks = unit(spike, settling_deg)(Eigen::all, step.gains) * step.values;
-    chi2.push_back(after.chi2(without - curve(kNoWidth_deg) + lacks));
-    least = std::min(least, chi2.back());
-  }
-  const double scale = std::max(1.0, least / static_cast<double>(after.rows.size()));  // of V
-
   // ln of the evidence of each step alone, and of each width beside a spike of any width.
   std::vector<double> alone, beside;
-  for (const double one : chi2) alone.push_back(-0.5 * one / scale);
   const double prior = 1.0 / (kUsualHeight_um * kUsualHeight_um);
-  for (std::size_t w = 0; w < of.size(); ++w) {
+  for (const double width_deg : kStepWidths_deg) {
+    const Eigen::VectorXd rest = without - curve(width_deg);
+    alone.push_back(-0.5 * after.chi2(rest));
     std::vector<double> factors;
-    for (const std::vector<OneSpike>& ends : of[w]) {
+    for (std::size_t k = 0; k < spikes.size(); ++k) {
       factors.push_back(0.0);
-      for (const OneSpike& one : ends) {
-        const double square = one.square / scale, along = one.along / scale;
+      for (Eigen::Index end = 0; end < spikes[k].cols(); ++end) {
+        const double square = filters[k].col(end).dot(spikes[k].col(end)), along = filters[k].col(end).dot(rest);
         factors.back() += std::max(0.0, 0.5 * along * along / (square + prior) - 0.5 * std::log1p(square / prior));
       }
     }
-    beside.push_back(alone[w] + log_sum(factors) - std::log(static_cast<double>(factors.size())));
+    beside.push_back(alone.back() + log_sum(factors) - std::log(static_cast<double>(factors.size())));
+  }
+  // A step that settles exponentially lacks the play, as a spike, at first: also at the reversal itself, where a step
+  // of no width has half of it.
+  std::vector<double> steps = alone;
+  for (const double settling_deg : kSettlings_deg) {
+    const Eigen::VectorXd lacks = unit(spike, settling_deg)(Eigen::all, step.gains) * step.values;
+    steps.push_back(-0.5 * after.chi2(without - curve(kNoWidth_deg) + lacks));
   }
   const auto mean_of = [](const std::vector<double>& logs) {
     return log_sum(logs) - std::log(static_cast<double>(logs.size()));
   };
   StepWidth result;
-  result.needs_spike = 2.0 * (mean_of(beside) - mean_of(alone)) >= kNeeded;
+  result.needs_spike = 2.0 * (mean_of(beside) - mean_of(steps)) >= kNeeded;
   const std::vector<double>& likelihood = result.needs_spike ? beside : alone;
-  const auto best = std::max_element(likelihood.begin(), likelihood.begin() + static_cast<long>(of.size()));
+  const auto best = std::max_element(likelihood.begin(), likelihood.end());
   result.width_deg = kStepWidths_deg[best - likelihood.begin()];
   return result;
 }

@@ -5,8 +5,7 @@
 //
 // The step has a width of 0 to 1.5 deg, of the highest likelihood. A spike is needed where 2 ln of its Bayes factor
 // beside a step of any width, or one that settles exponentially, is at least 10: heights N(0, 3 um), widths of equal
-// prior probability. Where even the best of all leaves more than V explains (chi^2 of n rows above n), V is scaled by
-// chi^2 / n (R. T. Birge, Phys. Rev. 40 (1932)).
+// prior probability.
 #pragma once
 
 #include <Eigen/Core>

@@ -10,6 +10,9 @@ import { named, t } from "../texts/texts";
 
 const decimals_of = (row: MachineErrorRow): number => Math.min(4, decimals_for(row.value, row.sigma));
 
+const value_of = (row: MachineErrorRow): string =>
+  row.determined ? with_sigma(row.value, row.sigma, decimals_of(row)) : t.errors_not_determined;
+
 // Beside it, with as many decimals: the instrument prints no more than two.
 const stored_value = (row: MachineErrorRow): string => shown(row.stored, Math.min(2, decimals_of(row)));
 
@@ -32,7 +35,7 @@ const yes_no = (value: boolean | null): string => (value === null ? "–" : valu
 const cells_of = ({ first, rows }: RankedError, plane: string | undefined): string[][] =>
   rows.map((row, k) => [
     error_name(row.name, plane),
-    with_sigma(row.value, row.sigma, decimals_of(row)),
+    value_of(row),
     unit_shown(row.unit),
     ...(k > 0
       ? ["", "", ""]
@@ -77,7 +80,7 @@ export const gains_table = ({ part, recordings }: ErrorTest): TextTable => {
     rows: ranked.flatMap(({ first, rows }) =>
       rows.map((row, k) => [
         error_name(row.name, plane),
-        `${with_sigma(row.value, row.sigma, decimals_of(row))} ${unit_shown(row.unit)}`,
+        row.determined ? `${value_of(row)} ${unit_shown(row.unit)}` : value_of(row),
         ...(k > 0 ? ["", ""] : [first.significant === true ? gain(first) : t.errors_not_significant, shown(first.circularity_without_um, 2)]),
       ]),
     ),
@@ -119,7 +122,7 @@ export const circle_table = ({ part, recordings }: ErrorTest): TextTable[] => {
       heading: ["", t.value, t.unit, t.errors_stored],
       rows: rows.map((row) => [
         error_name(row.name, recordings[0]?.plane),
-        with_sigma(row.value, row.sigma, decimals_of(row)),
+        value_of(row),
         unit_shown(row.unit),
         stored_value(row),
       ]),

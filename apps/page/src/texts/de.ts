@@ -180,6 +180,7 @@ export const de: Texts = {
   errors_stored: "gespeichert",
   errors_predicts: "sagt anderen Lauf voraus",
   errors_g_without: "G ohne ihn µm",
+  errors_not_determined: "nicht bestimmt",
   errors_not_significant: "nicht signifikant",
   errors_one_by_one:
     ({ circle, added }) => `Restfehler, ein Fehler nach dem anderen hinzugenommen: Kreis allein ${circle} µm RMS, ${added}.`,

@@ -187,6 +187,7 @@ export const en = {
   errors_stored: "stored",
   errors_predicts: "predicts other run",
   errors_g_without: "G without µm",
+  errors_not_determined: "not determined",
   errors_not_significant: "not significant",
   errors_one_by_one:
     ({ circle, added }: { circle: string; added: string }) => `Remaining error, one error added at a time: circle alone ${circle} µm RMS, ${added}.`,

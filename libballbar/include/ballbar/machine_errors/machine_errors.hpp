@@ -62,6 +62,7 @@ struct MachineError {
   double sigma = 0.0;
   const Effect* effect = nullptr;  // the effect; nullptr: a value of the circle (set-up or scale), which is not ranked
   std::optional<double> as_instrument = {};  // value of the instrument's software; nullopt: it has no such error
+  bool determined = true;  // false: one sigma alone moves the readings by more than the circularity
 };
 
 // The ranking that the instrument's software would give an effect.
