@@ -64,12 +64,13 @@ std::string stop_text(const AutomaticAddition& how, const Diagnosis& diagnosis) 
   }
 }
 
-// Whether the recordings state no value of an input of the effect.
-bool lacks_input(const Effect& effect, const Series& trace) {
-  return std::any_of(effect.inputs.begin(), effect.inputs.end(), [&](const Input& input) {
+// An input of the effect of which the recordings state no value; nullptr: none.
+const Input* missing_input(const Effect& effect, const Series& trace) {
+  for (const Input& input : effect.inputs) {
     const std::vector<double>& values = find_column(trace, trace_column(input.role))->values;
-    return std::none_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
-  });
+    if (std::none_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) return &input;
+  }
+  return nullptr;
 }
 
 // The errors of the axes that are significant, each a revision, first the one that leaves least. Returns why it
@@ -88,8 +89,8 @@ std::string add_errors(const AutomaticAddition& how, const ModelData& data, Addi
       not_added += fmt::format(" Not added, since these readings cannot separate them: {}.", names);
       continue;
     }
-    if (lacks_input(*one.effect, *data.series)) {
-      not_added += fmt::format(" Not added, since the recordings state no feed: {}.", one.effect->name);
+    if (const Input* missing = missing_input(*one.effect, *data.series)) {
+      not_added += fmt::format(" Not added, since the recordings state no {}: {}.", missing->role, one.effect->name);
       continue;
     }
     additions.model.add({term_of(one.effect->name, {}, Level::recording)});

@@ -28,32 +28,12 @@ struct ServoTrace {
   }
 };
 
-bool reads_feed(const Effect& effect) {
-  return std::any_of(effect.inputs.begin(), effect.inputs.end(), [](const Input& one) { return one.role == "feed"; });
-}
-
 ServoTrace servo_trace(const MachineErrors& found, const Effect& servo, std::span<const Recording> recordings) {
   ServoTrace trace;
   trace.s_um = curve_of(found, &servo, recordings);
-  trace.y_um.reserve(trace.s_um.size());
-  trace.feed_mm_per_min.reserve(trace.s_um.size());
-  for (std::size_t k = 0; k < recordings.size(); ++k) {
-    const Recording& one = recordings[k];
-    double a_um = 0.0, b_um = 0.0;
-    for (const FittedGain& gain : found.gains) {
-      if (gain.effect != nullptr || gain.recording.value_or(k) != k) continue;
-      if (gain.name.starts_with("centre_a")) a_um += gain.value;
-      if (gain.name.starts_with("centre_b")) b_um += gain.value;
-    }
-    const double radius_mm = one.nominal_length_mm, centred_mm = std::hypot(radius_mm, one.height_offset_mm);
-    for (std::size_t i = 0; i < one.length_mm.size(); ++i) {
-      const double off_centre_mm =
-          std::hypot(mm_from_um(a_um) + radius_mm * std::cos(one.angle_rad[i]),
-                     mm_from_um(b_um) + radius_mm * std::sin(one.angle_rad[i]), one.height_offset_mm);
-      trace.y_um.push_back(um_from_mm(one.length_mm[i] - one.nominal_length_mm - (off_centre_mm - centred_mm)));
-      trace.feed_mm_per_min.push_back(*one.feed_mm_per_min);
-    }
-  }
+  trace.y_um = found.freed_um;
+  for (const Recording& one : recordings)
+    trace.feed_mm_per_min.insert(trace.feed_mm_per_min.end(), one.length_mm.size(), *one.feed_mm_per_min);
   return trace;
 }
 
@@ -77,7 +57,7 @@ std::optional<FeedForecast> feed_forecast(const MachineErrors& found, std::span<
                                           double tolerance_um) {
   if (found.circularity_um <= tolerance_um) return std::nullopt;
   const auto servo = std::find_if(found.ranked.begin(), found.ranked.end(), [](const RankedError& one) {
-    return one.significant && one.rank && reads_feed(*one.effect);
+    return one.significant && one.rank && grows_with_feed(*one.effect);
   });
   const bool states_feeds =
       std::all_of(recordings.begin(), recordings.end(), [](const Recording& one) { return one.feed_mm_per_min > 0.0; });

@@ -174,11 +174,6 @@ void fit_step_widths(ErrorDesign& design, const ErrorRows& rows, const Eigen::Ve
   }
 }
 
-bool grows_with_feed(const Effect& effect) {
-  return std::any_of(effect.inputs.begin(), effect.inputs.end(),
-                     [](const Input& input) { return input.role == "feed"; });
-}
-
 // Combinations that the readings cannot separate: of X' W X, and those of the cyclic errors that are held at 0.
 std::vector<std::string> undetermined(const ErrorDesign& design) {
   const Indices smooth = columns_of(design, {ErrorFit::together, ErrorFit::where_it_shows});
@@ -199,8 +194,7 @@ void fit_all(JointErrorFit& fitted, const Eigen::MatrixXd& prior) {
   ErrorDesign& design = fitted.design;
   const ErrorRows& rows = fitted.rows;
   const Eigen::VectorXd z_data = design.z.transpose() * rows.deviation_um;
-  const Indices all = columns_of(
-      design, {ErrorFit::together, ErrorFit::along_the_travel, ErrorFit::where_it_shows, ErrorFit::at_reversals});
+  const Indices all = all_of(design);
   const GainEstimate whole = gain_estimate(design, all);
   const Eigen::VectorXd excess = excess_of(rows, rest_of(rows, design, whole));
   const Eigen::MatrixXd scatter = scatter_of(excess.asDiagonal() * design.z, rows, fitted.noise);

@@ -100,6 +100,7 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
   found.ranked = ranked_errors(fitted, table);
   found.groups = error_groups(fitted);
   found.undetermined = fitted.undetermined;
+  found.freed_um = fitted.freed_um;
   found.noise = fitted.noise.front().noise;
   found.prior.reserve(fitted.prior.size());
   for (const PriorStatement& statement : fitted.prior) {
@@ -132,6 +133,11 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
     if (has_waves) found.left = left_harmonic(fitted.rows, fitted.design.x.values, residual, fitted.noise);
   }
   return found;
+}
+
+bool grows_with_feed(const Effect& effect) {
+  return std::any_of(effect.inputs.begin(), effect.inputs.end(),
+                     [](const Input& input) { return input.role == "feed"; });
 }
 
 std::string name_of(const ErrorGroup& group) {

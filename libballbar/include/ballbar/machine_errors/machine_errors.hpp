@@ -62,7 +62,7 @@ struct MachineError {
   double sigma = 0.0;
   const Effect* effect = nullptr;  // the effect; nullptr: a value of the circle (set-up or scale), which is not ranked
   std::optional<double> as_instrument = {};  // value of the instrument's software; nullopt: it has no such error
-  bool determined = true;  // false: one sigma alone moves the readings by more than the circularity
+  bool determined = true;                    // false: one sigma alone moves the readings by more than the circularity
 };
 
 // The ranking that the instrument's software would give an effect.
@@ -150,7 +150,8 @@ struct MachineErrors {
   Eigen::MatrixXd covariance;               // of the values in `errors`, in that order
   std::vector<RankedError> ranked;          // by rank, then the others by falling IC
   std::vector<ErrorGroup> groups;           // by rank, those without one last
-  double circularity_um = 0.0;              // max - min of all readings about the fitted centre
+  double circularity_um = 0.0;              // max - min of all readings about the centre: the fit's, or that of an
+                                            // arc's least-squares circles
   double circularity_without_all_um = 0.0;  // circularity if all significant errors and groups are corrected
   double circle_rms_um = 0.0;               // residual of the circles alone
   double residual_rms_um = 0.0;             // residual of all errors
@@ -163,8 +164,12 @@ struct MachineErrors {
   std::optional<NextMeasurement> next;  // that would separate errors; nullopt: none, or not requested
   std::vector<PriorOfError> prior;      // of as_instrument
   std::vector<FittedGain> gains;
-  Noise noise;  // the most likely one
+  std::vector<double> freed_um;  // deviation of each reading from the circle about its centre: n values
+  Noise noise;                   // the most likely one
 };
+
+// Whether the error is proportional to the feed.
+bool grows_with_feed(const Effect& effect);
 
 // The scale errors of both axes, from the joint covariance of scale and mismatch.
 struct AxisScales {
