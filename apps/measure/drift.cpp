@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 
+#include "ballbar/drift/settling.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
@@ -39,6 +40,7 @@ struct DriftArguments {
   bool json = false;
   bool details = false;
   bool five_probe = false;
+  std::optional<double> stable_um;
   FiveProbeOptions probes;
 };
 
@@ -103,6 +105,11 @@ void print_text(const Session& session, const DriftSeries& series, const DriftAr
   }
   fmt::print("Largest drift of the spindle relative to the table:\n");
   for (const std::string& largest : largest_drifts(series)) fmt::print("  {}\n", largest);
+  const MeasuredDrift drift = measured(series, session);
+  const std::vector<std::string> settling =
+      settling_texts(settling_of(drift, 0, drift.time_s.size(), options.stable_um));
+  if (!settling.empty()) fmt::print("\nStable, from the first test on:\n");
+  for (const std::string& text : settling) fmt::print("  {}\n", text);
   constexpr std::size_t kRows = 21;
   Table table = table_of(series);
   if (!options.details) table.shorten(kRows);
@@ -157,6 +164,7 @@ void run_five_probe(const DriftArguments& options, DriftData data) {
   report.how.reference_s = options.reference_s;
   report.out = options.out;
   report.json = options.json;
+  report.stable_um = options.stable_um;
   report_five_probe(report);
 }
 
@@ -195,7 +203,8 @@ void run(const DriftArguments& options) {
   const DriftSeries series = drift_of(session, how);
   for (const std::string& path : options.out) write_drift(series, path);
   if (options.json) {
-    DriftOfSession result{series, {}};
+    const MeasuredDrift drift = measured(series, session);
+    DriftOfSession result{series, settling_of(drift, 0, drift.time_s.size(), options.stable_um), {}};
     if (!data.session->skipped.empty()) result.skipped.value = data.session->skipped;
     print_json(json_of(result));
   } else {
@@ -237,6 +246,11 @@ void add_drift(CLI::App& app) {
   command->add_flag("--eq34", options->eq34, "spindle_rotation: correct the elongation by r / cos(dL / r) - r");
   command->add_flag("--polar", options->polar, "fit circles to the polar points, as instrument software does");
   command->add_flag("--robust", options->robust, "discount outliers (Tukey's biweight)");
+  command
+      ->add_option("--stable", options->stable_um,
+                   "band in um about the final value; default: the larger of 2 um and 10 % of the range")
+      ->type_name("UM")
+      ->check(CLI::PositiveNumber);
   add_details(*command, options->details);
   command->add_flag("--json", options->json, "print the result as JSON");
   command->add_flag("--five-probe", options->five_probe, "use the session's five probes instead of its recordings");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ballbar/drift/drift.hpp"
+#include "ballbar/drift/settling.hpp"
 
 namespace ballbar {
 
@@ -13,5 +14,8 @@ bool any_has(const DriftSeries& series, std::optional<Estimate> DriftPoint::*mem
 
 // "y 30.1 ± 0.0 um at 64 min": the largest drift of each quantity in the series.
 std::vector<std::string> largest_drifts(const DriftSeries& series);
+
+// When each axis is stable: a line each. start_min: of the stretch.
+std::vector<std::string> settling_texts(const std::vector<AxisSettling>& settling);
 
 }  // namespace ballbar

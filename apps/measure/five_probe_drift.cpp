@@ -8,11 +8,14 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ballbar/drift/settling.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "ballbar/number_text.hpp"
 #include "ballbar/series/speed_steps.hpp"
 #include "ballbar/units.hpp"
+#include "measure/drift_text.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
@@ -76,6 +79,39 @@ std::string sigma_text(const DriftAxis& axis) {
   return fmt::format("{} {:.3f} {} ({})", axis.name, sigma_of(axis, worst), axis.unit, fmt::join(sources, ", "));
 }
 
+// When each axis is stable after the start, or after each change of the speed, in min.
+void print_settling(const FiveProbeReport& report, const MeasuredDrift& drift, const std::vector<SpeedStep>& steps) {
+  if (steps.size() < 2) {
+    fmt::print("Stable, from the first row on:\n");
+    for (const std::string& text : settling_texts(settling_of(drift, 0, drift.time_s.size(), report.stable_um)))
+      fmt::print("  {}\n", text);
+    fmt::print("\n");
+    return;
+  }
+  std::vector<std::string> names{"start min", "speed rpm"};
+  for (const DriftAxis& axis : drift.axes) {
+    if (axis.unit == "um") names.push_back(axis.name + " min");
+  }
+  Table table(names);
+  for (const SpeedStep& step : steps) {
+    std::vector<std::string> row{fmt::format("{:8.2f}", min_from_s(drift.time_s[step.begin])),
+                                 fmt::format("{:.0f}", step.speed_rpm)};
+    for (const AxisSettling& one : settling_of(drift, step.begin, step.end, report.stable_um)) {
+      row.push_back(one.is_small || (one.stable && one.stable->time_s == 0.0) ? "0"
+                    : !one.stable                                             ? "-"
+                                  : with_sigma(min_from_s(one.stable->time_s), min_from_s(one.stable->sigma_s),
+                                               decimals_showing(2, min_from_s(one.stable->sigma_s), 1)));
+    }
+    table.add(row);
+  }
+  if (!report.details) table.shorten(kStepsShown);
+  fmt::print("Time after each change of speed until the drift stays within {} of its final value\n{}",
+             report.stable_um ? fmt::format("{:g} um", *report.stable_um) : "2 um, or 10 % of the range of the step,",
+             table.text());
+  fmt::print(
+      "0: from the start. -: not determined. Beyond the end of a step the time is that of the fitted curve.\n\n");
+}
+
 void print_text(const FiveProbeReport& report, const MeasuredDrift& drift, const std::vector<SpeedStep>& steps) {
   fmt::print("{}\n{}; {} rows over {:g} min, reference at {:g} min\n\n", report.title, drift.what, drift.time_s.size(),
              min_from_s(drift.time_s.back() - drift.time_s.front()), min_from_s(drift.reference_s));
@@ -86,6 +122,7 @@ void print_text(const FiveProbeReport& report, const MeasuredDrift& drift, const
     fmt::print("Drift since the reference at the end of each speed step (range within the step)\n{}", table.text());
     fmt::print("\n");
   }
+  print_settling(report, drift, steps);
   std::vector<std::string> sigmas;
   for (const DriftAxis& axis : drift.axes) sigmas.push_back(sigma_text(axis));
   fmt::print("{}", wrapped(fmt::format("± is one sigma. Largest sigma of all rows: {}.", fmt::join(sigmas, "; "))));
@@ -130,7 +167,7 @@ void report_five_probe(const FiveProbeReport& report) {
   if (speed != report.series.columns.end()) steps = speed_steps(report.series.time_s, *speed);
   for (const std::string& path : report.out) write_drift(drift, steps, path);
   if (report.json) {
-    print_json_text(json_text(drift, steps));
+    print_json_text(json_text(drift, steps, report.stable_um));
   } else {
     print_text(report, drift, steps);
   }

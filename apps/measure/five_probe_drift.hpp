@@ -22,6 +22,7 @@ struct FiveProbeReport {
   std::vector<std::string> out;
   bool details = false;  // all steps
   bool json = false;
+  std::optional<double> stable_um;  // settling_of()
 };
 
 void report_five_probe(const FiveProbeReport& report);

@@ -54,12 +54,15 @@ TableOf<AxisRange> ranges_of(const MeasuredDrift& drift, std::size_t begin, std:
   return ranges;
 }
 
-FiveProbeDrift result_of(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps) {
-  FiveProbeDrift result{
-      drift.reference_s, series_of(drift), ranges_of(drift, 0, drift.time_s.size()), {}, drift.remarks};
+FiveProbeDrift result_of(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps,
+                         std::optional<double> stable_um) {
+  FiveProbeDrift result{drift.reference_s, series_of(drift), ranges_of(drift, 0, drift.time_s.size()), {}, {},
+                        drift.remarks};
+  if (steps.size() < 2) result.settling = settling_of(drift, 0, drift.time_s.size(), stable_um);
   for (const SpeedStep& step : steps) {
-    result.steps.push_back(
-        {drift.time_s[step.begin], drift.time_s[step.end - 1], step.speed_rpm, ranges_of(drift, step.begin, step.end)});
+    result.steps.push_back({drift.time_s[step.begin], drift.time_s[step.end - 1], step.speed_rpm,
+                            ranges_of(drift, step.begin, step.end),
+                            settling_of(drift, step.begin, step.end, stable_um)});
   }
   return result;
 }
@@ -90,8 +93,9 @@ void write_value(std::ostream& out, const Value& value) {
   }
 }
 
-void write_json(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, std::ostream& out) {
-  const FiveProbeDrift result = result_of(drift, steps);
+void write_json(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, std::optional<double> stable_um,
+                std::ostream& out) {
+  const FiveProbeDrift result = result_of(drift, steps, stable_um);
   std::string_view before = "{";
   const auto write = [&](const auto& field) {
     out << std::exchange(before, ",") << "\n  \"" << field.name << "\": ";
@@ -140,9 +144,10 @@ Series series_of(const DriftSeries& drift) {
   return series;
 }
 
-std::string json_text(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps) {
+std::string json_text(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps,
+                      std::optional<double> stable_um) {
   std::ostringstream out;
-  write_json(drift, steps, out);
+  write_json(drift, steps, stable_um, out);
   return std::move(out).str();
 }
 
@@ -161,7 +166,7 @@ void write_drift(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps
       [&] {
         return DriftColumns{"five_probe", drift.reference_s, series_of(drift)};
       },
-      [&](std::ostream& out) { write_json(drift, steps, out); });
+      [&](std::ostream& out) { write_json(drift, steps, std::nullopt, out); });
 }
 
 }  // namespace ballbar

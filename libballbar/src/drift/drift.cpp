@@ -1,6 +1,7 @@
 #include "ballbar/drift/drift.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "ballbar/error.hpp"
 #include "drift/drift_methods.hpp"
@@ -33,6 +34,19 @@ DriftSeries drift_of(const Session& session, const DriftOptions& options) {
 std::string_view name_of(Method method) {
   constexpr std::array<std::string_view, 3> kMethods{"two_arcs", "spindle_rotation", "circles"};
   return kMethods[static_cast<std::size_t>(method)];
+}
+
+std::optional<Estimate> combined_drift(const DriftPoint& point) {
+  double square = 0.0, along = 0.0;
+  int known = 0;
+  for (const std::optional<Estimate>* axis : {&point.x, &point.y, &point.z}) {
+    if (!*axis) continue;
+    ++known;
+    square += (*axis)->value_um * (*axis)->value_um;
+    along += (*axis)->value_um * (*axis)->value_um * (*axis)->sigma_um * (*axis)->sigma_um;
+  }
+  if (known < 2) return std::nullopt;
+  return Estimate{std::sqrt(square), square > 0.0 ? std::sqrt(along / square) : 0.0};
 }
 
 }  // namespace ballbar

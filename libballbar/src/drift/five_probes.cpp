@@ -8,12 +8,18 @@
 #include <span>
 
 #include "ballbar/error.hpp"
+#include "drift/smooth_curve.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr double kHour_s = 3600.0;
 constexpr std::size_t kRowsForScatter = 6;
+constexpr std::size_t kRowsForCurve = 30;  // of a range
+constexpr std::size_t kMostRows = 3000;    // of the curve
+constexpr const char* kResolution = "probe resolution";
+constexpr const char* kScatter = "probe scatter";
 
 using Columns = std::array<const Column*, 5>;  // as kProbes; nullptr: no such probe
 
@@ -117,8 +123,8 @@ class Reduction {
       const double zero = reading[reference_];
       for (std::size_t row = 0; row < rows; ++row) axis.value[row] += weight * (reading[row] - zero);
     }
-    add_constant(axis, "probe resolution", resolution_variance(combination));
-    add_constant(axis, "probe scatter", scatter_variance(combination));
+    add_constant(axis, kResolution, resolution_variance(combination));
+    add_constant(axis, kScatter, scatter_variance(combination));
     if (probe_.linearity_percent) axis.budget.push_back({"probe linearity", linearity(combination), true});
     if (options_.from_plane_1_sigma_mm > 0.0 && combination.tilt_per_mm != 0.0) {
       axis.budget.push_back({"place of the ball", place(combination), true});
@@ -335,8 +341,43 @@ DriftRange range_of(const DriftAxis& axis, const std::vector<double>& time_s, st
     const double sigma = *from == *to ? 0.0 : std::hypot(sigma_of(axis, *from), sigma_of(axis, *to));
     return Estimate{axis.value[*to] - axis.value[*from], sigma};
   };
-  return {change(first.low, first.high), change(after.low, after.high), change(total.low, total.high),
-          change(start, last)};
+  DriftRange range{change(first.low, first.high), change(after.low, after.high), change(total.low, total.high),
+                   change(start, last)};
+  std::vector<double> times, values;
+  std::size_t in_first = 0;
+  for (std::size_t row = begin; row < end; ++row) {
+    if (std::isnan(axis.value[row])) continue;
+    times.push_back(time_s[row]);
+    values.push_back(axis.value[row]);
+    if (time_s[row] - time_s[begin] <= kHour_s) ++in_first;
+  }
+  if (values.size() < kRowsForCurve) return range;
+  const std::size_t block = average_blocks(times, values, kMostRows);
+  in_first = std::min(in_first / block, values.size());
+  // Of the curve through the rows, with what is stated beside the noise.
+  std::vector<std::pair<std::size_t, std::size_t>> windows{{0, values.size()}};
+  std::vector<std::optional<Estimate>*> of{&range.total};
+  std::vector<Extremes> rows{total};
+  const auto add = [&](std::optional<Estimate>& one, std::size_t from, std::size_t to, const Extremes& extremes) {
+    if (to < from + 2) return;
+    windows.emplace_back(from, to);
+    of.push_back(&one);
+    rows.push_back(extremes);
+  };
+  add(range.first_60_min, 0, in_first, first);
+  add(range.after_60_min, in_first, values.size(), after);
+  const std::vector<Estimate> smooth = smooth_ranges(times, values, windows);
+  for (std::size_t k = 0; k < smooth.size(); ++k) {
+    double square = smooth[k].sigma_um * smooth[k].sigma_um;
+    for (const Contribution& one : axis.budget) {
+      if (one.source == kScatter || one.source == kResolution) continue;
+      for (const std::size_t row : {*rows[k].low, *rows[k].high})
+        if (std::isfinite(one.sigma[row])) square += one.sigma[row] * one.sigma[row];
+    }
+    const bool is_stated = !std::isnan(of[k]->value().sigma_um);
+    *of[k] = Estimate{smooth[k].value_um, is_stated ? std::sqrt(square) : kUnknown};
+  }
+  return range;
 }
 
 }  // namespace ballbar

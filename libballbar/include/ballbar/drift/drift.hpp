@@ -100,6 +100,10 @@ inline constexpr std::array kDriftQuantities{
     DriftQuantity{"x", &DriftPoint::x}, DriftQuantity{"y", &DriftPoint::y}, DriftQuantity{"z", &DriftPoint::z},
     DriftQuantity{"radial", &DriftPoint::radial}, DriftQuantity{"axial", &DriftPoint::axial}};
 
+// The root of the sum of squares of x, y and z, as far as two of them or three are known; its sigma by the law of
+// propagation, the axes as independent. It is never negative: noise alone gives about its own size.
+std::optional<Estimate> combined_drift(const DriftPoint& point);
+
 // Where the spindle ball was at each test, before the difference is taken (set-up errors included).
 struct Position {
   double time_s = 0.0;

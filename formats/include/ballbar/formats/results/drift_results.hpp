@@ -7,6 +7,7 @@
 
 #include "ballbar/drift/drift.hpp"
 #include "ballbar/drift/five_probes.hpp"
+#include "ballbar/drift/settling.hpp"
 #include "ballbar/formats/results/schema.hpp"
 #include "ballbar/series/series.hpp"
 
@@ -51,13 +52,37 @@ inline constexpr auto kDriftPointElongation =
           "taken off the radial test"};
 
 template <>
-inline constexpr auto kResult<DriftPoint> = ResultType{
-    "DriftPoint", "What a test says of the drift, as far as its method tells it.",
-    std::tuple_cat(
-        std::tuple{Field{"time_s", known(&DriftPoint::time_s), "of the test"}}, kDriftPointValues, kDriftPointSigmas,
-        std::tuple{kDriftPointElongation,
-                   Field{"correlation_y_z", [](const DriftPoint& of) { return MayLack<double>{of.correlation_y_z}; },
-                         "of the test's own y and z"}})};
+inline constexpr auto kResult<DriftPoint> = ResultType{"DriftPoint",
+                                                       "What a test says of the drift, as far as its method tells it.",
+                                                       std::tuple_cat(
+                                                           std::tuple{Field{"time_s", known(&DriftPoint::time_s),
+                                                                            "of the test"}},
+                                                           kDriftPointValues, kDriftPointSigmas,
+                                                           std::tuple{kDriftPointElongation,
+                                                                      Field{"combined_um",
+                                                                            [](const DriftPoint& of) {
+                                                                              const std::optional<Estimate> all =
+                                                                                  combined_drift(of);
+                                                                              return MayLack<double>{
+                                                                                  all ? std::optional(all->value_um)
+                                                                                      : std::nullopt};
+                                                                            },
+                                                                            "root of the sum of squares of x, y and z"},
+                                                                      Field{"combined_sigma_um",
+                                                                            [](const DriftPoint& of) {
+                                                                              const std::optional<Estimate> all =
+                                                                                  combined_drift(of);
+                                                                              return MayLack<double>{
+                                                                                  all ? std::optional(all->sigma_um)
+                                                                                      : std::nullopt};
+                                                                            },
+                                                                            ""},
+                                                                      Field{"correlation_y_z",
+                                                                            [](const DriftPoint& of) {
+                                                                              return MayLack<double>{
+                                                                                  of.correlation_y_z};
+                                                                            },
+                                                                            "of the test's own y and z"}})};
 
 template <>
 inline constexpr auto kResult<Position> =
@@ -109,23 +134,43 @@ inline constexpr auto kResult<AxisRange> = ResultType{
                Field{"first_to_last", range_value(&DriftRange::at_end, &Estimate::value_um), "the last less the first"},
                Field{"first_to_last_sigma", range_value(&DriftRange::at_end, &Estimate::sigma_um), ""}}};
 
+template <>
+inline constexpr auto kResult<AxisSettling> = ResultType{
+    "AxisSettling", "When an axis is stable, from the first row of the stretch on.",
+    std::tuple{Field{"axis", &AxisSettling::axis, ""},
+               Field{"band_um", &AxisSettling::band_um, "about the final value"},
+               Field{"is_small", &AxisSettling::is_small, "the whole stretch lies within the band"},
+               Field{"stable", &AxisSettling::stable, "null: the rows do not determine it, or all lies in the band"}}};
+template <>
+inline constexpr auto kResult<StableTime> =
+    ResultType{"StableTime", "From when on a drift stays within a band of its final value.",
+               std::tuple{Field{"time_s", known(&StableTime::time_s), "from the first row of the stretch"},
+                          Field{"sigma_s", &StableTime::sigma_s, ""},
+                          Field{"reached", &StableTime::reached, "whether the stretch lasts as long"},
+                          Field{"final_um", &StableTime::final_um, "what the drift of the stretch tends to"},
+                          Field{"final_sigma_um", &StableTime::final_sigma_um, ""},
+                          Field{"share_at_end", &StableTime::share_at_end, "of it, at the last row of the stretch"}}};
+
 // A step of the speed.
 struct StepRange {
   double from_s = 0.0, to_s = 0.0, speed_rpm = 0.0;
   TableOf<AxisRange> ranges;
+  std::vector<AxisSettling> settling;
 };
 
 template <>
-inline constexpr auto kResult<StepRange> = ResultType{
-    "SpeedStep", "A stretch of one speed.",
-    std::tuple{Field{"from_s", &StepRange::from_s, ""}, Field{"to_s", &StepRange::to_s, ""},
-               Field{"speed_rpm", &StepRange::speed_rpm, ""}, Field{"ranges", &StepRange::ranges, "by axis"}}};
+inline constexpr auto kResult<StepRange> =
+    ResultType{"SpeedStep", "A stretch of one speed.",
+               std::tuple{Field{"from_s", &StepRange::from_s, ""}, Field{"to_s", &StepRange::to_s, ""},
+                          Field{"speed_rpm", &StepRange::speed_rpm, ""}, Field{"ranges", &StepRange::ranges, "by axis"},
+                          Field{"settling", &StepRange::settling, "by axis"}}};
 
 struct FiveProbeDrift {
   double reference_s = 0.0;
   Series points;
   TableOf<AxisRange> ranges;
   std::vector<StepRange> steps;
+  std::vector<AxisSettling> settling;  // of one speed
   std::vector<std::string> remarks;
 };
 
@@ -151,6 +196,7 @@ inline constexpr auto kResult<FiveProbeDrift> = ResultType{
                Field{"points", &FiveProbeDrift::points, "one row per time, AXIS_um or AXIS_urad with sigma"},
                Field{"ranges", &FiveProbeDrift::ranges, "by axis"},
                Field{"steps", &FiveProbeDrift::steps, "changes of the speed"},
+               Field{"settling", &FiveProbeDrift::settling, "by axis, of a record of one speed"},
                Field{"remarks", &FiveProbeDrift::remarks, ""}}};
 
 }  // namespace ballbar

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "ballbar/drift/drift.hpp"
@@ -15,8 +16,9 @@ namespace ballbar {
 // Columns x_um, x_sigma_um, ... as far as the method has them, with gaps where a test lacks a value.
 Series series_of(const DriftSeries& drift);
 
-// The result FiveProbeDrift as text, because there may be a million rows.
-std::string json_text(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps);
+// The result FiveProbeDrift as text, because there may be a million rows. stable_um: settling_of().
+std::string json_text(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps,
+                      std::optional<double> stable_um = std::nullopt);
 
 // The extension selects the format: .csv, .json or .mat (one variable per column, same names). Throws Error for any
 // other, and for .mat in a build without matio (BALLBAR_MAT=OFF), with what to install.

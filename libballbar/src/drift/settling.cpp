@@ -1,0 +1,264 @@
+#include "ballbar/drift/settling.hpp"
+
+#include <ceres/tiny_solver.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "drift/smooth_curve.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kRowsToSettle = 6;
+constexpr int kTaus = 20;         // of the grid from which the fit starts
+constexpr double kLongest = 3.0;  // time constant, times the stretch
+constexpr double kLeastBand_um = 2.0, kBandOfRange = 0.1;
+constexpr std::size_t kRowsOfFit = 2000;  // means of more
+constexpr double kMostShare = 0.5;       // sigma of the time, of it
+
+struct SettlingRows {
+  Eigen::ArrayXd time_s;
+  Eigen::ArrayXd drift_um;
+};
+
+SettlingRows settling_data(std::span<const double> time_s, std::span<const double> drift_um) {
+  std::vector<double> times, values;
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    if (!std::isfinite(drift_um[i])) continue;
+    times.push_back(time_s[i] - time_s.front());
+    values.push_back(drift_um[i]);
+  }
+  return {Eigen::ArrayXd::Map(times.data(), static_cast<Eigen::Index>(times.size())),
+          Eigen::ArrayXd::Map(values.data(), static_cast<Eigen::Index>(values.size()))};
+}
+
+// c, then amplitude and ln of the time constant of each curve.
+template <int curves>
+using Settling = Eigen::Matrix<double, 1 + 2 * curves, 1>;
+
+template <int curves>
+double tau_s(const Settling<curves>& of, int k) {
+  return std::exp(of[2 + 2 * k]);
+}
+
+// d(t) - c
+template <int curves>
+double distance(const Settling<curves>& of, double time_s) {
+  double sum = 0.0;
+  for (int k = 0; k < curves; ++k) sum += of[1 + 2 * k] * std::exp(-time_s / tau_s<curves>(of, k));
+  return sum;
+}
+
+// Residuals and Jacobian, for ceres::TinySolver.
+template <int curves>
+struct SettlingCost {
+  using Scalar = double;
+  enum { NUM_PARAMETERS = 1 + 2 * curves, NUM_RESIDUALS = Eigen::Dynamic };
+  const SettlingRows& rows;
+
+  int NumResiduals() const { return static_cast<int>(rows.time_s.size()); }
+  bool operator()(const double* values, double* residuals, double* jacobian) const {
+    const Settling<curves> of = Settling<curves>::Map(values);
+    Eigen::Map<Eigen::ArrayXd> left(residuals, rows.time_s.size());
+    left = of[0] - rows.drift_um;
+    Eigen::MatrixXd slopes(rows.time_s.size(), static_cast<Eigen::Index>(NUM_PARAMETERS));
+    slopes.col(0).setOnes();
+    for (int k = 0; k < curves; ++k) {
+      const Eigen::ArrayXd age = rows.time_s / tau_s<curves>(of, k), curve = (-age).exp();
+      left += of[1 + 2 * k] * curve;
+      slopes.col(1 + 2 * k) = curve.matrix();
+      slopes.col(2 + 2 * k) = (of[1 + 2 * k] * curve * age).matrix();
+    }
+    if (jacobian != nullptr) Eigen::MatrixXd::Map(jacobian, slopes.rows(), slopes.cols()) = slopes;
+    return left.isFinite().all();
+  }
+};
+
+struct SettlingFit {
+  double log_likelihood = 0.0;  // less the penalty of BIC
+  double time_s = 0.0, time_variance = 0.0, final_um = 0.0, final_variance = 0.0, share_at_end = 0.0;
+};
+
+// The last time at which the curve is the band away from c; 0: it never is.
+template <int curves>
+double last_crossing_s(const Settling<curves>& of, double band_um) {
+  double largest = 0.0, longest_s = 0.0;
+  for (int k = 0; k < curves; ++k) {
+    largest += std::abs(of[1 + 2 * k]);
+    longest_s = std::max(longest_s, tau_s<curves>(of, k));
+  }
+  if (largest <= band_um) return 0.0;
+  const double beyond_s = longest_s * std::log(largest / band_um);  // there the sum of the sizes is the band
+  constexpr int kSteps = 200;
+  for (int i = kSteps; i > 0; --i) {
+    double low_s = beyond_s * (i - 1) / kSteps, high_s = beyond_s * i / kSteps;
+    if (std::abs(distance<curves>(of, low_s)) < band_um) continue;
+    for (int step = 0; step < 40; ++step) {
+      const double middle_s = 0.5 * (low_s + high_s);
+      (std::abs(distance<curves>(of, middle_s)) < band_um ? high_s : low_s) = middle_s;
+    }
+    return high_s;
+  }
+  return 0.0;
+}
+
+// Least squares of c and the amplitudes for given time constants.
+template <int curves>
+std::pair<double, Settling<curves>> with_taus(const SettlingRows& rows, const std::array<double, curves>& taus) {
+  Eigen::Matrix<double, Eigen::Dynamic, 1 + curves> x(rows.time_s.size(), 1 + curves);
+  x.col(0).setOnes();
+  for (int k = 0; k < curves; ++k) x.col(1 + k) = (-rows.time_s / taus[static_cast<std::size_t>(k)]).exp().matrix();
+  const Eigen::Matrix<double, 1 + curves, 1> gains =
+      (x.transpose() * x).ldlt().solve(x.transpose() * rows.drift_um.matrix());
+  Settling<curves> start;
+  start[0] = gains[0];
+  for (int k = 0; k < curves; ++k) {
+    start[1 + 2 * k] = gains[1 + k];
+    start[2 + 2 * k] = std::log(taus[static_cast<std::size_t>(k)]);
+  }
+  return {(rows.drift_um.matrix() - x * gains).squaredNorm(), start};
+}
+
+template <int curves>
+std::optional<SettlingFit> settling_fit(const SettlingRows& rows, const std::vector<double>& grid_s, double band_um) {
+  const Eigen::Index n = rows.time_s.size();
+  constexpr Eigen::Index kFree = 1 + 2 * curves;
+  if (n < kFree + 2) return std::nullopt;
+  std::pair<double, Settling<curves>> best{std::numeric_limits<double>::infinity(), Settling<curves>::Zero()};
+  const auto try_taus = [&](const std::array<double, curves>& taus) {
+    const auto one = with_taus<curves>(rows, taus);
+    if (one.first < best.first) best = one;
+  };
+  for (std::size_t k = 0; k < grid_s.size(); ++k) {
+    if constexpr (curves == 1) {
+      try_taus({grid_s[k]});
+    } else {
+      for (std::size_t m = k + 2; m < grid_s.size(); ++m) try_taus({grid_s[k], grid_s[m]});
+    }
+  }
+  const SettlingCost<curves> cost{rows};
+  ceres::TinySolver<SettlingCost<curves>> solver;
+  Settling<curves> of = best.second;
+  solver.Solve(cost, &of);
+  Eigen::VectorXd left(n);
+  Eigen::MatrixXd slopes(n, kFree);
+  if (!cost(of.data(), left.data(), slopes.data())) return std::nullopt;
+  const double squares = std::max(left.squaredNorm(), 1e-18);
+  const double r = std::clamp(left.head(n - 1).dot(left.tail(n - 1)) / squares, 0.0, 0.9);
+  // The variance of Student's t: the noise is known from few rows.
+  const auto freedom = static_cast<double>(n - kFree);
+  const double student = freedom > 2.0 ? freedom / (freedom - 2.0) : 3.0;
+  const double variance = student * squares / freedom * (1.0 + r) / (1.0 - r);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> parts(slopes.transpose() * slopes);
+  if (parts.rank() < kFree) return std::nullopt;
+  const Eigen::MatrixXd covariance = variance * parts.inverse();
+
+  SettlingFit result;
+  const auto independent = static_cast<double>(n) * (1.0 - r) / (1.0 + r);
+  result.log_likelihood = -0.5 * independent * std::log(squares / static_cast<double>(n)) -
+                          0.5 * static_cast<double>(kFree) * std::log(static_cast<double>(n));
+  result.time_s = last_crossing_s<curves>(of, band_um);
+  Settling<curves> gradient = Settling<curves>::Zero(), of_final = gradient;
+  double slope = 0.0;
+  for (int k = 0; k < curves; ++k) {
+    const double age = result.time_s / tau_s<curves>(of, k), curve = std::exp(-age);
+    slope -= of[1 + 2 * k] * curve / tau_s<curves>(of, k);
+    gradient[1 + 2 * k] = curve;
+    gradient[2 + 2 * k] = of[1 + 2 * k] * curve * age;
+    of_final[1 + 2 * k] = -1.0;
+    result.final_um -= of[1 + 2 * k];
+  }
+  if (result.time_s > 0.0) result.time_variance = gradient.dot(covariance * gradient) / (slope * slope);
+  result.final_variance = of_final.dot(covariance * of_final);
+  result.share_at_end = result.final_um == 0.0 ? 1.0 : 1.0 + distance<curves>(of, rows.time_s[n - 1]) / result.final_um;
+  return result;
+}
+
+// SettlingRows until the drift turns back for good.
+std::size_t settling_rows(const std::vector<double>& drift_um, double band_um) {
+  const auto size = [&](std::size_t i) { return std::abs(drift_um[i] - drift_um.front()); };
+  std::size_t largest = 0;
+  for (std::size_t i = 1; i < drift_um.size(); ++i) {
+    if (size(i) > size(largest)) largest = i;
+  }
+  std::size_t end = drift_um.size();
+  while (end > largest + 1 && std::abs(drift_um[end - 1] - drift_um[largest]) > band_um) --end;
+  return end;
+}
+
+}  // namespace
+
+std::optional<StableTime> stable_time(std::span<const double> time_s, std::span<const double> drift_um,
+                                      double band_um) {
+  const SettlingRows rows = settling_data(time_s, drift_um);
+  const Eigen::Index n = rows.time_s.size();
+  if (static_cast<std::size_t>(n) < kRowsToSettle) return std::nullopt;
+  const double length_s = rows.time_s[n - 1], step_s = length_s / static_cast<double>(n - 1);
+  std::vector<double> grid_s;
+  for (int k = 0; k < kTaus; ++k)
+    grid_s.push_back(0.5 * step_s * std::pow(2.0 * kLongest * length_s / step_s, static_cast<double>(k) / (kTaus - 1)));
+  std::vector<SettlingFit> fits;
+  for (const auto& one : {settling_fit<1>(rows, grid_s, band_um), settling_fit<2>(rows, grid_s, band_um)}) {
+    // Two curves that the rows do not tell apart say nothing of the time.
+    const double most_s = one ? std::max(kMostShare * one->time_s, step_s) : 0.0;
+    if (one && one->time_variance <= most_s * most_s) fits.push_back(*one);
+  }
+  if (fits.empty()) return std::nullopt;
+  const double most = std::max(fits.front().log_likelihood, fits.back().log_likelihood);
+  StableTime stable;
+  stable.band_um = band_um;
+  double sum = 0.0, time_square = 0.0, final_square = 0.0;
+  for (const SettlingFit& one : fits) {
+    const double weight = std::exp(one.log_likelihood - most);
+    sum += weight;
+    stable.time_s += weight * one.time_s;
+    stable.final_um += weight * one.final_um;
+    stable.share_at_end += weight * one.share_at_end;
+    time_square += weight * (one.time_s * one.time_s + one.time_variance);
+    final_square += weight * (one.final_um * one.final_um + one.final_variance);
+  }
+  for (double* mean : {&stable.time_s, &stable.final_um, &stable.share_at_end}) *mean /= sum;
+  stable.sigma_s = std::sqrt(std::max(0.0, time_square / sum - stable.time_s * stable.time_s));
+  stable.final_sigma_um = std::sqrt(std::max(0.0, final_square / sum - stable.final_um * stable.final_um));
+  stable.reached = stable.time_s < length_s;
+  const bool is_determined =
+      stable.sigma_s <= std::max(kMostShare * stable.time_s, step_s) && std::isfinite(stable.sigma_s);
+  return is_determined ? std::optional(stable) : std::nullopt;
+}
+
+std::vector<AxisSettling> settling_of(const MeasuredDrift& drift, std::size_t begin, std::size_t end,
+                                      std::optional<double> band_um) {
+  std::vector<AxisSettling> all;
+  for (const DriftAxis& axis : drift.axes) {
+    if (axis.unit != "um") continue;
+    std::vector<double> times, values;
+    for (std::size_t row = begin; row < end; ++row) {
+      if (!std::isfinite(axis.value[row])) continue;
+      times.push_back(drift.time_s[row]);
+      values.push_back(axis.value[row]);
+    }
+    AxisSettling one{axis.name, kLeastBand_um, true, std::nullopt};
+    if (!values.empty()) {
+      const auto [least, most] = std::minmax_element(values.begin(), values.end());
+      const double range_um = *most - *least;
+      one.band_um = band_um.value_or(std::max(kLeastBand_um, kBandOfRange * range_um));
+      one.is_small = range_um <= one.band_um;
+    }
+    if (!one.is_small) {
+      average_blocks(times, values, kRowsOfFit);
+      const std::size_t rows = settling_rows(values, one.band_um);
+      one.stable = stable_time(std::span(times).first(rows), std::span(values).first(rows), one.band_um);
+    }
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+}  // namespace ballbar
