@@ -16,6 +16,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
+#include "logs/log_channels.hpp"
 #include "logs/log_clock.hpp"
 #include "logs/log_columns.hpp"
 #include "logs/log_join.hpp"
@@ -184,7 +185,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
     for (const PlannedColumn& column : plan.columns) headers.emplace_back(column.source, column.name);
     expect_recipe_columns(headers, name, std::max<std::size_t>(1, shape.header_line), recipe);
   }
-  LogTable table = log_table(source, shape, plan, recipe);
+  LogTable table = side_by_side(log_table(source, shape, plan, recipe), plan);
   if (table.rows < 2) {
     throw Error(fmt::format("{}:{}: expected at least two rows, found {}.", name, shape.first_row_line, table.rows));
   }
@@ -192,6 +193,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   log.shape = shape_text(shape);
   log.time = plan.time.text;
   log.first_row_line = shape.first_row_line;
+  log.names_from = shape.names_from;
   say_lines(table, log);
   log.skipped_lines = table.bad_lines;
   log.without_row = table.without_row;
@@ -223,8 +225,8 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   std::set<std::string> taken;
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     const PlannedColumn& column = plan.columns[i];
-    const bool is_time = column.kind != ColumnKind::number && column.kind != ColumnKind::left_out;
-    if (is_time || (plan.time.kind == TimePlan::Kind::number && i == plan.time.column)) continue;
+    const bool is_no_value = column.kind != ColumnKind::number && column.kind != ColumnKind::left_out;
+    if (is_no_value || (plan.time.kind == TimePlan::Kind::number && i == plan.time.column)) continue;
     if (column.kind == ColumnKind::left_out) {
       log.columns.push_back({column.source, "", column.unit, "", Role::event, false, column.why, 0, {}});
     } else {
@@ -370,8 +372,8 @@ std::string sentence_of(const Log& log) {
   }
   const std::string time =
       log.series.has_clock ? fmt::format("time {}", log.time) : "numbered, because no column holds the time";
-  return fmt::format("read as {}; {} rows from line {}, {}; {}.", log.shape, log.series.time_s.size(),
-                     log.first_row_line, time, columns);
+  return fmt::format("read as {}; {} rows from line {}, {}{}{}; {}.", log.shape, log.series.time_s.size(),
+                     log.first_row_line, log.names_from, log.names_from.empty() ? "" : ", ", time, columns);
 }
 
 }  // namespace ballbar

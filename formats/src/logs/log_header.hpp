@@ -1,0 +1,51 @@
+// What the rows of a log are, by evidence: which hold data, which above them names and units.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "logs/log_shape.hpp"
+
+namespace ballbar {
+
+// What a cell can be before anything is known of its column; `word`: text.
+enum class CellKind : char { empty, missing, number, stamp, word };
+inline constexpr std::size_t kCellKinds = 5;
+
+CellKind kind_of(std::string_view cell);
+
+// The kinds of all cells of a line, one a sign.
+struct LineKinds {
+  std::vector<CellKind> kinds;  // none: a blank line or a comment
+  std::string words;            // its words with their places: those of rows of names and values are always the same
+  bool names_its_values = false;
+
+  [[nodiscard]] std::size_t count(CellKind kind) const;
+  [[nodiscard]] std::size_t values() const { return count(CellKind::number) + count(CellKind::stamp); }
+
+  // Mostly numbers and times; a line of nothing but gaps is none. Words that all rows repeat are no text.
+  [[nodiscard]] bool is_row(std::size_t fewest) const;
+};
+
+// The rows of a delimiter.
+struct Cut {
+  char delimiter = ',';
+  std::size_t columns = 0;
+  std::size_t first = 0;  // index of the first row
+  double score = 0.0;
+};
+
+// The rows of one delimiter: lines of the same number of cells, mostly values, that follow each other.
+Cut cut_by(const std::vector<HeadLine>& lines, char delimiter, std::size_t fewest);
+
+// Sets headers, units, header_line, units_line and preamble of the shape from the lines above the first row.
+void find_header(const std::vector<HeadLine>& lines, const Cut& cut, LogShape& shape);
+
+bool is_blank(std::string_view line);
+
+// As a name or a unit goes into files of ours: without blanks and quotes around it, and what is no character.
+std::string written(std::string_view cell);
+
+}  // namespace ballbar

@@ -1,0 +1,164 @@
+#include "logs/log_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+#include "ballbar/error.hpp"
+#include "logs/log_cells.hpp"
+#include "logs/log_units.hpp"
+#include "logs/text_fold.hpp"
+#include "text/cells.hpp"
+
+namespace ballbar {
+namespace {
+
+// What the rows hold in one column.
+struct Content {
+  std::size_t numbers = 0, decimals = 0, words = 0, stamps = 0, gaps = 0;
+  std::string_view first_word;
+  std::size_t as_first = 0;  // words that are the first one
+};
+
+std::vector<Content> contents_of(const LogShape& shape, std::size_t columns) {
+  std::vector<Content> contents(columns);
+  std::vector<std::string_view> cells;
+  for (const HeadLine& row : shape.rows) {
+    split_cells(row.text, shape.delimiter, cells);
+    for (std::size_t j = 0; j < std::min(columns, cells.size()); ++j) {
+      const std::string_view cell = trimmed_cell(cells[j]);
+      Content& content = contents[j];
+      const CellKind kind = kind_of(cell);
+      content.numbers += kind == CellKind::number;
+      content.decimals += kind == CellKind::number && cell.find_first_of(".,") != std::string_view::npos;
+      content.stamps += kind == CellKind::stamp;
+      content.words += kind == CellKind::word;
+      content.gaps += kind == CellKind::empty || kind == CellKind::missing;
+      if (kind != CellKind::word) continue;
+      if (content.first_word.empty()) content.first_word = cell;
+      content.as_first += cell == content.first_word;
+    }
+  }
+  return contents;
+}
+
+// What a recogniser finds; the names are those of the whole shape.
+struct Names {
+  std::vector<std::string> headers, units;
+  std::vector<bool> is_label;
+  std::string from;
+};
+
+Names none(std::size_t columns) {
+  return {std::vector<std::string>(columns), std::vector<std::string>(columns), std::vector<bool>(columns), {}};
+}
+
+// "T1 20.1 T2 22.3", "T1 20.1 C T2 22.3 C": most columns of numbers have their name on their left.
+std::optional<Names> beside_values(const LogShape& shape, const std::vector<Content>& contents) {
+  const auto enough = [&](std::size_t count) {
+    return static_cast<double>(count) >= kExplained * static_cast<double>(shape.rows.size());
+  };
+  Names names = none(contents.size());
+  std::size_t labels = 0, numbers = 0;
+  for (std::size_t j = 0; j < contents.size(); ++j) {
+    const bool is_number = contents[j].numbers > contents[j].words + contents[j].stamps;
+    numbers += is_number;
+    if (!enough(contents[j].as_first)) continue;
+    const std::string word = written(contents[j].first_word);
+    const bool follows = j > 0 && contents[j - 1].numbers > contents[j - 1].words && names.units[j - 1].empty();
+    const bool leads =
+        j + 1 < contents.size() && contents[j + 1].words < contents[j + 1].numbers + contents[j + 1].gaps;
+    if (follows && !leads && log_unit(word)) {
+      names.units[j - 1] = word;
+    } else if (leads) {
+      names.headers[j + 1] = word.substr(0, word.find_last_not_of(":=") + 1);
+      ++labels;
+    } else {
+      continue;
+    }
+    names.is_label[j] = true;
+  }
+  if (shape.rows.size() < 2 || labels < 2 || 3 * labels < 2 * numbers) return std::nullopt;
+  names.from = "names beside the values";
+  return names;
+}
+
+// The names of three axes and their unit, as the last line above the points that has them: "AXES: X, Y, Z (mm)".
+void name_axes(const std::vector<HeadLine>& above, std::size_t first, Names& names) {
+  std::vector<std::string_view> cells;
+  for (std::size_t k = 0; k < 3; ++k) names.headers[first + k] = std::string(1, static_cast<char>('X' + k));
+  names.from = "points: X, Y, Z in the order of the columns";
+  for (const HeadLine& line : above) {
+    const std::string_view text = line.text;
+    for (const std::string_view word : {"mm", "millimeter", "millimetre", "inch", "inches", "meters", "metres"}) {
+      const std::string key = " " + folded(text) + " ";
+      if (key.find(fmt::format(" {} ", word)) == std::string::npos) continue;
+      for (std::size_t k = 0; k < 3; ++k) names.units[first + k] = word;
+    }
+    split_cells(text.substr(text.find(':') == std::string_view::npos ? 0 : text.find(':') + 1), ',', cells);
+    if (cells.size() != 3) continue;
+    const NameAndUnit last = name_and_unit(trimmed_cell(cells[2]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const NameAndUnit axis = name_and_unit(trimmed_cell(cells[k]));
+      names.headers[first + k] = written(axis.name);
+      const std::string& unit = axis.unit.empty() ? last.unit : axis.unit;
+      if (!unit.empty()) names.units[first + k] = written(unit);
+    }
+    names.from = fmt::format("points: names from line {}", line.number);
+  }
+}
+
+// "group, name, 1, x, y, z, stamp": words, then perhaps a number of the point, then three numbers with decimals.
+std::optional<Names> points(const LogShape& shape, const std::vector<Content>& contents,
+                            const std::vector<HeadLine>& above) {
+  const auto enough = [&](std::size_t count) {
+    return static_cast<double>(count) >= kExplained * static_cast<double>(shape.rows.size());
+  };
+  std::size_t first = 0;
+  while (first < contents.size() && contents[first].decimals == 0 && contents[first].stamps == 0) ++first;
+  if (first == 0 || first + 3 > contents.size() || !enough(contents.front().words)) return std::nullopt;
+  for (std::size_t k = first; k < first + 3; ++k) {
+    if (!enough(contents[k].numbers) || 2 * contents[k].decimals < contents[k].numbers) return std::nullopt;
+  }
+  for (std::size_t k = first + 3; k < contents.size(); ++k) {
+    if (contents[k].decimals > 0) return std::nullopt;
+  }
+  Names names = none(contents.size());
+  name_axes(above, first, names);
+  return names;
+}
+
+}  // namespace
+
+void find_names(const std::string& name, const std::vector<HeadLine>& lines, const Cut& cut, LogShape& shape) {
+  find_header(lines, cut, shape);
+  shape.is_label.assign(cut.columns, false);
+  const std::vector<Content> contents = contents_of(shape, cut.columns);
+  const std::vector<HeadLine> above(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(cut.first));
+  std::optional<Names> found = beside_values(shape, contents);
+  const std::optional<Names> of_points =
+      shape.header_line == 0 ? points(shape, contents, above) : std::optional<Names>();
+  if (found && of_points) {
+    throw Error(
+        fmt::format("{}:{}: expected rows of one layout, found words and numbers that are names beside their "
+                    "values or points with X, Y and Z. Put a line of names above them.",
+                    name, shape.first_row_line));
+  }
+  if (!found) found = of_points;
+  if (found) {
+    shape.headers = std::move(found->headers);
+    shape.units = std::move(found->units);
+    shape.is_label = std::move(found->is_label);
+    shape.names_from = std::move(found->from);
+    shape.header_line = shape.units_line = 0;
+    shape.preamble = above;
+  } else if (shape.header_line + 1 != shape.first_row_line || shape.units_line > 0) {
+    if (shape.header_line > 0) shape.names_from = fmt::format("names from line {}", shape.header_line);
+    if (shape.units_line > 0 && shape.units_line != shape.header_line)
+      shape.names_from += fmt::format(", units from line {}", shape.units_line);
+  }
+}
+
+}  // namespace ballbar
