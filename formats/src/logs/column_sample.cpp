@@ -49,6 +49,7 @@ void look_at(std::string_view cell, char decimal, ColumnSample& sample) {
   sample.either = sample.either || stamp->either_order;
   sample.minutes_and_seconds += stamp->minutes_and_seconds;
   sample.two_fields += stamp->two_fields;
+  sample.midnights += stamp->day && stamp->clock_s == 0.0;
   const double seconds = 86400.0 * static_cast<double>(stamp->day.value_or(0)) + stamp->clock_s.value_or(0.0);
   if (!sample.first_s) sample.first_s = seconds;
   sample.last_s = seconds;

@@ -18,6 +18,7 @@ struct ColumnSample {
   bool rises = true, ever_rises = false;  // numbers
   bool day_first = false, month_first = false, either = false;
   std::size_t packed_dates = 0, packed_clocks = 0, two_fields = 0;  // 20261122, 130510, 05:10
+  std::size_t midnights = 0;                                        // stamps at 0:00
   std::optional<double> first_s, last_s;                            // stamps and clocks
   std::size_t switches = 0;                                         // "on", "off"; among texts or missing
   std::set<std::string> switch_words;

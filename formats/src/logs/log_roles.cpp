@@ -317,7 +317,7 @@ FoundRole found_role(std::string_view name, std::string_view unit, std::span<con
     if (travel_um > kTravel_um) {
       return {Role::event, fmt::format("moves by {:.0f} mm, so it is an axis, not a probe", travel_um * 1e-3), ""};
     }
-    if (far_um > kFarFromZero_um) return {Role::event, "far from zero, like an axis position", ""};
+    if (far_um > kFarFromZero_um && !says(key, kMeasured)) return {Role::event, std::string(kFarFromZero), ""};
     return {Role::measured, "by its unit", ""};
   }
   if (unit == "V" && says(key, kMeasured)) return {Role::measured, "by its name", ""};

@@ -29,9 +29,15 @@ class TimeFinder {
     if (recipe_.every_s) return by_rows(*recipe_.every_s, "the option");
     if (recipe_.time == kNoTime) return by_number();
     if (!recipe_.time.empty()) return of_column(named_by_recipe());
-    const auto stamps = first([](const ColumnSample& s) { return s.mostly(s.stamps) && s.numbers == 0; });
-    const auto dates = first([](const ColumnSample& s) { return s.mostly(s.dates) && s.numbers == 0; });
     const auto clocks = first([](const ColumnSample& s) { return s.mostly(s.clocks); });
+    const auto fractions = fractions_of_a_day();
+    // Spreadsheets show a date at midnight where the time of day is in a column of its own.
+    const auto is_date = [&](const ColumnSample& s) {
+      return s.mostly(s.dates) || ((clocks || fractions) && s.mostly(s.stamps) && s.midnights == s.stamps);
+    };
+    const auto stamps =
+        first([&](const ColumnSample& s) { return s.mostly(s.stamps) && s.numbers == 0 && !is_date(s); });
+    const auto dates = first([&](const ColumnSample& s) { return s.numbers == 0 && is_date(s); });
     const auto number = number_of_time();
     // A stamp to whole seconds beside a finer number: the number tells the rows apart.
     if (number && (stamps || clocks) && !is_absolute(*number)) {
@@ -40,6 +46,7 @@ class TimeFinder {
     }
     if (stamps) return of_stamp(*stamps);
     if (dates && clocks) return of_date_and_clock(*dates, *clocks);
+    if (dates && fractions) return of_date_and_fraction(*dates, *fractions);
     if (const auto packed = packed_stamps()) return of_stamp(*packed);
     if (const auto packed = packed_date_and_clock()) return of_date_and_clock(packed->first, packed->second);
     if (clocks) return of_stamp(*clocks);
@@ -94,6 +101,18 @@ class TimeFinder {
           !is_time_name(plan_.columns[i + 1].name))
         continue;
       return std::pair{i, i + 1};
+    }
+    return std::nullopt;
+  }
+
+  // A time of day in a spreadsheet's cell that is shown as a plain number.
+  std::optional<std::size_t> fractions_of_a_day() const {
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      const ColumnSample& sample = samples_[i];
+      const auto is_fraction = [](double value) { return value >= 0.0 && value < 1.0; };
+      if (is_time_name(plan_.columns[i].name) && plan_.columns[i].unit.empty() && sample.mostly(sample.numbers) &&
+          !all_whole(sample) && std::all_of(sample.values.begin(), sample.values.end(), is_fraction))
+        return i;
     }
     return std::nullopt;
   }
@@ -178,7 +197,7 @@ class TimeFinder {
   void of_column(std::size_t i) {
     const ColumnSample& sample = samples_[i];
     if (sample.mostly(sample.numbers) && sample.stamps != sample.numbers) return of_number(i);
-    if (sample.mostly(sample.dates)) {
+    if (sample.mostly(sample.dates) || (sample.stamps > 0 && sample.midnights == sample.stamps)) {
       const auto clocks = first([](const ColumnSample& s) { return s.mostly(s.clocks); });
       if (clocks) return of_date_and_clock(i, *clocks);
     }
@@ -250,6 +269,14 @@ class TimeFinder {
     plan_.time.text =
         fmt::format("{} and {}", in_quotes(plan_.columns[date].source), in_quotes(plan_.columns[clock].source));
     find_milli(clock);
+  }
+
+  void of_date_and_fraction(std::size_t date, std::size_t fraction) {
+    of_stamp(date);
+    plan_.columns[fraction].kind = ColumnKind::milli;
+    plan_.time.milli_s = kDay_s;
+    plan_.time.text = fmt::format("{} and {}, a fraction of the day", in_quotes(plan_.columns[date].source),
+                                  in_quotes(plan_.columns[fraction].source));
   }
 
   // A column of milliseconds right behind a clock to whole seconds.
