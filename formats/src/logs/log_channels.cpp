@@ -140,25 +140,31 @@ void take_units(const LogShape& shape, std::size_t channel, const std::vector<Co
 void find_channels(const LogShape& shape, const std::vector<ColumnSample>& samples, const std::string& name,
                    LogPlan& plan) {
   const auto is_time = [&](std::size_t i) { return plan.time.kind == TimePlan::Kind::number && i == plan.time.column; };
-  std::size_t value_column = plan.columns.size(), values = 0;
-  for (std::size_t i = plan.columns.size(); i-- > 0;) {
-    if (plan.columns[i].kind != ColumnKind::number || is_time(i) || samples[i].numbers == 0) continue;
-    const auto [least, most] = std::minmax_element(samples[i].values.begin(), samples[i].values.end());
-    values += *least != *most;
-    if (*least != *most) value_column = i;
+  // What is the same in all rows, or only rises, is a state or another time beside the values.
+  const auto is_value = [&](std::size_t i) {
+    const std::vector<double>& values = samples[i].values;
+    return plan.columns[i].kind == ColumnKind::number && !is_time(i) && !plan.columns[i].is_switch && !values.empty() &&
+           !samples[i].rises;
+  };
+  std::vector<std::size_t> values;
+  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+    if (is_value(i)) values.push_back(i);
   }
-  if (values == 0) return;
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     PlannedColumn& column = plan.columns[i];
     const bool is_words = column.kind == ColumnKind::left_out && samples[i].texts > 0 && samples[i].stamps == 0 &&
                           samples[i].numbers == 0 && samples[i].dates + samples[i].clocks == 0;
     const bool is_numbered = column.kind == ColumnKind::number && column.headed && names_channels(column) &&
-                             samples[i].texts == 0 && i != value_column && !is_time(i) && all_whole(samples[i]);
+                             samples[i].texts == 0 && !is_time(i) && all_whole(samples[i]);
     if (column.stated.left_out || !(is_words || is_numbered)) continue;
-    const Evidence evidence = evidence_of(shape, plan, i, value_column);
-    const bool may_be_table = 2 * evidence.not_rising <= evidence.changes;
-    if (may_be_table && values > 1) continue;
-    if (!are_channels(evidence, shape, column, name)) continue;
+    const auto is_of_channels = [&](std::size_t value) {
+      return value != i && are_channels(evidence_of(shape, plan, i, value), shape, column, name);
+    };
+    if (std::none_of(values.begin(), values.end(), is_of_channels)) continue;
+    for (std::size_t k = 0; k < plan.columns.size(); ++k) {
+      if (plan.columns[k].kind == ColumnKind::number && !is_time(k) && !is_value(k))
+        plan.columns[k].kind = ColumnKind::label;
+    }
     column.kind = ColumnKind::channel;
     take_units(shape, i, samples, plan);
     return;

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
@@ -20,11 +21,12 @@ namespace {
 
 constexpr std::size_t kMostHeaderRows = 30;  // above the first row
 constexpr std::size_t kMostNameRows = 9;
-constexpr double kRepeated = -3.0;     // log likelihood of a name that another column has
-constexpr double kKindOfValue = -4.0;  // of a name such as "Avg", "Smp", "float"
-constexpr double kFurtherUp = -0.5;    // a row
-constexpr double kOfOtherSize = -2.0;  // a cell too many or too few
-constexpr double kCommentSign = -6.0;  // a name row in plain text goes before one in a comment
+constexpr std::size_t kLinesOfAWord = 3;  // that have it in one place: it is a word of a column
+constexpr double kRepeated = -3.0;        // log likelihood of a name that another column has
+constexpr double kKindOfValue = -4.0;     // of a name such as "Avg", "Smp", "float"
+constexpr double kFurtherUp = -0.5;       // a row
+constexpr double kOfOtherSize = -2.0;     // a cell too many or too few
+constexpr double kCommentSign = -6.0;     // a name row in plain text goes before one in a comment
 
 using Cells = std::vector<std::string_view>;
 using Kinds = std::array<double, kCellKinds>;
@@ -34,11 +36,11 @@ using Kinds = std::array<double, kCellKinds>;
 //                               empty  missing  number   stamp    word
 //   of names                     0.05     0.04    0.02   0.005    0.885
 //   of anything else above       0.30     0.05    0.25    0.10    0.30
-//   data in a column of values   at least 0.05 a gap, 0.01 a word; else as often as in the rows
-//   data in a column of words    at least 0.3 a word, 0.05 a gap, 0.01 a value; else as often as in the rows
+//   data in a column of values   at least 0.2 a gap, 0.01 a word, 0.005 a number, 0.002 a stamp; else as in the rows
+//   data in a column of words    at least 0.3 a word, 0.05 a gap, 0.01 a value; else as in the rows
 constexpr Kinds kOfNames = {0.05, 0.04, 0.02, 0.005, 0.885};
 constexpr Kinds kOfOthers = {0.30, 0.05, 0.25, 0.10, 0.30};
-constexpr Kinds kLeastOfValues = {0.05, 0.05, 0.01, 0.01, 0.01};
+constexpr Kinds kLeastOfValues = {0.20, 0.20, 0.005, 0.002, 0.01};
 constexpr Kinds kLeastOfWords = {0.05, 0.05, 0.01, 0.01, 0.30};
 
 double at(const Kinds& likelihood, CellKind kind) { return likelihood[static_cast<std::size_t>(kind)]; }
@@ -60,27 +62,40 @@ std::vector<Kinds> likelihood_of_data(const std::vector<LineKinds>& lines, const
   return columns;
 }
 
-// How much more likely a line is one of data than one of names. A word behind the last column is a remark.
+// How much more likely a line is one of data than one of names or anything else. A word behind the last column is a
+// remark.
 double evidence_of_data(const LineKinds& line, const std::vector<Kinds>& columns) {
-  double sum = 0.0;
-  for (std::size_t j = 0; j < std::max(columns.size(), line.kinds.size()); ++j) {
-    const CellKind kind = j < line.kinds.size() ? line.kinds[j] : CellKind::empty;
-    sum += std::log(at(j < columns.size() ? columns[j] : kLeastOfWords, kind) / at(kOfNames, kind));
+  double data = 0.0, names = 0.0, others = 0.0;
+  for (std::size_t j = 0; j < line.kinds.size(); ++j) {
+    data += std::log(at(j < columns.size() ? columns[j] : kLeastOfWords, line.kinds[j]));
+    names += std::log(at(kOfNames, line.kinds[j]));
+    others += std::log(at(kOfOthers, line.kinds[j]));
   }
-  return sum;
+  return data - std::max(names, others);
 }
 
-LineKinds kinds_of(std::string_view line, char delimiter, Cells& cells) {
-  LineKinds found;
-  if (is_blank(line) || line.starts_with('#')) return found;
-  split_cells(line, delimiter, cells);
-  for (std::size_t j = 0; j < cells.size(); ++j) {
-    found.kinds.push_back(kind_of(cells[j]));
-    if (found.kinds.back() != CellKind::word) continue;
-    found.words += static_cast<char>(j % 128);
-    found.words += cells[j];
+std::vector<LineKinds> kinds_of(const std::vector<HeadLine>& lines, char delimiter) {
+  std::vector<LineKinds> all(lines.size());
+  std::map<std::tuple<std::size_t, std::size_t, std::string_view>, std::size_t>
+      words;  // by cells of the line and place
+  Cells cells;
+  const auto each_word = [&](auto use) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (all[i].kinds.empty()) continue;
+      split_cells(lines[i].text, delimiter, cells);
+      for (std::size_t j = 0; j < cells.size(); ++j) {
+        if (all[i].kinds[j] == CellKind::word) use(all[i], words[{cells.size(), j, trimmed_cell(cells[j])}]);
+      }
+    }
+  };
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (is_blank(lines[i].text) || lines[i].text.starts_with('#')) continue;
+    split_cells(lines[i].text, delimiter, cells);
+    for (const std::string_view cell : cells) all[i].kinds.push_back(kind_of(cell));
   }
-  return found;
+  each_word([](LineKinds&, std::size_t& count) { ++count; });
+  each_word([](LineKinds& line, const std::size_t& count) { line.own_words += count < kLinesOfAWord; });
+  return all;
 }
 
 bool is_unit_like(std::string_view cell) {
@@ -197,31 +212,18 @@ std::size_t LineKinds::count(CellKind kind) const {
 }
 
 bool LineKinds::is_row(std::size_t fewest) const {
-  const std::size_t gaps = count(CellKind::empty) + count(CellKind::missing), texts = count(CellKind::word);
-  if (kinds.size() < fewest || values() == 0) return false;
-  return names_its_values || (values() + gaps >= 2 * texts && values() >= texts);
+  const std::size_t gaps = count(CellKind::empty) + count(CellKind::missing), found = values();
+  return kinds.size() >= fewest && found > 0 && found + gaps >= 2 * own_words && found >= own_words &&
+         2 * (found + gaps) >= count(CellKind::word);
 }
 
 Cut cut_by(const std::vector<HeadLine>& lines, char delimiter, std::size_t fewest) {
-  Cells cells;
-  std::vector<LineKinds> looks;
-  looks.reserve(lines.size());
-  for (const HeadLine& line : lines) looks.push_back(kinds_of(line.text, delimiter, cells));
-  // "T1 20.1 T2 22.3": the words are those of the row before.
-  LineKinds* before = nullptr;
-  for (LineKinds& line : looks) {
-    if (line.kinds.empty()) continue;
-    const std::size_t words = line.count(CellKind::word);
-    if (before != nullptr && words > 1 && words <= 2 * line.values() && line.words == before->words)
-      line.names_its_values = before->names_its_values = true;
-    before = &line;
-  }
+  const std::vector<LineKinds> looks = kinds_of(lines, delimiter);
   std::map<std::size_t, double> weights;  // of a number of cells: by the share of values
   for (const LineKinds& line : looks) {
     if (!line.is_row(fewest)) continue;
-    const std::size_t texts = line.names_its_values ? 0 : line.count(CellKind::word);
     weights[line.kinds.size()] +=
-        static_cast<double>(line.kinds.size() - texts) / static_cast<double>(line.kinds.size());
+        static_cast<double>(line.kinds.size() - line.own_words) / static_cast<double>(line.kinds.size());
   }
   Cut cut;
   cut.delimiter = delimiter;
@@ -236,8 +238,12 @@ Cut cut_by(const std::vector<HeadLine>& lines, char delimiter, std::size_t fewes
   }
   const std::size_t usual = median(std::move(values));
   const std::vector<Kinds> columns = likelihood_of_data(looks, cut, fewest);
+  std::size_t least_cells = cut.columns;  // behind the last value a row may end
+  while (least_cells > 1 && at(columns[least_cells - 1], CellKind::number) <= kLeastOfWords[2] &&
+         at(columns[least_cells - 1], CellKind::stamp) <= kLeastOfWords[3])
+    --least_cells;
   const auto suits = [&](const LineKinds& line) {
-    return line.kinds.size() >= cut.columns && 3 * line.values() >= usual && line.values() > 0 &&
+    return line.kinds.size() >= least_cells && 3 * line.values() >= usual && line.values() > 0 &&
            evidence_of_data(line, columns) > 0.0;
   };
   for (std::size_t i = 0; i < looks.size(); ++i) {
@@ -248,7 +254,8 @@ Cut cut_by(const std::vector<HeadLine>& lines, char delimiter, std::size_t fewes
       ++rows;
       good += suits(looks[k]);
     }
-    if (good + 1 < rows) continue;
+    const bool is_short = looks[i].kinds.size() < cut.columns;  // as most lines of a preamble are
+    if (good + (is_short ? 0 : 1) < rows) continue;
     cut.first = i;
     return cut;
   }
@@ -288,7 +295,7 @@ void find_header(const std::vector<HeadLine>& lines, const Cut& cut, LogShape& s
     } else {
       break;
     }
-    if (units && !names.empty() && names.back().index < *units) break;
+    if (units && !names.empty() && names.back().index < *units && names.back().evidence > 0.0) break;
   }
   // Names stand above their units, where any do.
   if (units && std::any_of(names.begin(), names.end(), [&](const Row& row) { return row.index < *units; }))

@@ -16,16 +16,15 @@ inline constexpr std::size_t kCellKinds = 5;
 
 CellKind kind_of(std::string_view cell);
 
-// The kinds of all cells of a line, one a sign.
+// The kinds of all cells of a line; none of a blank line or a comment.
 struct LineKinds {
-  std::vector<CellKind> kinds;  // none: a blank line or a comment
-  std::string words;            // its words with their places: those of rows of names and values are always the same
-  bool names_its_values = false;
+  std::vector<CellKind> kinds;
+  std::size_t own_words = 0;  // that other lines do not have in this place: no name of a channel, no unit, no state
 
   [[nodiscard]] std::size_t count(CellKind kind) const;
   [[nodiscard]] std::size_t values() const { return count(CellKind::number) + count(CellKind::stamp); }
 
-  // Mostly numbers and times; a line of nothing but gaps is none. Words that all rows repeat are no text.
+  // Mostly numbers and times; a line of nothing but gaps is none.
   [[nodiscard]] bool is_row(std::size_t fewest) const;
 };
 

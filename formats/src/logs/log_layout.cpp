@@ -110,15 +110,18 @@ void name_axes(const std::vector<HeadLine>& above, std::size_t first, Names& nam
   }
 }
 
-// "group, name, 1, x, y, z, stamp": words, then perhaps a number of the point, then three numbers with decimals.
+// "group, name, 1, x, y, z, stamp": a word at least, then perhaps a number of the point, then three numbers with
+// decimals.
 std::optional<Names> points(const LogShape& shape, const std::vector<Content>& contents,
                             const std::vector<HeadLine>& above) {
   const auto enough = [&](std::size_t count) {
     return static_cast<double>(count) >= kExplained * static_cast<double>(shape.rows.size());
   };
   std::size_t first = 0;
-  while (first < contents.size() && contents[first].decimals == 0 && contents[first].stamps == 0) ++first;
-  if (first == 0 || first + 3 > contents.size() || !enough(contents.front().words)) return std::nullopt;
+  bool is_named = false;
+  for (; first < contents.size() && contents[first].decimals == 0; ++first)
+    is_named = is_named || enough(contents[first].words);
+  if (!is_named || first + 3 > contents.size()) return std::nullopt;
   for (std::size_t k = first; k < first + 3; ++k) {
     if (!enough(contents[k].numbers) || 2 * contents[k].decimals < contents[k].numbers) return std::nullopt;
   }
