@@ -31,11 +31,10 @@ std::string_view cell_of(const Cells& cells, std::size_t column) {
 }
 
 bool names_channels(const PlannedColumn& column) {
-  constexpr std::string_view kNames[] = {"name",  "tag",       "channel", "sensor", "variable", "signal",
-                                         "pv",    "varname",   "kanal",   "topic",  "entity",   "entity id",
-                                         "field", "parameter", "node",    "probe",  "device",   "metric",
-                                         "id",    "sensor id", "source",  "ch",     "item",     "messstelle"};
-  return !column.headed || std::find(std::begin(kNames), std::end(kNames), folded(column.name)) != std::end(kNames);
+  constexpr std::string_view kNames =
+      "name|tag|channel|sensor|variable|signal|pv|varname|kanal|topic|entity|entity id|field|parameter|node|probe|"
+      "device|metric|id|sensor id|source|ch|item|messstelle";
+  return !column.headed || is_one_of(kNames, folded(column.name));
 }
 
 // The time of a row as it is written; nullopt: it has none.

@@ -100,12 +100,10 @@ std::vector<LineKinds> kinds_of(const std::vector<HeadLine>& lines, char delimit
 
 bool is_unit_like(std::string_view cell) {
   const std::string key = folded(trimmed_cell(cell));
-  constexpr std::string_view kOthers[] = {
-      "no",   "nr",    "date",    "time",         "datum",      "zeit", "hh mm ss", "dd mm yyyy", "yyyy mm dd",
-      "unit", "units", "einheit", "date time",    "sample",     "hz",   "n",        "deg",        "kg",
-      "g",    "khz",   "samples", "hh mm ss fff", "tt mm jjjj", "ts",   "rn",       "digits",     "counts"};
-  return log_unit(trimmed_cell(cell)) || time_unit_s(trimmed_cell(cell)) ||
-         std::find(std::begin(kOthers), std::end(kOthers), key) != std::end(kOthers);
+  constexpr std::string_view kOthers =
+      "no|nr|date|time|datum|zeit|hh mm ss|dd mm yyyy|yyyy mm dd|unit|units|einheit|date time|sample|hz|n|deg|kg|g|"
+      "khz|samples|hh mm ss fff|tt mm jjjj|ts|rn|digits|counts";
+  return log_unit(trimmed_cell(cell)) || time_unit_s(trimmed_cell(cell)) || is_one_of(kOthers, key);
 }
 
 // A row in which what is written are units, at least one of them of the list.
@@ -122,10 +120,10 @@ bool is_units_row(const Cells& cells) {
 }
 
 bool is_kind_of_value(const std::string& folded_name) {
-  constexpr std::string_view kKinds[] = {"smp",    "avg",    "max",   "min",    "std",  "tot",     "med",  "average",
-                                         "mean",   "sample", "float", "double", "int",  "integer", "real", "bool",
-                                         "string", "ieee4",  "fp2",   "number", "text", "date",    "wvc",  "sum"};
-  return std::find(std::begin(kKinds), std::end(kKinds), folded_name) != std::end(kKinds);
+  constexpr std::string_view kKinds =
+      "smp|avg|max|min|std|tot|med|average|mean|sample|float|double|int|integer|real|bool|string|ieee4|fp2|number|"
+      "text|date|wvc|sum";
+  return is_one_of(kKinds, folded_name);
 }
 
 // How much more likely a row is one of names than any other; nullopt: it cannot be.

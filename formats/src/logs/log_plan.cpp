@@ -41,12 +41,10 @@ bool suits(std::string_view pattern, std::string_view text) {
 }
 
 bool names_a_count(std::string_view name) {
-  constexpr std::string_view kNames[] = {
-      "",      "no",     "nr",   "number", "index",   "unnamed 0",     "sample",    "samples", "row",     "id",
-      "#",     "n",      "scan", "record", "count",   "point",         "lfd nr",    "zeile",   "nummer",  "numero",
-      "序号",  "编号",   "番号", "no.",    "messung", "sample number", "sample no", "data no", "reading", "num",
-      "punkt", "recnbr", "rec",  "recno",  "rn"};
-  return std::find(std::begin(kNames), std::end(kNames), folded(name)) != std::end(kNames);
+  constexpr std::string_view kNames =
+      "|no|nr|number|index|unnamed 0|sample|samples|row|id|#|n|scan|record|count|point|lfd nr|zeile|nummer|numero|"
+      "序号|编号|番号|no.|messung|sample number|sample no|data no|reading|num|punkt|recnbr|rec|recno|rn";
+  return is_one_of(kNames, folded(name));
 }
 
 void name_columns(const LogShape& shape, LogPlan& plan) {
