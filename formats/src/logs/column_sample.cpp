@@ -15,6 +15,8 @@
 namespace ballbar {
 namespace {
 
+constexpr std::size_t kMostWords = 1000;
+
 void look_at(std::string_view cell, char decimal, ColumnSample& sample) {
   if (switch_value(cell)) {
     ++sample.switches;
@@ -42,6 +44,7 @@ void look_at(std::string_view cell, char decimal, ColumnSample& sample) {
   const auto stamp = time_stamp(cell, DateOrder::day_first);
   if (!stamp) {
     ++sample.texts;
+    if (sample.words.size() < kMostWords) sample.words.emplace(cell);
     return;
   }
   sample.day_first = sample.day_first || stamp->day_first_only;

@@ -21,7 +21,7 @@ struct ColumnSample {
   std::size_t midnights = 0;                                        // stamps at 0:00
   std::optional<double> first_s, last_s;                            // stamps and clocks
   std::size_t switches = 0;                                         // "on", "off"; among texts or missing
-  std::set<std::string> switch_words;
+  std::set<std::string> switch_words, words;                        // of the texts: the first 1000 that differ
 
   // A column of two words at most for on and off, and no number. Of "off" alone too: it may be on later.
   [[nodiscard]] bool is_switch() const {

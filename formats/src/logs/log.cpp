@@ -208,7 +208,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
     for (const PlannedColumn& column : plan.columns) headers.emplace_back(column.source, column.name);
     expect_recipe_columns(headers, name, std::max<std::size_t>(1, shape.header_line), recipe);
   }
-  LogTable table = side_by_side(log_table(source, shape, plan, recipe), plan);
+  LogTable table = side_by_side(log_table(source, shape, plan, recipe), name, plan);
   if (table.rows < 2) {
     throw Error(fmt::format("{}:{}: expected at least two rows, found {}.", name, shape.first_row_line, table.rows));
   }

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "logs/column_sample.hpp"
 #include "logs/log_plan.hpp"
@@ -12,15 +11,16 @@
 
 namespace ballbar {
 
-// Finds the column with the names of channels, where there is one: its words come back, the time rises within each of
-// them but not from row to row; or, where the time rises from row to row too, the values go on from those of the same
-// word and jump from one word to another. Sets its kind to ColumnKind::channel, and the units of channels. Throws Error
-// with name:line where the rows may be one table as well.
-void find_channels(const LogShape& shape, const std::vector<ColumnSample>& samples, const std::string& name,
-                   LogPlan& plan);
+// Marks the first column whose words come back, which may be names of channels (ColumnKind::channel), and takes the
+// units of channels from another column of words.
+void find_channel_names(const LogShape& shape, const std::vector<ColumnSample>& samples, LogPlan& plan);
 
-// A column for each channel, and a row for each time. A channel has a gap where it has no value at a time of others.
-// Changes the columns of the plan; a plan without channels stays as it is.
-LogTable side_by_side(LogTable table, LogPlan& plan);
+// Where the rows are those of channels: a column for each channel, and a row for each time. A channel has a gap where
+// it has no value at a time of others. The plan gets these columns.
+//
+// Rows are of channels if the time rises within each of them but not from row to row; or, where it rises from row to
+// row too, if the values go on from those of the same channel and jump from one channel to another. Throws Error with
+// name:line where they may be of one table as well.
+LogTable side_by_side(LogTable table, const std::string& name, LogPlan& plan);
 
 }  // namespace ballbar

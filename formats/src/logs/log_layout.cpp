@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "ballbar/error.hpp"
+#include "logs/column_sample.hpp"
 #include "logs/log_cells.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"
@@ -15,33 +16,10 @@
 namespace ballbar {
 namespace {
 
-// What the rows hold in one column.
-struct Content {
-  std::size_t numbers = 0, decimals = 0, words = 0, stamps = 0, gaps = 0;
-  std::string_view first_word;
-  std::size_t as_first = 0;  // words that are the first one
-};
+bool is_number(const ColumnSample& sample) { return sample.mostly(sample.numbers); }
 
-std::vector<Content> contents_of(const LogShape& shape, std::size_t columns) {
-  std::vector<Content> contents(columns);
-  std::vector<std::string_view> cells;
-  for (const HeadLine& row : shape.rows) {
-    split_cells(row.text, shape.delimiter, cells);
-    for (std::size_t j = 0; j < std::min(columns, cells.size()); ++j) {
-      const std::string_view cell = trimmed_cell(cells[j]);
-      Content& content = contents[j];
-      const CellKind kind = kind_of(cell);
-      content.numbers += kind == CellKind::number;
-      content.decimals += kind == CellKind::number && cell.find_first_of(".,") != std::string_view::npos;
-      content.stamps += kind == CellKind::stamp;
-      content.words += kind == CellKind::word;
-      content.gaps += kind == CellKind::empty || kind == CellKind::missing;
-      if (kind != CellKind::word) continue;
-      if (content.first_word.empty()) content.first_word = cell;
-      content.as_first += cell == content.first_word;
-    }
-  }
-  return contents;
+bool are_all(std::size_t count, const LogShape& shape) {
+  return static_cast<double>(count) >= kExplained * static_cast<double>(shape.rows.size());
 }
 
 // What a recogniser finds; the names are those of the whole shape.
@@ -56,20 +34,15 @@ Names none(std::size_t columns) {
 }
 
 // "T1 20.1 T2 22.3", "T1 20.1 C T2 22.3 C": most columns of numbers have their name on their left.
-std::optional<Names> beside_values(const LogShape& shape, const std::vector<Content>& contents) {
-  const auto enough = [&](std::size_t count) {
-    return static_cast<double>(count) >= kExplained * static_cast<double>(shape.rows.size());
-  };
-  Names names = none(contents.size());
+std::optional<Names> beside_values(const LogShape& shape, const std::vector<ColumnSample>& samples) {
+  Names names = none(samples.size());
   std::size_t labels = 0, numbers = 0;
-  for (std::size_t j = 0; j < contents.size(); ++j) {
-    const bool is_number = contents[j].numbers > contents[j].words + contents[j].stamps;
-    numbers += is_number;
-    if (!enough(contents[j].as_first)) continue;
-    const std::string word = written(contents[j].first_word);
-    const bool follows = j > 0 && contents[j - 1].numbers > contents[j - 1].words && names.units[j - 1].empty();
-    const bool leads =
-        j + 1 < contents.size() && contents[j + 1].words < contents[j + 1].numbers + contents[j + 1].gaps;
+  for (std::size_t j = 0; j < samples.size(); ++j) {
+    numbers += is_number(samples[j]);
+    if (samples[j].words.size() != 1 || !are_all(samples[j].texts, shape)) continue;
+    const std::string word = written(*samples[j].words.begin());
+    const bool follows = j > 0 && is_number(samples[j - 1]) && names.units[j - 1].empty();
+    const bool leads = j + 1 < samples.size() && samples[j + 1].texts == 0;
     if (follows && !leads && log_unit(word)) {
       names.units[j - 1] = word;
     } else if (leads) {
@@ -112,24 +85,18 @@ void name_axes(const std::vector<HeadLine>& above, std::size_t first, Names& nam
 
 // "group, name, 1, x, y, z, stamp": a word at least, then perhaps a number of the point, then three numbers with
 // decimals.
-std::optional<Names> points(const LogShape& shape, const std::vector<Content>& contents,
+std::optional<Names> points(const LogShape& shape, const std::vector<ColumnSample>& samples,
                             const std::vector<HeadLine>& above) {
-  const auto enough = [&](std::size_t count) {
-    return static_cast<double>(count) >= kExplained * static_cast<double>(shape.rows.size());
-  };
-  std::size_t first = 0;
-  bool is_named = false;
-  for (; first < contents.size() && contents[first].decimals == 0; ++first)
-    is_named = is_named || enough(contents[first].words);
-  if (!is_named || first + 3 > contents.size()) return std::nullopt;
-  for (std::size_t k = first; k < first + 3; ++k) {
-    if (!enough(contents[k].numbers) || 2 * contents[k].decimals < contents[k].numbers) return std::nullopt;
-  }
-  for (std::size_t k = first + 3; k < contents.size(); ++k) {
-    if (contents[k].decimals > 0) return std::nullopt;
-  }
-  Names names = none(contents.size());
-  name_axes(above, first, names);
+  const auto is_coordinate = [&](const ColumnSample& sample) { return is_number(sample) && !all_whole(sample); };
+  const auto first = std::find_if(samples.begin(), samples.end(), is_coordinate);
+  const bool is_named =
+      std::any_of(samples.begin(), first, [&](const ColumnSample& sample) { return are_all(sample.texts, shape); });
+  const bool are_three = samples.end() - first >= 3 && std::all_of(first, first + 3, [&](const ColumnSample& sample) {
+                           return are_all(sample.numbers, shape);
+                         });
+  if (!is_named || !are_three || std::any_of(first + 3, samples.end(), is_coordinate)) return std::nullopt;
+  Names names = none(samples.size());
+  name_axes(above, static_cast<std::size_t>(first - samples.begin()), names);
   return names;
 }
 
@@ -138,11 +105,11 @@ std::optional<Names> points(const LogShape& shape, const std::vector<Content>& c
 void find_names(const std::string& name, const std::vector<HeadLine>& lines, const Cut& cut, LogShape& shape) {
   find_header(lines, cut, shape);
   shape.is_label.assign(cut.columns, false);
-  const std::vector<Content> contents = contents_of(shape, cut.columns);
+  const std::vector<ColumnSample> samples = samples_of(shape);
   const std::vector<HeadLine> above(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(cut.first));
-  std::optional<Names> found = beside_values(shape, contents);
+  std::optional<Names> found = beside_values(shape, samples);
   const std::optional<Names> of_points =
-      shape.header_line == 0 ? points(shape, contents, above) : std::optional<Names>();
+      shape.header_line == 0 ? points(shape, samples, above) : std::optional<Names>();
   if (found && of_points) {
     throw Error(
         fmt::format("{}:{}: expected rows of one layout, found words and numbers that are names beside their "

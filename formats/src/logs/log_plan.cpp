@@ -181,7 +181,7 @@ LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe
   const std::vector<ColumnSample> samples = samples_of(shape);
   find_time(shape, name, recipe, samples, plan);
   plan_values(shape.is_label, samples, recipe, plan);
-  find_channels(shape, samples, name, plan);
+  find_channel_names(shape, samples, plan);
   const bool any = std::any_of(plan.columns.begin(), plan.columns.end(), [&](const PlannedColumn& column) {
     const bool is_time = plan.time.kind == TimePlan::Kind::number && &column == &plan.columns[plan.time.column];
     return column.kind == ColumnKind::number && !is_time;

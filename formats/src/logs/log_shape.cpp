@@ -109,9 +109,10 @@ LogShape log_shape(const Source& source, const LogRecipe& recipe) {
     row_bytes += lines[i].text.size() + 1;
     if (!is_blank(lines[i].text)) shape.rows.push_back(lines[i]);
   }
+  shape.headers.resize(best.columns);
+  find_decimal(name, recipe, shape);
   find_names(name, lines, best, shape);
   shape.bytes_a_row = std::max<std::size_t>(2, row_bytes / std::max<std::size_t>(1, shape.rows.size()));
-  find_decimal(name, recipe, shape);
   shape.day_first = shape.decimal == ',' || shape.delimiter == ';';
   return shape;
 }

@@ -170,6 +170,7 @@ class Table {
     for (std::size_t i = 0; i < plan_.columns.size(); ++i) {  // the rows behind it keep their numbers
       if (plan_.columns[i].kind == ColumnKind::number) table_.values[i].push_back(kGap);
     }
+    if (has_channels_) take_channel();
     ++table_.rows;
     return true;
   }
@@ -382,6 +383,18 @@ std::size_t LogTable::line_of(std::size_t row) const {
   if (after == lines.begin()) return 0;
   const auto& at = *std::prev(after);
   return at.second + (row - at.first);
+}
+
+LogTable LogTable::without_rows() const {
+  LogTable table;
+  table.first_day = first_day;
+  table.elapsed = elapsed;
+  table.zoned = zoned;
+  table.other_lines = other_lines;
+  table.without_time = without_time;
+  table.bad_lines = bad_lines;
+  table.cut_lines = cut_lines;
+  return table;
 }
 
 LogTable log_table(const Source& source, const LogShape& shape, LogPlan& plan, const LogRecipe& recipe) {
