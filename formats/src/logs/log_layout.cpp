@@ -108,8 +108,10 @@ void find_names(const std::string& name, const std::vector<HeadLine>& lines, con
   const std::vector<ColumnSample> samples = samples_of(shape);
   const std::vector<HeadLine> above(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(cut.first));
   std::optional<Names> found = beside_values(shape, samples);
-  const std::optional<Names> of_points =
-      shape.header_line == 0 ? points(shape, samples, above) : std::optional<Names>();
+  const bool has_names = std::any_of(above.begin(), above.end(), [&](const HeadLine& line) {
+    return line.number == shape.header_line && !line.text.starts_with("//");
+  });
+  const std::optional<Names> of_points = has_names ? std::nullopt : points(shape, samples, above);
   if (found && of_points) {
     throw Error(
         fmt::format("{}:{}: expected rows of one layout, found words and numbers that are names beside their "
