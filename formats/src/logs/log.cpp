@@ -145,8 +145,15 @@ void settle_targets(Log& log) {
     if (any && one.first->role == Role::measured && is_axis(*one.first))
       set(one, Role::event, "an axis position, by its name");
   }
-  if (std::any_of(taken.begin(), taken.end(), [](const Taken& one) { return one.first->role == Role::measured; }))
-    return;
+  const auto is_measured = [](const Taken& one) { return one.first->role == Role::measured; };
+  const auto is_coordinate = [](const Taken& one) { return names_an_axis(name_and_unit(one.first->source).name); };
+  if (std::any_of(taken.begin(), taken.end(),
+                  [&](const Taken& one) { return is_measured(one) && is_coordinate(one); })) {
+    for (const Taken& one : taken) {
+      if (one.first->why == kFarFromZero && is_coordinate(one)) set(one, Role::measured, "beside other coordinates");
+    }
+  }
+  if (std::any_of(taken.begin(), taken.end(), is_measured)) return;
   const auto is_open = [](const Taken& one) {
     const Extremes range = extremes_of(one.second->values);
     return one.first->role == Role::event && !one.first->role_is_stated && range.most > range.least &&

@@ -190,20 +190,23 @@ LogTable side_by_side(LogTable table, const std::string& name, LogPlan& plan) {
     throw Error(fmt::format("{}:{}: expected channels that fit into memory side by side, found {} in {} rows.", name,
                             table.line_of(0), table.channels.size(), table.rows));
   }
-  LogTable wide = table.without_rows();
-  wide.values.resize(wide_plan.columns.size());
+  LogTable wide = std::move(table);  // with what was said of its lines
+  const auto narrow_values = std::exchange(wide.values, std::vector<std::vector<double>>(wide_plan.columns.size()));
+  const auto channel_of = std::exchange(wide.channel_of, {});
+  const LogTable narrow{.lines = std::exchange(wide.lines, {})};
+  wide.rows = wide.short_rows = 0;
+  wide.time_s.clear();
   for (std::size_t at = 0; at < places.size(); ++at) {
     const auto& [time, again, row] = places[at];
     if (at == 0 || time != places[at - 1].time || again != places[at - 1].again) {
-      wide.lines.emplace_back(wide.rows++, table.line_of(row));
+      wide.lines.emplace_back(wide.rows++, narrow.line_of(row));
       if (plan.time.kind == TimePlan::Kind::stamps) wide.time_s.push_back(time);
       for (std::size_t i = 0; i < wide.values.size(); ++i) {
         if (wide_plan.columns[i].kind == ColumnKind::number)
           wide.values[i].push_back(is_time(wide_plan, i) ? time : kGap);
       }
     }
-    for (const auto& [from, first] : values)
-      wide.values[first + table.channel_of[row]].back() = table.values[from][row];
+    for (const auto& [from, first] : values) wide.values[first + channel_of[row]].back() = narrow_values[from][row];
   }
   plan = std::move(wide_plan);
   return wide;

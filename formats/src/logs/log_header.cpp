@@ -21,12 +21,13 @@ namespace {
 
 constexpr std::size_t kMostHeaderRows = 30;  // above the first row
 constexpr std::size_t kMostNameRows = 9;
-constexpr std::size_t kLinesOfAWord = 3;  // that have it in one place: it is a word of a column
-constexpr double kRepeated = -3.0;        // log likelihood of a name that another column has
-constexpr double kKindOfValue = -4.0;     // of a name such as "Avg", "Smp", "float"
-constexpr double kFurtherUp = -0.5;       // a row
-constexpr double kOfOtherSize = -2.0;     // a cell too many or too few
-constexpr double kCommentSign = -6.0;     // a name row in plain text goes before one in a comment
+constexpr std::size_t kLinesOfAWord = 3;    // that have it in one place: it is a word of a column
+constexpr std::size_t kFewestNumbered = 4;  // columns
+constexpr double kRepeated = -3.0;          // log likelihood of a name that another column has
+constexpr double kKindOfValue = -4.0;       // of a name such as "Avg", "Smp", "float"
+constexpr double kFurtherUp = -0.5;         // a row
+constexpr double kOfOtherSize = -2.0;       // a cell too many or too few
+constexpr double kCommentSign = -6.0;       // a name row in plain text goes before one in a comment
 
 using Cells = std::vector<std::string_view>;
 using Kinds = std::array<double, kCellKinds>;
@@ -98,23 +99,25 @@ std::vector<LineKinds> kinds_of(const std::vector<HeadLine>& lines, char delimit
   return all;
 }
 
-bool is_unit_like(std::string_view cell) {
-  const std::string key = folded(trimmed_cell(cell));
-  constexpr std::string_view kOthers =
-      "no|nr|date|time|datum|zeit|hh mm ss|dd mm yyyy|yyyy mm dd|unit|units|einheit|date time|sample|hz|n|deg|kg|g|"
-      "khz|samples|hh mm ss fff|tt mm jjjj|ts|rn|digits|counts";
-  return log_unit(trimmed_cell(cell)) || time_unit_s(trimmed_cell(cell)) || is_one_of(kOthers, key);
+bool is_empty_unit(std::string_view text) {
+  return text.empty() || text == "-" || text == "[-]" || text == "()" || text == "[]";
 }
 
-// A row in which what is written are units, at least one of them of the list.
+// A row in which what is written are units; words that are names of columns as well do not make it one.
 bool is_units_row(const Cells& cells) {
+  constexpr std::string_view kOthers =
+      "ts|rn|hz|khz|mhz|deg|degrees|kg|g|kn|n|knm|digits|counts|samples|unitless|mv v|ustrain|microstrain|strain|w m 2|"
+      "m s|m s 2|meters second|kohm|ohm|ohms|hh mm ss|dd mm yyyy|yyyy mm dd|hh mm ss fff|tt mm jjjj";
+  constexpr std::string_view kNamesToo = "no|nr|date|time|datum|zeit|unit|units|einheit|date time|sample";
   std::size_t written = 0, units = 0, known = 0;
   for (const std::string_view cell : cells) {
     const std::string_view text = trimmed_cell(cell);
-    if (text.empty() || text == "-" || text == "[-]" || text == "()" || text == "[]") continue;
+    if (is_empty_unit(text)) continue;
     ++written;
-    units += is_unit_like(text);
-    known += log_unit(text).has_value();
+    const std::string key = folded(text);
+    const bool is_known = log_unit(text) || is_one_of(kOthers, key);
+    known += is_known;
+    units += is_known || time_unit_s(text) || is_one_of(kNamesToo, key);
   }
   return known > 0 && units * 10 >= written * 6;
 }
@@ -143,6 +146,18 @@ std::optional<double> evidence_of_names(const Cells& cells, std::size_t columns)
     if (!names.insert(name).second) sum += kRepeated;
   }
   return words > 0 && words >= values ? std::optional(sum) : std::nullopt;
+}
+
+// 0, 1, 2 ... or 1, 2, 3 ... in all columns, as programs write that have no names.
+bool numbers_the_columns(std::string_view line, char delimiter) {
+  Cells cells;
+  split_cells(line, delimiter, cells);
+  for (const std::size_t first : {0u, 1u}) {
+    std::size_t j = 0;
+    while (j < cells.size() && trimmed_cell(cells[j]) == std::to_string(first + j)) ++j;
+    if (j == cells.size() && j >= kFewestNumbered) return true;
+  }
+  return false;
 }
 
 std::string without_comment_sign(std::string_view line) {
@@ -253,7 +268,7 @@ Cut cut_by(const std::vector<HeadLine>& lines, char delimiter, std::size_t fewes
       good += suits(looks[k]);
     }
     const bool is_short = looks[i].kinds.size() < cut.columns;  // as most lines of a preamble are
-    if (good + (is_short ? 0 : 1) < rows) continue;
+    if (good + (is_short ? 0 : 1) < rows || (rows > 0 && numbers_the_columns(lines[i].text, delimiter))) continue;
     cut.first = i;
     return cut;
   }

@@ -385,18 +385,6 @@ std::size_t LogTable::line_of(std::size_t row) const {
   return at.second + (row - at.first);
 }
 
-LogTable LogTable::without_rows() const {
-  LogTable table;
-  table.first_day = first_day;
-  table.elapsed = elapsed;
-  table.zoned = zoned;
-  table.other_lines = other_lines;
-  table.without_time = without_time;
-  table.bad_lines = bad_lines;
-  table.cut_lines = cut_lines;
-  return table;
-}
-
 LogTable log_table(const Source& source, const LogShape& shape, LogPlan& plan, const LogRecipe& recipe) {
   const std::string& name = source.name();
   const std::size_t text_bytes = source.size() / (shape.encoding.name.starts_with("UTF-16") ? 2 : 1);

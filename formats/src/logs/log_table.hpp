@@ -30,7 +30,6 @@ struct LogTable {
   std::size_t without_row = 0;            // lines between the first and the last row that are not rows
 
   [[nodiscard]] std::size_t line_of(std::size_t row) const;
-  [[nodiscard]] LogTable without_rows() const;  // only what was said of the lines
 };
 
 // Skips rows with a cell that is not a number, or with too many cells: up to two plus one in a hundred, or all with the

@@ -156,7 +156,8 @@ std::vector<Value> in_order(const std::vector<Value>& values, const std::vector<
 }
 
 // Whether the readings lie all along the arc. Two temperatures that rest at a few levels lie on a circle too.
-bool covers_arc(const std::vector<double>& angle_rad) {
+// `may_rest`: at the ends of the arc, so that other sectors have fewer than the mean.
+bool covers_arc(const std::vector<double>& angle_rad, bool may_rest) {
   const double first_rad = *std::min_element(angle_rad.begin(), angle_rad.end());
   const double arc_rad = std::min(span_of(angle_rad), 2.0 * kPi);
   std::vector<std::size_t> sectors(std::min(kMostSectors, angle_rad.size() / kReadingsOfASector));
@@ -164,8 +165,10 @@ bool covers_arc(const std::vector<double>& angle_rad) {
     const double place = std::fmod(angle - first_rad, 2.0 * kPi) / arc_rad * static_cast<double>(sectors.size());
     ++sectors[std::min(sectors.size() - 1, static_cast<std::size_t>(place))];
   }
-  const double mean = static_cast<double>(angle_rad.size()) / static_cast<double>(sectors.size());
-  return static_cast<double>(*std::min_element(sectors.begin(), sectors.end())) >= kLeastOfASector * mean;
+  const std::size_t least = *std::min_element(sectors.begin(), sectors.end());
+  const double usual = may_rest ? static_cast<double>(median(sectors))
+                                : static_cast<double>(angle_rad.size()) / static_cast<double>(sectors.size());
+  return least > 0 && static_cast<double>(least) >= kLeastOfASector * usual;
 }
 
 // Whether a part of a circle shorter than half of it can be one.
@@ -175,7 +178,7 @@ bool is_swept_arc(const ColumnTable& table, const CoordinateCircle& circle, cons
   const double radius_mm =
       circle.radius * mm_per_unit(table.columns[circle.a]).value_or(likely_mm_per_unit(circle.radius));
   return rms <= kOnOfSagitta * sagitta && radius_mm >= kLeastRadius_mm && is_swept(angle_rad, least_arc_rad) &&
-         covers_arc(angle_rad) && is_of_paths(table);
+         covers_arc(angle_rad, true) && is_of_paths(table);
 }
 
 // How sure the columns are to be coordinates.
@@ -219,7 +222,7 @@ std::optional<CoordinateCircle> circle_of(const ColumnTable& table, std::size_t 
   circle.off = rms / circle.radius;
   const bool is_named = are == Coordinates::named || are == Coordinates::head_of_named;
   const bool is_round = goes_round(angle_rad, are == Coordinates::head_of_named ? kLeastArcCutOff_rad : kLeastArc_rad);
-  if (is_round && (is_named || covers_arc(angle_rad))) return circle;
+  if (is_round && (is_named || covers_arc(angle_rad, false))) return circle;
   if (are == Coordinates::found) return std::nullopt;
   const double least_arc_rad = is_named ? kLeastSweptArc_rad : kLeastSweptGuess_rad;
   return is_swept_arc(table, circle, angle_rad, rms, least_arc_rad) ? std::optional(circle) : std::nullopt;
