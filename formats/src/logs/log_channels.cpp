@@ -12,7 +12,7 @@
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
 #include "logs/log_cells.hpp"
-#include "logs/log_layout.hpp"
+#include "logs/log_header.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"
 #include "text/cells.hpp"
@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kFewestRowsOfAChannel = 3;  // on the average
 constexpr double kJump = 5.0, kNoJump = 1.5;      // from channel to channel, in steps within a channel
 constexpr std::size_t kRowsOfAChange = 3;         // at most, where the time rises from row to row too
-constexpr std::size_t kMostCells = std::size_t{1} << 28;
+constexpr std::size_t kMostCells = std::size_t{1} << 27;
 
 bool names_channels(const PlannedColumn& column) {
   constexpr std::string_view kNames =
@@ -157,9 +157,12 @@ LogTable side_by_side(LogTable table, const std::string& name, LogPlan& plan) {
   LogPlan wide_plan = plan;
   wide_plan.columns.clear();
   std::vector<std::pair<std::size_t, std::size_t>> values;  // columns: in the table, of its first channel
-  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
-    const bool is_number = plan.columns[i].kind == ColumnKind::number && !is_time(plan, i);
-    if (is_number && is_value(table.values[i]) && !plan.columns[i].is_switch) values.emplace_back(i, 0);
+  for (const bool any : {false, true}) {
+    for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+      const bool is_number = plan.columns[i].kind == ColumnKind::number && !is_time(plan, i);
+      if (is_number && (any || (is_value(table.values[i]) && !plan.columns[i].is_switch))) values.emplace_back(i, 0);
+    }
+    if (!values.empty()) break;
   }
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     const PlannedColumn& column = plan.columns[i];

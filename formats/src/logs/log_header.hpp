@@ -1,4 +1,4 @@
-// What the rows of a log are, by evidence: which hold data, which above them names and units.
+// What the rows of a log are, by evidence: which hold data, and where their names and units stand.
 #pragma once
 
 #include <cstddef>
@@ -43,6 +43,18 @@ Cut cut_by(const std::vector<HeadLine>& lines, char delimiter, std::size_t fewes
 void find_header(const std::vector<HeadLine>& lines, const Cut& cut, LogShape& shape);
 
 bool is_blank(std::string_view line);
+
+inline constexpr double kExplained = 0.95;  // of the rows: what a layout must explain
+
+// The layouts of a table, each a recogniser of the same rows:
+//
+//   values beside their names   "T1 20.1 T2 22.3"; the names are the same in all rows
+//   points                      "group, name, 1, x, y, z" without names above: X, Y, Z
+//   table                       all others, with the names above the rows or none
+//
+// Rows of channels below each other are a table as well until their times are known (log_channels.hpp). Sets names,
+// units and preamble of the shape, whose rows are known. Throws Error with name:line where two layouts fit.
+void find_names(const std::string& name, const std::vector<HeadLine>& lines, const Cut& cut, LogShape& shape);
 
 // As a name or a unit goes into files of ours: without blanks and quotes around it, and what is no character.
 std::string written(std::string_view cell);

@@ -1,5 +1,3 @@
-#include "logs/log_layout.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "ballbar/error.hpp"
 #include "logs/column_sample.hpp"
 #include "logs/log_cells.hpp"
+#include "logs/log_header.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"
 #include "text/cells.hpp"
@@ -100,6 +99,17 @@ std::optional<Names> points(const LogShape& shape, const std::vector<ColumnSampl
   return names;
 }
 
+// "Ch 1,unit,Ch 2,unit": the unit of each value beside it, as one word in all rows.
+void take_units_beside(const std::vector<ColumnSample>& samples, LogShape& shape) {
+  for (std::size_t j = 1; j < samples.size(); ++j) {
+    const bool is_unit = samples[j].words.size() == 1 && log_unit(*samples[j].words.begin());
+    if (!is_unit || !is_number(samples[j - 1]) || !shape.units[j - 1].empty()) continue;
+    if (!name_and_unit(shape.headers[j - 1]).unit.empty()) continue;
+    shape.units[j - 1] = written(*samples[j].words.begin());
+    shape.is_label[j] = true;
+  }
+}
+
 }  // namespace
 
 void find_names(const std::string& name, const std::vector<HeadLine>& lines, const Cut& cut, LogShape& shape) {
@@ -131,6 +141,7 @@ void find_names(const std::string& name, const std::vector<HeadLine>& lines, con
     if (shape.units_line > 0 && shape.units_line != shape.header_line)
       shape.names_from += fmt::format(", units from line {}", shape.units_line);
   }
+  if (!found) take_units_beside(samples, shape);
 }
 
 }  // namespace ballbar

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "ballbar/nearest_name.hpp"
 #include "logs/text_fold.hpp"
@@ -152,15 +154,21 @@ bool names_a_probe(const std::string& key) {
 constexpr std::size_t kFewLevels = 6, kRowsOfALevel = 4;
 constexpr double kWholeDegree = 1.0;
 
+// The role of a temperature by the part of the machine that the name says.
+std::optional<Role> role_of_part(const std::string& key) {
+  constexpr std::pair<std::string_view, Role> kParts[] = {
+      {kBearing, Role::bearing}, {kCoolant, Role::coolant},     {kHousing, Role::housing}, {kAmbient, Role::ambient},
+      {kChamber, Role::ambient}, {kStructure, Role::structure}, {kSpindle, Role::housing}};
+  for (const auto& [words, role] : kParts) {
+    if (nearly_says(key, words)) return role;
+  }
+  return std::nullopt;
+}
+
 FoundRole temperature_role(const std::string& key) {
   if (says(key, kSetPoint)) return {Role::event, "a set point", ""};
-  if (nearly_says(key, kBearing)) return {Role::bearing, "by its name", ""};
-  if (nearly_says(key, kCoolant)) return {Role::coolant, "by its name", ""};
-  if (nearly_says(key, kHousing)) return {Role::housing, "by its name", ""};
-  if (nearly_says(key, kAmbient) || nearly_says(key, kChamber)) return {Role::ambient, "by its name", ""};
-  if (nearly_says(key, kStructure)) return {Role::structure, "by its name", ""};
-  if (nearly_says(key, kSpindle)) return {Role::housing, "by its name", ""};
-  return {Role::structure, "by its unit", ""};
+  const auto role = role_of_part(key);
+  return {role.value_or(Role::structure), role ? "by its name" : "by its unit", ""};
 }
 
 }  // namespace
@@ -211,12 +219,7 @@ bool says_temperature(std::string_view name) {
   return says(key, kTemperature) || has_letter_t(key);
 }
 
-bool names_a_part(std::string_view name) {
-  const std::string key = key_of(name);
-  return nearly_says(key, kBearing) || nearly_says(key, kCoolant) || nearly_says(key, kHousing) ||
-         nearly_says(key, kAmbient) || nearly_says(key, kChamber) || nearly_says(key, kStructure) ||
-         nearly_says(key, kSpindle);
-}
+bool names_a_part(std::string_view name) { return role_of_part(key_of(name)).has_value(); }
 
 bool names_an_axis(std::string_view name) {
   const std::string key = key_of(name);

@@ -12,7 +12,6 @@
 #include "logs/column_sample.hpp"
 #include "logs/log_cells.hpp"
 #include "logs/log_header.hpp"
-#include "logs/log_layout.hpp"
 #include "logs/log_sources.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"

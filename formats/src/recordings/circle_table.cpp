@@ -143,8 +143,10 @@ Readings readings_of(const ColumnTable& table, const CoordinateCircle& circle, d
   }
   readings.time_s = times_s(table, circle.rows);
   const std::string_view axes = circle.plane ? name_of(*circle.plane) : "XY";
-  readings.what = fmt::format("coordinates {} and {} {}{}{}", axes[0], axes[1], unit_text(mm, table.columns[circle.a]),
-                              far ? ", from the centre of their circle" : "", circle.sorted ? kSorted : "");
+  readings.what =
+      fmt::format("coordinates {} and {} {}{}{}", axes[0], axes[1], unit_text(mm, table.columns[circle.a]),
+                  far ? fmt::format(", from the centre of their circle at {:.4f}, {:.4f} mm", mm * a, mm * b) : "",
+                  circle.sorted ? kSorted : "");
   return readings;
 }
 
@@ -235,6 +237,22 @@ RecordingFile file_of(std::string_view name, const ColumnTable& table, const Pol
   return file;
 }
 
+// Of a workbook the first sheet with a circle, where none is stated.
+ColumnTable table_of(std::string_view bytes, const std::string& name, const LogRecipe& recipe) {
+  if (is_table_file(bytes) && recipe.sheet.empty()) {
+    const WorkbookSheets sheets = workbook_sheets(bytes, name);
+    for (const std::vector<std::string>& names : {sheets.alike, sheets.others}) {
+      for (const std::string& sheet : names) {
+        LogRecipe one = recipe;
+        one.sheet = sheet;
+        ColumnTable table = column_table(bytes, name, one);
+        if (coordinate_circle(table, false) || polar_circle(table, false)) return table;
+      }
+    }
+  }
+  return column_table(bytes, name, recipe);
+}
+
 }  // namespace
 
 bool holds_circle(std::string_view head) {
@@ -243,7 +261,7 @@ bool holds_circle(std::string_view head) {
   // Of a workbook nothing can be read then; a MATLAB file would cost a process.
   if (is_table_file(head) && (cut_off || head.starts_with("MATLAB"))) return false;
   try {
-    const ColumnTable table = column_table(head, {});
+    const ColumnTable table = table_of(head, {}, {});
     return coordinate_circle(table, cut_off) || polar_circle(table, cut_off);
   } catch (const Error&) {  // no table
     return false;
@@ -251,7 +269,7 @@ bool holds_circle(std::string_view head) {
 }
 
 RecordingFile read_circle_table(std::string_view bytes, std::string_view name, const StatedCircle& stated) {
-  const ColumnTable table = column_table(bytes, std::string(name), stated.table);
+  const ColumnTable table = table_of(bytes, std::string(name), stated.table);
   if (const auto circle = coordinate_circle(table, false)) return file_of(name, table, *circle, stated);
   if (const auto circle = polar_circle(table, false)) return file_of(name, table, *circle, stated);
   throw Error(
