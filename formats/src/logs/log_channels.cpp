@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -104,7 +105,7 @@ bool are_channels(const LogTable& table, const LogPlan& plan, const Evidence& ev
   if (static_cast<double>(evidence.falling) > (1.0 - kExplained) * static_cast<double>(table.rows)) return false;
   // As one table the time would stand still or fall wherever channels take turns.
   if (evidence.not_rising > 0 && 2 * evidence.not_rising > evidence.changes) return true;
-  if (!names_channels(names) || kRowsOfAChange * evidence.changes < table.rows) return false;
+  if (names.has_ids || !names_channels(names) || kRowsOfAChange * evidence.changes < table.rows) return false;
   double jump = 0.0;
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     if (plan.columns[i].kind == ColumnKind::number && !is_time(plan, i) && is_value(table.values[i]))
@@ -125,9 +126,14 @@ void find_channel_names(const LogShape& shape, const std::vector<ColumnSample>& 
     const ColumnSample& sample = samples[i];
     const bool is_text = plan.columns[i].kind == ColumnKind::left_out && !plan.columns[i].stated.left_out &&
                          sample.texts > 0 && sample.texts == sample.written();
-    if (is_text && sample.words.size() > 1 && kFewestRowsOfAChannel * sample.words.size() <= sample.texts) channel = i;
+    const std::set<double> ids(sample.values.begin(), sample.values.end());
+    const bool is_id = plan.columns[i].kind == ColumnKind::number && plan.columns[i].headed && sample.texts == 0 &&
+                       names_channels(plan.columns[i]) && all_whole(sample);
+    const std::size_t channels = is_text ? sample.words.size() : is_id ? ids.size() : 0;
+    if (channels > 1 && kFewestRowsOfAChannel * channels <= sample.written()) channel = i;
   }
   if (!channel) return;
+  plan.columns[*channel].has_ids = plan.columns[*channel].kind == ColumnKind::number;
   plan.columns[*channel].kind = ColumnKind::channel;
   std::vector<std::string_view> cells;
   for (const HeadLine& row : shape.rows) {
@@ -146,9 +152,16 @@ LogTable side_by_side(LogTable table, const std::string& name, LogPlan& plan) {
   if (names == plan.columns.end()) return table;
   Evidence evidence = evidence_of(table, plan);
   if (!are_channels(table, plan, evidence, *names, name)) {
-    names->kind = ColumnKind::left_out;
+    names->kind = names->has_ids ? ColumnKind::number : ColumnKind::left_out;
     names->why = "text";
+    if (!names->has_ids) return table;
+    std::vector<double>& ids = table.values[static_cast<std::size_t>(names - plan.columns.begin())];
+    for (const std::uint32_t channel : table.channel_of)
+      ids.push_back(cell_number(table.channels[channel], '.').value_or(kGap));
     return table;
+  }
+  if (names->has_ids) {
+    for (std::string& channel : table.channels) channel = fmt::format("{} {}", names->source, channel);
   }
   std::vector<Place>& places = evidence.places;
   std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {

@@ -35,6 +35,9 @@ Names none(std::size_t columns) {
 // "T1 20.1 T2 22.3", "T1 20.1 C T2 22.3 C": most columns of numbers have their name on their left.
 std::optional<Names> beside_values(const LogShape& shape, const std::vector<ColumnSample>& samples) {
   Names names = none(samples.size());
+  const auto first_number = std::find_if(samples.begin(), samples.end(), is_number);
+  if (std::none_of(samples.begin(), first_number, [](const auto& sample) { return sample.words.size() == 1; }))
+    return std::nullopt;
   std::size_t labels = 0, numbers = 0;
   for (std::size_t j = 0; j < samples.size(); ++j) {
     numbers += is_number(samples[j]);

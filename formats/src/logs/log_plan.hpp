@@ -24,6 +24,7 @@ struct PlannedColumn {
   bool headed = true;  // has a header
   ColumnKind kind = ColumnKind::left_out;
   bool is_switch = false;        // number: its words for on and off are 1 and 0
+  bool has_ids = false;          // channel: its names are numbers
   std::string why;               // why it is left out
   ColumnRecipe stated;           // from the recipe; `source` is empty if it states nothing
   bool unit_by_pattern = false;  // such a unit has less weight than name and values

@@ -131,14 +131,16 @@ class TimeFinder {
     std::string_view text;
   };
   static std::optional<Absolute> absolute(const ColumnSample& sample) {
-    if (sample.values.size() < 2 || !sample.rises || !sample.ever_rises) return std::nullopt;
-    const double first = sample.values.front(), last = sample.values.back();
+    if (sample.values.size() < 2 || !sample.ever_rises) return std::nullopt;
+    const auto [least, most] = std::minmax_element(sample.values.begin(), sample.values.end());
+    const double first = *least, last = *most;  // of channels below each other it falls where the next one begins
     const auto within = [&](double low, double high) { return first >= low && last <= high; };
     if (within(3e8, 6e9)) return Absolute{1.0, 0.0, 1e-6, "seconds since 1970"};
     if (within(3e11, 6e12)) return Absolute{1e-3, 0.0, 1e-6, "ms since 1970"};
     if (within(3e14, 6e15)) return Absolute{1e-6, 0.0, 1e-6, "us since 1970"};
     if (within(3e17, 6e18)) return Absolute{1e-9, 0.0, 1e-6, "ns since 1970"};
-    const bool days = (last - first) / static_cast<double>(sample.values.size() - 1) < 1.1 && !all_whole(sample);
+    const bool days =
+        sample.rises && (last - first) / static_cast<double>(sample.values.size() - 1) < 1.1 && !all_whole(sample);
     if (days && within(29000.0, 80000.0)) {
       return Absolute{86400.0, -kUnixToExcel_d * 86400.0, 1e-3, "days of a spreadsheet, since 1899-12-30"};
     }
@@ -166,7 +168,8 @@ class TimeFinder {
       const bool named = is_time_name(plan_.columns[i].name) || starts_with_time(plan_.columns[i].name);
       const bool unit = time_unit_s(plan_.columns[i].unit).has_value();
       const bool dated = absolute(sample).has_value();
-      if (!sample.rises && !(named && unit)) continue;  // of one that is surely meant, the row that falls is told
+      if (!sample.rises && !(named && (unit || dated)))
+        continue;  // of one that is surely meant, the row that falls is told
       const int rank = named && unit ? 5 : unit ? 4 : named && dated ? 3 : named ? 2 : dated && i == 0 ? 1 : 0;
       if (rank <= best_rank) continue;
       best = i;

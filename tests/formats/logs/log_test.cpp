@@ -195,6 +195,17 @@ TEST(log, a_row_with_a_remark_is_data) {
   }
 }
 
+TEST(log, units_may_stand_beside_the_values) {
+  EXPECT_EQ(text_of(read_log("t_s,Ch1,unit,Ch2,unit\n0,20.5,C,1.5,um\n1,20.6,C,2.5,um\n2,20.7,C,2.0,um\n", "f")),
+            "Ch1_degC structure: 20.5 20.6 20.7; Ch2_um measured: 1.5 2.5 2; ");
+}
+
+TEST(log, numbers_of_the_columns_are_no_row) {
+  const Log log = read_log("0,1,2,3\n20.5,20.6,20.7,1\n20.6,20.7,20.9,3\n20.7,20.8,20.9,2\n", "f");
+  EXPECT_EQ(log.first_row_line, 2u);
+  EXPECT_EQ(log.columns.back().role, Role::measured);
+}
+
 TEST(log, names_may_stand_beside_the_values) {
   const Log log = read_log(
       "Sampling period is 1000000 nSec \n\nj.0.pos +1,5 j.0.on +0 \nj.0.pos +1,75 j.0.on +1 \n"
@@ -225,6 +236,11 @@ TEST(log, channels_below_each_other_become_columns) {
   // Without a clock each turn is a row.
   EXPECT_EQ(text_of(read_log("Z,1.5\nT_bed,20.5\nZ,2.5\nT_bed,20.4\nZ,2.0\nT_bed,20.6\n", "f")),
             "Z measured: 1.5 2.5 2; T_bed_degC structure: 20.5 20.4 20.6; ");
+  // Numbers of sensors; a column of such a name that is none.
+  EXPECT_EQ(text_of(read_log("sensor,t_s,Z (um)\n1,0,2\n2,0,5\n1,1,3\n2,1,4\n1,2,1\n2,2,6\n", "f")),
+            "sensor_1_um measured: 2 3 1; sensor_2_um measured: 5 4 6; ");
+  EXPECT_EQ(text_of(read_log("probe,t_s,T1_degC\n1,0,20\n2,1,21\n1,2,22\n2,3,22\n1,4,21\n2,5,20\n", "f")),
+            "probe measured: 1 2 1 2 1 2; T1_degC structure: 20 21 22 22 21 20; ");
   // A state is no channel.
   EXPECT_EQ(text_of(read_log("t_s,Z_um,phase\n0,1,up\n1,2,up\n2,3,down\n3,2,down\n4,1,up\n5,0,up\n", "f")),
             "Z_um measured: 1 2 3 2 1 0; ");
