@@ -304,7 +304,8 @@ class Table {
     const auto next = static_cast<std::uint32_t>(table_.channels.size());
     if (known == channels_.end()) {
       channels_.emplace(channel_, next);
-      table_.channels.push_back(written(channel_));
+      const std::string channel = written(channel_);
+      table_.channels.push_back(channel.empty() ? "unnamed" : channel);
     }
     table_.channel_of.push_back(known == channels_.end() ? next : known->second);
   }
