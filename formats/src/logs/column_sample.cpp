@@ -61,11 +61,11 @@ void look_at(std::string_view cell, char decimal, ColumnSample& sample) {
 
 }  // namespace
 
-std::vector<ColumnSample> samples_of(const LogShape& shape) {
+std::vector<ColumnSample> samples_of(const LogShape& shape, std::size_t rows) {
   std::vector<ColumnSample> samples(shape.headers.size());
   std::vector<std::string_view> cells;
-  for (const HeadLine& row : shape.rows) {
-    split_cells(row.text, shape.delimiter, cells);
+  for (std::size_t row = 0; row < std::min(rows, shape.rows.size()); ++row) {
+    split_cells(shape.rows[row].text, shape.delimiter, cells);
     for (std::size_t i = 0; i < std::min(cells.size(), samples.size()); ++i)
       look_at(cells[i], shape.decimal, samples[i]);
   }

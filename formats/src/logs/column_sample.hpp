@@ -33,7 +33,9 @@ struct ColumnSample {
   [[nodiscard]] bool mostly(std::size_t count) const { return count > 0 && count * 10 >= written() * 6; }
 };
 
-std::vector<ColumnSample> samples_of(const LogShape& shape);  // one per column
+// One per column, of the first rows of the shape.
+std::vector<ColumnSample> samples_of(const LogShape& shape, std::size_t rows);
+inline std::vector<ColumnSample> samples_of(const LogShape& shape) { return samples_of(shape, shape.rows.size()); }
 
 bool all_whole(const ColumnSample& sample);
 

@@ -3,19 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
 #include "logs/column_sample.hpp"
-#include "logs/log_cells.hpp"
 #include "logs/log_header.hpp"
 #include "logs/log_sources.hpp"
-#include "logs/log_units.hpp"
-#include "logs/text_fold.hpp"
-#include "logs/time_stamp.hpp"
 #include "text/cells.hpp"
 
 namespace ballbar {
