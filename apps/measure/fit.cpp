@@ -15,6 +15,7 @@
 #include "measure/fit_result.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
@@ -92,6 +93,13 @@ std::string remarks_text(const FittedRecording& one, const std::string& name) {
     text +=
         wrapped(fmt::format("{}: on a partial arc the centre correlates with the radius, A by {:.2f} and B by {:.2f}.",
                             name, circle.correlation_a_radius(), circle.correlation_b_radius()));
+  }
+  if (one.least_squares && one.least_squares->radius_mm != circle.radius_mm && circle.model != CircleModel::polar) {
+    const Circle& alone = *one.least_squares;
+    text +=
+        wrapped(fmt::format("{}: the least-squares circle, without an oval, has radius {:.5f} mm, centre A {:.2f} um "
+                            "and centre B {:.2f} um.",
+                            name, alone.radius_mm, alone.centre_a_um, alone.centre_b_um));
   }
   if (!std::isfinite(circle.sigma_radius_um())) {
     text += wrapped(name + ": the readings do not determine the circle. At least three different angles are needed.");
@@ -267,7 +275,9 @@ void run(FitArguments options) {
 void add_fit(CLI::App& app) {
   const auto options = std::make_shared<FitArguments>();
   CLI::App* command = app.add_subcommand("fit", "Fit a circle or an axial length to each recording (ISO 230-4)");
-  add_sources(*command, "FILE", options->files, ".b5r files or ballbar logs")->required()->type_name("");
+  add_data(*command, "FILE", options->files, ".b5r files, ballbar logs, or circles in tables of text or workbooks")
+      ->required()
+      ->type_name("");
   add_radius(*command, options->circle);
   command->add_flag("--polar", options->polar, "fit the circle to the polar points, as instrument software does");
   command->add_flag("--robust", options->robust, "discount outliers (Tukey's biweight) and list them");

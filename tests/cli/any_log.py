@@ -86,7 +86,18 @@ elif kind == "circle":
         angle = math.radians(degree)
         length = 100.0 + 0.004 * number * math.cos(angle) - 0.002 * math.sin(angle) + draw.gauss(0.0, 0.0002)
         print(f"{degree},{length:.5f}")
-elif kind == "workbook":
+elif kind == "toa5":
+    print('"TOA5","Bridge","CR6","1001","CR6.Std.09","CPU:gap.CR6","1234","gap"')
+    print('"TIMESTAMP","RECORD","T_bed_Avg","Gap_Avg"\n"TS","RN","Deg C","mm"\n"","","Avg","Avg"')
+    for row, (bed, gap) in enumerate(zip(warm_up(40, 1)[0], warm_up(40, 1)[0])):
+        shown = '"NAN"' if row == 3 else f"{bed:.3f}"
+        print(f'"2026-02-01 {row // 4:02}:{15 * (row % 4):02}:00",{row + 311},{shown},{0.5 + 0.001 * gap:.5f}')
+elif kind == "channels":
+    for row, (front, rear) in enumerate(zip(*warm_up(30, 2))):
+        print(f"MC:T-Front  2026-03-02 11:{row:02}:00.000000 {front:.3f}  " + ("HIGH MINOR" if front > 24.0 else ""))
+        if row % 2 == 0:
+            print(f"MC:Z-Probe  2026-03-02 11:{row:02}:20.000000 {2.0 * (rear - 21.0):.3f}  ")
+elif kind in ("workbook", "points"):
     def sheet(lines):
         cells = "".join(f"<row r='{i}'>" + "".join(f"<c t='str'><v>{c}</v></c>" if isinstance(c, str) else f"<c><v>{c}</v></c>"
                                                   for c in line) + "</row>" for i, line in enumerate(lines, 1))
@@ -98,6 +109,10 @@ elif kind == "workbook":
         values = [2.1 * (t - temperatures[1][0]) + draw.gauss(0.0, 0.2) for t in temperatures[1]]
         book[f"day {day + 1}"] = [["Time (s)", "T front", "T rear", "dz (um)"]] + [
             [10 * k, round(a, 2), round(b, 2), round(v, 3)] for k, (a, b, v) in enumerate(zip(*temperatures, values))]
+    if kind == "points":
+        angles = draw.sample([math.radians(15.0 * k) for k in range(24)], 24)
+        book = {"ring": [["Ring gauge"], ["No.", "x (mm)", "y (mm)"]] + [
+            [k, round(12.0 + 25.002 * math.cos(a), 4), round(-3.0 + 25.002 * math.sin(a), 4)] for k, a in enumerate(angles, 1)]}
     with zipfile.ZipFile(sys.argv[2], "w") as archive:
         names = "".join(f"<sheet name='{name}' sheetId='{k}'/>" for k, name in enumerate(book, 1))
         archive.writestr("xl/workbook.xml", f"<workbook><sheets>{names}</sheets></workbook>")

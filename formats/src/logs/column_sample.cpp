@@ -15,6 +15,8 @@
 namespace ballbar {
 namespace {
 
+constexpr std::size_t kMostWords = 1000;
+
 void look_at(std::string_view cell, char decimal, ColumnSample& sample) {
   if (switch_value(cell)) {
     ++sample.switches;
@@ -42,6 +44,7 @@ void look_at(std::string_view cell, char decimal, ColumnSample& sample) {
   const auto stamp = time_stamp(cell, DateOrder::day_first);
   if (!stamp) {
     ++sample.texts;
+    if (sample.words.size() < kMostWords) sample.words.emplace(cell);
     return;
   }
   sample.day_first = sample.day_first || stamp->day_first_only;
@@ -49,6 +52,7 @@ void look_at(std::string_view cell, char decimal, ColumnSample& sample) {
   sample.either = sample.either || stamp->either_order;
   sample.minutes_and_seconds += stamp->minutes_and_seconds;
   sample.two_fields += stamp->two_fields;
+  sample.midnights += stamp->day && stamp->clock_s == 0.0;
   const double seconds = 86400.0 * static_cast<double>(stamp->day.value_or(0)) + stamp->clock_s.value_or(0.0);
   if (!sample.first_s) sample.first_s = seconds;
   sample.last_s = seconds;
@@ -57,11 +61,11 @@ void look_at(std::string_view cell, char decimal, ColumnSample& sample) {
 
 }  // namespace
 
-std::vector<ColumnSample> samples_of(const LogShape& shape) {
+std::vector<ColumnSample> samples_of(const LogShape& shape, std::size_t rows) {
   std::vector<ColumnSample> samples(shape.headers.size());
   std::vector<std::string_view> cells;
-  for (const HeadLine& row : shape.rows) {
-    split_cells(row.text, shape.delimiter, cells);
+  for (std::size_t row = 0; row < std::min(rows, shape.rows.size()); ++row) {
+    split_cells(shape.rows[row].text, shape.delimiter, cells);
     for (std::size_t i = 0; i < std::min(cells.size(), samples.size()); ++i)
       look_at(cells[i], shape.decimal, samples[i]);
   }

@@ -18,9 +18,10 @@ struct ColumnSample {
   bool rises = true, ever_rises = false;  // numbers
   bool day_first = false, month_first = false, either = false;
   std::size_t packed_dates = 0, packed_clocks = 0, two_fields = 0;  // 20261122, 130510, 05:10
+  std::size_t midnights = 0;                                        // stamps at 0:00
   std::optional<double> first_s, last_s;                            // stamps and clocks
   std::size_t switches = 0;                                         // "on", "off"; among texts or missing
-  std::set<std::string> switch_words;
+  std::set<std::string> switch_words, words;                        // of the texts: the first 1000 that differ
 
   // A column of two words at most for on and off, and no number. Of "off" alone too: it may be on later.
   [[nodiscard]] bool is_switch() const {
@@ -32,7 +33,9 @@ struct ColumnSample {
   [[nodiscard]] bool mostly(std::size_t count) const { return count > 0 && count * 10 >= written() * 6; }
 };
 
-std::vector<ColumnSample> samples_of(const LogShape& shape);  // one per column
+// One per column, of the first rows of the shape.
+std::vector<ColumnSample> samples_of(const LogShape& shape, std::size_t rows);
+inline std::vector<ColumnSample> samples_of(const LogShape& shape) { return samples_of(shape, shape.rows.size()); }
 
 bool all_whole(const ColumnSample& sample);
 

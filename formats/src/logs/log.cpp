@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <system_error>
@@ -16,6 +17,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
+#include "logs/log_channels.hpp"
 #include "logs/log_clock.hpp"
 #include "logs/log_columns.hpp"
 #include "logs/log_join.hpp"
@@ -27,6 +29,7 @@
 #include "logs/log_temperatures.hpp"
 #include "logs/log_units.hpp"
 #include "logs/missing_values.hpp"
+#include "logs/text_fold.hpp"
 #include "text/head.hpp"
 #include "text/readers.hpp"
 
@@ -115,34 +118,62 @@ std::vector<std::pair<LogColumn*, Column*>> taken_columns(Log& log) {
   return taken;
 }
 
+// c1, c2 ...: the log has no name for it.
+bool is_nameless(const LogColumn& column) {
+  return column.source.starts_with('c') && column.source.size() > 1 &&
+         std::all_of(column.source.begin() + 1, column.source.end(), is_digit);
+}
+
 // A bare X, Y or Z without a unit is the place of an axis where another column is measured in one. Where none is, the
-// columns that may be are, if they are three at most: "mcu_pos_z".
+// columns that may be are, if they are three at most: lengths far from zero, "mcu_pos_z"; of a log without names the
+// last column that is no temperature.
 void settle_targets(Log& log) {
   const auto taken = taken_columns(log);
-  const auto is_axis = [](const LogColumn& column) {
-    return !column.role_is_stated && column.unit.empty() && column.found_unit.empty() && names_an_axis(column.source);
+  using Taken = std::pair<LogColumn*, Column*>;
+  const auto has_unit = [](const LogColumn& column) { return !column.unit.empty() || !column.found_unit.empty(); };
+  const auto is_axis = [&](const LogColumn& column) {
+    return !column.role_is_stated && !has_unit(column) && names_an_axis(column.source);
   };
-  const bool any = std::any_of(taken.begin(), taken.end(), [&](const auto& one) {
+  const bool any = std::any_of(taken.begin(), taken.end(), [&](const Taken& one) {
     return one.first->role == Role::measured && !one.first->unit.empty() && !is_axis(*one.first);
   });
-  const auto set = [](const auto& one, Role role, std::string_view why) {
+  const auto set = [](const Taken& one, Role role, std::string_view why) {
     one.first->role = one.second->role = role;
     one.first->why = why;
   };
-  std::vector<std::pair<LogColumn*, Column*>> found;
-  for (const auto& one : taken) {
-    const LogColumn& column = *one.first;
-    if (any && column.role == Role::measured && is_axis(column)) set(one, Role::event, "an axis position, by its name");
-    const Extremes range = extremes_of(one.second->values);
-    const bool may_be = column.role == Role::event && !column.role_is_stated && column.unit.empty() &&
-                        column.found_unit.empty() && range.most > range.least && could_be_measured(column.source) &&
-                        !is_switch(one.second->values);
-    if (may_be) found.push_back(one);
+  for (const Taken& one : taken) {
+    if (any && one.first->role == Role::measured && is_axis(*one.first))
+      set(one, Role::event, "an axis position, by its name");
   }
-  const bool none =
-      std::none_of(taken.begin(), taken.end(), [](const auto& one) { return one.first->role == Role::measured; });
-  if (!none || found.size() > kProbesAtMost) return;
-  for (const auto& one : found) set(one, Role::measured, "the only possible measured column, in which unit?");
+  const auto is_measured = [](const Taken& one) { return one.first->role == Role::measured; };
+  const auto is_coordinate = [](const Taken& one) { return names_an_axis(name_and_unit(one.first->source).name); };
+  if (std::any_of(taken.begin(), taken.end(),
+                  [&](const Taken& one) { return is_measured(one) && is_coordinate(one); })) {
+    for (const Taken& one : taken) {
+      if (one.first->why == kFarFromZero && is_coordinate(one)) set(one, Role::measured, "beside other coordinates");
+    }
+  }
+  if (std::any_of(taken.begin(), taken.end(), is_measured)) return;
+  const auto is_open = [](const Taken& one) {
+    const Extremes range = extremes_of(one.second->values);
+    return one.first->role == Role::event && !one.first->role_is_stated && range.most > range.least &&
+           !is_switch(one.second->values);
+  };
+  const auto propose = [&](auto suits, std::string_view why) {
+    std::vector<Taken> found;
+    std::copy_if(taken.begin(), taken.end(), std::back_inserter(found),
+                 [&](const Taken& one) { return is_open(one) && suits(*one.first); });
+    if (found.empty() || found.size() > kProbesAtMost) return false;
+    for (const Taken& one : found) set(one, Role::measured, why);
+    return true;
+  };
+  const bool found =
+      propose([](const LogColumn& column) { return column.why == kFarFromZero; }, "the only length; far from zero") ||
+      propose([&](const LogColumn& column) { return !has_unit(column) && could_be_measured(column.source); },
+              "the only possible measured column, in which unit?");
+  if (!found && !taken.empty() && is_open(taken.back()) &&
+      std::all_of(taken.begin(), taken.end(), [](const Taken& one) { return is_nameless(*one.first); }))
+    set(taken.back(), Role::measured, "the last of the columns without names, in which unit?");
 }
 
 // A row a burst: the mean of its rows, at the mean of their times. Bursts are parted by steps of time that are far
@@ -184,7 +215,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
     for (const PlannedColumn& column : plan.columns) headers.emplace_back(column.source, column.name);
     expect_recipe_columns(headers, name, std::max<std::size_t>(1, shape.header_line), recipe);
   }
-  LogTable table = log_table(source, shape, plan, recipe);
+  LogTable table = side_by_side(log_table(source, shape, plan, recipe), name, plan);
   if (table.rows < 2) {
     throw Error(fmt::format("{}:{}: expected at least two rows, found {}.", name, shape.first_row_line, table.rows));
   }
@@ -192,6 +223,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   log.shape = shape_text(shape);
   log.time = plan.time.text;
   log.first_row_line = shape.first_row_line;
+  log.names_from = shape.names_from;
   say_lines(table, log);
   log.skipped_lines = table.bad_lines;
   log.without_row = table.without_row;
@@ -223,8 +255,8 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   std::set<std::string> taken;
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     const PlannedColumn& column = plan.columns[i];
-    const bool is_time = column.kind != ColumnKind::number && column.kind != ColumnKind::left_out;
-    if (is_time || (plan.time.kind == TimePlan::Kind::number && i == plan.time.column)) continue;
+    const bool is_no_value = column.kind != ColumnKind::number && column.kind != ColumnKind::left_out;
+    if (is_no_value || (plan.time.kind == TimePlan::Kind::number && i == plan.time.column)) continue;
     if (column.kind == ColumnKind::left_out) {
       log.columns.push_back({column.source, "", column.unit, "", Role::event, false, column.why, 0, {}});
     } else {
@@ -370,8 +402,8 @@ std::string sentence_of(const Log& log) {
   }
   const std::string time =
       log.series.has_clock ? fmt::format("time {}", log.time) : "numbered, because no column holds the time";
-  return fmt::format("read as {}; {} rows from line {}, {}; {}.", log.shape, log.series.time_s.size(),
-                     log.first_row_line, time, columns);
+  return fmt::format("read as {}; {} rows from line {}, {}{}{}; {}.", log.shape, log.series.time_s.size(),
+                     log.first_row_line, log.names_from, log.names_from.empty() ? "" : ", ", time, columns);
 }
 
 }  // namespace ballbar

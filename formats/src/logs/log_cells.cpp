@@ -91,36 +91,28 @@ bool is_missing(std::string_view cell, std::span<const std::string> also) {
   if (cell.empty() || std::find(also.begin(), also.end(), cell) != also.end()) return true;
   if (cell.find_first_not_of("-*#?._/ ") == std::string_view::npos) return true;  // ---, *****, ####
   if (cell.size() > 24) return false;
-  constexpr std::string_view kTexts[] = {
-      "nan",          "na",        "n/a",       "#n/a",    "#na",     "#nv",     "nv",        "k.a.",
-      "null",         "none",      "nil",       "inf",     "-inf",    "+inf",    "infinity",  "-infinity",
-      "1.#inf",       "-1.#inf",   "1.#qnan",   "-1.#ind", "1.#ind",  "1,#qnan", "#value!",   "#wert!",
-      "#ref!",        "#bezug!",   "#div/0!",   "#num!",   "#zahl!",  "#null!",  "#valeur!",  "#valore!",
-      "#name?",       "#¡valor!",  "over",      "+over",   "-over",   "under",   "overrange", "underrange",
-      "overload",     "+overload", "overflow",  "+ovf",    "-ovf",    "ovf",     "ol",        "o.l",
-      "burnout",      "b.out",     "burn out",  "open",    "error",   "err",     "err.",      "fail",
-      "fault",        "fehler",    "invalid",   "bad",     "missing", "fehlt",   "no data",   "nodata",
-      "off scale",    "off",       "<na>",      "nat",     "range",   "+range",  "-range",    "++++",
-      "----",         "undef",     "undefined", "(null)",  "+oor",    "oor",     "-oor",      "--.-",
-      "leer",         "vide",      "vuoto",     "空",      "无",      "#n/v",    "nan(ind)",  "-nan(ind)",
-      "-nan",         "+++++",     "#n/d",      "n/d",     "#nd",     "断线",    "超量程",    "disconnected",
-      "not connected"};
+  constexpr std::string_view kTexts =
+      "nan|na|n/a|#n/a|#na|#nv|nv|k.a.|null|none|nil|inf|-inf|+inf|infinity|-infinity|1.#inf|-1.#inf|1.#qnan|"
+      "-1.#ind|1.#ind|1,#qnan|#value!|#wert!|#ref!|#bezug!|#div/0!|#num!|#zahl!|#null!|#valeur!|#valore!|#name?|"
+      "#¡valor!|over|+over|-over|under|overrange|underrange|overload|+overload|overflow|+ovf|-ovf|ovf|ol|o.l|"
+      "burnout|b.out|burn out|open|error|err|err.|fail|fault|fehler|invalid|bad|missing|fehlt|no data|nodata|"
+      "off scale|off|<na>|nat|range|+range|-range|++++|----|undef|undefined|(null)|+oor|oor|-oor|--.-|leer|vide|"
+      "vuoto|空|无|#n/v|nan(ind)|-nan(ind)|-nan|+++++|#n/d|n/d|#nd|断线|超量程|disconnected|not connected";
   const std::string key = folded_unit(cell);
-  if (std::find(std::begin(kTexts), std::end(kTexts), key) != std::end(kTexts)) return true;
+  if (is_one_of(kTexts, key)) return true;
   return key.find_first_not_of('+') == std::string::npos;
 }
 
 std::optional<double> switch_value(std::string_view cell) {
-  constexpr std::string_view kOn[] = {"on", "true",   "yes",     "open", "opened", "ein",   "an",  "auf",    "offen",
-                                      "ja", "wahr",   "running", "run",  "active", "aktiv", "oui", "marche", "vrai",
-                                      "si", "acceso", "aperto",  "vero", "high",   "开",    "是",  "オン"};
-  constexpr std::string_view kOff[] = {"off",      "false",       "no",   "close",  "closed",  "aus",
-                                       "zu",       "geschlossen", "nein", "falsch", "stopped", "stop",
-                                       "inactive", "inaktiv",     "non",  "arret",  "faux",    "spento",
-                                       "chiuso",   "falso",       "low",  "关",     "否",      "オフ"};
+  constexpr std::string_view kOn =
+      "on|true|yes|open|opened|ein|an|auf|offen|ja|wahr|running|run|active|aktiv|oui|marche|vrai|si|acceso|aperto|"
+      "vero|high|开|是|オン";
+  constexpr std::string_view kOff =
+      "off|false|no|close|closed|aus|zu|geschlossen|nein|falsch|stopped|stop|inactive|inaktiv|non|arret|faux|"
+      "spento|chiuso|falso|low|关|否|オフ";
   const std::string key = folded(trimmed_cell(cell));
-  if (std::find(std::begin(kOn), std::end(kOn), key) != std::end(kOn)) return 1.0;
-  if (std::find(std::begin(kOff), std::end(kOff), key) != std::end(kOff)) return 0.0;
+  if (is_one_of(kOn, key)) return 1.0;
+  if (is_one_of(kOff, key)) return 0.0;
   return std::nullopt;
 }
 

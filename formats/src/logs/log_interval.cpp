@@ -12,61 +12,19 @@
 namespace ballbar {
 namespace {
 
-constexpr std::string_view kIntervals[] = {"interval",
-                                           "sampling cycle",
-                                           "sample cycle",
-                                           "sampling period",
-                                           "sample period",
-                                           "sample time",
-                                           "sampling time",
-                                           "abtastzeit",
-                                           "abtastintervall",
-                                           "messintervall",
-                                           "intervall",
-                                           "delta x",
-                                           "cycle time",
-                                           "zykluszeit",
-                                           "time step",
-                                           "dt",
-                                           "periode",
-                                           "periode d echantillonnage",
-                                           "intervalle",
-                                           "intervallo",
-                                           "intervalo",
-                                           "采样周期",
-                                           "采样间隔",
-                                           "サンプリング周期",
-                                           "サンプリング間隔",
-                                           "记录间隔",
-                                           "記録間隔",
-                                           "taktzeit",
-                                           "recording interval",
-                                           "logging interval",
-                                           "abtasttakt"};
-constexpr std::string_view kRates[] = {"sampling rate",
-                                       "sample rate",
-                                       "sampling frequency",
-                                       "sample frequency",
-                                       "abtastrate",
-                                       "messrate",
-                                       "abtastfrequenz",
-                                       "frequence d echantillonnage",
-                                       "采样率",
-                                       "采样频率",
-                                       "サンプリング周波数",
-                                       "frequenza di campionamento",
-                                       "frecuencia de muestreo",
-                                       "rate",
-                                       "samplerate",
-                                       "scan rate",
-                                       "data rate"};
+constexpr std::string_view kIntervals =
+    "interval|sampling cycle|sample cycle|sampling period|sample period|sample time|sampling time|abtastzeit|"
+    "abtastintervall|messintervall|intervall|delta x|cycle time|zykluszeit|time step|dt|periode|"
+    "periode d echantillonnage|intervalle|intervallo|intervalo|采样周期|采样间隔|サンプリング周期|サンプリング間隔|"
+    "记录间隔|記録間隔|taktzeit|recording interval|logging interval|abtasttakt";
+constexpr std::string_view kRates =
+    "sampling rate|sample rate|sampling frequency|sample frequency|abtastrate|messrate|abtastfrequenz|"
+    "frequence d echantillonnage|采样率|采样频率|サンプリング周波数|frequenza di campionamento|"
+    "frecuencia de muestreo|rate|samplerate|scan rate|data rate";
 
-template <std::size_t kSize>
-bool holds(const std::string& key, const std::string_view (&words)[kSize]) {
-  return std::any_of(std::begin(words), std::end(words), [&](std::string_view word) {
-    if (key == word) return true;
-    if (word.size() < 5) return key.starts_with(std::string(word) + " ");
-    return key.find(word) != std::string::npos;
+bool holds(const std::string& key, std::string_view words) {
+  return any_word(words, [&](std::string_view word) {
+    return key == word || (word.size() < 5 ? key.starts_with(std::string(word) + " ") : key.find(word) != key.npos);
   });
 }
 

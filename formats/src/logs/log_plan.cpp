@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "logs/column_sample.hpp"
 #include "logs/log_cells.hpp"
+#include "logs/log_channels.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"
 #include "logs/time_finder.hpp"
@@ -41,12 +41,10 @@ bool suits(std::string_view pattern, std::string_view text) {
 }
 
 bool names_a_count(std::string_view name) {
-  constexpr std::string_view kNames[] = {
-      "",        "no",      "nr",   "number", "index",  "unnamed 0", "sample",  "samples",       "row",
-      "id",      "#",       "n",    "scan",   "record", "count",     "point",   "lfd nr",        "zeile",
-      "nummer",  "numero",  "序号", "编号",   "番号",   "no.",       "messung", "sample number", "sample no",
-      "data no", "reading", "num",  "punkt"};
-  return std::find(std::begin(kNames), std::end(kNames), folded(name)) != std::end(kNames);
+  constexpr std::string_view kNames =
+      "|no|nr|number|index|unnamed 0|sample|samples|row|id|#|n|scan|record|count|point|lfd nr|zeile|nummer|numero|"
+      "序号|编号|番号|no.|messung|sample number|sample no|data no|reading|num|punkt|recnbr|rec|recno|rn";
+  return is_one_of(kNames, folded(name));
 }
 
 void name_columns(const LogShape& shape, LogPlan& plan) {
@@ -110,45 +108,17 @@ bool runs_as_the_time(const std::vector<ColumnSample>& samples, const LogPlan& p
   return runs_as_long(samples[i], *time_unit_s(plan.columns[i].unit), time);
 }
 
-// Tags below each other, one a row: "Speed;13:05:10;0" and "T_bearing;13:05:10;20,0". As one column they would mean
-// nothing.
-void expect_no_tags(const LogShape& shape, const LogPlan& plan, const std::vector<ColumnSample>& samples,
-                    const std::string& name) {
-  if (plan.time.kind != TimePlan::Kind::stamps) return;
-  std::vector<std::string_view> cells;
-  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
-    const PlannedColumn& column = plan.columns[i];
-    if (column.kind != ColumnKind::left_out || samples[i].texts == 0 || samples[i].texts != samples[i].written())
-      continue;
-    std::set<std::string> tags;
-    std::string time, tag;
-    std::size_t changes = 0, rows = 0;
-    for (const HeadLine& row : shape.rows) {
-      split_cells(row.text, shape.delimiter, cells);
-      if (cells.size() <= std::max(i, plan.time.column)) continue;
-      const std::string now(trimmed_cell(cells[plan.time.column])), here(trimmed_cell(cells[i]));
-      changes += now == time && here != tag;
-      ++rows;
-      time = now;
-      tag = here;
-      tags.insert(here);
-    }
-    if (tags.size() < 2 || tags.size() > rows / 3 || changes * 3 < rows) continue;
-    throw Error(
-        fmt::format("{}:{}: expected one column per quantity, found rows of {} quantities below each other, named in "
-                    "{}. Export them side by side.",
-                    name, shape.first_row_line, tags.size(), in_quotes(column.source)));
-  }
-}
-
 // What is left of the columns after the time: numbers, or why not.
-void plan_values(const std::vector<ColumnSample>& samples, const LogRecipe& recipe, LogPlan& plan) {
+void plan_values(const std::vector<bool>& is_label, const std::vector<ColumnSample>& samples, const LogRecipe& recipe,
+                 LogPlan& plan) {
   const bool counted = plan.time.kind != TimePlan::Kind::rows || recipe.every_s || plan.time.numbered;
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     PlannedColumn& column = plan.columns[i];
     if (column.kind != ColumnKind::left_out) continue;
     const ColumnSample& sample = samples[i];
-    if (column.stated.left_out) {
+    if (is_label[i]) {
+      column.kind = ColumnKind::label;
+    } else if (column.stated.left_out) {
       column.why = "left out by the recipe";
     } else if (!column.stated.unit.empty() && !column.unit_by_pattern && sample.numbers > 0) {
       column.kind = ColumnKind::number;
@@ -210,8 +180,8 @@ LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe
   take_stated(recipe, plan);
   const std::vector<ColumnSample> samples = samples_of(shape);
   find_time(shape, name, recipe, samples, plan);
-  plan_values(samples, recipe, plan);
-  expect_no_tags(shape, plan, samples, name);
+  plan_values(shape.is_label, samples, recipe, plan);
+  find_channel_names(shape, samples, plan);
   const bool any = std::any_of(plan.columns.begin(), plan.columns.end(), [&](const PlannedColumn& column) {
     const bool is_time = plan.time.kind == TimePlan::Kind::number && &column == &plan.columns[plan.time.column];
     return column.kind == ColumnKind::number && !is_time;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +14,8 @@
 
 namespace ballbar {
 
-enum class ColumnKind : std::uint8_t { number, stamp, date, clock, milli, left_out };
+// `channel`: the names of channels below each other; `label`: the name or unit of the column beside it.
+enum class ColumnKind : std::uint8_t { number, stamp, date, clock, milli, channel, label, left_out };
 
 struct PlannedColumn {
   std::string source;  // header as written; "column 3" where there is none
@@ -22,6 +24,7 @@ struct PlannedColumn {
   bool headed = true;  // has a header
   ColumnKind kind = ColumnKind::left_out;
   bool is_switch = false;        // number: its words for on and off are 1 and 0
+  bool has_ids = false;          // channel: its names are numbers
   std::string why;               // why it is left out
   ColumnRecipe stated;           // from the recipe; `source` is empty if it states nothing
   bool unit_by_pattern = false;  // such a unit has less weight than name and values
@@ -46,6 +49,7 @@ struct TimePlan {
 struct LogPlan {
   std::vector<PlannedColumn> columns;  // one a column of the log
   TimePlan time;
+  std::map<std::string, std::string> channel_units;  // of channels below each other
 };
 
 // Whether the recipe's column is this one: by its header, with or without the unit or what stands in
@@ -56,7 +60,7 @@ bool is_of(const ColumnRecipe& recipe, std::string_view source, std::string_view
 // All that the recipe says of a column, a name before a pattern.
 ColumnRecipe stated_of(const LogRecipe& recipe, std::string_view source, std::string_view name, bool has_unit);
 
-// Throws Error with name:line where the time cannot be told.
+// Throws Error with name:line where the time cannot be told, or the layout.
 LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe& recipe);
 
 }  // namespace ballbar

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "ballbar/nearest_name.hpp"
 #include "logs/text_fold.hpp"
@@ -18,128 +20,59 @@ constexpr double kTravel_um = 5000.0;  // what moves further is an axis, no prob
 constexpr double kFarFromZero_um = 20000.0;
 
 // Folded. Of five letters and more anywhere in a name, since German joins words; shorter ones as words alone.
-constexpr std::string_view kSpeed[] = {"speed",  "drehzahl",  "rpm",       "vitesse", "rotation",  "regime", "velocita",
-                                       "giri",   "velocidad", "umdrehung", "转速",    "回転数",    "速度",   "n ist",
-                                       "n soll", "s actual",  "nist",      "nsoll",   "spindle s", "revs"};
-constexpr std::string_view kLoad[] = {
-    "load",     "last",      "auslastung", "spindellast", "belastung", "charge", "carico",      "carga",  "power",
-    "leistung", "puissance", "potenza",    "potencia",    "torque",    "moment", "couple",      "coppia", "par",
-    "current",  "strom",     "courant",    "corrente",    "corriente", "负载",   "负荷",        "負荷",   "功率",
-    "电流",     "電流",      "扭矩",       "トルク",      "電力",      "ロード", "utilization", "lmdat"};
-constexpr std::string_view kAmbient[] = {"ambient",     "amb",
-                                         "raumluft",    "umg",
-                                         "room",        "umgebung",
-                                         "raum",        "raumtemperatur",
-                                         "hall",        "halle",
-                                         "ambiant",     "ambiante",
-                                         "salle",       "ambiente",
-                                         "sala",        "stanza",
-                                         "air",         "luft",
-                                         "aria",        "aire",
-                                         "atelier",     "officina",
-                                         "taller",      "环境",
-                                         "室温",        "室内",
-                                         "車間",        "车间",
-                                         "雰囲気",      "外気",
-                                         "気温",        "空气",
-                                         "environment", "umgebungstemperatur",
-                                         "shop",        "werkstatt",
-                                         "周围",        "周囲"};
-constexpr std::string_view kCoolant[] = {"coolant",
-                                         "cooling",
-                                         "kuhlmittel",
-                                         "kuhlwasser",
-                                         "kss",
-                                         "refrigerant",
-                                         "refroidissement",
-                                         "fluide",
-                                         "liquide",
-                                         "lubrorefrigerante",
-                                         "refrigerante",
-                                         "chiller",
-                                         "kuhlung",
-                                         "kuhler",
-                                         "vorlauf",
-                                         "rucklauf",
-                                         "oil",
-                                         "oel",
-                                         "ol",
-                                         "olio",
-                                         "aceite",
-                                         "huile",
-                                         "冷却",
-                                         "冷却液",
-                                         "冷卻",
-                                         "クーラント",
-                                         "冷却水",
-                                         "冷却油",
-                                         "油温",
-                                         "切削液",
-                                         "kuehlmittel",
-                                         "raffreddamento",
-                                         "kuhlschmierstoff",
-                                         "taladrina",
-                                         "emulsion",
-                                         "lubrificante",
-                                         "冷媒"};
-constexpr std::string_view kBearing[] = {"bearing",    "lager",       "palier",      "roulement", "cuscinetto",
-                                         "cuscinetti", "rodamiento",  "cojinete",    "轴承",      "ベアリング",
-                                         "軸受",       "vorderlager", "hinterlager", "festlager", "loslager"};
-constexpr std::string_view kHousing[] = {"housing",       "gehause",  "spindelgehause", "carter", "carcasa",
-                                         "alloggiamento", "carcassa", "壳体",           "主轴箱", "ハウジング",
-                                         "spindelkasten", "gehaeuse", "boitier",        "机壳",   "主軸台"};
-constexpr std::string_view kMeasured[] = {
-    "probe",    "taster",      "sensor x",  "verlagerung", "verschiebung",   "weg",        "drift",      "deplacement",
-    "palpeur",  "spostamento", "sonda",     "tastatore",   "desplazamiento", "error",      "abweichung", "位移",
-    "変位",     "palpador",    "capteur",   "测头",        "プローブ",       "误差",       "gap",        "abstand",
-    "tir",      "gauge",       "delta l",   "deviation",   "ecart",          "wegsensor",  "elongation", "längung",
-    "laengung", "err",         "fehler",    "disp",        "displ",          "dilatation", "dehnung",    "growth",
-    "dl",       "verformung",  "lvdt",      "length",      "deformation",    "伸长",       "变形",       "伸び",
-    "偏差",     "erreur",      "desviacion"};
-constexpr std::string_view kTemperature[] = {"temp",     "temperatur", "tmp",   "thermo", "termocoppia",
-                                             "termopar", "pt",         "pt100", "tc",     "rtd",
-                                             "ntc",      "thermistor", "温",    "热电偶"};
+constexpr std::string_view kSpeed =
+    "speed|drehzahl|rpm|vitesse|rotation|regime|velocita|giri|velocidad|umdrehung|转速|回転数|速度|n ist|n soll|"
+    "s actual|nist|nsoll|spindle s|revs";
+constexpr std::string_view kLoad =
+    "load|last|auslastung|spindellast|belastung|charge|carico|carga|power|leistung|puissance|potenza|potencia|"
+    "torque|moment|couple|coppia|par|current|strom|courant|corrente|corriente|负载|负荷|負荷|功率|电流|電流|扭矩|"
+    "トルク|電力|ロード|utilization|lmdat";
+constexpr std::string_view kAmbient =
+    "ambient|amb|raumluft|umg|room|umgebung|raum|raumtemperatur|hall|halle|ambiant|ambiante|salle|ambiente|sala|"
+    "stanza|air|luft|aria|aire|atelier|officina|taller|环境|室温|室内|車間|车间|雰囲気|外気|気温|空气|environment|"
+    "umgebungstemperatur|shop|werkstatt|周围|周囲";
+constexpr std::string_view kCoolant =
+    "coolant|cooling|kuhlmittel|kuhlwasser|kss|refrigerant|refroidissement|fluide|liquide|lubrorefrigerante|"
+    "refrigerante|chiller|kuhlung|kuhler|vorlauf|rucklauf|oil|oel|ol|olio|aceite|huile|冷却|冷却液|冷卻|クーラント|"
+    "冷却水|冷却油|油温|切削液|kuehlmittel|raffreddamento|kuhlschmierstoff|taladrina|emulsion|lubrificante|冷媒";
+constexpr std::string_view kBearing =
+    "bearing|lager|palier|roulement|cuscinetto|cuscinetti|rodamiento|cojinete|轴承|ベアリング|軸受|vorderlager|"
+    "hinterlager|festlager|loslager";
+constexpr std::string_view kHousing =
+    "housing|gehause|spindelgehause|carter|carcasa|alloggiamento|carcassa|壳体|主轴箱|ハウジング|spindelkasten|"
+    "gehaeuse|boitier|机壳|主軸台";
+constexpr std::string_view kMeasured =
+    "probe|taster|sensor x|verlagerung|verschiebung|weg|drift|deplacement|palpeur|spostamento|sonda|tastatore|"
+    "desplazamiento|error|abweichung|位移|変位|palpador|capteur|测头|プローブ|误差|gap|abstand|tir|gauge|delta l|"
+    "deviation|ecart|wegsensor|elongation|längung|laengung|err|fehler|disp|displ|dilatation|dehnung|growth|dl|"
+    "verformung|lvdt|length|deformation|伸长|变形|伸び|偏差|erreur|desviacion";
+constexpr std::string_view kTemperature =
+    "temp|temperatur|tmp|thermo|termocoppia|termopar|pt|pt100|tc|rtd|ntc|thermistor|温|热电偶";
 // Parts that the roles above do not name.
-constexpr std::string_view kSpindle[] = {"spindle", "spindel", "mandrino", "husillo",
-                                         "broche",  "主轴",    "主軸",     "スピンドル"};
-constexpr std::string_view kStructure[] = {
-    "bed",       "bett",      "maschinenbett", "bancada",       "banc",
-    "bancale",   "basamento", "lit",           "床身",          "ベッド",
-    "column",    "stander",   "saule",         "colonne",       "montante",
-    "colonna",   "columna",   "立柱",          "コラム",        "frame",
-    "rahmen",    "gestell",   "bati",          "telaio",        "bastidor",
-    "机架",      "フレーム",  "motor",         "moteur",        "motore",
-    "电机",      "電機",      "モータ",        "马达",          "table",
-    "tisch",     "tavola",    "mesa",          "工作台",        "テーブル",
-    "headstock", "kopf",      "testa",         "cabezal",       "nut",
-    "mutter",    "screw",     "ballscrew",     "spindelmutter", "kugelgewindetrieb",
-    "丝杠",      "螺母",      "ボールねじ",    "guide",         "guideway",
-    "fuhrung",   "导轨",      "光栅",          "extruder",      "nozzle",
-    "hotend",    "heater",    "sockel",        "底座",          "横梁",
-    "crossbeam", "traverse",  "portal",        "gantry",        "turret",
-    "revolver",  "chuck",     "futter",        "pinole",        "滑枕",
-    "flange",    "flansch"};
-constexpr std::string_view kChamber[] = {"chamber", "enclosure", "kammer", "klimakammer", "klimaschrank", "恒温"};
-constexpr std::string_view kOtherPercent[] = {"humidity", "feuchte", "humidite", "umidita",   "humedad", "湿度",
-                                              "override", "ventil",  "valve",    "fullstand", "level",   "duty",
-                                              "rh",       "pegel",   "battery",  "vorschub"};
-constexpr std::string_view kSetPoint[] = {"soll",    "sollwert", "set",      "setpoint", "target", "nominal", "cmd",
-                                          "command", "consigne", "consigna", "setp",     "sp",     "设定",    "設定"};
+constexpr std::string_view kSpindle = "spindle|spindel|mandrino|husillo|broche|主轴|主軸|スピンドル";
+constexpr std::string_view kStructure =
+    "bed|bett|maschinenbett|bancada|banc|bancale|basamento|lit|床身|ベッド|column|stander|saule|colonne|montante|"
+    "colonna|columna|立柱|コラム|frame|rahmen|gestell|bati|telaio|bastidor|机架|フレーム|motor|moteur|motore|电机|"
+    "電機|モータ|马达|table|tisch|tavola|mesa|工作台|テーブル|headstock|kopf|testa|cabezal|nut|mutter|screw|"
+    "ballscrew|spindelmutter|kugelgewindetrieb|丝杠|螺母|ボールねじ|guide|guideway|fuhrung|导轨|光栅|extruder|"
+    "nozzle|hotend|heater|sockel|底座|横梁|crossbeam|traverse|portal|gantry|turret|revolver|chuck|futter|pinole|"
+    "滑枕|flange|flansch";
+constexpr std::string_view kChamber = "chamber|enclosure|kammer|klimakammer|klimaschrank|恒温";
+constexpr std::string_view kOtherPercent =
+    "humidity|feuchte|humidite|umidita|humedad|湿度|override|ventil|valve|fullstand|level|duty|rh|pegel|battery|"
+    "vorschub";
+constexpr std::string_view kSetPoint =
+    "soll|sollwert|set|setpoint|target|nominal|cmd|command|consigne|consigna|setp|sp|设定|設定";
 // Of what is no temperature, whatever part it is of.
-constexpr std::string_view kOtherQuantity[] = {
-    "id",       "no",       "nr",       "number",   "index", "quality",  "flow",    "durchfluss", "debit",
-    "portata",  "caudal",   "流量",     "pressure", "druck", "pression", "presion", "压力",       "圧力",
-    "voltage",  "spannung", "tension",  "电压",     "電圧",  "volt",     "pos",     "position",   "posizione",
-    "posicion", "位置",     "axis",     "achse",    "feed",  "vib",      "rms",     "freq",       "frequency",
-    "state",    "status",   "alarm",    "code",     "count", "zahler",   "adc",     "raw",        "bit",
-    "day",      "month",    "hour",     "minute",   "tag",   "week",     "power",   "target",     "setpoint",
-    "set",      "soll",     "sollwert", "pwm",      "fan",   "bat",      "tool",    "program",    "cycle",
-    "step",     "gain",     "angle",    "winkel"};
+constexpr std::string_view kOtherQuantity =
+    "id|no|nr|number|index|quality|flow|durchfluss|debit|portata|caudal|流量|pressure|druck|pression|presion|压力|"
+    "圧力|voltage|spannung|tension|电压|電圧|volt|pos|position|posizione|posicion|位置|axis|achse|feed|vib|rms|"
+    "freq|frequency|state|status|alarm|code|count|zahler|adc|raw|bit|day|month|hour|minute|tag|week|power|target|"
+    "setpoint|set|soll|sollwert|pwm|fan|bat|tool|program|cycle|step|gain|angle|winkel";
 
-template <std::size_t kSize>
-bool says(const std::string& key, const std::string_view (&words)[kSize]) {
+bool says(const std::string& key, std::string_view words) {
   const std::string spaced = " " + key + " ";
-  return std::any_of(std::begin(words), std::end(words), [&](std::string_view word) {
+  return any_word(words, [&](std::string_view word) {
     const bool other_script = static_cast<unsigned char>(word.front()) >= 0x80;
     if (word.size() >= 5 || other_script) return key.find(word) != std::string::npos;
     // A short word alone, or with a number behind it: temp1.
@@ -164,15 +97,14 @@ std::string key_of(std::string_view name) {
 
 // Whether a word of the name is one of these, or so near that it is one misspelled: a letter, of eight and more two. It
 // begins alike.
-template <std::size_t kSize>
-bool nearly_says(const std::string& key, const std::string_view (&words)[kSize]) {
+bool nearly_says(const std::string& key, std::string_view words) {
   if (says(key, words)) return true;
   for (std::size_t at = 0; at < key.size();) {
     const std::size_t end = std::min(key.find(' ', at), key.size());
     const std::string_view written = std::string_view(key).substr(at, end - at);
     at = end + 1;
     if (written.size() < 5) continue;
-    const bool near = std::any_of(std::begin(words), std::end(words), [&](std::string_view word) {
+    const bool near = any_word(words, [&](std::string_view word) {
       const std::size_t most = word.size() >= 8 ? 2 : 1;
       return word.size() >= 5 && word.front() == written.front() && letters_apart(written, word) <= most;
     });
@@ -222,15 +154,21 @@ bool names_a_probe(const std::string& key) {
 constexpr std::size_t kFewLevels = 6, kRowsOfALevel = 4;
 constexpr double kWholeDegree = 1.0;
 
+// The role of a temperature by the part of the machine that the name says.
+std::optional<Role> role_of_part(const std::string& key) {
+  constexpr std::pair<std::string_view, Role> kParts[] = {
+      {kBearing, Role::bearing}, {kCoolant, Role::coolant},     {kHousing, Role::housing}, {kAmbient, Role::ambient},
+      {kChamber, Role::ambient}, {kStructure, Role::structure}, {kSpindle, Role::housing}};
+  for (const auto& [words, role] : kParts) {
+    if (nearly_says(key, words)) return role;
+  }
+  return std::nullopt;
+}
+
 FoundRole temperature_role(const std::string& key) {
   if (says(key, kSetPoint)) return {Role::event, "a set point", ""};
-  if (nearly_says(key, kBearing)) return {Role::bearing, "by its name", ""};
-  if (nearly_says(key, kCoolant)) return {Role::coolant, "by its name", ""};
-  if (nearly_says(key, kHousing)) return {Role::housing, "by its name", ""};
-  if (nearly_says(key, kAmbient) || nearly_says(key, kChamber)) return {Role::ambient, "by its name", ""};
-  if (nearly_says(key, kStructure)) return {Role::structure, "by its name", ""};
-  if (nearly_says(key, kSpindle)) return {Role::housing, "by its name", ""};
-  return {Role::structure, "by its unit", ""};
+  const auto role = role_of_part(key);
+  return {role.value_or(Role::structure), role ? "by its name" : "by its unit", ""};
 }
 
 }  // namespace
@@ -271,7 +209,7 @@ bool has_few_levels(std::span<const double> values) {
 bool names_the_room(std::string_view name) { return nearly_says(key_of(name), kAmbient); }
 
 bool could_be_measured(std::string_view name) {
-  constexpr std::string_view kWords[] = {"x", "y", "z", "pos", "position", "steps", "counts", "count", "probe"};
+  constexpr std::string_view kWords = "x|y|z|pos|position|steps|counts|count|probe";
   const std::string key = key_of(name);
   return says(key, kWords) && !says(key, kSetPoint);
 }
@@ -281,12 +219,7 @@ bool says_temperature(std::string_view name) {
   return says(key, kTemperature) || has_letter_t(key);
 }
 
-bool names_a_part(std::string_view name) {
-  const std::string key = key_of(name);
-  return nearly_says(key, kBearing) || nearly_says(key, kCoolant) || nearly_says(key, kHousing) ||
-         nearly_says(key, kAmbient) || nearly_says(key, kChamber) || nearly_says(key, kStructure) ||
-         nearly_says(key, kSpindle);
-}
+bool names_a_part(std::string_view name) { return role_of_part(key_of(name)).has_value(); }
 
 bool names_an_axis(std::string_view name) {
   const std::string key = key_of(name);
@@ -317,7 +250,7 @@ FoundRole found_role(std::string_view name, std::string_view unit, std::span<con
     if (travel_um > kTravel_um) {
       return {Role::event, fmt::format("moves by {:.0f} mm, so it is an axis, not a probe", travel_um * 1e-3), ""};
     }
-    if (far_um > kFarFromZero_um) return {Role::event, "far from zero, like an axis position", ""};
+    if (far_um > kFarFromZero_um && !says(key, kMeasured)) return {Role::event, std::string(kFarFromZero), ""};
     return {Role::measured, "by its unit", ""};
   }
   if (unit == "V" && says(key, kMeasured)) return {Role::measured, "by its name", ""};
@@ -340,8 +273,7 @@ FoundRole found_role(std::string_view name, std::string_view unit, std::span<con
     return {Role::speed, "by its name", ""};
   }
   if (says(key, kLoad)) return {Role::load, "by its name", ""};
-  constexpr std::string_view kStates[] = {"code", "count",  "counter", "state", "status", "id",    "no",
-                                          "nr",   "number", "index",   "alarm", "flag",   "times", "anzahl"};
+  constexpr std::string_view kStates = "code|count|counter|state|status|id|no|nr|number|index|alarm|flag|times|anzahl";
   if ((says(key, kMeasured) || names_a_probe(key)) && !says(key, kStates)) {
     if (range.most - range.least > kTravel_um) return {Role::event, "moves too far for a probe", ""};
     return {Role::measured, "by its name, in which unit?", ""};

@@ -10,6 +10,8 @@
 
 namespace ballbar {
 
+inline constexpr std::string_view kFarFromZero = "far from zero, like an axis position";
+
 struct FoundRole {
   Role role = Role::event;
   std::string why;   // "by its name", "by its unit", "moves in steps of round numbers, as a speed"

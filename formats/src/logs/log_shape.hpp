@@ -25,6 +25,8 @@ struct LogShape {
   std::size_t header_line = 0, units_line = 0;  // 0: none
   std::size_t first_row_line = 0;
   std::vector<std::string> headers, units;  // one a column, as written
+  std::vector<bool> is_label;               // one a column: it holds the name or the unit of the one beside it
+  std::string names_from;                   // in words: "names from line 2, units from line 3"
   std::vector<HeadLine> preamble;           // above the header
   std::vector<HeadLine> rows;               // the first ones, blank lines left out
   std::size_t bytes_a_row = 1;              // on the average

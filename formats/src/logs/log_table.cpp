@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
 #include <span>
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "logs/log_cells.hpp"
+#include "logs/log_header.hpp"
 #include "logs/time_stamp.hpp"
 #include "text/cells.hpp"
 
@@ -68,6 +71,8 @@ class Table {
         static_cast<std::size_t>(std::count_if(plan.columns.begin(), plan.columns.end(),
                                                [](const auto& column) { return column.kind == ColumnKind::number; }));
     row_.resize(plan.columns.size(), kGap);
+    has_channels_ = std::any_of(plan.columns.begin(), plan.columns.end(),
+                                [](const auto& column) { return column.kind == ColumnKind::channel; });
     find_decimals();
   }
 
@@ -165,6 +170,7 @@ class Table {
     for (std::size_t i = 0; i < plan_.columns.size(); ++i) {  // the rows behind it keep their numbers
       if (plan_.columns[i].kind == ColumnKind::number) table_.values[i].push_back(kGap);
     }
+    if (has_channels_) take_channel();
     ++table_.rows;
     return true;
   }
@@ -176,7 +182,7 @@ class Table {
     std::size_t column = 0, numbers = 0;
     std::optional<std::size_t> bad;  // the first cell that is text where a number is expected
     std::string_view bad_cell;
-    date_ = clock_ = milli_ = {};
+    date_ = clock_ = milli_ = channel_ = {};
     const std::size_t columns = plan_.columns.size();
     at = past_blanks(at, end);
     if (at == end) return false;
@@ -221,6 +227,7 @@ class Table {
         if (kind == ColumnKind::stamp || kind == ColumnKind::date) date_ = trimmed_cell(cell);
         if (kind == ColumnKind::clock) clock_ = trimmed_cell(cell);
         if (kind == ColumnKind::milli) milli_ = trimmed_cell(cell);
+        if (kind == ColumnKind::channel) channel_ = trimmed_cell(cell);
         at += cell.size();
       }
       more = at < end;
@@ -287,8 +294,20 @@ class Table {
       if (plan_.columns[i].kind == ColumnKind::number) table_.values[i].push_back(row_[i]);
     }
     if (plan.kind == TimePlan::Kind::stamps) table_.time_s.push_back(time_s);
+    if (has_channels_) take_channel();
     ++table_.rows;
     return true;
+  }
+
+  void take_channel() {
+    const auto known = channels_.find(channel_);
+    const auto next = static_cast<std::uint32_t>(table_.channels.size());
+    if (known == channels_.end()) {
+      channels_.emplace(channel_, next);
+      const std::string channel = written(channel_);
+      table_.channels.push_back(channel.empty() ? "unnamed" : channel);
+    }
+    table_.channel_of.push_back(known == channels_.end() ? next : known->second);
   }
 
   // A word behind the last column is a remark; a number would be of a column that the rows before did not have.
@@ -351,7 +370,9 @@ class Table {
   std::vector<std::size_t> pending_;   // lines without numbers since the last row
   std::vector<std::size_t> decimals_;  // of each column, the fewest
   std::string_view last_cell_;         // of the row
-  std::string_view date_, clock_, milli_;
+  std::string_view date_, clock_, milli_, channel_;
+  bool has_channels_ = false;
+  std::map<std::string, std::uint32_t, std::less<>> channels_;
   double zone_s_ = 0.0;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -22,9 +23,11 @@ struct LogTable {
   bool zoned = false;                                      // the clock states its zone, so that there is no summer time
   std::vector<std::pair<std::size_t, std::size_t>> lines;  // (row, line) after each group of skipped lines
   std::size_t rows = 0, other_lines = 0, without_time = 0, short_rows = 0;
-  std::vector<std::size_t> bad_lines;  // skipped; where rows are counted, a row of gaps each
-  std::vector<std::size_t> cut_lines;  // lines that end within a number, which becomes a gap
-  std::size_t without_row = 0;         // lines between the first and the last row that are not rows
+  std::vector<std::size_t> bad_lines;     // skipped; where rows are counted, a row of gaps each
+  std::vector<std::size_t> cut_lines;     // lines that end within a number, which becomes a gap
+  std::vector<std::string> channels;      // below each other, in the order of the file
+  std::vector<std::uint32_t> channel_of;  // one a row
+  std::size_t without_row = 0;            // lines between the first and the last row that are not rows
 
   [[nodiscard]] std::size_t line_of(std::size_t row) const;
 };

@@ -95,14 +95,17 @@ double first_of(std::span<const double> values) {
   return first == values.end() ? NAN : *first;
 }
 
-// Of columns that no name tells: those that begin near the middle one.
-void keep_alike(std::vector<std::size_t>& columns, const std::vector<std::vector<double>>& values) {
+// Of columns that no name tells: those that begin near the middle one. In a log without any name all but the last may
+// begin further off: machines begin warm, and the last column is often what was measured.
+void keep_alike(std::vector<std::size_t>& columns, const std::vector<std::vector<double>>& values, bool nameless) {
   std::vector<double> firsts;
   firsts.reserve(columns.size());
   for (const std::size_t column : columns) firsts.push_back(first_of(values[column]));
   if (firsts.empty()) return;
   const double middle = median(firsts);
-  std::erase_if(columns, [&](std::size_t column) { return std::abs(first_of(values[column]) - middle) > kApart_K; });
+  std::erase_if(columns, [&](std::size_t column) {
+    return (!nameless || column + 1 == values.size()) && std::abs(first_of(values[column]) - middle) > kApart_K;
+  });
 }
 
 std::string text_of(const LogPlan& plan, const std::vector<std::size_t>& columns, std::string_view by) {
@@ -186,6 +189,8 @@ void take_fahrenheit(LogPlan& plan, const std::vector<std::vector<double>>& valu
 
 std::vector<TemperatureFamily> temperatures_among(const LogPlan& plan, const std::vector<std::vector<double>>& values) {
   std::map<std::string, std::vector<std::size_t>> stems;
+  const bool nameless =
+      std::none_of(plan.columns.begin(), plan.columns.end(), [](const PlannedColumn& column) { return column.headed; });
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     const PlannedColumn& column = plan.columns[i];
     const bool is_time = plan.time.kind == TimePlan::Kind::number && i == plan.time.column;
@@ -211,7 +216,7 @@ std::vector<TemperatureFamily> temperatures_among(const LogPlan& plan, const std
              has_few_levels(values[i]) || (!by_word && is_whole(values[i])) ||
              (names_the_room(plan.columns[i].name) && first_of(values[i]) > kWarmestRoom_degC);
     });
-    if (!named) keep_alike(columns, values);
+    if (!named) keep_alike(columns, values, nameless);
     const std::size_t needed =
         named ? (all.size() + 1) / 2 : std::max(kFamily, first.headed ? (3 * all.size() + 3) / 4 : 0);
     if (columns.size() < needed || columns.empty()) {

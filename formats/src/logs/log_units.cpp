@@ -6,7 +6,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include "ballbar/error.hpp"
@@ -20,78 +19,72 @@ namespace {
 constexpr double kInch_um = 25400.0;
 
 struct Known {
-  std::string_view texts[20];  // folded, blanks and ends of "[...]" taken off; the rest empty
+  std::string_view texts;  // folded, blanks and ends of "[...]" taken off
   LogUnit unit;
 };
 
 constexpr Known kUnits[] = {
     // lengths
-    {{"um", "mum", "micron", "microns", "micrometer", "micrometre", "micrometers", "mikrometer", "微米", "ミクロン"},
-     {"um"}},
-    {{"nm"}, {"um", 1e-3}},
-    {{"mm", "millimeter", "毫米"}, {"um", 1e3}},
-    {{"in", "inch", "inches", "zoll"}, {"um", kInch_um}},
-    {{"uin", "microinch"}, {"um", kInch_um * 1e-6}},
-    {{"mil", "thou"}, {"um", kInch_um * 1e-3}},
-    {{"cm"}, {"um", 1e4}},
-    {{"urad", "um/m"}, {"urad"}},
-    {{"mrad"}, {"urad", 1e3}},
+    {"um|mum|micron|microns|micrometer|micrometre|micrometers|mikrometer|微米|ミクロン", {"um"}},
+    {"nm", {"um", 1e-3}},
+    {"mm|millimeter|millimeters|millimetre|millimetres|毫米", {"um", 1e3}},
+    {"in|inch|inches|zoll", {"um", kInch_um}},
+    {"uin|microinch", {"um", kInch_um * 1e-6}},
+    {"mil|thou", {"um", kInch_um * 1e-3}},
+    {"cm", {"um", 1e4}},
+    {"m|meter|meters|metre|metres", {"um", 1e6}},
+    {"urad|um/m", {"urad"}},
+    {"mrad", {"urad", 1e3}},
     // temperatures
-    {{"degc", "deg c", "grad c", "c", "celsius", "degcelsius", "deg celsius", "grad celsius", "摄氏度", "度"},
-     {"degC"}},
-    {{"degf", "deg f", "f", "fahrenheit"}, {"degC", 5.0 / 9.0, -32.0 * 5.0 / 9.0}},
-    {{"k", "kelvin", "degk"}, {"K"}},
-    {{"mk"}, {"K", 1e-3}},
+    {"degc|deg c|grad c|c|celsius|degcelsius|deg celsius|grad celsius|摄氏度|度", {"degC"}},
+    {"degf|deg f|f|fahrenheit", {"degC", 5.0 / 9.0, -32.0 * 5.0 / 9.0}},
+    {"k|kelvin|degk", {"K"}},
+    {"mk", {"K", 1e-3}},
     // speeds of a spindle
-    {{"rpm", "r/min",    "rev/min", "revs/min",  "1/min",    "/min",  "min-1", "min^-1",  "min**-1", "u/min",
-      "upm", "umdr/min", "tr/min",  "tours/min", "giri/min", "g/min", "转/分", "转/分钟", "r/分",    "回転/分"},
+    {"rpm|r/min|rev/min|revs/min|1/min|/min|min-1|min^-1|min**-1|u/min|upm|umdr/min|tr/min|tours/min|giri/min|g/min|转/"
+     "分|转/分钟|r/分|回転/分",
      {"rpm"}},
-    {{"rev/s", "1/s"}, {"rpm", 60.0}},
-    {{"krpm"}, {"rpm", 1e3}},
-    {{"rad/s"}, {"rpm", 9.549296585513721}},  // 30 / pi
+    {"rev/s|1/s", {"rpm", 60.0}},
+    {"krpm", {"rpm", 1e3}},
+    {"rad/s", {"rpm", 9.549296585513721}},  // 30 / pi
     // load
-    {{"a", "amp", "amps", "ampere"}, {"A"}},
-    {{"ma"}, {"A", 1e-3}},
-    {{"w", "watt", "watts"}, {"W"}},
-    {{"kw"}, {"W", 1e3}},
-    {{"n.m", "n*m", "n m", "newtonmeter"}, {"Nm"}},
-    {{"%", "percent", "pct", "prozent", "percentage"}, {"percent"}},
+    {"a|amp|amps|ampere", {"A"}},
+    {"ma", {"A", 1e-3}},
+    {"w|watt|watts", {"W"}},
+    {"kw", {"W", 1e3}},
+    {"n.m|n*m|n m|newtonmeter", {"Nm"}},
+    {"%|percent|pct|prozent|percentage", {"percent"}},
     // the rest
-    {{"bar"}, {"bar"}},
-    {{"mbar", "hpa"}, {"bar", 1e-3}},
-    {{"kpa"}, {"bar", 1e-2}},
-    {{"mpa"}, {"bar", 10.0}},
-    {{"pa"}, {"bar", 1e-5}},
-    {{"psi"}, {"bar", 0.0689475729317831}},
-    {{"l/min", "l_per_min", "lpm", "ltr/min", "liter/min"}, {"l_per_min"}},
-    {{"l/h"}, {"l_per_min", 1.0 / 60.0}},
-    {{"mm/min", "mm_per_min"}, {"mm_per_min"}},
-    {{"m/min"}, {"mm_per_min", 1e3}},
-    {{"mm/s"}, {"mm_per_min", 60.0}},
-    {{"in/min", "ipm"}, {"mm_per_min", 25.4}},
-    {{"v", "volt", "volts", "vdc"}, {"V"}},
-    {{"mv"}, {"V", 1e-3}},
+    {"bar", {"bar"}},
+    {"mbar|hpa", {"bar", 1e-3}},
+    {"kpa", {"bar", 1e-2}},
+    {"mpa", {"bar", 10.0}},
+    {"pa", {"bar", 1e-5}},
+    {"psi", {"bar", 0.0689475729317831}},
+    {"l/min|l_per_min|lpm|ltr/min|liter/min", {"l_per_min"}},
+    {"l/h", {"l_per_min", 1.0 / 60.0}},
+    {"mm/min|mm_per_min", {"mm_per_min"}},
+    {"m/min", {"mm_per_min", 1e3}},
+    {"mm/s", {"mm_per_min", 60.0}},
+    {"in/min|ipm", {"mm_per_min", 25.4}},
+    {"v|volt|volts|vdc", {"V"}},
+    {"mv", {"V", 1e-3}},
 };
 
 struct KnownTime {
-  std::string_view texts[12];
+  std::string_view texts;
   double seconds;
 };
 
 constexpr KnownTime kTimes[] = {
-    {{"s", "sec", "secs", "second", "seconds", "sek", "sekunden", "sekunde", "secondes", "segundos", "secondi", "秒"},
-     1.0},
-    {{"ms", "msec", "millis", "milliseconds", "毫秒", "ミリ秒"}, 1e-3},
-    {{"us", "usec"}, 1e-6},
-    {{"ns"}, 1e-9},
-    {{"min", "mins", "minute", "minutes", "minuten", "minuti", "minutos", "分", "分钟"}, 60.0},
-    {{"h", "hr", "hrs", "hour", "hours", "std", "stunden", "heures", "horas", "ore", "小时", "時間"}, 3600.0},
-    {{"d", "day", "days", "tage"}, 86400.0},
+    {"s|sec|secs|second|seconds|sek|sekunden|sekunde|secondes|segundos|secondi|秒", 1.0},
+    {"ms|msec|millis|milliseconds|毫秒|ミリ秒", 1e-3},
+    {"us|usec", 1e-6},
+    {"ns|nsec", 1e-9},
+    {"min|mins|minute|minutes|minuten|minuti|minutos|分|分钟", 60.0},
+    {"h|hr|hrs|hour|hours|std|stunden|heures|horas|ore|小时|時間", 3600.0},
+    {"d|day|days|tage", 86400.0},
 };
-
-bool is_one_of(std::span<const std::string_view> texts, std::string_view key) {
-  return !key.empty() && std::find(texts.begin(), texts.end(), key) != texts.end();
-}
 
 // Line ends too: a cell in quotes may hold them.
 std::string_view bare(std::string_view text) { return trimmed(text, " \t\r\n"); }
@@ -167,16 +160,12 @@ std::optional<double> time_unit_s(std::string_view text) {
 }
 
 bool is_time_name(std::string_view name) {
-  constexpr std::string_view kNames[] = {
-      "time",         "t",          "zeit",          "temps",        "tempo",      "tiempo",        "hora",
-      "heure",        "ora",        "uhrzeit",       "elapsed",      "timestamp",  "zeitstempel",   "datetime",
-      "date time",    "date",       "datum",         "fecha",        "data",       "x value",       "elapsed time",
-      "time stamp",   "horodatage", "messzeit",      "laufzeit",     "zeitpunkt",  "date et heure", "data e ora",
-      "fecha y hora", "date heure", "data ora",      "fecha hora",   "datum zeit", "datum uhrzeit", "时间",
-      "日期",         "日期时间",   "時間",          "時刻",         "日時",       "日付",          "经过时间",
-      "経過時間",     "测量时间",   "采样时间",      "time of day",  "epoch",      "unix time",     "timestamp utc",
-      "clock",        "zeitachse",  "relative time", "time elapsed", "duration",   "dauer",         "采集时间",
-      "日期 时间",    "日付 時刻",  "millis",        "micros"};
+  constexpr std::string_view kNames =
+      "time|t|zeit|temps|tempo|tiempo|hora|heure|ora|uhrzeit|elapsed|timestamp|zeitstempel|datetime|date time|date|"
+      "datum|fecha|data|x value|elapsed time|time stamp|horodatage|messzeit|laufzeit|zeitpunkt|date et heure|"
+      "data e ora|fecha y hora|date heure|data ora|fecha hora|datum zeit|datum uhrzeit|时间|日期|日期时间|時間|"
+      "時刻|日時|日付|经过时间|経過時間|测量时间|采样时间|time of day|epoch|unix time|timestamp utc|clock|"
+      "zeitachse|relative time|time elapsed|duration|dauer|采集时间|日期 时间|日付 時刻|millis|micros";
   const std::string key = folded(name);
   return is_one_of(kNames, key);
 }

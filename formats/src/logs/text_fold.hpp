@@ -1,6 +1,7 @@
 // Normalises column names for comparison: lower case, no accents, blanks for all separators.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -18,5 +19,20 @@ std::string folded(std::string_view text);
 
 // The same but signs stay: "°C" -> "degc", "µm/min" -> "um/min", "min⁻¹" -> "min^-1". For units.
 std::string folded_unit(std::string_view text);
+
+// A list of words is one text with | between them. Whether `use` is true for one of them.
+template <class Use>
+bool any_word(std::string_view words, Use use) {
+  while (true) {
+    const std::size_t end = words.find('|');
+    if (use(words.substr(0, end))) return true;
+    if (end == std::string_view::npos) return false;
+    words.remove_prefix(end + 1);
+  }
+}
+
+inline bool is_one_of(std::string_view words, std::string_view key) {
+  return any_word(words, [&](std::string_view word) { return word == key; });
+}
 
 }  // namespace ballbar

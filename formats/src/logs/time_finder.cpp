@@ -29,9 +29,15 @@ class TimeFinder {
     if (recipe_.every_s) return by_rows(*recipe_.every_s, "the option");
     if (recipe_.time == kNoTime) return by_number();
     if (!recipe_.time.empty()) return of_column(named_by_recipe());
-    const auto stamps = first([](const ColumnSample& s) { return s.mostly(s.stamps) && s.numbers == 0; });
-    const auto dates = first([](const ColumnSample& s) { return s.mostly(s.dates) && s.numbers == 0; });
     const auto clocks = first([](const ColumnSample& s) { return s.mostly(s.clocks); });
+    const auto fractions = fractions_of_a_day();
+    // Spreadsheets show a date at midnight where the time of day is in a column of its own.
+    const auto is_date = [&](const ColumnSample& s) {
+      return s.mostly(s.dates) || ((clocks || fractions) && s.mostly(s.stamps) && s.midnights == s.stamps);
+    };
+    const auto stamps =
+        first([&](const ColumnSample& s) { return s.mostly(s.stamps) && s.numbers == 0 && !is_date(s); });
+    const auto dates = first([&](const ColumnSample& s) { return s.numbers == 0 && is_date(s); });
     const auto number = number_of_time();
     // A stamp to whole seconds beside a finer number: the number tells the rows apart.
     if (number && (stamps || clocks) && !is_absolute(*number)) {
@@ -40,6 +46,7 @@ class TimeFinder {
     }
     if (stamps) return of_stamp(*stamps);
     if (dates && clocks) return of_date_and_clock(*dates, *clocks);
+    if (dates && fractions) return of_date_and_fraction(*dates, *fractions);
     if (const auto packed = packed_stamps()) return of_stamp(*packed);
     if (const auto packed = packed_date_and_clock()) return of_date_and_clock(packed->first, packed->second);
     if (clocks) return of_stamp(*clocks);
@@ -98,6 +105,18 @@ class TimeFinder {
     return std::nullopt;
   }
 
+  // A time of day in a spreadsheet's cell that is shown as a plain number.
+  std::optional<std::size_t> fractions_of_a_day() const {
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      const ColumnSample& sample = samples_[i];
+      const auto is_fraction = [](double value) { return value >= 0.0 && value < 1.0; };
+      if (is_time_name(plan_.columns[i].name) && plan_.columns[i].unit.empty() && sample.mostly(sample.numbers) &&
+          !all_whole(sample) && std::all_of(sample.values.begin(), sample.values.end(), is_fraction))
+        return i;
+    }
+    return std::nullopt;
+  }
+
   // 20261122130510, without a sign, under a name of time.
   std::optional<std::size_t> packed_stamps() const {
     for (std::size_t i = 0; i < samples_.size(); ++i) {
@@ -112,14 +131,16 @@ class TimeFinder {
     std::string_view text;
   };
   static std::optional<Absolute> absolute(const ColumnSample& sample) {
-    if (sample.values.size() < 2 || !sample.rises || !sample.ever_rises) return std::nullopt;
-    const double first = sample.values.front(), last = sample.values.back();
+    if (sample.values.size() < 2 || !sample.ever_rises) return std::nullopt;
+    const auto [least, most] = std::minmax_element(sample.values.begin(), sample.values.end());
+    const double first = *least, last = *most;  // of channels below each other it falls where the next one begins
     const auto within = [&](double low, double high) { return first >= low && last <= high; };
     if (within(3e8, 6e9)) return Absolute{1.0, 0.0, 1e-6, "seconds since 1970"};
     if (within(3e11, 6e12)) return Absolute{1e-3, 0.0, 1e-6, "ms since 1970"};
     if (within(3e14, 6e15)) return Absolute{1e-6, 0.0, 1e-6, "us since 1970"};
     if (within(3e17, 6e18)) return Absolute{1e-9, 0.0, 1e-6, "ns since 1970"};
-    const bool days = (last - first) / static_cast<double>(sample.values.size() - 1) < 1.1 && !all_whole(sample);
+    const bool days =
+        sample.rises && (last - first) / static_cast<double>(sample.values.size() - 1) < 1.1 && !all_whole(sample);
     if (days && within(29000.0, 80000.0)) {
       return Absolute{86400.0, -kUnixToExcel_d * 86400.0, 1e-3, "days of a spreadsheet, since 1899-12-30"};
     }
@@ -147,7 +168,8 @@ class TimeFinder {
       const bool named = is_time_name(plan_.columns[i].name) || starts_with_time(plan_.columns[i].name);
       const bool unit = time_unit_s(plan_.columns[i].unit).has_value();
       const bool dated = absolute(sample).has_value();
-      if (!sample.rises && !(named && unit)) continue;  // of one that is surely meant, the row that falls is told
+      if (!sample.rises && !(named && (unit || dated)))
+        continue;  // of one that is surely meant, the row that falls is told
       const int rank = named && unit ? 5 : unit ? 4 : named && dated ? 3 : named ? 2 : dated && i == 0 ? 1 : 0;
       if (rank <= best_rank) continue;
       best = i;
@@ -178,7 +200,7 @@ class TimeFinder {
   void of_column(std::size_t i) {
     const ColumnSample& sample = samples_[i];
     if (sample.mostly(sample.numbers) && sample.stamps != sample.numbers) return of_number(i);
-    if (sample.mostly(sample.dates)) {
+    if (sample.mostly(sample.dates) || (sample.stamps > 0 && sample.midnights == sample.stamps)) {
       const auto clocks = first([](const ColumnSample& s) { return s.mostly(s.clocks); });
       if (clocks) return of_date_and_clock(i, *clocks);
     }
@@ -250,6 +272,14 @@ class TimeFinder {
     plan_.time.text =
         fmt::format("{} and {}", in_quotes(plan_.columns[date].source), in_quotes(plan_.columns[clock].source));
     find_milli(clock);
+  }
+
+  void of_date_and_fraction(std::size_t date, std::size_t fraction) {
+    of_stamp(date);
+    plan_.columns[fraction].kind = ColumnKind::milli;
+    plan_.time.milli_s = kDay_s;
+    plan_.time.text = fmt::format("{} and {}, a fraction of the day", in_quotes(plan_.columns[date].source),
+                                  in_quotes(plan_.columns[fraction].source));
   }
 
   // A column of milliseconds right behind a clock to whole seconds.

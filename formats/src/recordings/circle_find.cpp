@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "ballbar/circle/circle_fit.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/units.hpp"
+#include "logs/log_roles.hpp"
+#include "logs/log_units.hpp"
 #include "recordings/circle_words.hpp"
 
 namespace ballbar {
@@ -32,6 +36,12 @@ constexpr double kLeastLength = 5.0;  // mm or um: less is a deviation
 constexpr double kWidestStep_rad = 60.0 * kPi / 180.0;
 constexpr std::size_t kMostSectors = 24, kReadingsOfASector = 4;  // of the arc
 constexpr double kLeastOfASector = 0.2;                           // of the mean: less is a gap, not a feed that varies
+
+constexpr double kUnordered = 3.0;  // times the mean step of sorted angles: points in any order
+
+constexpr double kLargestRadius = 2000, kSmallestRadius = 2;  // in mm; more is um, less is m
+constexpr double kUsualRadii_mm[] = {50.0, 100.0, 150.0, 200.0, 250.0, 300.0};
+constexpr double kNearUsual = 5e-4, kFarFromWhole = 0.02;
 
 constexpr double kBack_rad = 5.0 * kPi / 180.0;
 constexpr double kShortest_rad = 30.0 * kPi / 180.0;
@@ -107,8 +117,47 @@ bool is_of_paths(const ColumnTable& table) {
   });
 }
 
+// Where the points come in any order, as a person reads them: their order along the arc, from its widest gap on. Empty
+// where they are in order, or in time.
+std::vector<std::size_t> order_of_angles(const ColumnTable& table, const std::vector<double>& unwrapped_rad) {
+  const auto n = unwrapped_rad.size();
+  const bool has_time = table.dated || std::any_of(table.columns.begin(), table.columns.end(), [](const auto& column) {
+                          return word_of(column) == ColumnWord::time;
+                        });
+  if (has_time || n < kFewest || is_swept(unwrapped_rad, 0.0)) return {};
+  std::vector<double> turned_rad(n);
+  std::vector<std::size_t> order(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    turned_rad[i] = unwrapped_rad[i] - 2.0 * kPi * std::floor(unwrapped_rad[i] / (2.0 * kPi));
+    order[i] = i;
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return turned_rad[a] < turned_rad[b]; });
+  double widest_rad = turned_rad[order.front()] + 2.0 * kPi - turned_rad[order.back()];
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    const double gap_rad = turned_rad[order[i]] - turned_rad[order[i - 1]];
+    if (gap_rad <= widest_rad) continue;
+    widest_rad = gap_rad;
+    first = i;
+  }
+  const double step_rad = (2.0 * kPi - widest_rad) / static_cast<double>(n - 1);
+  if (middle_step_rad(unwrapped_rad) < kUnordered * step_rad) return {};
+  std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(first), order.end());
+  return order;
+}
+
+template <class Value>
+std::vector<Value> in_order(const std::vector<Value>& values, const std::vector<std::size_t>& order) {
+  std::vector<Value> sorted;
+  sorted.reserve(values.size());
+  for (const std::size_t i : order) sorted.push_back(values[i]);
+  return sorted;
+}
+
 // Whether the readings lie all along the arc. Two temperatures that rest at a few levels lie on a circle too.
-bool covers_arc(const std::vector<double>& angle_rad) {
+// `may_rest`: at the ends of the arc, so that other sectors have fewer than the mean.
+bool covers_arc(const std::vector<double>& angle_rad, bool may_rest) {
   const double first_rad = *std::min_element(angle_rad.begin(), angle_rad.end());
   const double arc_rad = std::min(span_of(angle_rad), 2.0 * kPi);
   std::vector<std::size_t> sectors(std::min(kMostSectors, angle_rad.size() / kReadingsOfASector));
@@ -116,17 +165,20 @@ bool covers_arc(const std::vector<double>& angle_rad) {
     const double place = std::fmod(angle - first_rad, 2.0 * kPi) / arc_rad * static_cast<double>(sectors.size());
     ++sectors[std::min(sectors.size() - 1, static_cast<std::size_t>(place))];
   }
-  const double mean = static_cast<double>(angle_rad.size()) / static_cast<double>(sectors.size());
-  return static_cast<double>(*std::min_element(sectors.begin(), sectors.end())) >= kLeastOfASector * mean;
+  const std::size_t least = *std::min_element(sectors.begin(), sectors.end());
+  const double usual = may_rest ? static_cast<double>(median(sectors))
+                                : static_cast<double>(angle_rad.size()) / static_cast<double>(sectors.size());
+  return least > 0 && static_cast<double>(least) >= kLeastOfASector * usual;
 }
 
 // Whether a part of a circle shorter than half of it can be one.
 bool is_swept_arc(const ColumnTable& table, const CoordinateCircle& circle, const std::vector<double>& angle_rad,
                   double rms, double least_arc_rad) {
   const double sagitta = circle.radius * (1.0 - std::cos(0.5 * std::min(span_of(angle_rad), kPi)));
-  const double radius_mm = circle.radius * mm_per_unit(table.columns[circle.a]).value_or(1.0);
+  const double radius_mm =
+      circle.radius * mm_per_unit(table.columns[circle.a]).value_or(likely_mm_per_unit(circle.radius));
   return rms <= kOnOfSagitta * sagitta && radius_mm >= kLeastRadius_mm && is_swept(angle_rad, least_arc_rad) &&
-         covers_arc(angle_rad) && is_of_paths(table);
+         covers_arc(angle_rad, true) && is_of_paths(table);
 }
 
 // How sure the columns are to be coordinates.
@@ -161,10 +213,16 @@ std::optional<CoordinateCircle> circle_of(const ColumnTable& table, std::size_t 
     rms = std::sqrt(sum / static_cast<double>(circle.rows.size()));
   }
   if (rms > kOn * circle.radius) return std::nullopt;
-  const std::vector<double> angle_rad = angles_about(x, y, circle);
+  std::vector<double> angle_rad = angles_about(x, y, circle);
+  if (const auto order = order_of_angles(table, angle_rad); !order.empty() && are != Coordinates::found) {
+    circle.rows = in_order(circle.rows, order);
+    circle.sorted = true;
+    angle_rad = angles_about(x, y, circle);
+  }
+  circle.off = rms / circle.radius;
   const bool is_named = are == Coordinates::named || are == Coordinates::head_of_named;
   const bool is_round = goes_round(angle_rad, are == Coordinates::head_of_named ? kLeastArcCutOff_rad : kLeastArc_rad);
-  if (is_round && (is_named || covers_arc(angle_rad))) return circle;
+  if (is_round && (is_named || covers_arc(angle_rad, false))) return circle;
   if (are == Coordinates::found) return std::nullopt;
   const double least_arc_rad = is_named ? kLeastSweptArc_rad : kLeastSweptGuess_rad;
   return is_swept_arc(table, circle, angle_rad, rms, least_arc_rad) ? std::optional(circle) : std::nullopt;
@@ -219,27 +277,54 @@ std::optional<CoordinateCircle> named_circle(const ColumnTable& table, bool comm
 
 bool has_no_names(const ColumnTable& table) {
   return std::all_of(table.columns.begin(), table.columns.end(),
-                     [](const NumberColumn& column) { return column.name.empty() && column.unit.empty(); });
+                     [](const NumberColumn& column) { return column.name.empty(); });
+}
+
+// A log of temperatures by dates: two of its columns may lie on a circle by chance.
+bool is_log(const ColumnTable& table) {
+  return table.dated && std::any_of(table.columns.begin(), table.columns.end(), [](const NumberColumn& column) {
+           const auto unit = log_unit(column.unit);
+           return (unit && (unit->canonical == "degC" || unit->canonical == "K")) ||
+                  (column.unit.empty() && (says_temperature(column.name) || names_a_part(column.name)));
+         });
 }
 
 bool could_be_coordinate(const NumberColumn& column) {
   const ColumnWord word = word_of(column);
+  if (!axis_of(column) && (says_temperature(column.name) || names_a_part(column.name))) return false;
   if (!column.unit.empty() && !mm_per_unit(column)) return false;  // a speed, a temperature
   return (word == ColumnWord::none || word == ColumnWord::coordinate) && !is_commanded(column);
 }
 
+// Rises from row to row by the same step, as a time or a number does.
+bool counts(const std::vector<double>& values) {
+  const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (!(std::abs(values[i] - values[i - 1] - step) <= 0.01 * std::abs(step)) || step <= 0.0) return false;
+  }
+  return true;
+}
+
+// The pair of columns that lies nearest to a circle. Of three the order says which plane they are of.
 std::optional<CoordinateCircle> nameless_circle(const ColumnTable& table) {
+  if (table.dated) return std::nullopt;
   const Coordinates are = has_no_names(table) ? Coordinates::of_table_without_names : Coordinates::found;
-  const std::size_t columns = std::min(table.columns.size(), kMostColumns);
-  for (std::size_t a = 0; a < columns; ++a) {
-    if (!could_be_coordinate(table.columns[a])) continue;
-    for (std::size_t b = a + 1; b < columns; ++b) {
-      if (!could_be_coordinate(table.columns[b])) continue;
-      const auto circle = circle_or_none(table, a, b, are);
-      if (circle) return circle;
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < std::min(table.columns.size(), kMostColumns); ++i) {
+    if (could_be_coordinate(table.columns[i]) && !counts(table.columns[i].values)) columns.push_back(i);
+  }
+  std::optional<CoordinateCircle> nearest;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    for (std::size_t k = i + 1; k < columns.size(); ++k) {
+      const bool is_zx = columns.size() == 3 && i == 0 && k == 2 && has_no_names(table);
+      const auto circle = circle_or_none(table, columns[is_zx ? k : i], columns[is_zx ? i : k], are);
+      if (!circle || (nearest && circle->off >= nearest->off)) continue;
+      nearest = circle;
+      if (columns.size() == 3 && has_no_names(table))
+        nearest->plane = plane_of(static_cast<int>(is_zx ? k : i), static_cast<int>(is_zx ? i : k));
     }
   }
-  return std::nullopt;
+  return nearest;
 }
 
 // A turn, of 360 deg or 2 pi, to a reading's step.
@@ -296,6 +381,15 @@ std::vector<std::size_t> value_columns(const ColumnTable& table, std::size_t ang
 
 }  // namespace
 
+double likely_mm_per_unit(double radius) {
+  if (radius > kLargestRadius) return 1e-3;
+  if (radius < kSmallestRadius) return 1e3;
+  const bool is_usual = std::any_of(std::begin(kUsualRadii_mm), std::end(kUsualRadii_mm), [&](double usual_mm) {
+    return std::abs(25.4 * radius - usual_mm) <= kNearUsual * usual_mm;
+  });
+  return is_usual && std::abs(radius - std::round(radius)) > kFarFromWhole ? 25.4 : 1.0;
+}
+
 std::vector<double> unwrapped(std::vector<double> angle_rad) {
   for (std::size_t i = 1; i < angle_rad.size(); ++i) {
     angle_rad[i] = angle_rad[i - 1] + std::remainder(angle_rad[i] - angle_rad[i - 1], 2.0 * kPi);
@@ -331,7 +425,7 @@ std::vector<CircleRun> runs_of(const std::vector<double>& unwrapped_rad) {
 }
 
 std::optional<CoordinateCircle> coordinate_circle(const ColumnTable& table, bool cut_off) {
-  if (table.columns.size() < 2 || table.columns.front().values.size() < kFewest) return std::nullopt;
+  if (table.columns.size() < 2 || table.columns.front().values.size() < kFewest || is_log(table)) return std::nullopt;
   std::optional<CoordinateCircle> circle = named_circle(table, false, cut_off);
   if (!circle && !cut_off) circle = nameless_circle(table);
   if (!circle) return std::nullopt;
@@ -340,7 +434,7 @@ std::optional<CoordinateCircle> coordinate_circle(const ColumnTable& table, bool
 }
 
 std::optional<PolarCircle> polar_circle(const ColumnTable& table, bool cut_off) {
-  if (table.columns.size() < 2 || table.columns.front().values.size() < kFewest) return std::nullopt;
+  if (table.columns.size() < 2 || table.columns.front().values.size() < kFewest || is_log(table)) return std::nullopt;
   PolarCircle circle;
   const std::optional<std::size_t> named = column_called(table, ColumnWord::angle);
   const std::optional<double> turn = named ? std::nullopt : unit_of_a_turn(table.columns.front().values);
@@ -351,7 +445,13 @@ std::optional<PolarCircle> polar_circle(const ColumnTable& table, bool cut_off) 
   circle.rad_per_unit = turn ? *turn : rad_per_unit(angle).value_or(likely_unit(angle.values));
   circle.values = value_columns(table, circle.angle);
   if (circle.values.empty()) return std::nullopt;
-  const std::vector<double> angle_rad = angles_of(angle.values, circle.rad_per_unit);
+  std::vector<double> angle_rad = angles_of(angle.values, circle.rad_per_unit);
+  for (std::size_t row = 0; row < angle_rad.size(); ++row) circle.rows.push_back(row);
+  if (std::vector<std::size_t> order = order_of_angles(table, angle_rad); !order.empty()) {
+    circle.rows = std::move(order);
+    circle.sorted = true;
+    angle_rad = unwrapped(in_order(angle_rad, circle.rows));
+  }
   const double least_swept_rad = rad_per_unit(angle) ? kLeastSweptArc_rad : kLeastSweptGuess_rad;
   const bool is_named = named ? word_of(table.columns[circle.values.front()]) != ColumnWord::none : is_stated;
   const bool is_arc = is_named && is_of_paths(table) && is_swept(angle_rad, least_swept_rad);

@@ -15,7 +15,9 @@ struct CoordinateCircle {
   std::size_t a = 0, b = 0;                             // columns
   std::optional<Plane> plane;                           // where the columns' names say so
   double centre_a = 0.0, centre_b = 0.0, radius = 0.0;  // in the columns' unit
-  std::vector<std::size_t> rows;                        // on the circle
+  double off = 0.0;                                     // rms of the rows over the radius
+  std::vector<std::size_t> rows;                        // on the circle, in the order of the readings
+  bool sorted = false;                                  // that is the order of the angles, not of the rows
   std::optional<double> commanded_radius;               // radius of the commanded path, if present
 };
 
@@ -24,8 +26,14 @@ struct PolarCircle {
   std::size_t angle = 0;
   std::vector<std::size_t> values;  // columns; two: one a direction
   double rad_per_unit = 0.0;
-  bool are_lengths = true;  // else deviations
+  bool are_lengths = true;        // else deviations
+  std::vector<std::size_t> rows;  // in the order of the readings
+  bool sorted = false;            // as of CoordinateCircle
 };
+
+// Millimetres by the size of a radius without unit: below 2 it is in metres, above 2000 in um; in inches where these
+// are a usual whole radius in mm and the number itself is not whole; else mm.
+double likely_mm_per_unit(double radius);
 
 // `cut_off`: of a longer file, so that the circle need not be whole, but must be named.
 std::optional<CoordinateCircle> coordinate_circle(const ColumnTable& table, bool cut_off);

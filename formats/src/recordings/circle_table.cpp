@@ -11,6 +11,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/units.hpp"
+#include "logs/log_sources.hpp"
 #include "recordings/circle_find.hpp"
 #include "recordings/circle_words.hpp"
 #include "recordings/column_table.hpp"
@@ -20,10 +21,10 @@
 namespace ballbar {
 namespace {
 
-constexpr double kAgrees = 0.02;         // of the radius: a nominal one and that of the readings
-constexpr double kFarFromZero = 0.01;    // of the radius: the circle's centre is no centre offset
-constexpr double kLargestRadius = 2000;  // in mm; more is um
-constexpr double kLeastSpread = 0.3;     // of deviations in um; less is mm
+constexpr double kAgrees = 0.02;       // of the radius: a nominal one and that of the readings
+constexpr double kFarFromZero = 0.01;  // of the radius: the circle's centre is no centre offset
+constexpr std::string_view kSorted = ", sorted by angle";
+constexpr double kLeastSpread = 0.3;  // of deviations in um; less is mm
 
 // Readings round a circle, before they are cut into runs.
 struct Readings {
@@ -44,7 +45,7 @@ double mm_of_lengths(const NumberColumn& column, double radius, const StatedCirc
       if (std::abs(factor * radius - *stated.radius_mm) <= kAgrees * *stated.radius_mm) return factor;
     }
   }
-  return radius > kLargestRadius ? 1e-3 : 1.0;
+  return likely_mm_per_unit(radius);
 }
 
 std::string_view unit_of(double mm) {
@@ -52,6 +53,16 @@ std::string_view unit_of(double mm) {
   if (mm == 1e-3) return "um";
   if (mm == 25.4) return "inch";
   return mm == 1e3 ? "m" : "nm";
+}
+
+// "in mm"; of a unit that only the size tells, that too.
+std::string unit_text(double mm, const NumberColumn& column) {
+  const bool by_size = !mm_per_unit(column) && mm != 1.0;
+  return fmt::format("in {}{}", unit_of(mm),
+                     !by_size     ? ""
+                     : mm == 1e3  ? " (read as metres by their size)"
+                     : mm == 25.4 ? " (read as inches by their size)"
+                                  : " (read as micrometres by their size)");
 }
 
 struct NominalRadius {
@@ -132,8 +143,10 @@ Readings readings_of(const ColumnTable& table, const CoordinateCircle& circle, d
   }
   readings.time_s = times_s(table, circle.rows);
   const std::string_view axes = circle.plane ? name_of(*circle.plane) : "XY";
-  readings.what = fmt::format("coordinates {} and {} in {}{}", axes[0], axes[1], unit_of(mm),
-                              far ? ", from the centre of their circle" : "");
+  readings.what =
+      fmt::format("coordinates {} and {} {}{}{}", axes[0], axes[1], unit_text(mm, table.columns[circle.a]),
+                  far ? fmt::format(", from the centre of their circle at {:.4f}, {:.4f} mm", mm * a, mm * b) : "",
+                  circle.sorted ? kSorted : "");
   return readings;
 }
 
@@ -141,17 +154,16 @@ Readings readings_of(const ColumnTable& table, const CoordinateCircle& circle, d
 Readings readings_of(const ColumnTable& table, const PolarCircle& circle, std::size_t column, double nominal_mm,
                      double mm) {
   Readings readings;
-  std::vector<std::size_t> rows;
   const NumberColumn& values = table.columns[column];
-  for (std::size_t row = 0; row < values.values.size(); ++row) {
-    rows.push_back(row);
+  for (const std::size_t row : circle.rows) {
     readings.angle_rad.push_back(circle.rad_per_unit * table.columns[circle.angle].values[row]);
     readings.length_mm.push_back((circle.are_lengths ? 0.0 : nominal_mm) + mm * values.values[row]);
   }
-  readings.time_s = times_s(table, rows);
+  readings.time_s = times_s(table, circle.rows);
   readings.direction = circle.values.size() == 2 ? direction_of(values) : std::nullopt;
-  readings.what = fmt::format("angles in {} and {} in {}", circle.rad_per_unit == 1.0 ? "rad" : "deg",
-                              circle.are_lengths ? "lengths" : "deviations", unit_of(mm));
+  const std::string unit = circle.are_lengths ? unit_text(mm, values) : fmt::format("in {}", unit_of(mm));
+  readings.what = fmt::format("angles in {} and {} {}{}", circle.rad_per_unit == 1.0 ? "rad" : "deg",
+                              circle.are_lengths ? "lengths" : "deviations", unit, circle.sorted ? kSorted : "");
   return readings;
 }
 
@@ -225,13 +237,31 @@ RecordingFile file_of(std::string_view name, const ColumnTable& table, const Pol
   return file;
 }
 
+// Of a workbook the first sheet with a circle, where none is stated.
+ColumnTable table_of(std::string_view bytes, const std::string& name, const LogRecipe& recipe) {
+  if (is_table_file(bytes) && recipe.sheet.empty()) {
+    const WorkbookSheets sheets = workbook_sheets(bytes, name);
+    for (const std::vector<std::string>& names : {sheets.alike, sheets.others}) {
+      for (const std::string& sheet : names) {
+        LogRecipe one = recipe;
+        one.sheet = sheet;
+        ColumnTable table = column_table(bytes, name, one);
+        if (coordinate_circle(table, false) || polar_circle(table, false)) return table;
+      }
+    }
+  }
+  return column_table(bytes, name, recipe);
+}
+
 }  // namespace
 
 bool holds_circle(std::string_view head) {
   if (format_name(head).starts_with("ballbar") || text_of_head(head).starts_with('<')) return false;
   const bool cut_off = head.size() >= kHeadBytes;
+  // Of a workbook nothing can be read then; a MATLAB file would cost a process.
+  if (is_table_file(head) && (cut_off || head.starts_with("MATLAB"))) return false;
   try {
-    const ColumnTable table = column_table(head, {});
+    const ColumnTable table = table_of(head, {}, {});
     return coordinate_circle(table, cut_off) || polar_circle(table, cut_off);
   } catch (const Error&) {  // no table
     return false;
@@ -239,7 +269,7 @@ bool holds_circle(std::string_view head) {
 }
 
 RecordingFile read_circle_table(std::string_view bytes, std::string_view name, const StatedCircle& stated) {
-  const ColumnTable table = column_table(bytes, std::string(name));
+  const ColumnTable table = table_of(bytes, std::string(name), stated.table);
   if (const auto circle = coordinate_circle(table, false)) return file_of(name, table, *circle, stated);
   if (const auto circle = polar_circle(table, false)) return file_of(name, table, *circle, stated);
   throw Error(

@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "ballbar/error.hpp"
+#include "logs/column_sample.hpp"
 #include "logs/log_cells.hpp"
+#include "logs/log_plan.hpp"
 #include "logs/log_shape.hpp"
+#include "logs/log_sources.hpp"
 #include "logs/log_text.hpp"
 #include "logs/log_units.hpp"
 #include "text/cells.hpp"
@@ -35,19 +39,35 @@ std::vector<std::size_t> numeric_columns(const LogShape& shape) {
   return columns;
 }
 
+// Whether a column has dates in most of the first rows.
+bool has_dates(const LogShape& shape) {
+  const std::vector<ColumnSample> samples = samples_of(shape);
+  return std::any_of(samples.begin(), samples.end(), [](const ColumnSample& sample) {
+    return sample.numbers == 0 && sample.mostly(sample.stamps + sample.dates);
+  });
+}
+
 }  // namespace
 
-ColumnTable column_table(std::string_view bytes, const std::string& name) {
-  const Source source = Source::of_text(name, std::string(bytes));
-  const LogShape shape = log_shape(source, {});
+ColumnTable column_table(std::string_view bytes, const std::string& name, const LogRecipe& recipe) {
+  LogRecipe how = recipe;
+  std::optional<TableText> text = table_text(bytes, name, how);
+  if (text) how.delimiter = '\t';
+  const Source source = Source::of_text(name, text ? std::move(text->text) : std::string(bytes));
+  const LogShape shape = log_shape(source, how);
   const std::vector<std::size_t> places = numeric_columns(shape);
   ColumnTable table;
   for (const HeadLine& line : shape.preamble) table.preamble.push_back(line.text);
   for (const std::size_t place : places) {
     const NameAndUnit header = name_and_unit(shape.headers[place]);
     const std::string& below = shape.units[place];
-    table.columns.push_back({header.name, below.empty() ? header.unit : below, {}});
+    std::string unit = below.empty() ? header.unit : below;
+    const std::string source_name = header.name.empty() ? fmt::format("c{}", place + 1) : shape.headers[place];
+    const ColumnRecipe stated = stated_of(recipe, source_name, header.name, !unit.empty());
+    if (!stated.unit.empty()) unit = stated.unit;
+    table.columns.push_back({header.name, std::move(unit), {}});
   }
+  table.dated = has_dates(shape);
   LogLines lines(source, shape.encoding);
   std::vector<std::string_view> cells;
   std::vector<double> row(places.size());

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ballbar/formats/text/log_recipe.hpp"
+
 namespace ballbar {
 
 struct NumberColumn {
@@ -16,9 +18,11 @@ struct NumberColumn {
 struct ColumnTable {
   std::vector<NumberColumn> columns;  // rows in which one of them has no number are left out
   std::vector<std::string> preamble;  // lines above the header
+  bool dated = false;                 // another column has dates
 };
 
-// A column of no more than words is left out. Throws Error with name:line: no table, more than 2 000 000 rows.
-ColumnTable column_table(std::string_view bytes, const std::string& name);
+// Text, or a sheet of a workbook. A column of no more than words is left out; the recipe states units. Throws Error
+// with name:line: no table, more than 2 000 000 rows.
+ColumnTable column_table(std::string_view bytes, const std::string& name, const LogRecipe& recipe = {});
 
 }  // namespace ballbar

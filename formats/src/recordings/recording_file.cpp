@@ -8,6 +8,7 @@
 #include "ballbar/formats/recordings/ballbar_log.hpp"
 #include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "logs/log_sources.hpp"
 #include "text/readers.hpp"
 
 namespace ballbar {
@@ -53,7 +54,12 @@ RecordingFile open_recording(const Source& source, std::span<const Reader> reade
   const std::string bytes = file.bytes(kLargestTable);
   const Reader* const reader = reader_of(bytes, readers);
   if (const auto read = read_of<ReadRecordings>(reader)) return read(bytes, file.name());
-  if (const auto read = read_of<ReadCircle>(reader)) return read(bytes, file.name(), stated);
+  const bool is_large_workbook = reader != nullptr && reader->found == readers::kLog.found && is_table_file(bytes);
+  if (const auto read = read_of<ReadCircle>(is_large_workbook ? &readers::kCircleTable : reader)) {
+    StatedCircle how = stated;
+    how.table = source.recipe();
+    return read(bytes, file.name(), how);
+  }
   throw Error(fmt::format("{}:1:1: expected a recording, which is {}, found {}.", file.name(),
                           known_recordings(readers), found_in(reader)));
 }

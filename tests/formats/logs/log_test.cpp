@@ -160,14 +160,135 @@ TEST(log, what_is_not_clear_is_refused_with_its_line_and_the_way_out) {
                              "ELF\0\0\1\2",
                              8)),
             "log.csv:1: expected text, a workbook (.xlsx) or a .mat file, found another binary file.");
+  // The values of A and B are 2 apart, each moves by 1: two channels, or one reading in two states.
+  EXPECT_EQ(said("name,t_s,v\nA,0,0\nB,1,2\nA,2,1\nB,3,3\nA,4,2\nB,5,4\nA,6,1\nB,7,3\nA,8,0\nB,9,2\n"),
+            "log.csv:2: expected rows of one layout, found that they are one table or 2 channels below each other, "
+            "named in \"name\". For one table use --leave-out name; else export a column for each channel.");
+}
+
+TEST(log, names_and_units_are_told_by_the_rows_below_them) {
+  // The first line has as many cells as the table, the fourth says only how values were taken.
+  const Log log = read_log(
+      "\"TOA5\",\"Bridge\",\"CR6\",\"1001\",\"OS 9\"\n"
+      "\"TIMESTAMP\",\"RECORD\",\"T_gauge\",\"Digits\",\"Gap\"\n\"TS\",\"RN\",\"Deg C\",\"Digits\",\"mm\"\n"
+      "\"\",\"\",\"Smp\",\"Smp\",\"Smp\"\n\"2026-02-01 00:00:00\",7,14.0,4199.3,0.5\n"
+      "\"2026-02-01 00:15:00\",8,\"NAN\",4198.8,0.75\n\"2026-02-01 00:30:00\",9,14.5,4198.5,1.0\n",
+      "log.dat");
+  EXPECT_EQ(text_of(log),
+            "T_gauge_degC structure: 14 nan 14.5; Digits event: 4199.3 4198.8 4198.5; Gap_um measured: 500 750 1000; ");
+  EXPECT_EQ(log.names_from, "names from line 2, units from line 3");
+  EXPECT_EQ(log.columns.front().why, "counts the rows");
+  // Types between names and units; names above numbers of channels.
+  EXPECT_EQ(read_log("time,bed\ndatetime,float\ns,degC\n0,20\n1,21\n2,22\n", "f").columns.front().source, "bed");
   EXPECT_EQ(
-      said("Tag;Zeit;Wert\nn;10:00:00;0,5\nT;10:00:00;20,5\nn;10:00:01;1,5\nT;10:00:01;20,5\nn;10:00:02;0,5\nT;10:00:"
-           "02;20,5\n"),
-      "log.csv:2: expected one column per quantity, found rows of 2 quantities below each other, named in \"Tag\". "
-      "Export them side by side.");
+      read_log("Channel,101\nName,bed\nUnit,degC\n10:00:00,20\n10:00:01,21\n10:00:02,22\n", "f").columns.front().source,
+      "bed");
+}
+
+TEST(log, a_row_with_a_remark_is_data) {
+  for (const char* const text :
+       {"t (s),Z (um),note\n0,1,re-clamped\n1,2,\n2,4,\n3,5,\n", "t (s),Z (um)\n0,1,re-clamped\n1,2\n2,4\n3,5\n",
+        "t (s),note,Z (um)\n0,re-clamped,1\n1,,2\n2,,4\n3,door,5\n"}) {
+    const Log log = read_log(text, "f");
+    EXPECT_EQ(text_of(log), "Z_um measured: 1 2 4 5; ") << text;
+    EXPECT_EQ(log.first_row_line, 2u);
+  }
+}
+
+TEST(log, units_may_stand_beside_the_values) {
+  EXPECT_EQ(text_of(read_log("t_s,Ch1,unit,Ch2,unit\n0,20.5,C,1.5,um\n1,20.6,C,2.5,um\n2,20.7,C,2.0,um\n", "f")),
+            "Ch1_degC structure: 20.5 20.6 20.7; Ch2_um measured: 1.5 2.5 2; ");
+}
+
+TEST(log, numbers_of_the_columns_are_no_row) {
+  const Log log = read_log("0,1,2,3\n20.5,20.6,20.7,1\n20.6,20.7,20.9,3\n20.7,20.8,20.9,2\n", "f");
+  EXPECT_EQ(log.first_row_line, 2u);
+  EXPECT_EQ(log.columns.back().role, Role::measured);
+}
+
+TEST(log, names_may_stand_beside_the_values) {
+  const Log log = read_log(
+      "Sampling period is 1000000 nSec \n\nj.0.pos +1,5 j.0.on +0 \nj.0.pos +1,75 j.0.on +1 \n"
+      "j.0.pos +2,5 j.0.on +1 \n",
+      "f");
+  EXPECT_EQ(text_of(log), "j_0_pos measured: 1.5 1.75 2.5; j_0_on event: 0 1 1; ");
+  EXPECT_EQ(log.series.time_s, (std::vector<double>{0, 0.001, 0.002}));
+  EXPECT_EQ(text_of(read_log("T1: 20.5 C Z: 1.5 um\nT1: 20.6 C Z: 2.5 um\nT1: 20.7 C Z: 2.0 um\n", "f")),
+            "T1_degC structure: 20.5 20.6 20.7; Z_um measured: 1.5 2.5 2; ");
+}
+
+TEST(log, channels_below_each_other_become_columns) {
+  // Worked by hand: A at 0, 0.2 and 0.4 s, B at 0.1 and 0.2 s.
+  const Log log = read_log(
+      "M:A-Pos 2026-03-02 11:00:00.0 10.5  \nM:A-Pos 2026-03-02 11:00:00.2 10.75 HIGH MINOR\n"
+      "M:A-Pos 2026-03-02 11:00:00.4 10.0  \nM:B-Pos 2026-03-02 11:00:00.1 -2.5  \n"
+      "M:B-Pos 2026-03-02 11:00:00.2 -2.75  \nM:B-Pos 2026-03-02 11:00:00.3 -2.5  \n",
+      "f");
+  EXPECT_EQ(text_of(log), "M_A_Pos measured: 10.5 nan 10.75 nan 10; M_B_Pos measured: nan -2.5 -2.75 -2.5 nan; ");
+  EXPECT_EQ(log.series.time_s, (std::vector<double>{0, 0.1, 0.2, 0.3, 0.4}));
+  EXPECT_EQ(log.series.started, "2026-03-02T11:00:00");
+  // With units, in the order of time; the channel that lags has its own stamps.
+  std::string tidy = "timestamp,sensor,value,unit\n";
+  for (int i = 0; i < 4; ++i)
+    tidy += fmt::format("2026-03-02T10:0{}:00,room,2{}.0,°F\n2026-03-02T10:0{}:30,Z,{}.5,mm\n", i, 5 - i, i, i);
+  EXPECT_EQ(text_of(read_log(tidy, "f")).substr(0, 25), "room_degC ambient: -3.888");
+  EXPECT_EQ(read_log(tidy, "f").series.columns.back().name, "Z_um");
+  // Without a clock each turn is a row.
+  EXPECT_EQ(text_of(read_log("Z,1.5\nT_bed,20.5\nZ,2.5\nT_bed,20.4\nZ,2.0\nT_bed,20.6\n", "f")),
+            "Z measured: 1.5 2.5 2; T_bed_degC structure: 20.5 20.4 20.6; ");
+  // Numbers of sensors; a column of such a name that is none.
+  EXPECT_EQ(text_of(read_log("sensor,t_s,Z (um)\n1,0,2\n2,0,5\n1,1,3\n2,1,4\n1,2,1\n2,2,6\n", "f")),
+            "sensor_1_um measured: 2 3 1; sensor_2_um measured: 5 4 6; ");
+  EXPECT_EQ(text_of(read_log("probe,t_s,T1_degC\n1,0,20\n2,1,21\n1,2,22\n2,3,22\n1,4,21\n2,5,20\n", "f")),
+            "probe measured: 1 2 1 2 1 2; T1_degC structure: 20 21 22 22 21 20; ");
+  // A state is no channel.
+  EXPECT_EQ(text_of(read_log("t_s,Z_um,phase\n0,1,up\n1,2,up\n2,3,down\n3,2,down\n4,1,up\n5,0,up\n", "f")),
+            "Z_um measured: 1 2 3 2 1 0; ");
+}
+
+TEST(log, points_have_three_coordinates) {
+  const Log log = read_log(
+      "// Points in frame 'A::WORLD'\n// AXES = CARTESIAN: X,  Y,  Z (mm)\n"
+      "Rest,  Main,  1,  2296.5,  -2416.25,  -442.5,  03/14/26 16:38:29\n"
+      "Rest,  Main,  2,  2296.6,  -2416.5,  -442.25,  03/14/26 16:38:29\n"
+      "Rest,  Main,  3,  2296.7,  -2416.0,  -442.75,  03/14/26 16:38:30\n"
+      "Rest,  Main,  4,  2296.6,  -2416.5,  -442.25,  03/14/26 16:38:30\n",
+      "f");
+  EXPECT_EQ(text_of(log),
+            "X_um measured: 2296500 2296600 2296700 2296600; Y_um measured: -2416250 -2416500 -2416000 -2416500; "
+            "Z_um measured: -442500 -442250 -442750 -442250; ");
+  EXPECT_EQ(log.names_from, "points: names from line 2");
+  EXPECT_EQ(log.series.time_s, (std::vector<double>{0, 0.5, 1, 1.5}));
+}
+
+TEST(log, a_date_at_midnight_goes_with_the_time_beside_it) {
+  for (const char* const text :
+       {"Date,Time,Z um\n2026-05-01 00:00:00,23:59:00,1\n2026-05-02 00:00:00,00:00:00,2\n2026-05-02 "
+        "00:00:00,00:01:00,4\n",
+        "Date,Time,Z um\n2026-05-01,0.9993055555556,1\n2026-05-02,0,2\n2026-05-02,0.0006944444444,4\n"}) {
+    const Log log = read_log(text, "f");
+    EXPECT_EQ(log.series.started, "2026-05-01T23:59:00") << text;
+    ASSERT_EQ(log.series.time_s.size(), 3u);
+    EXPECT_NEAR(log.series.time_s[1], 60.0, 1e-4);
+    EXPECT_NEAR(log.series.time_s[2], 120.0, 1e-4);
+    EXPECT_EQ(log.columns.size(), 1u);
+  }
 }
 
 double warm(std::size_t row, double start) { return start + 8.0 * (1.0 - std::exp(-static_cast<double>(row) / 30.0)); }
+
+TEST(log, without_names_the_last_column_is_proposed) {
+  // Five temperatures, one of them warm from the run before; a displacement.
+  std::string text;
+  for (std::size_t row = 0; row < 60; ++row) {
+    for (const double start : {18.0, 20.0, 22.0, 21.0, 45.0}) text += fmt::format("{:.1f};", warm(row, start));
+    text += fmt::format("{:.1f}\n", 3.0 * (warm(row, 0.0)) - 2.0);
+  }
+  const Log log = read_log(text, "f");
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(log.columns[i].unit, "degC");
+  EXPECT_EQ(log.columns[5].role, Role::measured);
+  EXPECT_EQ(log.columns[5].why, "the last of the columns without names, in which unit?");
+}
 
 TEST(log, rows_without_a_time_are_numbered) {
   const Log log = read_log("a,b\n1,2\n3,5\n4,4\n", "log.csv");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -282,6 +283,81 @@ TEST(circle_table, is_known_by_the_first_part_of_a_long_file) {
   }
   EXPECT_EQ(found_in(reader_of(text)), "a circle in a table of numbers");
   EXPECT_EQ(read_circle_table(text, "f", {}).recordings.front().length_mm.size(), 20000u);
+}
+
+// An arc of 140 deg about (0.002, 0.003) m.
+std::string arc_in_metres(bool timed) {
+  std::string text;
+  for (int i = 0; i < 140; ++i) {
+    const double angle_rad = rad_from_deg(100.0 + i);
+    if (timed) text += fmt::format("{:.2f},", 3.0 + 0.05 * i);
+    text += fmt::format("{:.7f},{:.7f},0.734970\n", 0.002 + 0.274 * std::cos(angle_rad),
+                        0.003 + 0.274 * std::sin(angle_rad));
+  }
+  return text;
+}
+
+TEST(circle_table, metres_are_known_by_their_size_or_stated) {
+  for (const bool timed : {false, true}) {
+    for (const bool stated : {false, true}) {
+      const std::string text = arc_in_metres(timed);
+      EXPECT_EQ(found_in(reader_of(text)), "a circle in a table of numbers");
+      StatedCircle how;
+      if (stated) how.table.columns.push_back({"*", "", "m", std::nullopt, false});
+      const RecordingFile file = read_circle_table(text, "f", how);
+      ASSERT_EQ(file.recordings.size(), 1u);
+      EXPECT_NEAR(file.recordings.front().nominal_length_mm, 274.0, 1e-12);
+      EXPECT_EQ(file.recordings.front().length_mm.size(), 140u);
+      EXPECT_NE(file.remarks.front().find(stated ? "in m, from" : "in m (read as metres by their size), from"),
+                std::string::npos)
+          << file.remarks.front();
+    }
+  }
+}
+
+TEST(circle_table, inches_are_known_by_a_usual_radius) {
+  // 100 mm are 3.93701 in.
+  const RecordingFile file = read_circle_table(rows(100.0 / 25.4, point), "f", {});
+  EXPECT_NEAR(file.recordings.front().nominal_length_mm, 100.0, 1e-12);
+}
+
+TEST(circle_table, of_three_coordinates_the_order_tells_the_plane) {
+  std::string text;
+  for (int i = 0; i < 360; i += 2)
+    text += fmt::format("{:.5f};7.5;{:.5f}\n", 50.0 * std::sin(rad_from_deg(i)), 50.0 * std::cos(rad_from_deg(i)));
+  const RecordingFile file = read_circle_table(text, "f", {});
+  EXPECT_EQ(file.recordings.front().plane, Plane::ZX);
+  EXPECT_EQ(file.recordings.front().direction, Direction::CCW);
+}
+
+TEST(circle_table, points_in_any_order_are_sorted_by_angle) {
+  std::string json = "[", polar_text = "angle_deg;radius_mm\n";
+  for (int i = 0; i < 24; ++i) {
+    const double angle_rad = rad_from_deg(15.0 * ((7 * i) % 24 + (i % 3 == 0 ? 5 : 0)));
+    const double radius_mm = 50.0 + mm_from_um(deviation_um(angle_rad));
+    json += fmt::format("{}{{\"No\": {}, \"x\": {:.6f}, \"y\": {:.6f}}}", i == 0 ? "" : ", ", i + 1,
+                        10.0 + radius_mm * std::cos(angle_rad), 20.0 + radius_mm * std::sin(angle_rad));
+    polar_text += polar(angle_rad, radius_mm) + '\n';
+  }
+  for (const std::string& text : {json + "]", polar_text}) {
+    EXPECT_EQ(found_in(reader_of(text)), "a circle in a table of numbers");
+    const RecordingFile file = read_circle_table(text, "f", {});
+    ASSERT_EQ(file.recordings.size(), 1u);
+    const Recording& recording = file.recordings.front();
+    EXPECT_EQ(recording.direction, Direction::CCW);
+    EXPECT_TRUE(std::is_sorted(recording.angle_rad.begin(), recording.angle_rad.end()));
+    EXPECT_NE(file.remarks.front().find("sorted by angle"), std::string::npos);
+  }
+}
+
+// Two temperatures that swing a quarter of a period apart.
+TEST(circle_table, temperatures_by_dates_are_no_circle) {
+  std::string text = "sample,time,pos_steps,frame_t,bed_t\n";
+  for (int i = 0; i < 360; ++i) {
+    text += fmt::format("{},2026/03/14-08:{:02}:{:02},-8000,{:.4f},{:.4f}\n", i / 6, i / 60, i % 60,
+                        25.0 + 2.0 * std::cos(rad_from_deg(i)), 25.0 + 2.0 * std::sin(rad_from_deg(i)));
+  }
+  EXPECT_EQ(found_in(reader_of(text)), "a log of columns over time");
 }
 
 }  // namespace

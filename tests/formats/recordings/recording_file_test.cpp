@@ -33,7 +33,8 @@ TEST(recording_file, says_what_it_found_instead) {
       "found ";
   EXPECT_EQ(opening(""), expected + "an empty file.");
   EXPECT_EQ(opening("\xEF\xBB\xBF\n \n"), expected + "an empty file.");
-  EXPECT_EQ(opening(std::string_view("PK\3\4\0\0", 6)), expected + "a log of columns over time.");
+  EXPECT_EQ(opening(std::string_view("PK\3\4\0\0", 6)),
+            "DIR/f:1: expected a whole workbook (.xlsx), found a damaged archive.");
   EXPECT_EQ(opening(std::string_view("\x7F\0\1", 3)), expected + "a binary file.");
   EXPECT_EQ(opening(good_text("series")), expected + "a series of columns over time.");
   EXPECT_EQ(opening("time_min,x_um\n0,1\n"), expected + "a series of columns over time.");

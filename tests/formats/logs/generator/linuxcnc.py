@@ -57,7 +57,7 @@ def older(name, pins, rows, period_ns):
     text = f"Sampling period is {period_ns} ns \n" + "".join(
         "\n" + "".join(f"{s.source} {c} " for s, c in zip(signals, row)) for row in body) + "\n"
     return Log(name + ".log", FAMILY, text.encode(), [i * period_ns / 1e9 for i in range(rows)], signals,
-               options=["--every", f"{period_ns / 1e9:.9f}s"], extra={"may_refuse": True})
+               options=["--every", f"{period_ns / 1e9:.9f}s"])
 
 
 SPINDLE = [("speed", "spindle.0.speed-in", "speed"), ("current", "vfd.output-current", None)]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 FAMILIES = ("catman", "national_instruments", "siemens", "fanuc", "heidenhain", "linuxcnc", "keyence", "picolog", "graphtec",
             "excel_csv", "xlsx", "matlab", "pandas_csv", "people_times", "people_numbers", "people_layouts", "ambiguous", "odd_text",
-            "odd_clock", "odd_files")
+            "odd_clock", "odd_files", "layouts")
 
 
 def main(folder):

@@ -4,7 +4,7 @@ from datetime import datetime
 
 import clock
 from delimited import delimited, no_times
-from record import Log, Record
+from record import Log, Record, Signal
 
 FAMILY = "siemens"
 
@@ -68,10 +68,11 @@ def logs():
     times.time_s = [round(t - before, 3) for t in times.time_s]
     times.columns = [[f"{t:.3f}" for t in times.time_s]]
     yield delimited("siemens_08_negative_time.csv", FAMILY, times, named(r, ["speed", "current", "pos_Z"], ENGLISH))
+    # Two tags below each other, row by row
     r = Record("siemens_09_several_tags", 60, 10_000_000)
-    body = [[f'"{tag}"', f"{s:%d.%m.%Y %H:%M:%S}", v, "1"] for i, s in enumerate(r.stamps)
-            for tag, v in (("Drehzahl", f"{i * 100}"), ("T_Lager", f"{20 + i / 10:.1f}".replace(".", ",")))]
+    signals = [Signal("Drehzahl", "", [i * 100.0 for i in range(60)], 0, "speed"),
+               Signal("T_Lager", "", [round(20 + i / 10, 1) for i in range(60)], 1, "bearing")]
+    body = [[f'"{s.source}"', f"{stamp:%d.%m.%Y %H:%M:%S}", f"{s.numbers[i]:.{s.digits}f}".replace(".", ","), "1"]
+            for i, stamp in enumerate(r.stamps) for s in signals]
     text = '"VarName";"TimeString";"VarValue";"Validity"\r\n' + "".join(";".join(row) + "\r\n" for row in body)
-    yield Log("siemens_09_several_tags.csv", FAMILY, text.encode("cp1252"), [], [], expect="refuse",
-              why="two tags stand in one column, row by row: as one column they would be read wrong")
-
+    yield Log("siemens_09_several_tags.csv", FAMILY, text.encode("cp1252"), r.time_s, signals)

@@ -40,8 +40,9 @@ struct Log {
   std::string time;                // in words: where the time comes from
   std::string shape;               // in words: "semicolons, decimal comma, Windows-1252"
   std::size_t first_row_line = 0;
-  std::vector<std::string> remarks;        // whole sentences: possible faults, repairs, assumptions
-  std::vector<std::string> unclear;        // whole sentences: what a user should state
+  std::string names_from;            // in words: "names from line 2, units from line 3"; empty: right above the rows
+  std::vector<std::string> remarks;  // whole sentences: possible faults, repairs, assumptions
+  std::vector<std::string> unclear;  // whole sentences: what a user should state
   std::vector<std::size_t> skipped_lines;  // numbers of the lines that are not rows of numbers
   std::size_t without_row = 0;             // lines between the first and the last row that are not rows
   std::string sheet;                       // workbook: the sheet that was read

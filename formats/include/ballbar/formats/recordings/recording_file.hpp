@@ -8,6 +8,7 @@
 
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/formats/recordings/b5r.hpp"
+#include "ballbar/formats/text/log_recipe.hpp"
 #include "ballbar/formats/text/reader.hpp"
 #include "ballbar/formats/text/source.hpp"
 
@@ -24,6 +25,7 @@ struct RecordingFile {
 // What the user states about a circle if the file does not (circle_table.hpp). Other formats ignore it.
 struct StatedCircle {
   std::optional<double> radius_mm;  // nominal, above 0; overrides the file
+  LogRecipe table;                  // how it is read, units of columns; open_recording() takes that of the source
 };
 
 // Whether the content looks like a recording: a .b5r, an archive with one, a log or a table. It may still have faults.
