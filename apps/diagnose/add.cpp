@@ -24,6 +24,7 @@
 #include "model/residual_report.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
+#include "terminal/state_file.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -172,12 +173,13 @@ void run(AddArguments options) {
   if (options.named_only && !options.automatic) throw CLI::ValidationError("--named-only: expected --auto");
   split_words(options.effect, !options.automatic);
   expect_file(options);
+  const Source to = written_to(options).model;
+  const auto lock = to.is_path() ? only_writer(to.path(), "ballbar add") : std::nullopt;  // before the file is read
   const ProgressLine progress;
   const ModelOptions& how = options.effect.model;
   const auto opened = std::make_shared<const ModelData>(open_data(how));
   const ModelData& data = *opened;
   Additions additions{opened_model(how, opened), {}, {}, {}};
-  const Source to = written_to(options).model;
   const std::string& out = to.name();
   if (additions.model.is_new())
     stderr_line(fmt::format("{} is new: it starts from {} alone", out, start_of(data.level)));
