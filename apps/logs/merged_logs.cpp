@@ -21,12 +21,14 @@ namespace {
 struct Part {
   MergedPart merged;
   Series series;
+  double stated_shift_s = 0.0;
 };
 
 Part opened(const Source& log) {
   Part part{{log.name(), 0.0, std::nullopt, std::nullopt}, {}};
   OpenedSeries opened = opened_series(log);
   tell(opened.remarks);
+  part.stated_shift_s = stated_shift_s(log.recipe(), log.name());
   part.series = *opened.series;
   return part;
 }
@@ -40,6 +42,7 @@ void align(const Part& first, Part& part, const ClockOptions& options) {
   for (double& time : part.series.time_s) time += part.merged.moved_s;
   if (options.keep_clocks) return;
   if (part.merged.by_date_s) part.merged.zone = zone_shift(first.series, part.series);
+  if (part.merged.zone) part.merged.zone->shift_s += part.stated_shift_s;
   const double span_s = std::max(first.series.time_s.back() - first.series.time_s.front(),
                                  part.series.time_s.back() - part.series.time_s.front());
   // Two clocks with dates differ by minutes, two without by as much as the logs are long.
@@ -78,7 +81,7 @@ std::string zone_text(const MergedPart& part) {
   const bool is_h = std::fmod(zone.shift_s, 3600.0) == 0.0;
   return fmt::format(
       "{} may be of another time zone: set {} {}, {} and {} change together (correlation of their changes {:.2f}, now "
-      "{:.2f}). If so, add --shift {}={:g}{}.",
+      "{:.2f}). If so, state --shift {}={:g}{}.",
       part.file, duration_text(std::abs(zone.shift_s)), zone.shift_s > 0.0 ? "later" : "earlier", zone.column,
       zone.other, zone.correlation, zone.correlation_now,
       shell_word(std::filesystem::path(part.file).filename().string()), zone.shift_s / (is_h ? 3600.0 : 60.0),

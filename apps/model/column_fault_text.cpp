@@ -28,8 +28,7 @@ std::string what_text(const ColumnFault& fault) {
       return fmt::format("stays at its {} value, {:g}, for {} in all (clipped?)", fault.is_low ? "lowest" : "highest",
                          fault.value, duration_text(fault.long_s));
     case FaultKind::jumps:
-      return fmt::format("jumps {}, by {:.3g}, the first time at {}",
-                         one ? std::string("once") : fmt::format("{} times", fault.count), fault.value,
+      return fmt::format("jumps at least {} times, by {:.2g}, the first time at {}", fault.count, fault.value,
                          duration_text(fault.at_s));
   }
   return {};

@@ -67,12 +67,17 @@ void join(Log& log, const std::string& name, Log beside, const std::string& file
   std::move(beside.remarks.begin(), beside.remarks.end(), std::back_inserter(log.remarks));
 }
 
-std::string shift_clock(Series& series, const LogRecipe& recipe, const std::string& name) {
+double stated_shift_s(const LogRecipe& recipe, const std::string& name) {
   double shift_s = 0.0;
   const std::string file = std::filesystem::path(name).filename().string();
   for (const ClockShift& one : recipe.shifts) {
     if (suits(one.file, name) || suits(one.file, file)) shift_s += one.shift_s;
   }
+  return shift_s;
+}
+
+std::string shift_clock(Series& series, const LogRecipe& recipe, const std::string& name) {
+  const double shift_s = stated_shift_s(recipe, name);
   if (shift_s == 0.0) return {};
   if (!series.has_clock) throw Error(fmt::format("{}: expected a clock for --shift, found numbered rows.", name));
   if (const auto started_s = series.started ? seconds_of_stamp(*series.started) : std::nullopt) {

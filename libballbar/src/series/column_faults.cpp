@@ -13,9 +13,10 @@ namespace ballbar {
 namespace {
 
 constexpr double kLongPause = 10.0;
-constexpr std::size_t kAboutJump = 5;  // values on either side
-constexpr double kFarJump = 6.0;       // sigma of the difference of their medians
-constexpr double kInOneStep = 0.6;     // of the jump
+constexpr std::size_t kAboutJump = 3, kDriftReach = 12, kFewestForJumps = 40,
+                      kFewestJumps = 3;  // values on either side
+constexpr double kFarJump = 7.0;         // sigma of the difference of their medians
+constexpr double kInOneStep = 0.6;       // of the jump
 constexpr std::array<std::string_view, 8> kKinds{"pauses", "few_values", "gaps",    "constant",
                                                  "stuck",  "far_off",    "clipped", "jumps"};
 
@@ -29,28 +30,29 @@ struct LevelStep {
   double size = 0.0;
 };
 
-// Where the medians before and after differ by far more than elsewhere, most of it in one step.
+// Where the medians before and after differ by far more than their drift about it, most of it in one step.
 std::vector<LevelStep> level_steps(const std::vector<double>& values) {
-  const std::size_t n = values.size();
-  if (n < 8 * kAboutJump) return {};
-  const auto median_of = [&](std::size_t from) {
-    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(from);
-    return median(std::vector<double>(begin, begin + kAboutJump));
+  const std::size_t n = values.size(), last = n - std::min(n, kAboutJump);
+  std::vector<LevelStep> steps;
+  if (n < kFewestForJumps) return steps;
+  const auto median_of = [](const std::vector<double>& of, std::size_t from, std::size_t end) {
+    return median(std::vector<double>(of.begin() + static_cast<std::ptrdiff_t>(from),
+                                      of.begin() + static_cast<std::ptrdiff_t>(end)));
   };
-  std::vector<double> differences(n, 0.0), sizes;
-  for (std::size_t i = kAboutJump; i + kAboutJump <= n; ++i) {
-    differences[i] = median_of(i) - median_of(i - kAboutJump);
-    sizes.push_back(std::abs(differences[i]));
+  std::vector<double> difference(n, 0.0), off(n, 0.0), sizes;
+  for (std::size_t i = kAboutJump; i <= last; ++i)
+    difference[i] = median_of(values, i, i + kAboutJump) - median_of(values, i - kAboutJump, i);
+  for (std::size_t i = kAboutJump; i <= last; ++i) {
+    const std::size_t from = std::max(kAboutJump, i - std::min(i, kDriftReach)),
+                      end = std::min(last + 1, i + kDriftReach);
+    off[i] = difference[i] - median_of(difference, from, end);
+    sizes.push_back(std::abs(off[i]));
   }
   const double least = kFarJump * 1.4826 * median(std::move(sizes));
-  std::vector<LevelStep> steps;
-  for (std::size_t i = kAboutJump; i + kAboutJump <= n; ++i) {
-    const double size = std::abs(differences[i]), step = std::abs(values[i] - values[i - 1]);
+  for (std::size_t i = kAboutJump; i <= last; ++i) {
+    const double size = std::abs(off[i]), step = (values[i] - values[i - 1]) * (off[i] < 0.0 ? -1.0 : 1.0);
     if (!(size > least) || step < kInOneStep * size || step > size / kInOneStep) continue;
-    const bool is_top = std::all_of(differences.begin() + static_cast<std::ptrdiff_t>(i - kAboutJump),
-                                    differences.begin() + static_cast<std::ptrdiff_t>(i + kAboutJump),
-                                    [&](double other) { return std::abs(other) <= size; });
-    if (is_top && (steps.empty() || i - steps.back().at > kAboutJump)) steps.push_back({i, size});
+    if (steps.empty() || i - steps.back().at > kAboutJump) steps.push_back({i, size});
   }
   return steps;
 }
@@ -79,7 +81,7 @@ void add_faults_of_values(const Column& column, const KnownRows& known, std::vec
         {column.name, FaultKind::far_off, far.size(), values[far.front()], known.time_s[far.front()], 0.0, false});
   if (column.role != Role::measured) return;
   const std::vector<LevelStep> steps = level_steps(values);
-  if (steps.empty()) return;
+  if (steps.size() < kFewestJumps) return;
   std::vector<double> sizes;
   for (const LevelStep& step : steps) sizes.push_back(step.size);
   faults.push_back({column.name, FaultKind::jumps, steps.size(), median(std::move(sizes)),

@@ -94,8 +94,8 @@ Score score_at(const Changes& a, const Changes& b, long steps, bool rise_togethe
 }
 
 // Of one pair of columns, with changes over one time.
-void try_pair(const Changes& a, const Changes& b, double step_s, bool rise_together, double& best_score,
-              ZoneShift& best) {
+void try_pair(const Changes& a, const Changes& b, double step_s, bool rise_together, bool is_one_quantity,
+              double& best_score, ZoneShift& best) {
   const double shift_s = std::max(step_s, kQuarter_s);
   const auto steps = static_cast<long>(shift_s / step_s), most = static_cast<long>(kMost_s / shift_s);
   std::vector<Score> scores;
@@ -118,6 +118,7 @@ void try_pair(const Changes& a, const Changes& b, double step_s, bool rise_toget
   const long hour = static_cast<long>(kHour_s / shift_s);
   const long whole = std::lround(static_cast<double>(top) / static_cast<double>(hour)) * hour;
   if (whole >= low && whole <= high && at(whole).score > kNearlyAsLarge * score) top = whole;
+  if (!is_one_quantity && std::fmod(static_cast<double>(top) * shift_s, 0.5 * kHour_s) != 0.0) return;
   best.shift_s = static_cast<double>(top) * shift_s;
   best.correlation = at(top).correlation;
   best.correlation_now = at(0).correlation;
@@ -142,7 +143,7 @@ std::optional<ZoneShift> zone_shift(const Series& first, const Series& second) {
         if (!may_change_together(a, b) || ++pairs > kMostPairs) continue;
         ZoneShift one{a.name, b.name, 0.0, 0.0, 0.0};
         const double before = best_score;
-        try_pair(changes, others[k], step_s, is_temperature(a) && is_temperature(b), best_score, one);
+        try_pair(changes, others[k], step_s, is_temperature(a) && is_temperature(b), a.name == b.name, best_score, one);
         if (best_score > before) found = one.shift_s == 0.0 ? std::nullopt : std::optional(one);
       }
     }

@@ -254,9 +254,10 @@ TEST(log, a_column_is_named_as_the_file_or_the_series_names_it_with_its_unit_or_
             "expected the name of one column, found \"probe Z\", which may be \"Probe Z (um)\" or \"Probe Z (mm)\"; "
             "state its unit too.");
   EXPECT_EQ(named("Probe"), "Probe");
-  EXPECT_EQ(said("time_s,Probe Z (um),Probe Z (mm)\n0,1,5\n1,2,5.1\n", {.columns = {{"probe z", "", "", {}, true}}}),
-            "log.csv:1: expected the name of one column, found \"probe z\", which may be \"Probe Z (um)\" or \"Probe Z "
-            "(mm)\"; state its unit too.");
+  EXPECT_EQ(
+      said("time_s,Probe Z (um),Probe Z (mm),x\n0,1,5,1\n1,2,5.1,2\n", {.columns = {{"probe z", "", "", {}, true}}}),
+      "log.csv:1: expected the name of one column, found \"probe z\", which may be \"Probe Z (um)\" or \"Probe Z "
+      "(mm)\"; state its unit too.");
   EXPECT_EQ(text_of(read_log("Elapsed (s),Z (um)\n0,1\n1,2\n", "log.csv", {.time = "elapsed"})),
             "Z_um measured: 1 2; ");
 }

@@ -137,18 +137,21 @@ TEST(column_faults, of_sensors_that_are_clipped_and_probes_that_jump) {
   EXPECT_EQ(faults[1].at_s, 6000.0);
 }
 
-// A bearing that warms up and cools down at odd times, in a room whose heating switches; the room as another logger has
-// it, whose clock is `late_s` behind, and a day that both have.
+// One day of a bearing that warms up and cools down at odd times, in a room whose heating switches; or of the room, as
+// a logger has it whose clock is `behind_s` behind.
 Series of_a_hall(double step_s, double behind_s, bool is_room, double noise_K, unsigned seed) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> normal(0.0, noise_K);
   Series series;
   Column column{is_room ? "Room_degC" : "bearing_degC", is_room ? Role::ambient : Role::bearing, {}};
+  std::mt19937 events(5);
+  bool heats = false, turns = false;
   double room = 18.0, bearing = 18.0;
   for (int t = 0; t < 86400; t += 60) {
-    const bool heats = (t * 7 / 3600) % 11 < 5, turns = (t * 3 / 3600) % 7 < 3;
+    heats = heats != (events() % 100 < 3);
+    turns = turns != (events() % 100 < 2);
     room += ((heats ? 24.0 : 17.0) - room) * 60.0 / 1500.0;
-    bearing += (room + (turns ? 6.0 : 0.0) - bearing) * 60.0 / 900.0;
+    bearing += (room + (turns ? 1.0 : 0.0) - bearing) * 60.0 / 180.0;
     if (t % static_cast<int>(step_s) != 0) continue;
     series.time_s.push_back(t - behind_s);
     column.values.push_back(std::round(10.0 * ((is_room ? room : bearing) + normal(engine))) / 10.0);

@@ -21,7 +21,8 @@ struct ZoneShift {
 // shift is Fisher's z of the correlation in its standard deviations, for the number of independent changes by
 // Bartlett's formula; temperatures count only if they rise together. Returns the best shift if its score is at least 6
 // and 1.5 times every score beyond its peak, and the peak does not hold 0; a whole hour goes before the other quarters
-// if its score is nearly as large. With no more than 300 pairs of columns; O(pairs shifts n).
+// if its score is nearly as large. One temperature may follow another with a delay, so that of two names only a peak at
+// a whole or half hour counts. With no more than 300 pairs of columns; O(pairs shifts n).
 std::optional<ZoneShift> zone_shift(const Series& first, const Series& second);
 
 }  // namespace ballbar
