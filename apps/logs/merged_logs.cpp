@@ -130,7 +130,7 @@ void print_text(const MergedSeries& merged, const ClockOptions& clocks) {
   for (std::size_t i = 1; i < merged.parts.size(); ++i) {
     fmt::print("{}", wrapped(fmt::format("{}: {}", merged.parts[i].file,
                                          clock_text(merged.parts.front(), merged.parts[i], clocks.keep_clocks))));
-    fmt::print("{}", wrapped(zone_text(merged.parts[i])));
+    if (const std::string zone = zone_text(merged.parts[i]); !zone.empty()) fmt::print("{}", wrapped(zone));
   }
 }
 

@@ -76,6 +76,14 @@ void expect_also_inputs(const ModelOptions& options, const Model& model, const S
   }
 }
 
+// The columns of a model's file, which may have the names of the log. Those of a formula stand in its text.
+void name_columns(Model& model, const Series& data) {
+  model.targets = columns_named(data, model.targets);
+  for (Term& term : model.terms) {
+    if (term.effect->name != "expression") term.columns = columns_named(data, term.columns);
+  }
+}
+
 // Puts the model's own targets aside where others are chosen.
 void choose_targets(Model& model, const ModelOptions& options, const Series& data) {
   if (options.target.empty()) return;
@@ -208,6 +216,7 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
     }
     if (data.motion) with_source(options.model.name(), [&] { expect_acts(model, *data.motion); });
     if (model.level == Level::recording) model = with_circles(std::move(model), *data.series);
+    if (model.level == Level::series) with_source(options.model.name(), [&] { name_columns(model, *data.series); });
   }
   expect_clock_of_model(model, options, data);
   std::vector<std::string> held = options.set;

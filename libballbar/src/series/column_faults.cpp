@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "ballbar/numerics/order_statistic.hpp"
@@ -13,16 +14,19 @@ namespace ballbar {
 namespace {
 
 constexpr double kLongPause = 10.0;
-constexpr std::size_t kAboutJump = 3, kDriftReach = 12, kFewestForJumps = 40,
-                      kFewestJumps = 3;  // values on either side
-constexpr double kFarJump = 7.0;         // sigma of the difference of their medians
-constexpr double kInOneStep = 0.6;       // of the jump
+constexpr std::size_t kAboutJump = 3, kDriftReach = 12, kFewestForJumps = 40, kFewestJumps = 3,
+                      kRowsBeside = 2;    // values on either side
+constexpr double kFarJump = 7.0;          // sigma of the difference of their medians
+constexpr double kInOneStep = 0.6;        // of the jump
+constexpr double kOfItsNeighbours = 0.5;  // of the jump: the largest change beside it
+constexpr double kStepOfInput = 0.2;      // of its range
 constexpr std::array<std::string_view, 8> kKinds{"pauses", "few_values", "gaps",    "constant",
                                                  "stuck",  "far_off",    "clipped", "jumps"};
 
 // The rows that have a value.
 struct KnownRows {
   std::vector<double> time_s, value;
+  std::vector<char> beside_a_jump;  // of an input
 };
 
 struct LevelStep {
@@ -52,9 +56,35 @@ std::vector<LevelStep> level_steps(const std::vector<double>& values) {
   for (std::size_t i = kAboutJump; i <= last; ++i) {
     const double size = std::abs(off[i]), step = (values[i] - values[i - 1]) * (off[i] < 0.0 ? -1.0 : 1.0);
     if (!(size > least) || step < kInOneStep * size || step > size / kInOneStep) continue;
+    const double before = std::abs(values[i - 1] - values[i - 2]), after = std::abs(values[i + 1] - values[i]);
+    if (std::max(before, after) > kOfItsNeighbours * step) continue;  // a ramp
     if (steps.empty() || i - steps.back().at > kAboutJump) steps.push_back({i, size});
   }
   return steps;
+}
+
+// Rows within two of a step of an input by more than a fifth of its range, such as a speed: there a probe may jump.
+std::vector<char> beside_jumps_of_inputs(const Series& series) {
+  const std::size_t rows = series.time_s.size();
+  std::vector<char> beside(rows, 0);
+  for (const Column& column : series.columns) {
+    if (column.role == Role::measured) continue;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const double value : column.values) {
+      if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
+    }
+    double before = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t row = 0; row < rows; ++row) {
+      if (!std::isfinite(column.values[row])) continue;
+      const bool jumps = std::abs(column.values[row] - before) > kStepOfInput * (most - least);
+      before = column.values[row];
+      if (!jumps) continue;
+      const auto first = static_cast<std::ptrdiff_t>(row - std::min(row, kRowsBeside));
+      const auto end = static_cast<std::ptrdiff_t>(std::min(rows, row + kRowsBeside + 1));
+      std::fill(beside.begin() + first, beside.begin() + end, char{1});
+    }
+  }
+  return beside;
 }
 
 // What the values of a smooth column show.
@@ -80,7 +110,8 @@ void add_faults_of_values(const Column& column, const KnownRows& known, std::vec
     faults.push_back(
         {column.name, FaultKind::far_off, far.size(), values[far.front()], known.time_s[far.front()], 0.0, false});
   if (column.role != Role::measured) return;
-  const std::vector<LevelStep> steps = level_steps(values);
+  std::vector<LevelStep> steps = level_steps(values);
+  std::erase_if(steps, [&](const LevelStep& step) { return known.beside_a_jump[step.at] != 0; });
   if (steps.size() < kFewestJumps) return;
   std::vector<double> sizes;
   for (const LevelStep& step : steps) sizes.push_back(step.size);
@@ -104,12 +135,14 @@ std::vector<ColumnFault> column_faults(const Series& series) {
     faults.push_back({"", FaultKind::pauses, static_cast<std::size_t>(count), *pause,
                       series.time_s[static_cast<std::size_t>(pause - steps_s.begin())], long_s, false});
   }
+  const std::vector<char> beside = beside_jumps_of_inputs(series);
   for (const Column& column : series.columns) {
     KnownRows known;
     for (std::size_t row = 0; row < column.values.size(); ++row) {
       if (!std::isfinite(column.values[row])) continue;
       known.time_s.push_back(series.time_s[row]);
       known.value.push_back(column.values[row]);
+      known.beside_a_jump.push_back(beside[row]);
     }
     const std::vector<double>& values = known.value;
     const std::size_t rows = column.values.size(), gaps = rows - values.size();

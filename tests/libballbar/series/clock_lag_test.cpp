@@ -121,7 +121,7 @@ TEST(column_faults, of_sensors_that_are_clipped_and_probes_that_jump) {
     clipped.values.push_back(std::min(30.0, std::round(100.0 * degC) / 100.0));
     free.values.push_back(std::round(100.0 * degC) / 100.0);
     moved.values.push_back(2.0 * (i / 100 % 2) + 0.001 * i + normal(engine));
-    speed.values.push_back(i / 50 % 2 * 6000.0);
+    speed.values.push_back((i + 25) / 50 % 2 * 6000.0);
   }
   series.columns = {clipped, free, moved, speed};
   const std::vector<ColumnFault> faults = column_faults(series);

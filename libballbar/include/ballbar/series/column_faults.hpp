@@ -20,7 +20,8 @@ enum class FaultKind : std::uint8_t {
   far_off,     // up to three values in a row that are far off their neighbours: more than 10 sigma off the running
                // median of seven
   clipped,     // stands at its largest or smallest value, though it changes by more than its resolution just before
-  jumps,       // of a measured column, three or more: it stays off after one step by far more than it changes otherwise
+  jumps,  // of a measured column, three or more: in one step, by far more than it changes otherwise, while no input
+          // jumps
 };
 std::string_view name_of(FaultKind kind);
 
