@@ -210,7 +210,8 @@ void print_text(const DiagnosisReport& diagnosis_report, const std::string& titl
   fmt::print("{}{}\n\n", heading(diagnosis_report.residual_report.fit),
              is_whole ? "" : fmt::format(". Verdict: {}.", name_of(found.verdict)));
   if (!diagnosis_report.unsupported.empty()) fmt::print("{}", wrapped(unsupported_text(diagnosis_report)));
-  if (is_whole) fmt::print("{}", unsaid_faults_text(diagnosis_report));
+  const std::string faults = is_whole ? unsaid_faults_text(diagnosis_report) : "";
+  fmt::print("{}{}", faults, faults.empty() ? "" : "\n");
   fmt::print("{}", wrapped(sentence_of(found)));
   if (!diagnosis_report.command.empty()) fmt::print("\n{}\n", diagnosis_report.command);
   if (!diagnosis_report.hint.empty()) fmt::print("\n{}", wrapped(diagnosis_report.hint));

@@ -22,8 +22,12 @@ std::string what_text(const ColumnFault& fault) {
     case FaultKind::stuck:
       return fmt::format("does not change any more in the last {} rows: {:g}", fault.count, fault.value);
     case FaultKind::far_off:
-      return fmt::format("{} {} far off the neighbours, the first, {:g}, at {}", fault.count,
-                         one ? "reading lies" : "readings lie", fault.value, duration_text(fault.at_s));
+      if (one) {
+        return fmt::format("a reading, {:g} at {}, lies far off its neighbours", fault.value,
+                           duration_text(fault.at_s));
+      }
+      return fmt::format("{} readings lie far off their neighbours, the first, {:g}, at {}", fault.count, fault.value,
+                         duration_text(fault.at_s));
     case FaultKind::clipped:
       return fmt::format("stays at its {} value, {:g}, for {} in all (clipped?)", fault.is_low ? "lowest" : "highest",
                          fault.value, duration_text(fault.long_s));

@@ -44,8 +44,7 @@ std::string faults_text(const ResidualReport& report, const std::vector<FaultKin
     if (fault.kind == FaultKind::far_off) return !report.fit.set_aside.empty();  // the heading says it
     return std::find(also_said.begin(), also_said.end(), fault.kind) != also_said.end();
   });
-  const std::string lines = lines_of(faults);
-  return lines.empty() ? lines : lines + "\n";
+  return lines_of(faults);
 }
 
 void print_sentences(const ResidualReport& residual_report) {

@@ -24,7 +24,7 @@ Workbench workbench_of(const ModelOptions& options, const std::shared_ptr<const 
 // "z_um, 6669 values over 27.8 h"
 std::string heading(const Fit& fit);
 
-// Faults of columns that no other line says, wrapped, with an empty line below. `also_said`: kinds of the target.
+// Faults of columns that no other line says, a wrapped line each. `also_said`: kinds of the target.
 std::string faults_text(const ResidualReport& report, const std::vector<FaultKind>& also_said = {});
 
 // The three sentences, wrapped.

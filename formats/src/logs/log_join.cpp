@@ -70,7 +70,7 @@ void join(Log& log, const std::string& name, Log beside, const std::string& file
 double stated_shift_s(const LogRecipe& recipe, const std::string& name) {
   double shift_s = 0.0;
   const std::string file = std::filesystem::path(name).filename().string();
-  for (const ClockShift& one : recipe.shifts) {
+  for (const LogShift& one : recipe.shifts) {
     if (suits(one.file, name) || suits(one.file, file)) shift_s += one.shift_s;
   }
   return shift_s;

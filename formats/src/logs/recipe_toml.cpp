@@ -122,7 +122,7 @@ std::string write_recipe(const LogRecipe& recipe) {
   if (recipe.skip_bad_rows) out += "skip_bad_rows = true\n";
   if (recipe.burst_means) out += "burst_means = true\n";
   texts("join", recipe.join);
-  for (const ClockShift& one : recipe.shifts)
+  for (const LogShift& one : recipe.shifts)
     out += fmt::format("\n[[shift]]\nfile = {}\nshift_s = {}\n", toml_quoted(one.file), toml_number(one.shift_s));
   for (const ColumnRecipe& column : recipe.columns) {
     out += "\n[[column]]\n";

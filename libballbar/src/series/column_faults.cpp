@@ -97,18 +97,25 @@ void add_faults_of_values(const Column& column, const KnownRows& known, std::vec
   if (clipped.empty() && still * 10 > values.size() && still > 20) {
     const std::size_t first = values.size() - still;
     faults.push_back({column.name, FaultKind::stuck, still, values.back(), known.time_s[first],
-                      steps_s(first, values.size() - 1), false});
+                      steps_s(first, values.size() - 1), false, false});
   }
   if (!clipped.empty()) {
     double long_s = 0.0;
     for (const std::size_t row : clipped) long_s += row + 1 < values.size() ? steps_s(row, row + 1) : 0.0;
     const double at = values[clipped.front()];
     faults.push_back({column.name, FaultKind::clipped, clipped.size(), at, known.time_s[clipped.front()], long_s,
-                      at == *std::min_element(values.begin(), values.end())});
+                      at == *std::min_element(values.begin(), values.end()), false});
   }
-  if (const std::vector<std::size_t> far = far_readings(values); !far.empty())
-    faults.push_back(
-        {column.name, FaultKind::far_off, far.size(), values[far.front()], known.time_s[far.front()], 0.0, false});
+  if (const std::vector<std::size_t> far = far_readings(values); !far.empty()) {
+    std::vector<double> others = values;
+    for (const std::size_t row : far) others[row] = values[far.front() - 1];  // the first value is none
+    const auto [least, most] = std::minmax_element(others.begin(), others.end());
+    const bool is_beyond = std::any_of(far.begin(), far.end(), [&, low = *least, high = *most](std::size_t row) {
+      return values[row] < low || values[row] > high;
+    });
+    faults.push_back({column.name, FaultKind::far_off, far.size(), values[far.front()], known.time_s[far.front()], 0.0,
+                      false, is_beyond});
+  }
   if (column.role != Role::measured) return;
   std::vector<LevelStep> steps = level_steps(values);
   std::erase_if(steps, [&](const LevelStep& step) { return known.beside_a_jump[step.at] != 0; });
@@ -116,7 +123,7 @@ void add_faults_of_values(const Column& column, const KnownRows& known, std::vec
   std::vector<double> sizes;
   for (const LevelStep& step : steps) sizes.push_back(step.size);
   faults.push_back({column.name, FaultKind::jumps, steps.size(), median(std::move(sizes)),
-                    known.time_s[steps.front().at], 0.0, false});
+                    known.time_s[steps.front().at], 0.0, false, false});
 }
 
 }  // namespace
@@ -133,7 +140,7 @@ std::vector<ColumnFault> column_faults(const Series& series) {
   if (pause != steps_s.end() && *pause > long_s) {
     const auto count = std::count_if(steps_s.begin(), steps_s.end(), [&](double step) { return step > long_s; });
     faults.push_back({"", FaultKind::pauses, static_cast<std::size_t>(count), *pause,
-                      series.time_s[static_cast<std::size_t>(pause - steps_s.begin())], long_s, false});
+                      series.time_s[static_cast<std::size_t>(pause - steps_s.begin())], long_s, false, false});
   }
   const std::vector<char> beside = beside_jumps_of_inputs(series);
   for (const Column& column : series.columns) {
@@ -147,15 +154,15 @@ std::vector<ColumnFault> column_faults(const Series& series) {
     const std::vector<double>& values = known.value;
     const std::size_t rows = column.values.size(), gaps = rows - values.size();
     if (values.size() < 3) {
-      faults.push_back({column.name, FaultKind::few_values, values.size(), 0.0, 0.0, 0.0, false});
+      faults.push_back({column.name, FaultKind::few_values, values.size(), 0.0, 0.0, 0.0, false, false});
       continue;
     }
     if (gaps * 20 > rows) {
-      faults.push_back(
-          {column.name, FaultKind::gaps, gaps, static_cast<double>(gaps) / static_cast<double>(rows), 0.0, 0.0, false});
+      faults.push_back({column.name, FaultKind::gaps, gaps, static_cast<double>(gaps) / static_cast<double>(rows), 0.0,
+                        0.0, false, false});
     }
     if (std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); })) {
-      faults.push_back({column.name, FaultKind::constant, values.size(), values.front(), 0.0, 0.0, false});
+      faults.push_back({column.name, FaultKind::constant, values.size(), values.front(), 0.0, 0.0, false, false});
       continue;
     }
     // A speed rests, and so do events; a temperature or a probe never for long.
@@ -171,7 +178,8 @@ std::vector<ColumnFault> faults_bearing_on(const Series& series, std::string_vie
     const Column* const column = find_column(series, fault.column);
     const bool is_of_values = fault.kind == FaultKind::stuck || fault.kind == FaultKind::far_off ||
                               fault.kind == FaultKind::clipped || fault.kind == FaultKind::jumps;
-    return !is_of_values || column == nullptr || (column->role == Role::measured && column->name != target);
+    if (!is_of_values || column == nullptr || (column->role == Role::measured && column->name != target)) return true;
+    return fault.kind == FaultKind::far_off && !fault.is_beyond && column->name != target;
   });
   return faults;
 }

@@ -34,6 +34,7 @@ struct ColumnFault {
   double at_s = 0.0;      // of the first of them; pauses: of the longest
   double long_s = 0.0;    // stuck, clipped: for how long in all; pauses: the shortest that counts
   bool is_low = false;    // clipped: at its smallest value
+  bool is_beyond = false;  // far_off: beyond the range of all other values
 };
 
 // Columns of speed, load and events rest and jump by nature: of these only few values, gaps and constants are found.
@@ -41,7 +42,8 @@ struct ColumnFault {
 std::vector<ColumnFault> column_faults(const Series& series);
 
 // Those that bear on what a model says of a target: of it, and of the columns of temperatures and other smooth inputs.
-// Gaps and pauses change no verdict, and a constant says that it does not change.
+// Gaps and pauses change no verdict, a constant says that it does not change, and readings of an input far off their
+// neighbours count only beyond its range.
 std::vector<ColumnFault> faults_bearing_on(const Series& series, std::string_view target);
 
 }  // namespace ballbar

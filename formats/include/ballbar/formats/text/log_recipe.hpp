@@ -21,11 +21,11 @@ struct ColumnRecipe {
 };
 
 // By how much the clock of a log is set later, as its dates are of another time zone.
-struct ClockShift {
+struct LogShift {
   std::string file;  // its name, with or without the folder, or a pattern: "room*.csv"
   double shift_s = 0.0;
 
-  bool operator==(const ClockShift&) const = default;
+  bool operator==(const LogShift&) const = default;
 };
 
 // What a user states about a log. Empty members are detected. `ballbar import --save` stores one for the next log.
@@ -44,7 +44,7 @@ struct LogRecipe {
   bool skip_bad_rows = false;        // any number of them; false: two plus one in a hundred
   bool burst_means = false;          // replace each burst of rows by its mean
   std::vector<std::string> join;     // files with further columns, row by row
-  std::vector<ClockShift> shifts;
+  std::vector<LogShift> shifts;
   std::vector<ColumnRecipe> columns;
 
   bool operator==(const LogRecipe&) const = default;
