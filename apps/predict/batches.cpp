@@ -8,10 +8,10 @@
 #include "ballbar/formats/logs/column_named.hpp"
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/sessions/data_file.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
-#include "ballbar/series/merged_series.hpp"
 #include "model/model_options.hpp"
 #include "predict/train.hpp"
 #include "terminal/stderr_line.hpp"
@@ -74,8 +74,10 @@ void tell_steps(const std::vector<Batch>& batches, const std::string& target, st
 
 Series read_batch(const Source& source, const std::optional<double>& max_gap_s, bool says_how) {
   OpenedSeries opened = opened_series(source);
-  if (says_how) tell(opened.remarks);
-  return with_source(source.name(), [&] { return *with_gaps_closed(opened.series, max_gap_s); });
+  const DriftData drift{std::nullopt, std::move(opened.series), {}, std::move(opened.remarks)};
+  const ModelData data = model_data_of(drift, source.name(), {}, max_gap_s);
+  if (says_how) tell(data.remarks);
+  return *data.series;
 }
 
 std::string target_of(const TrainOptions& options, const Series& run) {

@@ -67,13 +67,15 @@ std::optional<FileLock> only_writer(const std::filesystem::path& file, std::stri
     }
     const auto waited = std::chrono::steady_clock::now() - begin;
     if (waited > kLongestWait) {
-      throw Error(fmt::format(
-          "{}: expected no other program that changes this file, found {}, for which 10 s were waited. Try again when it "
-          "has ended.",
-          file.string(), holder_of(lock)));
+      throw Error(
+          fmt::format("{}: expected no other program that changes this file, found {}, for which 10 s were waited. Try "
+                      "again when it "
+                      "has ended.",
+                      file.string(), holder_of(lock)));
     }
     if (!is_told && waited > kQuietWait) {
-      stderr_line(fmt::format("{}: waiting up to 10 s for {}, which changes this file", file.string(), holder_of(lock)));
+      stderr_line(
+          fmt::format("{}: waiting up to 10 s for {}, which changes this file", file.string(), holder_of(lock)));
       is_told = true;
     }
     std::this_thread::sleep_for(kBetweenTries);

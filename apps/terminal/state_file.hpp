@@ -18,8 +18,8 @@ std::string digest_of(std::string_view text);
 std::optional<FileLock> only_program(const std::filesystem::path& state);
 
 // A lock on a file that a command reads, changes and writes, such as a model: a hidden file beside it. Waits up to 10 s
-// for a program that holds it. Returns nullopt where no lock is possible; writing the file then works or reports why not.
-// Throws Error if the other program still holds it. `command`: "ballbar add", told to those who wait.
+// for a program that holds it. Returns nullopt where no lock is possible; writing the file then works or reports why
+// not. Throws Error if the other program still holds it. `command`: "ballbar add", told to those who wait.
 std::optional<FileLock> only_writer(const std::filesystem::path& file, std::string_view command);
 
 }  // namespace ballbar

@@ -16,7 +16,8 @@ namespace {
 
 // Whether the open file is still the one of that name: its holder may have removed it meanwhile.
 bool is_at(const std::filesystem::path& path, int file) {
-  struct ::stat held {}, there {};
+  struct ::stat held {
+  }, there{};
   return ::fstat(file, &held) == 0 && ::stat(path.c_str(), &there) == 0 && held.st_dev == there.st_dev &&
          held.st_ino == there.st_ino;
 }
