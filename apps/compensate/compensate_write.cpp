@@ -9,6 +9,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/controls/control_file.hpp"
+#include "ballbar/formats/logs/column_named.hpp"
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
@@ -70,13 +71,14 @@ std::vector<std::string> candidates_of(const Asked& asked, const Series& data, c
     if (is_sensor(column) && column.name != target) sensors.push_back(column.name);
   }
   if (asked.columns.empty()) return sensors;
-  for (const std::string& name : asked.columns) {
+  const std::vector<std::string> columns = columns_named(data, asked.columns);
+  for (const std::string& name : columns) {
     if (std::find(sensors.begin(), sensors.end(), name) == sensors.end() && find_column(data, name) != nullptr) {
       throw Error(fmt::format("expected sensors of temperature (_degC or _K), found {}; there are {}.", name,
                               fmt::join(sensors, ", ")));
     }
   }
-  return asked.columns;
+  return columns;
 }
 
 // A series, a session or runs; of a list of recorded tests these, one after the other.

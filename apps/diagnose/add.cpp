@@ -22,8 +22,10 @@
 #include "diagnose/revised_model.hpp"
 #include "model/effect_options.hpp"
 #include "model/residual_report.hpp"
+#include "model/resolve_columns.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
+#include "terminal/state_file.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -69,8 +71,13 @@ RevisedModel opened_model(const ModelOptions& options, const std::shared_ptr<con
   return {options, data, model};
 }
 
-void add_terms(const AddArguments& options, const std::vector<Term>& terms, Additions& additions) {
-  additions.model.add(terms, options.replace);
+void add_terms(const AddArguments& options, const std::vector<Term>& terms, const ModelData& data,
+               Additions& additions) {
+  std::vector<std::string> replaced = options.replace;
+  if (data.level == Level::series) {
+    for (std::string& label : replaced) label = with_column_names(label, *data.series);
+  }
+  additions.model.add(terms, replaced);
   additions.effect_tests.push_back(additions.model.revise({.prune = options.prune}));
 }
 
@@ -78,7 +85,7 @@ void add_terms(const AddArguments& options, const std::vector<Term>& terms, Addi
 void expect_file_suits(const AddArguments& options, const ModelData& data, const std::string& bytes) {
   if (data.level == Level::recording) return;
   Model file = read_model(bytes, options.effect.model.model.name(), options.effect.model.catalogue);
-  const std::vector<std::string>& also = options.effect.model.also_input;
+  const std::vector<std::string> also = also_inputs(options.effect.model, *data.series);
   std::erase_if(file.targets, [&](const std::string& target) {
     return find_column(*data.series, target) == nullptr || std::find(also.begin(), also.end(), target) != also.end();
   });
@@ -172,12 +179,13 @@ void run(AddArguments options) {
   if (options.named_only && !options.automatic) throw CLI::ValidationError("--named-only: expected --auto");
   split_words(options.effect, !options.automatic);
   expect_file(options);
+  const Source to = written_to(options).model;
+  const auto lock = to.is_path() ? only_writer(to.path(), "ballbar add") : std::nullopt;  // before the file is read
   const ProgressLine progress;
   const ModelOptions& how = options.effect.model;
   const auto opened = std::make_shared<const ModelData>(open_data(how));
   const ModelData& data = *opened;
   Additions additions{opened_model(how, opened), {}, {}, {}};
-  const Source to = written_to(options).model;
   const std::string& out = to.name();
   if (additions.model.is_new())
     stderr_line(fmt::format("{} is new: it starts from {} alone", out, start_of(data.level)));
@@ -189,7 +197,7 @@ void run(AddArguments options) {
         add_automatically({how, written_to(options), options.prune, options.named_only}, data, additions, verdict);
   } else {
     show_progress("fitting with and without what is added");
-    add_terms(options, terms_of(options.effect.effects, additions.model.model(), data), additions);
+    add_terms(options, terms_of(options.effect.effects, additions.model.model(), data), data, additions);
   }
   show_progress({});
   expect_file_suits(options, data, additions.model.text());

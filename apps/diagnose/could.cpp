@@ -99,7 +99,9 @@ Injection injection(const InjectionOptions& options, const Model& model, const M
   EffectText text;
   BoundEffect bound;
   try {
-    text = effect_text(options.effect, data.level, data.series.get());
+    const bool has_columns = data.level == Level::series;
+    text = effect_text(has_columns ? with_column_names(options.effect, *data.series) : options.effect, data.level,
+                       data.series.get());
     bound = resolve_columns(text, *data.series, model.targets.front());
   } catch (const Error& error) {
     throw Error(fmt::format("EFFECT: {}", error.what()));

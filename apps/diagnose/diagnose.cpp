@@ -43,7 +43,8 @@ void show_one_of_several(const DiagnoseArguments& options, const Model& model,
                          const std::shared_ptr<const ModelData>& data, std::size_t target, DiagnosedTargets& all) {
   if (target > 0 && !options.json) fmt::print("\n");
   try {
-    const DiagnosisReport diagnosis_report = diagnosed(options, of_one_target(model, options.model, target), data);
+    const DiagnosisReport diagnosis_report =
+        diagnosed(options, of_one_target(model, options.model, *data->series, target), data);
     if (options.json) {
       all.targets.emplace_back(diagnosis_report);
     } else {

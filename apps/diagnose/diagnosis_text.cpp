@@ -191,6 +191,18 @@ std::string_view details_of_diagnosis() {
   return "all candidates and probabilities, what the columns mean and what cannot be tested";
 }
 
+// The sentence tells what is set aside: saturated sensors, readings of the target far off, its jumps.
+std::string unsaid_faults_text(const DiagnosisReport& diagnosis_report) {
+  ResidualReport report = diagnosis_report.residual_report;
+  const Diagnosis& found = diagnosis_report.diagnosis;
+  std::erase_if(report.faults, [&](const ColumnFault& fault) {
+    return fault.kind == FaultKind::clipped &&
+           std::any_of(found.saturated.begin(), found.saturated.end(),
+                       [&](const Saturated& one) { return one.column == fault.column; });
+  });
+  return faults_text(report, found.level_jumps > 0 ? std::vector{FaultKind::jumps} : std::vector<FaultKind>{});
+}
+
 void print_text(const DiagnosisReport& diagnosis_report, const std::string& title, const TextLength& length) {
   const Diagnosis& found = diagnosis_report.diagnosis;
   const bool details = length.details, is_whole = details || length.targets == 1;
@@ -198,6 +210,8 @@ void print_text(const DiagnosisReport& diagnosis_report, const std::string& titl
   fmt::print("{}{}\n\n", heading(diagnosis_report.residual_report.fit),
              is_whole ? "" : fmt::format(". Verdict: {}.", name_of(found.verdict)));
   if (!diagnosis_report.unsupported.empty()) fmt::print("{}", wrapped(unsupported_text(diagnosis_report)));
+  const std::string faults = is_whole ? unsaid_faults_text(diagnosis_report) : "";
+  fmt::print("{}{}", faults, faults.empty() ? "" : "\n");
   fmt::print("{}", wrapped(sentence_of(found)));
   if (!diagnosis_report.command.empty()) fmt::print("\n{}\n", diagnosis_report.command);
   if (!diagnosis_report.hint.empty()) fmt::print("\n{}", wrapped(diagnosis_report.hint));

@@ -11,6 +11,7 @@
 #include "diagnose/revision_results.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/state_file.hpp"
 
 namespace ballbar::commands {
 namespace {
@@ -23,6 +24,7 @@ struct UndoArguments {
 
 void run(const UndoArguments& options) {
   const std::string& name = options.model.name();
+  const auto lock = options.model.is_path() ? only_writer(options.model.path(), "ballbar undo") : std::nullopt;
   const std::string bytes = options.model.bytes(kLargestText);
   const std::string before = without_last_revision(bytes, name, options.catalogue);
   const LedgerRow undone = read_ledger(bytes, name, options.catalogue).back();

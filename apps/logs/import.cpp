@@ -1,6 +1,7 @@
 // `ballbar import LOG... --out clean.csv`: shows how a log is interpreted and writes it as a series; several logs
 // become one.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -15,6 +16,7 @@
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/nearest_name.hpp"
 #include "ballbar/number_text.hpp"
 #include "commands.hpp"
 #include "logs/log_results.hpp"
@@ -44,6 +46,7 @@ struct ImportArguments {
   CircleOptions circle;
   std::string out, save;
   ClockOptions clocks;
+  std::vector<std::string> shifts;  // LOG=TIME
   bool details = false;
   bool json = false;
 };
@@ -78,10 +81,6 @@ std::string columns_text(const Log& log, bool details) {
   constexpr std::size_t kColumns = 20;
   if (!details) table.shorten(kColumns);
   return table.text();
-}
-
-std::string fault_text(const ColumnFault& fault) {
-  return fmt::format("{}: {}.", fault.column.empty() ? "Time" : fault.column, fault.what);
 }
 
 // What a role was told by, where it is not plain from the unit.
@@ -229,6 +228,28 @@ void take_targets(ImportArguments& options) {
   }
 }
 
+// The clocks of these logs are set later.
+void take_shifts(ImportArguments& options) {
+  for (const std::string& text : options.shifts) {
+    const std::size_t equals = text.rfind('=');
+    const auto shift_s = equals == std::string::npos ? std::nullopt : time_s_of(text.substr(equals + 1));
+    if (!shift_s) throw CLI::ValidationError("--shift", fmt::format("expected LOG=TIME, found {}", in_quotes(text)));
+    const std::string file = text.substr(0, equals);
+    bool any = false;
+    for (Source& log : options.logs) {
+      if (file != log.name() && file != log.path().filename()) continue;
+      auto recipe = std::make_shared<LogRecipe>(log.recipe());
+      recipe->shifts.push_back({file, *shift_s});
+      log.set_recipe(std::move(recipe));
+      any = true;
+    }
+    if (!any) {
+      throw CLI::ValidationError("--shift", fmt::format("expected one of the logs, {}, found {}",
+                                                        fmt::join(names_of(options.logs), ", "), in_quotes(file)));
+    }
+  }
+}
+
 void run(const ImportArguments& options) {
   expect_own_outputs(options);
   if (options.circle.circle) return run_circle(options);
@@ -273,12 +294,18 @@ void add_import(CLI::App& app) {
                            "several logs: largest clock error to search; default: 30min, without dates half the log"),
       true);
   add_max_gap(*command, options->clocks.max_gap_s);
+  command
+      ->add_option("--shift", options->shifts,
+                   "set the clock of a log later, 'room.csv=6h', or earlier, 'room.csv=-1h'; may be repeated")
+      ->type_name("LOG=TIME")
+      ->allow_extra_args(false);
   command->footer(
       "Examples:\n"
       "  ballbar import sample-runs/foreign-logs/warmup.csv --out clean.csv --save recipe.toml\n"
       "  ballbar import sample-runs/foreign-logs/probes.csv sample-runs/foreign-logs/control.csv --out clean.csv");
   command->callback([options] {
     take_targets(*options);
+    take_shifts(*options);
     run(*options);
   });
 }

@@ -10,7 +10,8 @@
 #include "ballbar/formats/logs/log.hpp"
 #include "ballbar/formats/results/result_type.hpp"
 #include "ballbar/series/clock_lag.hpp"
-#include "ballbar/series/column_faults.hpp"
+#include "ballbar/series/zone_shift.hpp"
+#include "model/column_fault_text.hpp"
 
 namespace ballbar {
 
@@ -38,11 +39,6 @@ inline constexpr auto kResult<LogColumn> = ResultType{
         Field{"role", if_taken(&LogColumn::role), ""}, Field{"why", if_taken(&LogColumn::why), "what tells the role"},
         Field{"gaps", if_taken(&LogColumn::gaps), "cells without a value"},
         Field{"first", if_taken(&LogColumn::first), "its first values, at most five"}}};
-
-template <>
-inline constexpr auto kResult<ColumnFault> = ResultType{
-    "ColumnFault", "What looks wrong with a column.",
-    std::tuple{Field{"column", &ColumnFault::column, "empty: the time"}, Field{"what", &ColumnFault::what, ""}}};
 
 inline std::vector<double> first_times_s(const Log& log) {
   const std::span<const double> all = log.series.time_s, first = all.first(std::min(kShownRows, all.size()));
@@ -93,7 +89,14 @@ struct MergedPart {
   double moved_s = 0.0;  // what was added to its own times
   std::optional<double> by_date_s;
   std::optional<ClockLag> lag;
+  std::optional<ZoneShift> zone;  // proposed, not applied
 };
+
+constexpr auto of_zone(double ZoneShift::*member) {
+  return [member](const MergedPart& of) {
+    return MayLack<double>{of.zone ? std::optional((*of.zone).*member) : std::nullopt};
+  };
+}
 
 constexpr auto of_lag(double ClockLag::*member) {
   return [member](const MergedPart& of) {
@@ -113,6 +116,15 @@ inline constexpr auto kResult<MergedPart> = ResultType{
               [](const MergedPart& of) {
                 return MayLack<std::vector<std::string>>{
                     of.lag ? std::optional(std::vector{of.lag->column, of.lag->other}) : std::nullopt};
+              },
+              "columns of the first log and of this one"},
+        Field{"proposed_shift_s", of_zone(&ZoneShift::shift_s),
+              "by which --shift may set it, because two temperatures change together then"},
+        Field{"shift_correlation", of_zone(&ZoneShift::correlation), "of their changes with that shift"},
+        Field{"shift_compared",
+              [](const MergedPart& of) {
+                return MayLack<std::vector<std::string>>{
+                    of.zone ? std::optional(std::vector{of.zone->column, of.zone->other}) : std::nullopt};
               },
               "columns of the first log and of this one"}}};
 

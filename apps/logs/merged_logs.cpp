@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
+#include "ballbar/error.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/number_text.hpp"
 #include "ballbar/series/merged_series.hpp"
@@ -19,12 +21,14 @@ namespace {
 struct Part {
   MergedPart merged;
   Series series;
+  double stated_shift_s = 0.0;
 };
 
 Part opened(const Source& log) {
   Part part{{log.name(), 0.0, std::nullopt, std::nullopt}, {}};
   OpenedSeries opened = opened_series(log);
   tell(opened.remarks);
+  part.stated_shift_s = stated_shift_s(log.recipe(), log.name());
   part.series = *opened.series;
   return part;
 }
@@ -37,6 +41,8 @@ void align(const Part& first, Part& part, const ClockOptions& options) {
   part.merged.moved_s = part.merged.by_date_s.value_or(0.0);
   for (double& time : part.series.time_s) time += part.merged.moved_s;
   if (options.keep_clocks) return;
+  if (part.merged.by_date_s) part.merged.zone = zone_shift(first.series, part.series);
+  if (part.merged.zone) part.merged.zone->shift_s += part.stated_shift_s;
   const double span_s = std::max(first.series.time_s.back() - first.series.time_s.front(),
                                  part.series.time_s.back() - part.series.time_s.front());
   // Two clocks with dates differ by minutes, two without by as much as the logs are long.
@@ -68,6 +74,20 @@ std::string clock_text(const MergedPart& first, const MergedPart& part, bool kee
   return text + ".";
 }
 
+// "" where the curves say nothing.
+std::string zone_text(const MergedPart& part) {
+  if (!part.zone) return {};
+  const ZoneShift& zone = *part.zone;
+  const bool is_h = std::fmod(zone.shift_s, 3600.0) == 0.0;
+  return fmt::format(
+      "{} may be of another time zone: set {} {}, {} and {} change together (correlation of their changes {:.2f}, now "
+      "{:.2f}). If so, state --shift {}={:g}{}.",
+      part.file, duration_text(std::abs(zone.shift_s)), zone.shift_s > 0.0 ? "later" : "earlier", zone.column,
+      zone.other, zone.correlation, zone.correlation_now,
+      shell_word(std::filesystem::path(part.file).filename().string()), zone.shift_s / (is_h ? 3600.0 : 60.0),
+      is_h ? "h" : "min");
+}
+
 }  // namespace
 
 MergedSeries merged_series(const std::vector<Source>& logs, const ClockOptions& clocks) {
@@ -87,7 +107,15 @@ MergedSeries merged_series(const std::vector<Source>& logs, const ClockOptions& 
     all.push_back(std::move(part.series));
     result.parts.push_back(std::move(part.merged));
   }
-  result.series = merged(all, clocks.max_gap_s);
+  try {
+    result.series = merged(all, clocks.max_gap_s);
+  } catch (const Error& error) {
+    std::string why = error.what();
+    for (const MergedPart& part : result.parts) {
+      if (const std::string text = zone_text(part); !text.empty()) why += " " + text;
+    }
+    throw Error(why);
+  }
   if (!started) return result;
   const double first_s = result.series.time_s.front();
   result.series.started = stamp_text(*started + first_s);
@@ -102,6 +130,7 @@ void print_text(const MergedSeries& merged, const ClockOptions& clocks) {
   for (std::size_t i = 1; i < merged.parts.size(); ++i) {
     fmt::print("{}", wrapped(fmt::format("{}: {}", merged.parts[i].file,
                                          clock_text(merged.parts.front(), merged.parts[i], clocks.keep_clocks))));
+    if (const std::string zone = zone_text(merged.parts[i]); !zone.empty()) fmt::print("{}", wrapped(zone));
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "ballbar/drift/settling.hpp"
 #include "ballbar/error.hpp"
+#include "ballbar/formats/logs/column_named.hpp"
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/number_text.hpp"
@@ -140,7 +141,7 @@ std::string probe_complaint(const std::string& stated) {
 void set_column(Series& series, FiveProbe& probe, const std::string& stated) {  // probe_complaint() has none
   const std::size_t equals = stated.find('=');
   const auto* const known = std::find(kProbes.begin(), kProbes.end(), stated.substr(0, equals));
-  const std::string column = stated.substr(equals + 1);
+  const std::string column = column_named(series, stated.substr(equals + 1));
   if (find_column(series, column) == nullptr) {
     throw Error(fmt::format("--probe {}: expected a column of the file, one of {}, found \"{}\".", stated,
                             fmt::join(column_names(series), ", "), column));

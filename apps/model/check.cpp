@@ -111,7 +111,8 @@ void print_remarks(const Fit& fit) {
 
 void print_text(const ResidualReport& residual_report, const std::string& title, bool details) {
   const Fit& fit = residual_report.fit;
-  fmt::print("{}\n{}\n\n", title, heading(fit));
+  const std::string faults = faults_text(residual_report);
+  fmt::print("{}\n{}\n\n{}{}", title, heading(fit), faults, faults.empty() ? "" : "\n");
   print_sentences(residual_report);
   if (details || fit.parameters.size() <= kParametersShown) {
     Table table({"effect", "parameter", "value", "unit", "correlated most with"});
@@ -133,7 +134,7 @@ void print_targets(const std::vector<ResidualReport>& all, const std::string& ti
   fmt::print("{}\n", title);
   Table table({"target: effect", "parameter", "value", "unit"});
   for (const ResidualReport& residual_report : all) {
-    fmt::print("\n{}\n", heading(residual_report.fit));
+    fmt::print("\n{}\n{}", heading(residual_report.fit), faults_text(residual_report));
     print_sentences(residual_report);
     if (details) print_remarks(residual_report.fit);
     add_parameters(table, residual_report.fit, residual_report.fit.target + ": ");
@@ -149,7 +150,7 @@ void run(const CheckArguments& options) {
   say_start(options.model, *data);
   std::vector<ResidualReport> all;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
-    Workbench bench = workbench_of(options.model, data, of_one_target(model, options.model, target));
+    Workbench bench = workbench_of(options.model, data, of_one_target(model, options.model, *data->series, target));
     all.push_back(with_source(options.model.data.front().name(), [&] { return bench.check(); }));
   }
   if (options.json) {

@@ -11,6 +11,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/model/effect_argument.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "model/resolve_columns.hpp"
 #include "shell/command_words.hpp"
 #include "shell/usage_fault.hpp"
 #include "terminal/command_line.hpp"
@@ -102,7 +103,8 @@ std::vector<Term> terms_of(const std::vector<std::string>& effects, const Model&
   Model larger = model;
   std::vector<Term> terms;
   for (const std::string& effect : effects) {
-    terms.push_back(term_of_text(effect, larger, *data.series));
+    const bool has_columns = data.level == Level::series;
+    terms.push_back(term_of_text(has_columns ? with_column_names(effect, *data.series) : effect, larger, *data.series));
     expect_no_target(label_of(terms.back()), terms.back().columns, larger);
     if (data.motion && !applies_to(*terms.back().effect, *data.motion)) {
       throw Error(fmt::format("expected effects that act where {} drives the circle, found {}.", name_of(*data.motion),

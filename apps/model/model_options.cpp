@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/logs/column_named.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/log_recipe.hpp"
@@ -20,6 +21,7 @@
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/number_text.hpp"
 #include "model/held_values.hpp"
+#include "model/resolve_columns.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
@@ -46,12 +48,22 @@ void expect_model_suits(Model model, const ModelOptions& options, const ModelDat
   with_source(options.model.name(), [&] { expect_suits(model, *data.series); });
 }
 
+// What it throws is of an option: "--target: expected ..."
+template <class Work>
+auto with_option(std::string_view option, Work work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", option, error.what()));
+  }
+}
+
 bool is_in(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 void expect_also_inputs(const ModelOptions& options, const Model& model, const Series& data) {
-  for (const std::string& column : options.also_input) {
+  for (const std::string& column : also_inputs(options, data)) {
     if (find_column(data, column) == nullptr) {
       std::vector<std::string_view> known;
       for (const Column& one : data.columns) known.emplace_back(one.name);
@@ -64,27 +76,21 @@ void expect_also_inputs(const ModelOptions& options, const Model& model, const S
   }
 }
 
-// The columns that --target names, with their units or without: `pos_steps` is pos_steps_um where no other column is.
-std::vector<std::string> named_targets(const ModelOptions& options, const Series& data) {
-  std::vector<std::string> targets = options.target;
-  for (std::string& target : targets) {
-    if (find_column(data, target) != nullptr) continue;
-    std::vector<std::string> found;
-    for (const Column& column : data.columns) {
-      const std::string_view unit = unit_of(column.name);
-      if (!unit.empty() && column.name == fmt::format("{}_{}", target, unit)) found.push_back(column.name);
-    }
-    if (found.size() == 1) target = found.front();
+// The columns of a model's file, which may have the names of the log. Those of a formula stand in its text.
+void name_columns(Model& model, const Series& data) {
+  model.targets = columns_named(data, model.targets);
+  for (Term& term : model.terms) {
+    if (term.effect->name != "expression") term.columns = columns_named(data, term.columns);
   }
-  return targets;
 }
 
 // Puts the model's own targets aside where others are chosen.
 void choose_targets(Model& model, const ModelOptions& options, const Series& data) {
   if (options.target.empty()) return;
-  const std::vector<std::string> targets = named_targets(options, data);
+  const std::vector<std::string> targets = with_option("--target", [&] { return columns_named(data, options.target); });
+  const std::vector<std::string> also = also_inputs(options, data);
   for (const std::string& target : model.targets) {
-    if (!is_in(targets, target) && !is_in(options.also_input, target)) model.not_inputs.push_back(target);
+    if (!is_in(targets, target) && !is_in(also, target)) model.not_inputs.push_back(target);
   }
   model.targets = targets;
 }
@@ -210,9 +216,14 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
     }
     if (data.motion) with_source(options.model.name(), [&] { expect_acts(model, *data.motion); });
     if (model.level == Level::recording) model = with_circles(std::move(model), *data.series);
+    if (model.level == Level::series) with_source(options.model.name(), [&] { name_columns(model, *data.series); });
   }
   expect_clock_of_model(model, options, data);
-  model = with_held_values(with_run_terms(std::move(model), *data.series), options.set);
+  std::vector<std::string> held = options.set;
+  if (data.level == Level::series) {
+    for (std::string& one : held) one = with_option("--set", [&] { return with_column_names(one, *data.series); });
+  }
+  model = with_held_values(with_run_terms(std::move(model), *data.series), held);
   choose_targets(model, options, *data.series);
   if (model.targets.empty())
     throw Error(fmt::format("{}: expected a measured column to explain, found none; --target names one, of {}.",
@@ -240,11 +251,16 @@ void expect_no_target(const std::string& label, const std::vector<std::string>& 
   }
 }
 
-Model of_one_target(const Model& model, const ModelOptions& options, std::size_t target) {
+std::vector<std::string> also_inputs(const ModelOptions& options, const Series& data) {
+  return with_option("--also-input", [&] { return columns_named(data, options.also_input); });
+}
+
+Model of_one_target(const Model& model, const ModelOptions& options, const Series& data, std::size_t target) {
   Model one = model;
+  const std::vector<std::string> also = also_inputs(options, data);
   one.targets = {model.targets[target]};
   for (const std::string& other : model.targets) {
-    if (other != one.targets.front() && !is_in(options.also_input, other)) one.not_inputs.push_back(other);
+    if (other != one.targets.front() && !is_in(also, other)) one.not_inputs.push_back(other);
   }
   return one;
 }

@@ -38,8 +38,9 @@ void add_model_options(CLI::App& command, ModelOptions& options, bool model_requ
 // --max-gap
 void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s);
 
-// --also-input, for the commands that search for effects.
+// --also-input, for the commands that search for effects; its columns of the data.
 void add_also_input(CLI::App& command, ModelOptions& options);
+std::vector<std::string> also_inputs(const ModelOptions& options, const Series& data);
 
 // --robust, --white and --set, for the commands that print the fit.
 void add_fit_options(CLI::App& command, ModelOptions& options);
@@ -69,7 +70,7 @@ void expect_no_target(const std::string& label, const std::vector<std::string>& 
 
 // The model for one of its targets. The others are not inputs, except with --also-input. Several targets are processed
 // one by one, each with its own model.
-Model of_one_target(const Model& model, const ModelOptions& options, std::size_t target);
+Model of_one_target(const Model& model, const ModelOptions& options, const Series& data, std::size_t target);
 
 // Throws Error, with the model's file, if no parameter is free.
 void expect_to_fit(const ModelOptions& options, const Model& model, const ModelData& data);

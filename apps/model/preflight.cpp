@@ -125,7 +125,7 @@ void show_preflight(const ModelOptions& options, const Model& model, const Model
   std::vector<Preflight> results;
   const ProgressLine progress;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
-    const Model one = of_one_target(model, options, target);
+    const Model one = of_one_target(model, options, *data.series, target);
     expect_to_fit(options, one, data);
     show_progress(fmt::format("{}, target {} of {}", model.targets[target], target + 1, model.targets.size()));
     results.push_back(with_source(options.data.front().name(),

@@ -37,6 +37,16 @@ std::string heading(const Fit& fit) {
                      far > 0 ? fmt::format("; {} more, far from their neighbours, set aside", far) : "");
 }
 
+std::string faults_text(const ResidualReport& report, const std::vector<FaultKind>& also_said) {
+  std::vector<ColumnFault> faults = report.faults;
+  std::erase_if(faults, [&](const ColumnFault& fault) {
+    if (fault.column != report.fit.target) return false;
+    if (fault.kind == FaultKind::far_off) return !report.fit.set_aside.empty();  // the heading says it
+    return std::find(also_said.begin(), also_said.end(), fault.kind) != also_said.end();
+  });
+  return lines_of(faults);
+}
+
 void print_sentences(const ResidualReport& residual_report) {
   for (const std::string& sentence : sentences(residual_report.fit, residual_report.where, residual_report.whiteness)) {
     fmt::print("{}", wrapped(sentence));

@@ -11,6 +11,7 @@
 #include "ballbar/fit/residual.hpp"
 #include "ballbar/formats/results/fit_results.hpp"
 #include "ballbar/workbench/workbench.hpp"
+#include "model/column_fault_text.hpp"
 #include "model/model_options.hpp"
 
 namespace ballbar {
@@ -22,6 +23,9 @@ Workbench workbench_of(const ModelOptions& options, const std::shared_ptr<const 
 
 // "z_um, 6669 values over 27.8 h"
 std::string heading(const Fit& fit);
+
+// Faults of columns that no other line says, a wrapped line each. `also_said`: kinds of the target.
+std::string faults_text(const ResidualReport& report, const std::vector<FaultKind>& also_said = {});
 
 // The three sentences, wrapped.
 void print_sentences(const ResidualReport& residual_report);
@@ -67,6 +71,7 @@ inline constexpr auto kResult<ResidualReport> = ResultType{
     std::tuple_cat(kResidualReportFigures, kResidualReportDetails, kResidualReportEnd,
                    std::tuple{Field{"n_set_aside", [](const ResidualReport& of) { return of.fit.set_aside.size(); },
                                     "readings far from their neighbours, which are not in n"},
+                              Field{"faults", &ResidualReport::faults, "of columns, that bear on what is said"},
                               Field{"remarks", [](const ResidualReport& of) { return of.fit.remarks; }, ""}})};
 
 struct CheckedTargets {

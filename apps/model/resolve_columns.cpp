@@ -7,6 +7,7 @@
 
 #include "ballbar/circle/trace.hpp"
 #include "ballbar/error.hpp"
+#include "ballbar/formats/logs/column_named.hpp"
 #include "ballbar/nearest_name.hpp"
 
 namespace ballbar {
@@ -58,12 +59,43 @@ std::string column_of(const EffectText& text, const Input& input, const Series& 
   return column;
 }
 
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+// "T room", "temperature=T room"
+std::string with_column_name(const std::string& part, const Series& data) {
+  const std::string named = column_named(data, part);
+  const std::size_t equals = part.find('=');
+  if (named != part || equals == std::string::npos) return named;
+  return part.substr(0, equals + 1) + column_named(data, trimmed(part.substr(equals + 1)));
+}
+
 }  // namespace
 
 BoundEffect resolve_columns(const EffectText& text, const Series& data, std::string_view target) {
   BoundEffect bound{text.effect, {}};
   for (const Input& input : text.effect->inputs) bound.columns.push_back(column_of(text, input, data, target));
   return bound;
+}
+
+std::string with_column_names(const std::string& effect, const Series& data) {
+  const std::size_t begin = effect.find_first_of(":(");
+  if (begin == std::string::npos) return effect;
+  const bool brackets = effect[begin] == '(';
+  const std::size_t end = std::min(brackets ? effect.rfind(')') : effect.size(), effect.size());
+  std::string text = effect.substr(0, begin + 1);
+  bool changed = false;
+  for (std::size_t from = begin + 1; from < end;) {
+    const std::size_t to = std::min(effect.find(',', from), end);
+    const std::string part = trimmed(effect.substr(from, to - from)), named = with_column_name(part, data);
+    changed = changed || named != part;
+    if (from > begin + 1) text += brackets ? ", " : ",";
+    text += named;
+    from = to + 1;
+  }
+  return changed ? text + effect.substr(end) : effect;
 }
 
 }  // namespace ballbar

@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/logs/column_named.hpp"
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/sessions/data_file.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
@@ -70,14 +72,16 @@ void tell_steps(const std::vector<Batch>& batches, const std::string& target, st
 
 }  // namespace
 
-Series read_batch(const Source& source, bool says_how) {
+Series read_batch(const Source& source, const std::optional<double>& max_gap_s, bool says_how) {
   OpenedSeries opened = opened_series(source);
-  if (says_how) tell(opened.remarks);
-  return *opened.series;
+  const DriftData drift{std::nullopt, std::move(opened.series), {}, std::move(opened.remarks)};
+  const ModelData data = model_data_of(drift, source.name(), {}, max_gap_s);
+  if (says_how) tell(data.remarks);
+  return *data.series;
 }
 
 std::string target_of(const TrainOptions& options, const Series& run) {
-  if (!options.target.empty()) return options.target;
+  if (!options.target.empty()) return column_named(run, options.target);
   std::vector<std::string> measured;
   for (const Column& column : run.columns) {
     if (is_target(column)) measured.push_back(column.name);
@@ -105,18 +109,21 @@ OpenedBatches open_batches(const TrainOptions& options) {
   }
   const ProgressLine progress;
   OpenedBatches opened;
+  std::vector<std::string> without_sensor;
   opened.remarks = std::move(remarks);
   for (const ListedRun& run : list.runs) {
     const std::string file = run.file.string();
     if (opened.batches.size() % 20 == 0) {
       show_progress(fmt::format("reading batch {} of {}", opened.batches.size() + 1, list.runs.size()));
     }
-    const Series series = read_batch(options.batch(run.file), true);
+    const Series series = read_batch(options.batch(run.file), options.max_gap_s, true);
     with_source(file, [&] {
       if (opened.batches.empty()) {
-        opened.columns = batch_columns(series, options.inputs, target_of(options, series), options.room);
+        without_sensor = columns_named(series, options.without_sensor);
+        const auto room = options.room ? std::optional(column_named(series, *options.room)) : std::nullopt;
+        opened.columns = batch_columns(series, options.inputs, target_of(options, series), room);
         const std::vector<std::string> all = opened.columns.sensors;
-        for (const std::string& sensor : options.without_sensor) {
+        for (const std::string& sensor : without_sensor) {
           std::erase(opened.columns.sensors, sensor);
           if (std::find(all.begin(), all.end(), sensor) != all.end()) continue;
           throw Error(fmt::format("--without-sensor {}: expected a temperature, found none of that name.", sensor));
@@ -125,7 +132,7 @@ OpenedBatches open_batches(const TrainOptions& options) {
           throw Error("--without-sensor: expected at least one temperature to remain, found all of them named.");
         }
       }
-      expect_no_more(series, opened.columns, options.without_sensor, list.runs.front().name);
+      expect_no_more(series, opened.columns, without_sensor, list.runs.front().name);
       opened.batches.push_back(batch_of(run.name, series, opened.columns));
     });
     opened.files.push_back(run.file);

@@ -92,9 +92,9 @@ void run_regression(const PredictOptions& options, bool of_effects) {
                     "target and predicts DATA without a fit.",
                     model.model.name()));
   }
-  if (!of_effects && (fits || model.max_gap_s)) {
+  if (!of_effects && fits) {
     throw Error(
-        fmt::format("{}: expected neither --target, --max-gap, --robust nor --white. A regression has its target "
+        fmt::format("{}: expected neither --target, --robust nor --white. A regression has its target "
                     "and predicts without a fit.",
                     model.model.name()));
   }

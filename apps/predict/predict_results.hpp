@@ -11,7 +11,9 @@
 #include "ballbar/predict/effect_regression.hpp"
 #include "ballbar/predict/prediction.hpp"
 #include "ballbar/predict/sensor_choice.hpp"
+#include "ballbar/series/column_faults.hpp"
 #include "ballbar/series/series.hpp"
+#include "model/column_fault_text.hpp"
 #include "predict/train.hpp"
 
 namespace ballbar {
@@ -277,6 +279,7 @@ struct TrainedOnEffects {
   std::optional<Start> start;
   std::vector<Contender> methods;
   MayLack<SensorChoice> sensors;
+  std::vector<ColumnFault> faults;
   std::vector<std::string> remarks;
   std::string sentence;
 };
@@ -312,6 +315,8 @@ inline constexpr auto kResult<TrainedOnEffects> = ResultType{
                               Field{"start", &TrainedOnEffects::start, "of --start-from; null: none"},
                               Field{"methods", &TrainedOnEffects::methods, "of a list of runs: in the same contest"},
                               Field{"sensors", &TrainedOnEffects::sensors, "with --sensors: which are worth having"},
+                              Field{"faults", &TrainedOnEffects::faults,
+                                    "of columns, that bear on what is said; readings far off are set aside"},
                               Field{"remarks", &TrainedOnEffects::remarks, ""},
                               Field{"sentence", &TrainedOnEffects::sentence, "what it says in plain words"}})};
 

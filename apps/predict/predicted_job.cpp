@@ -33,8 +33,8 @@ constexpr std::size_t kToldParts = 6;  // drivers, warnings
 std::string source_name(const Source& data) { return data.name() == "-" ? "standard input" : data.name(); }
 
 // From a file or, of "-", from the standard input.
-Series read_data(const Source& data) {
-  if (data.name() != "-") return read_batch(data, true);
+Series read_data(const Source& data, const std::optional<double>& max_gap_s) {
+  if (data.name() != "-") return read_batch(data, max_gap_s, true);
   std::string bytes;
   char block[1 << 16];
   while (std::cin.read(block, sizeof block) || std::cin.gcount() > 0) {
@@ -267,13 +267,13 @@ std::string stem_of(const std::string& column) {
   return unit == 0 ? column : column.substr(0, column.size() - unit - 1);
 }
 
-BatchJob batch_job(const Source& data, const Source& model, bool anyway) {
+BatchJob batch_job(const Source& data, const Source& model, const std::optional<double>& max_gap_s, bool anyway) {
   BatchJob made;
   PredictedJob& job = made.job;
   job.source = source_name(data);
   made.model = read_batch_model(model.bytes(kLargestText), model.name());
   job.target = made.model.columns.target;
-  job.data = read_data(data);
+  job.data = read_data(data, max_gap_s);
   job.prediction = with_source(job.source, [&] { return predict(made.model, job.data); });
   if (job.prediction.broken.size() == 1 && !anyway) {
     throw Error(
@@ -287,7 +287,8 @@ BatchJob batch_job(const Source& data, const Source& model, bool anyway) {
 }
 
 void predict_by_temperatures(const PredictOptions& options) {
-  const auto& [model, job] = batch_job(options.model.data.front(), options.model.model, options.anyway);
+  const auto& [model, job] =
+      batch_job(options.model.data.front(), options.model.model, options.model.max_gap_s, options.anyway);
   const std::string by = fmt::format("{}, {} batches", label_of(model.settings), model.batches.size());
   PredictedTarget result;
   result.broken.value = job.prediction.broken;
@@ -303,7 +304,7 @@ void predict_by_effects(const PredictOptions& options) {
   const std::optional<PredictionState> from = state_of(options.state, digest_of(bytes));
   PredictedJob job{source_name(data), model.model.targets.front(), {}, {}, {}};
   if (data.name() == "-") {
-    job.data = read_data(data);
+    job.data = read_data(data, options.model.max_gap_s);
   } else {
     const ModelData opened = open_drift(data, options.model.max_gap_s);
     if (opened.series->runs.size() > 1) {

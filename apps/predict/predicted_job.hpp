@@ -29,7 +29,7 @@ struct BatchJob {
 };
 
 // `data` "-": standard input. Throws Error where a sensor looks broken, unless `anyway`.
-BatchJob batch_job(const Source& data, const Source& model, bool anyway);
+BatchJob batch_job(const Source& data, const Source& model, const std::optional<double>& max_gap_s, bool anyway);
 
 struct PredictOptions {
   ModelOptions model;      // of a regression the first of its data is the job: file, session of effects, or - for stdin

@@ -96,7 +96,8 @@ Contender physical(const TrainOptions& options, const OpenedBatches& opened) {
   model.targets = {opened.columns.target};
   const std::size_t count = opened.batches.size();
   std::vector<Series> batches;
-  for (std::size_t k = 0; k < count; ++k) batches.push_back(read_batch(options.batch(opened.files[k])));
+  for (std::size_t k = 0; k < count; ++k)
+    batches.push_back(read_batch(options.batch(opened.files[k]), options.max_gap_s));
   FitOptions how;
   how.white = true;
   how.starts = 1;
@@ -163,9 +164,9 @@ void train_temperatures(const TrainOptions& options) {
   const RegressionSettings settings = best->settings;
   std::optional<ComparedModel> effects;
   if (!options.model.empty()) effects = ComparedModel{physical(options, opened)};
-  const TemperatureRegression model =
-      temperature_regression(opened.batches, {}, opened.columns, settings,
-                             [&](std::size_t k) { return read_batch(options.batch(opened.files[k])); });
+  const TemperatureRegression model = temperature_regression(
+      opened.batches, {}, opened.columns, settings,
+      [&](std::size_t k) { return read_batch(options.batch(opened.files[k]), options.max_gap_s); });
   write_bytes(options.out, write_batch_model(model));
   if (options.json) {
     print_json(json_of(TrainedOnTemperatures{model.columns.target,
@@ -198,7 +199,6 @@ void expect_together(const TrainOptions& given) {
   if (given.sensors) throw CLI::ValidationError("--sensors: expected --effects.");
   if (given.few) throw CLI::ValidationError("--few: expected --effects.");
   if (!given.start.empty()) throw CLI::ValidationError("--start-from: expected --effects.");
-  if (given.max_gap_s) throw CLI::ValidationError("--max-gap: expected --effects.");
 }
 
 void expect_together_for_job(const TrainOptions& given) {
@@ -208,7 +208,6 @@ void expect_together_for_job(const TrainOptions& given) {
                             : given.components     ? "--components"
                             : given.share          ? "--share"
                             : given.penalty_K2     ? "--penalty"
-                            : given.max_gap_s      ? "--max-gap"
                             : !given.start.empty() ? "--start-from"
                             : given.model.empty()  ? nullptr
                                                    : "--model";

@@ -57,7 +57,7 @@ struct OpenedBatches {
 OpenedBatches open_batches(const TrainOptions& options);
 
 // `says_how`: a log was read.
-Series read_batch(const Source& source, bool says_how = false);
+Series read_batch(const Source& source, const std::optional<double>& max_gap_s, bool says_how = false);
 
 // The only measured column, where the options name none. Throws Error.
 std::string target_of(const TrainOptions& options, const Series& run);

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <filesystem>
 
+#include "ballbar/formats/logs/column_named.hpp"
 #include "ballbar/formats/models/effect_regression_json.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/number_text.hpp"
 #include "ballbar/predict/predictability.hpp"
+#include "ballbar/series/far_readings.hpp"
 #include "ballbar/series/runs.hpp"
 #include "model/model_options.hpp"
 #include "predict/predict_results.hpp"
@@ -160,7 +162,7 @@ OpenedRuns opened_runs(const TrainOptions& options, const std::optional<OpenedBa
   std::vector<Series>& runs = result.runs;
   if (opened) {
     for (std::size_t k = 0; k < opened->batches.size(); ++k) {
-      runs.push_back(read_batch(options.batch(opened->files[k])));
+      runs.push_back(read_batch(options.batch(opened->files[k]), options.max_gap_s));
       result.names.push_back(opened->files[k].stem().string());
     }
     const std::vector<std::string>& kept = opened->columns.sensors;
@@ -180,6 +182,7 @@ OpenedRuns opened_runs(const TrainOptions& options, const std::optional<OpenedBa
     expect_no_input({options.out}, with_models(options, data.files));
     for (const RowRange& range : runs_of(data.series->time_s)) runs.push_back(rows_of(*data.series, range));
     for (const RunOrigin& run : data.series->runs) result.names.push_back(run.name);
+    without = columns_named(runs.front(), without);
     for (const std::string& name : without) {
       if (find_column(runs.front(), name) != nullptr) continue;
       throw Error(
@@ -204,10 +207,38 @@ std::optional<OpenedBatches> opened_list(const TrainOptions& options) {
     expect_no_input({options.out}, with_models(options, paths_of(options.data)));
     return std::nullopt;
   }
-  if (options.max_gap_s) throw Error("--max-gap: expected a session or a series, found a list of runs.");
   OpenedBatches opened = open_batches(options);
   expect_no_input({options.out}, with_models(options, opened.files));
   return opened;
+}
+
+// Of all runs; of several the first that has it.
+std::vector<ColumnFault> faults_of(const std::vector<Series>& runs, const std::string& target) {
+  std::vector<ColumnFault> faults;
+  for (const Series& run : runs) {
+    for (ColumnFault& fault : faults_bearing_on(run, target)) {
+      const auto same = std::find_if(faults.begin(), faults.end(), [&](const ColumnFault& one) {
+        return one.column == fault.column && one.kind == fault.kind;
+      });
+      if (same == faults.end()) {
+        faults.push_back(std::move(fault));
+      } else {
+        same->count += fault.count;
+        same->long_s += fault.long_s;
+      }
+    }
+  }
+  return faults;
+}
+
+// Readings of the target that lie far off their neighbours are none to learn from, as in a fit.
+void set_aside_far(std::vector<Series>& runs, const std::string& target) {
+  for (Series& run : runs) {
+    for (Column& column : run.columns) {
+      if (column.name != target) continue;
+      for (const std::size_t row : far_readings(column.values)) column.values[row] = std::nan("");
+    }
+  }
 }
 
 Contender effects_contender(const TrainedRegression& trained, const OpenedBatches& opened) {
@@ -250,6 +281,8 @@ void train_effects(const TrainOptions& options) {
   OpenedRuns data = opened_runs(options, opened);
   std::vector<Series>& runs = data.runs;
   const std::string target = target_of(options, runs.front());
+  const std::vector<ColumnFault> faults = faults_of(runs, target);
+  set_aside_far(runs, target);
   std::optional<SensorChoice> choice;
   if (options.sensors) {
     choice = with_source(options.title(), [&] { return keep_chosen_sensors(runs, target, *options.sensors); });
@@ -284,8 +317,8 @@ void train_effects(const TrainOptions& options) {
   if (trained.left_out && trained.left_out->worst < data.names.size())
     worst = WorstRun{data.names[trained.left_out->worst], trained.left_out->worst_um};
   if (options.json) {
-    TrainedOnEffects result{of,         std::nullopt, worst, trained.drivers, trained.named, trained.start,
-                            contenders, {choice},     said,  expectation(of)};
+    TrainedOnEffects result{of,       std::nullopt, worst, trained.drivers, trained.named, trained.start, contenders,
+                            {choice}, faults,       said,  expectation(of)};
     if (of.forecasts) result.forecasts = {*of.forecasts, is_predicted(of)};
     print_json(json_of(result));
   } else {
@@ -302,7 +335,7 @@ void train_effects(const TrainOptions& options) {
           wrapped(fmt::format("The worst run is {}: {:.2f} {} RMSE.", worst->run, worst->rmse_um, unit_text(of)));
     if (trained.start) conclusion += wrapped(start_text(*trained.start, options.start, unit_text(of)));
     if (how.named) conclusion += wrapped(named_text(trained.named, options.model, unit_text(of)));
-    parts.push_back({conclusion + wrapped(memory_text(of))});
+    parts.push_back({lines_of(faults) + (faults.empty() ? "" : "\n") + conclusion + wrapped(memory_text(of))});
     if (opened && of.forecasts && !choice) {
       contenders.push_back(effects_contender(trained, *opened));
       parts.push_back({contest_text(contenders)});

@@ -100,7 +100,7 @@ void train_for_job(const TrainOptions& options) {
   std::vector<std::filesystem::path> inputs = opened.files;
   if (options.job.is_path()) inputs.push_back(options.job.path());
   if (!options.out.empty()) expect_no_input({options.out}, inputs);
-  const Series series = read_batch(options.job, true);
+  const Series series = read_batch(options.job, options.max_gap_s, true);
   const Column* target = find_column(series, opened.columns.target);
   const bool measured = target != nullptr && std::all_of(target->values.begin(), target->values.end(),
                                                          [](double um) { return std::isfinite(um); });
@@ -133,7 +133,7 @@ void train_for_job(const TrainOptions& options) {
     write_bytes(options.out, write_batch_model(with_source(options.title(), [&] {
                   return temperature_regression(
                       batches, weights.weight, opened.columns, weights.settings,
-                      [&](std::size_t k) { return read_batch(options.batch(opened.files[k])); });
+                      [&](std::size_t k) { return read_batch(options.batch(opened.files[k]), options.max_gap_s); });
                 })));
   }
   if (options.json) {

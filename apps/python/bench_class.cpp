@@ -59,7 +59,7 @@ class Bench {
       throw Error(fmt::format("target: expected one, found {}; fit(..., target=...) chooses one, fit_all() fits each.",
                               fmt::join(model.targets, ", ")));
     }
-    model_ = of_one_target(model, options_, 0);
+    model_ = of_one_target(model, options_, *data_->series, 0);
   }
 
   [[nodiscard]] const std::string& target() const { return model_.targets.front(); }

@@ -173,7 +173,8 @@ void add_comparison(Report& made, const ReportRequest& options) {
 }
 
 void add_batch(Report& made, const ReportRequest& options) {
-  made.page.batch.value = batch_job(options.model.data.front(), options.model.model, options.anyway);
+  made.page.batch.value =
+      batch_job(options.model.data.front(), options.model.model, options.model.max_gap_s, options.anyway);
   const BatchJob& batch = *made.page.batch.value;
   if (options.model.model.is_path()) made.files.push_back(options.model.model.path());
   made.conclude(fmt::format("{} by {} of {} batches.", batch.job.target, label_of(batch.model.settings),

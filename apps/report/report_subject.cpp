@@ -87,9 +87,9 @@ void ReportSubject::open_model_file() {
   for (std::size_t k = 0; k < targets_.size(); ++k) {
     faults_.emplace_back();
     try {
-      models_.push_back(std::make_unique<RevisedModel>(request_.model, data_.for_model,
-                                                       of_one_target(model, request_.model, k),
-                                                       diagnosis_options(request_.how, targets_[k])));
+      models_.push_back(std::make_unique<RevisedModel>(
+          request_.model, data_.for_model, of_one_target(model, request_.model, *data_.for_model->series, k),
+          diagnosis_options(request_.how, targets_[k])));
     } catch (const Error& error) {
       models_.push_back(nullptr);
       faults_.back() = error.what();

@@ -80,6 +80,23 @@ elif kind == "garbage":
     print("time_s;z_um;T1_degC")
     for row in range(1000):
         print(f"{10 * row};#!x7;kaputt" if row in bad else f"{10 * row};{values[row]:.3f};{temperatures[0][row]:.2f}")
+elif kind in ("machine", "hall"):  # of one day; the hall's clock is 6 h behind
+    hall, bearing, events = [18.0], [18.0], random.Random(5)
+    heats = spins = False
+    for minute in range(1440):
+        heats = heats ^ (events.random() < 0.03)
+        spins = spins ^ (events.random() < 0.02)
+        hall.append(hall[-1] + ((24.0 if heats else 17.0) - hall[-1]) / 20.0)
+        bearing.append(bearing[-1] + (hall[-1] + (1.0 if spins else 0.0) - bearing[-1]) / 4.0)
+    step, hour = (1, 6) if kind == "machine" else (5, 0)
+    print("Time,Front bearing (C),Probe Z (um)" if kind == "machine" else "Date,Hall temp (F)")
+    for minute in range(0, 1440, step):
+        at = f"2026-03-{9 + (minute // 60 + hour) // 24:02d} {(minute // 60 + hour) % 24:02d}:{minute % 60:02d}:00"
+        if kind == "machine":
+            far = 300.0 if minute in (300, 700) else 0.0
+            print(f"{at},{bearing[minute] + draw.gauss(0, 0.03):.2f},{1.5 * (bearing[minute] - 18) + far + draw.gauss(0, 0.2):.2f}")
+        else:
+            print(f"{at},{32 + 1.8 * (hall[minute] + draw.gauss(0, 0.03)):.1f}")
 elif kind == "circle":
     print("angle,length")
     for degree in range(360):

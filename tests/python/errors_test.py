@@ -58,7 +58,7 @@ class Errors(unittest.TestCase):
             (lambda: bb.circles("sample-runs/qc20-style-b5r/00.b5r", robust="yes"), "robust: expected True or False, found yes."),
             (lambda: bb.compare(HE, max_gap_s=True), "max_gap: expected a value, found True."),
             (lambda: constant(HE, target="y_um", hold={"constant.constant": 1}), "constant_um"),
-            (lambda: constant(HE, target="y"), "the nearest is y_um"),
+            (lambda: constant(HE, target="yy_um"), "the nearest is y_um"),
         ):
             self.assertIn(sentence, str(self.fault(work)))
 

@@ -344,6 +344,8 @@ Log open_log(const Source& source) {
   Log log = one_log(source, recipe, !recipe.join.empty());
   for (const std::string& file : recipe.join) join(log, source.name(), beside_of(log, source, file, recipe), file);
   if (!recipe.join.empty()) expect_joined_columns(log, source.name(), recipe);
+  if (std::string shifted = shift_clock(log.series, recipe, source.name()); !shifted.empty())
+    log.remarks.push_back(std::move(shifted));
   if (recipe.burst_means) {
     const std::size_t rows = log.series.time_s.size();
     take_burst_means(log.series, source.name());

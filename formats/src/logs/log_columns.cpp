@@ -9,6 +9,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "logs/log_join.hpp"
 #include "logs/log_roles.hpp"
 #include "logs/log_table.hpp"
 #include "logs/log_units.hpp"
@@ -37,21 +38,6 @@ std::string column_name(std::string_view name, std::string_view unit, std::set<s
 }
 
 }  // namespace
-
-void expect_recipe_columns(const Headers& headers, const std::string& name, std::size_t line, const LogRecipe& recipe) {
-  if (recipe.may_lack_columns) return;
-  for (const ColumnRecipe& one : recipe.columns) {
-    const bool found = std::any_of(headers.begin(), headers.end(),
-                                   [&](const auto& header) { return is_of(one, header.first, header.second); });
-    if (found) continue;
-    std::vector<std::string_view> known;
-    known.reserve(headers.size());
-    for (const auto& header : headers) known.emplace_back(header.first);
-    throw Error(fmt::format(
-        "{}:{}: expected a column {}, as stated by the options or the recipe, found none; the nearest is {}.", name,
-        line, in_quotes(one.source), in_quotes(nearest_name(one.source, known))));
-  }
-}
 
 void take_column(const PlannedColumn& planned, std::vector<double>&& values, const std::string& why,
                  const std::string& name, Log& log, std::set<std::string>& taken) {
@@ -112,7 +98,7 @@ void take_column(const PlannedColumn& planned, std::vector<double>&& values, con
   } else {
     column.name = column_name(stem, column.unit, taken);
   }
-  log.series.columns.push_back({column.name, column.role, std::move(values)});
+  log.series.columns.push_back({column.name, column.role, std::move(values), column.source});
   log.columns.push_back(std::move(column));
 }
 
@@ -128,6 +114,7 @@ Series with_stated_columns(Series series, const LogRecipe& recipe, const std::st
     for (double& time : series.time_s) time *= *recipe.every_s;
     series.has_clock = true;
   }
+  shift_clock(series, recipe, name);
   if (recipe.columns.empty()) return series;
   Headers headers;
   for (const Column& column : series.columns) {
@@ -135,13 +122,16 @@ Series with_stated_columns(Series series, const LogRecipe& recipe, const std::st
     headers.emplace_back(column.name, column.name.substr(0, column.name.size() - (unit == 0 ? 0 : unit + 1)));
   }
   expect_recipe_columns(headers, name, 1, recipe);
+  std::vector<std::string> units;
+  for (const Column& column : series.columns) units.emplace_back(unit_of(column.name));
+  const std::vector<StatedColumn> all = stated_columns(recipe, headers, units);
   std::vector<Column> columns;
   std::set<std::string> taken;
   for (std::size_t i = 0; i < headers.size(); ++i) {
     const auto& [source, stem] = headers[i];
     Column& column = series.columns[i];
-    std::string unit(unit_of(source));
-    const ColumnRecipe stated = stated_of(recipe, source, stem, !unit.empty());
+    std::string unit = units[i];
+    const ColumnRecipe& stated = all[i].column;
     if (stated.left_out) continue;
     if (!stated.unit.empty() && !unit.empty() && stated.unit != unit) {
       throw Error(fmt::format("{}: {}: expected no other unit than {}, which its name states, found {}.", name, source,
@@ -154,6 +144,7 @@ Series with_stated_columns(Series series, const LogRecipe& recipe, const std::st
       if (column.role == Role::event) column.role = role_from_unit(unit);
     }
     if (stated.role) column.role = *stated.role;
+    column.header = source;
     column.name = column_name(stated.name.empty() ? stem : stated.name, unit, taken);
     columns.push_back(std::move(column));
   }

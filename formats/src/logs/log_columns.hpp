@@ -4,19 +4,12 @@
 #include <cstddef>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "ballbar/formats/logs/log.hpp"
 #include "logs/log_plan.hpp"
 
 namespace ballbar {
-
-// Of all columns, as written and without the unit.
-using Headers = std::vector<std::pair<std::string, std::string>>;
-
-// Throws Error with name:line for a column of the recipe that is not there.
-void expect_recipe_columns(const Headers& headers, const std::string& name, std::size_t line, const LogRecipe& recipe);
 
 // Adds one column of numbers to the log, in the units of a series. `why`: what told its unit, where nothing in the file
 // did. `taken`: the names that the series has.

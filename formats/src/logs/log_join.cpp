@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <iterator>
 #include <set>
 #include <utility>
 
 #include "ballbar/error.hpp"
+#include "ballbar/number_text.hpp"
+#include "logs/log_plan.hpp"
 #include "logs/log_units.hpp"
 
 namespace ballbar {
@@ -61,6 +65,28 @@ void join(Log& log, const std::string& name, Log beside, const std::string& file
   log.remarks.push_back(
       fmt::format("Joined row by row: {} of {}.", k == 1 ? "1 column" : fmt::format("{} columns", k), file));
   std::move(beside.remarks.begin(), beside.remarks.end(), std::back_inserter(log.remarks));
+}
+
+double stated_shift_s(const LogRecipe& recipe, const std::string& name) {
+  double shift_s = 0.0;
+  const std::string file = std::filesystem::path(name).filename().string();
+  for (const LogShift& one : recipe.shifts) {
+    if (suits(one.file, name) || suits(one.file, file)) shift_s += one.shift_s;
+  }
+  return shift_s;
+}
+
+std::string shift_clock(Series& series, const LogRecipe& recipe, const std::string& name) {
+  const double shift_s = stated_shift_s(recipe, name);
+  if (shift_s == 0.0) return {};
+  if (!series.has_clock) throw Error(fmt::format("{}: expected a clock for --shift, found numbered rows.", name));
+  if (const auto started_s = series.started ? seconds_of_stamp(*series.started) : std::nullopt) {
+    series.started = stamp_text(*started_s + shift_s);
+  } else {
+    for (double& time_s : series.time_s) time_s += shift_s;
+  }
+  return fmt::format("Its clock is set {} {}, as --shift states.", duration_text(std::abs(shift_s)),
+                     shift_s > 0.0 ? "later" : "earlier");
 }
 
 }  // namespace ballbar

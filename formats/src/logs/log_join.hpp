@@ -11,4 +11,8 @@ namespace ballbar {
 // without a row of numbers, or the numbers of rows differ by more than a tenth.
 void join(Log& log, const std::string& name, Log beside, const std::string& file);
 
+// Sets the clock of a series later by what the recipe states for the file `name`; returns a sentence, empty where that
+// is nothing. Throws Error for rows without a clock.
+std::string shift_clock(Series& series, const LogRecipe& recipe, const std::string& name);
+
 }  // namespace ballbar

@@ -1,6 +1,7 @@
 #include "logs/log_plan.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,26 +20,6 @@ namespace ballbar {
 namespace {
 
 bool is_pattern(std::string_view text) { return text.find_first_of("*?") != std::string_view::npos; }
-
-// Whether the text has the form of the pattern: * any signs, ? one.
-bool suits(std::string_view pattern, std::string_view text) {
-  std::size_t at = 0, in_text = 0, star = std::string_view::npos, from = 0;
-  while (in_text < text.size()) {
-    if (at < pattern.size() && pattern[at] == '*') {
-      star = at++;
-      from = in_text;
-    } else if (at < pattern.size() && (pattern[at] == '?' || pattern[at] == text[in_text])) {
-      ++at;
-      ++in_text;
-    } else if (star != std::string_view::npos) {
-      at = star + 1;
-      in_text = ++from;
-    } else {
-      return false;
-    }
-  }
-  return pattern.find_first_not_of('*', at) == std::string_view::npos;
-}
 
 bool names_a_count(std::string_view name) {
   constexpr std::string_view kNames =
@@ -64,14 +45,41 @@ void name_columns(const LogShape& shape, LogPlan& plan) {
 }
 
 void take_stated(const LogRecipe& recipe, LogPlan& plan) {
-  for (PlannedColumn& column : plan.columns) {
-    column.stated = stated_of(recipe, column.source, column.name, !column.unit.empty());
-    column.unit_by_pattern =
-        !column.stated.unit.empty() && std::none_of(recipe.columns.begin(), recipe.columns.end(), [&](const auto& one) {
-          return !is_pattern(one.source) && !one.unit.empty() && is_of(one, column.source, column.name);
-        });
+  Headers headers;
+  std::vector<std::string> units;
+  for (const PlannedColumn& column : plan.columns) {
+    headers.emplace_back(column.source, column.name);
+    units.push_back(column.unit);
+  }
+  std::vector<StatedColumn> stated = stated_columns(recipe, headers, units);
+  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+    plan.columns[i].stated = std::move(stated[i].column);
+    plan.columns[i].unit_by_pattern = stated[i].unit_by_pattern;
   }
 }
+
+// The places of the columns that a user means by a name or a pattern.
+class NamedPlaces {
+ public:
+  explicit NamedPlaces(const Headers& headers) : headers_(headers), comparables_(comparables_of(headers)) {}
+
+  [[nodiscard]] std::vector<std::size_t> of(const std::string& typed) const {
+    if (!is_pattern(typed)) return columns_named(typed, headers_, comparables_);
+    std::vector<std::size_t> found;
+    const std::string key = small(typed);
+    for (std::size_t i = 0; i < headers_.size(); ++i) {
+      const auto& [source, name] = headers_[i];
+      const std::string_view before =
+          trimmed_cell(std::string_view(source).substr(0, source.find_first_of("([")));  // without what is in brackets
+      if (suits(key, small(source)) || suits(key, small(name)) || suits(key, small(before))) found.push_back(i);
+    }
+    return found;
+  }
+
+ private:
+  const Headers& headers_;
+  std::vector<ComparableName> comparables_;
+};
 
 // "Y_Unit_Label Volts Amps", one a channel, behind the column of X: LabVIEW's measurement files.
 void label_units(const LogShape& shape, LogPlan& plan) {
@@ -147,29 +155,69 @@ void plan_values(const std::vector<bool>& is_label, const std::vector<ColumnSamp
 
 }  // namespace
 
-bool is_of(const ColumnRecipe& recipe, std::string_view source, std::string_view name) {
-  if (recipe.source == source || recipe.source == name) return true;
-  const std::string key = small(recipe.source);
-  const std::string_view before = trimmed_cell(source.substr(0, source.find_first_of("([")));
-  return suits(key, small(source)) || suits(key, small(name)) || suits(key, small(before));
+bool suits(std::string_view pattern, std::string_view text) {
+  std::size_t at = 0, in_text = 0, star = std::string_view::npos, from = 0;
+  while (in_text < text.size()) {
+    if (at < pattern.size() && pattern[at] == '*') {
+      star = at++;
+      from = in_text;
+    } else if (at < pattern.size() && (pattern[at] == '?' || pattern[at] == text[in_text])) {
+      ++at;
+      ++in_text;
+    } else if (star != std::string_view::npos) {
+      at = star + 1;
+      in_text = ++from;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', at) == std::string_view::npos;
 }
 
-ColumnRecipe stated_of(const LogRecipe& recipe, std::string_view source, std::string_view name, bool has_unit) {
-  ColumnRecipe stated;
-  const auto take = [&](const ColumnRecipe& one, bool unit_too) {
-    stated.source = source;
-    if (!one.name.empty()) stated.name = one.name;
-    if (!one.unit.empty() && unit_too) stated.unit = one.unit;
-    if (one.role) stated.role = one.role;
-    stated.left_out = stated.left_out || one.left_out;
-  };
+std::vector<StatedColumn> stated_columns(const LogRecipe& recipe, const Headers& headers,
+                                         const std::vector<std::string>& units) {
+  std::vector<StatedColumn> stated(headers.size());
+  if (recipe.columns.empty()) return stated;
+  const NamedPlaces places(headers);
   for (const bool patterns : {true, false}) {
     for (const ColumnRecipe& one : recipe.columns) {
-      if (is_pattern(one.source) != patterns || !is_of(one, source, name)) continue;
-      take(one, !has_unit || !(patterns || recipe.may_lack_columns));
+      if (is_pattern(one.source) != patterns) continue;
+      for (const std::size_t i : places.of(one.source)) {
+        ColumnRecipe& column = stated[i].column;
+        column.source = headers[i].first;
+        if (!one.name.empty()) column.name = one.name;
+        if (!one.unit.empty() && (units[i].empty() || !(patterns || recipe.may_lack_columns))) {
+          column.unit = one.unit;
+          stated[i].unit_by_pattern = patterns;
+        }
+        if (one.role) column.role = one.role;
+        column.left_out = column.left_out || one.left_out;
+      }
     }
   }
   return stated;
+}
+
+void expect_recipe_columns(const Headers& headers, const std::string& name, std::size_t line, const LogRecipe& recipe) {
+  if (recipe.may_lack_columns) return;
+  const NamedPlaces places(headers);
+  for (const ColumnRecipe& one : recipe.columns) {
+    const std::vector<std::size_t> found = places.of(one.source);
+    const auto is_first = [&](std::size_t i) { return headers[i].first == headers[found.front()].first; };
+    if (!found.empty() && (is_pattern(one.source) || std::all_of(found.begin(), found.end(), is_first))) continue;
+    if (!found.empty()) {
+      std::vector<std::string> several;
+      for (const std::size_t i : found) several.push_back(in_quotes(headers[i].first));
+      throw Error(fmt::format("{}:{}: expected the name of one column, found {}, which may be {}; state its unit too.",
+                              name, line, in_quotes(one.source), fmt::join(several, " or ")));
+    }
+    std::vector<std::string_view> known;
+    known.reserve(headers.size());
+    for (const auto& header : headers) known.emplace_back(header.first);
+    throw Error(fmt::format(
+        "{}:{}: expected a column {}, as stated by the options or the recipe, found none; the nearest is {}.", name,
+        line, in_quotes(one.source), in_quotes(nearest_name(one.source, known))));
+  }
 }
 
 LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe& recipe) {

@@ -6,8 +6,10 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "ballbar/formats/logs/column_named.hpp"
 #include "ballbar/formats/logs/log.hpp"
 #include "logs/log_shape.hpp"
 #include "logs/time_stamp.hpp"
@@ -52,13 +54,19 @@ struct LogPlan {
   std::map<std::string, std::string> channel_units;  // of channels below each other
 };
 
-// Whether the recipe's column is this one: by its header, with or without the unit or what stands in
-// brackets, in capitals or not, or by a pattern
-// with * and ?.
-bool is_of(const ColumnRecipe& recipe, std::string_view source, std::string_view name);
+// Whether the text has the form of the pattern: * any signs, ? one.
+bool suits(std::string_view pattern, std::string_view text);
 
-// All that the recipe says of a column, a name before a pattern.
-ColumnRecipe stated_of(const LogRecipe& recipe, std::string_view source, std::string_view name, bool has_unit);
+// What the recipe says of each column, a name before a pattern with * and ?. `units`: as the file states them.
+struct StatedColumn {
+  ColumnRecipe column;           // `source` is empty if nothing is said of it
+  bool unit_by_pattern = false;  // such a unit has less weight than name and values
+};
+std::vector<StatedColumn> stated_columns(const LogRecipe& recipe, const Headers& headers,
+                                         const std::vector<std::string>& units);
+
+// Throws Error with name:line for a column of the recipe that is not there, or that several may be.
+void expect_recipe_columns(const Headers& headers, const std::string& name, std::size_t line, const LogRecipe& recipe);
 
 // Throws Error with name:line where the time cannot be told, or the layout.
 LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe& recipe);

@@ -1,6 +1,7 @@
 #include "ballbar/formats/logs/recipe_toml.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -25,7 +26,13 @@ constexpr Key kRootKeys[] = {
     {"missing", "list of texts", "cells without a value, besides the usual ones"},
     {"skip_bad_rows", "true or false", "skip any number of rows without numbers; default false"},
     {"burst_means", "true or false", "average each burst of rows to one row; default false"},
+    {"join", "list of texts", "files with further columns, row by row, as `--join`"},
+    {"shift", "tables", "`[[shift]]`, one per log whose clock is set, as `--shift`"},
     {"column", "tables", "`[[column]]`, one per column of the log"},
+};
+constexpr Key kShiftKeys[] = {
+    {"file", "text", "name of the log, with or without its folder, or a pattern, \"room*.csv\"; needed"},
+    {"shift_s", "s", "by which its clock is set later; below 0: earlier; needed"},
 };
 constexpr Key kColumnKeys[] = {
     {"source", "text", "its header in the log, with or without the unit, or a pattern, \"T*\"; needed"},
@@ -63,7 +70,9 @@ ColumnRecipe column_of(const TomlTable& table) {
 
 }  // namespace
 
-std::vector<KeyTable> recipe_keys() { return {{"", kRootKeys}, {"`[[column]]`", kColumnKeys}}; }
+std::vector<KeyTable> recipe_keys() {
+  return {{"", kRootKeys}, {"`[[shift]]`", kShiftKeys}, {"`[[column]]`", kColumnKeys}};
+}
 
 LogRecipe read_recipe(std::string_view bytes, std::string_view name) {
   const TomlSource source = parse_toml(bytes, name);
@@ -82,6 +91,11 @@ LogRecipe read_recipe(std::string_view bytes, std::string_view name) {
   recipe.missing = strings(root, "missing").value_or(std::vector<std::string>{});
   recipe.skip_bad_rows = boolean(root, "skip_bad_rows").value_or(false);
   recipe.burst_means = boolean(root, "burst_means").value_or(false);
+  recipe.join = strings(root, "join").value_or(std::vector<std::string>{});
+  for (const TomlTable& table : subtables(root, "shift")) {
+    expect_keys(table, kShiftKeys);
+    recipe.shifts.push_back({required(string, table, "file"), required(number, table, "shift_s")});
+  }
   for (const TomlTable& table : subtables(root, "column")) recipe.columns.push_back(column_of(table));
   return recipe;
 }
@@ -98,14 +112,18 @@ std::string write_recipe(const LogRecipe& recipe) {
   text("time", recipe.time);
   text("time_unit", recipe.time_unit);
   if (recipe.every_s) out += fmt::format("every_s = {}\n", toml_number(*recipe.every_s));
-  if (!recipe.missing.empty()) {
-    out += "missing = [";
-    for (const std::string& one : recipe.missing)
-      out += (&one == &recipe.missing.front() ? "" : ", ") + toml_quoted(one);
-    out += "]\n";
-  }
+  const auto texts = [&](std::string_view key, const std::vector<std::string>& values) {
+    if (values.empty()) return;
+    std::vector<std::string> quoted;
+    for (const std::string& one : values) quoted.push_back(toml_quoted(one));
+    out += fmt::format("{} = [{}]\n", key, fmt::join(quoted, ", "));
+  };
+  texts("missing", recipe.missing);
   if (recipe.skip_bad_rows) out += "skip_bad_rows = true\n";
   if (recipe.burst_means) out += "burst_means = true\n";
+  texts("join", recipe.join);
+  for (const LogShift& one : recipe.shifts)
+    out += fmt::format("\n[[shift]]\nfile = {}\nshift_s = {}\n", toml_quoted(one.file), toml_number(one.shift_s));
   for (const ColumnRecipe& column : recipe.columns) {
     out += "\n[[column]]\n";
     text("source", column.source);

@@ -74,12 +74,12 @@ class TimeFinder {
   }
 
   std::size_t named_by_recipe() const {
+    Headers headers;
+    for (const PlannedColumn& column : plan_.columns) headers.emplace_back(column.source, column.name);
+    const std::vector<std::size_t> found = columns_named(recipe_.time, headers, comparables_of(headers));
+    if (!found.empty()) return found.front();
     std::vector<std::string_view> known;
-    for (std::size_t i = 0; i < plan_.columns.size(); ++i) {
-      const PlannedColumn& column = plan_.columns[i];
-      if (column.source == recipe_.time || column.name == recipe_.time) return i;
-      known.emplace_back(column.source);
-    }
+    for (const auto& header : headers) known.emplace_back(header.first);
     fail(fmt::format("a column {} for the time", in_quotes(recipe_.time)), "none",
          fmt::format("the nearest is {}", in_quotes(nearest_name(recipe_.time, known))));
   }

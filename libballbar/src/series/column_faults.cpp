@@ -1,91 +1,186 @@
 #include "ballbar/series/column_faults.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/series/far_readings.hpp"
+#include "series/saturated_rows.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kFarJump = 20.0, kLongPause = 10.0;
+constexpr double kLongPause = 10.0;
+constexpr std::size_t kAboutJump = 3, kDriftReach = 12, kFewestForJumps = 40, kFewestJumps = 3,
+                      kRowsBeside = 2;    // values on either side
+constexpr double kFarJump = 7.0;          // sigma of the difference of their medians
+constexpr double kInOneStep = 0.6;        // of the jump
+constexpr double kOfItsNeighbours = 0.5;  // of the jump: the largest change beside it
+constexpr double kStepOfInput = 0.2;      // of its range
+constexpr std::array<std::string_view, 8> kKinds{"pauses", "few_values", "gaps",    "constant",
+                                                 "stuck",  "far_off",    "clipped", "jumps"};
 
-// Rows whose value is away from both neighbours, to the same side.
-std::vector<std::size_t> spikes(const std::vector<double>& values) {
-  std::vector<double> steps;
-  steps.reserve(values.size());
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    const double step = std::abs(values[i] - values[i - 1]);
-    if (step > 0.0) steps.push_back(step);  // of those that are no rest: the least is what values are written to
+// The rows that have a value.
+struct KnownRows {
+  std::vector<double> time_s, value;
+  std::vector<char> beside_a_jump;  // of an input
+};
+
+struct LevelStep {
+  std::size_t at = 0;
+  double size = 0.0;
+};
+
+// Where the medians before and after differ by far more than their drift about it, most of it in one step.
+std::vector<LevelStep> level_steps(const std::vector<double>& values) {
+  const std::size_t n = values.size(), last = n - std::min(n, kAboutJump);
+  std::vector<LevelStep> steps;
+  if (n < kFewestForJumps) return steps;
+  const auto median_of = [](const std::vector<double>& of, std::size_t from, std::size_t end) {
+    return median(std::vector<double>(of.begin() + static_cast<std::ptrdiff_t>(from),
+                                      of.begin() + static_cast<std::ptrdiff_t>(end)));
+  };
+  std::vector<double> difference(n, 0.0), off(n, 0.0), sizes;
+  for (std::size_t i = kAboutJump; i <= last; ++i)
+    difference[i] = median_of(values, i, i + kAboutJump) - median_of(values, i - kAboutJump, i);
+  for (std::size_t i = kAboutJump; i <= last; ++i) {
+    const std::size_t from = std::max(kAboutJump, i - std::min(i, kDriftReach)),
+                      end = std::min(last + 1, i + kDriftReach);
+    off[i] = difference[i] - median_of(difference, from, end);
+    sizes.push_back(std::abs(off[i]));
   }
-  const double usual = steps.empty() ? 0.0 : median(std::move(steps));
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 1; i + 1 < values.size() && usual > 0.0; ++i) {
-    const double before = values[i] - values[i - 1], after = values[i] - values[i + 1];
-    if (before * after > 0.0 && std::min(std::abs(before), std::abs(after)) > kFarJump * usual &&
-        std::abs(values[i + 1] - values[i - 1]) < 0.2 * std::abs(before)) {
-      rows.push_back(i);
+  const double least = kFarJump * 1.4826 * median(std::move(sizes));
+  for (std::size_t i = kAboutJump; i <= last; ++i) {
+    const double size = std::abs(off[i]), step = (values[i] - values[i - 1]) * (off[i] < 0.0 ? -1.0 : 1.0);
+    if (!(size > least) || step < kInOneStep * size || step > size / kInOneStep) continue;
+    const double before = std::abs(values[i - 1] - values[i - 2]), after = std::abs(values[i + 1] - values[i]);
+    if (std::max(before, after) > kOfItsNeighbours * step) continue;  // a ramp
+    if (steps.empty() || i - steps.back().at > kAboutJump) steps.push_back({i, size});
+  }
+  return steps;
+}
+
+// Rows within two of a step of an input by more than a fifth of its range, such as a speed: there a probe may jump.
+std::vector<char> beside_jumps_of_inputs(const Series& series) {
+  const std::size_t rows = series.time_s.size();
+  std::vector<char> beside(rows, 0);
+  for (const Column& column : series.columns) {
+    if (column.role == Role::measured) continue;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const double value : column.values) {
+      if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
+    }
+    double before = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t row = 0; row < rows; ++row) {
+      if (!std::isfinite(column.values[row])) continue;
+      const bool jumps = std::abs(column.values[row] - before) > kStepOfInput * (most - least);
+      before = column.values[row];
+      if (!jumps) continue;
+      const auto first = static_cast<std::ptrdiff_t>(row - std::min(row, kRowsBeside));
+      const auto end = static_cast<std::ptrdiff_t>(std::min(rows, row + kRowsBeside + 1));
+      std::fill(beside.begin() + first, beside.begin() + end, char{1});
     }
   }
-  return rows;
+  return beside;
+}
+
+// What the values of a smooth column show.
+void add_faults_of_values(const Column& column, const KnownRows& known, std::vector<ColumnFault>& faults) {
+  const std::vector<double>& values = known.value;
+  const auto changed = std::find_if(values.rbegin(), values.rend(), [&](double v) { return v != values.back(); });
+  const auto still = static_cast<std::size_t>(changed - values.rbegin());
+  const auto steps_s = [&](std::size_t from, std::size_t to) { return known.time_s[to] - known.time_s[from]; };
+  const std::vector<std::size_t> clipped = saturated_rows(values);
+  if (clipped.empty() && still * 10 > values.size() && still > 20) {
+    const std::size_t first = values.size() - still;
+    faults.push_back({column.name, FaultKind::stuck, still, values.back(), known.time_s[first],
+                      steps_s(first, values.size() - 1), false, false});
+  }
+  if (!clipped.empty()) {
+    double long_s = 0.0;
+    for (const std::size_t row : clipped) long_s += row + 1 < values.size() ? steps_s(row, row + 1) : 0.0;
+    const double at = values[clipped.front()];
+    faults.push_back({column.name, FaultKind::clipped, clipped.size(), at, known.time_s[clipped.front()], long_s,
+                      at == *std::min_element(values.begin(), values.end()), false});
+  }
+  if (const std::vector<std::size_t> far = far_readings(values); !far.empty()) {
+    std::vector<double> others = values;
+    for (const std::size_t row : far) others[row] = values[far.front() - 1];  // the first value is none
+    const auto [least, most] = std::minmax_element(others.begin(), others.end());
+    const bool is_beyond = std::any_of(far.begin(), far.end(), [&, low = *least, high = *most](std::size_t row) {
+      return values[row] < low || values[row] > high;
+    });
+    faults.push_back({column.name, FaultKind::far_off, far.size(), values[far.front()], known.time_s[far.front()], 0.0,
+                      false, is_beyond});
+  }
+  if (column.role != Role::measured) return;
+  std::vector<LevelStep> steps = level_steps(values);
+  std::erase_if(steps, [&](const LevelStep& step) { return known.beside_a_jump[step.at] != 0; });
+  if (steps.size() < kFewestJumps) return;
+  std::vector<double> sizes;
+  for (const LevelStep& step : steps) sizes.push_back(step.size);
+  faults.push_back({column.name, FaultKind::jumps, steps.size(), median(std::move(sizes)),
+                    known.time_s[steps.front().at], 0.0, false, false});
 }
 
 }  // namespace
+
+std::string_view name_of(FaultKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
 
 std::vector<ColumnFault> column_faults(const Series& series) {
   std::vector<ColumnFault> faults;
   std::vector<double> steps_s;
   steps_s.reserve(series.time_s.size());
   for (std::size_t i = 1; i < series.time_s.size(); ++i) steps_s.push_back(series.time_s[i] - series.time_s[i - 1]);
-  const double usual_s = median_step_s(series.time_s);
+  const double long_s = kLongPause * median_step_s(series.time_s);
   const auto pause = std::max_element(steps_s.begin(), steps_s.end());
-  if (pause != steps_s.end() && *pause > kLongPause * usual_s) {
-    const auto count =
-        std::count_if(steps_s.begin(), steps_s.end(), [&](double step) { return step > kLongPause * usual_s; });
-    faults.push_back({"", fmt::format("{} {} of more than {:g} s, the longest of {:g} s at {:g} s", count,
-                                      count == 1 ? "pause" : "pauses", kLongPause * usual_s, *pause,
-                                      series.time_s[static_cast<std::size_t>(pause - steps_s.begin())])});
+  if (pause != steps_s.end() && *pause > long_s) {
+    const auto count = std::count_if(steps_s.begin(), steps_s.end(), [&](double step) { return step > long_s; });
+    faults.push_back({"", FaultKind::pauses, static_cast<std::size_t>(count), *pause,
+                      series.time_s[static_cast<std::size_t>(pause - steps_s.begin())], long_s, false, false});
   }
+  const std::vector<char> beside = beside_jumps_of_inputs(series);
   for (const Column& column : series.columns) {
-    std::vector<double> values;
-    values.reserve(column.values.size());
-    for (const double value : column.values) {
-      if (std::isfinite(value)) values.push_back(value);
+    KnownRows known;
+    for (std::size_t row = 0; row < column.values.size(); ++row) {
+      if (!std::isfinite(column.values[row])) continue;
+      known.time_s.push_back(series.time_s[row]);
+      known.value.push_back(column.values[row]);
+      known.beside_a_jump.push_back(beside[row]);
     }
+    const std::vector<double>& values = known.value;
+    const std::size_t rows = column.values.size(), gaps = rows - values.size();
     if (values.size() < 3) {
-      faults.push_back({column.name, "has fewer than three values"});
+      faults.push_back({column.name, FaultKind::few_values, values.size(), 0.0, 0.0, 0.0, false, false});
       continue;
     }
-    const std::size_t gaps = column.values.size() - values.size();
-    if (gaps * 20 > column.values.size()) {
-      faults.push_back({column.name, fmt::format("{:.0f} % gaps", 100.0 * static_cast<double>(gaps) /
-                                                                      static_cast<double>(column.values.size()))});
+    if (gaps * 20 > rows) {
+      faults.push_back({column.name, FaultKind::gaps, gaps, static_cast<double>(gaps) / static_cast<double>(rows), 0.0,
+                        0.0, false, false});
     }
-    const auto differs =
-        std::find_if(values.rbegin(), values.rend(), [&](double value) { return value != values.back(); });
-    if (differs == values.rend()) {
-      faults.push_back({column.name, fmt::format("does not change: {:g} in all rows", values.back())});
+    if (std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); })) {
+      faults.push_back({column.name, FaultKind::constant, values.size(), values.front(), 0.0, 0.0, false, false});
       continue;
     }
-    const auto still = static_cast<std::size_t>(differs - values.rbegin());
     // A speed rests, and so do events; a temperature or a probe never for long.
-    if (column.role != Role::speed && column.role != Role::event && column.role != Role::load &&
-        still * 10 > values.size() && still > 20) {
-      faults.push_back(
-          {column.name, fmt::format("does not change any more in the last {} rows: {:g}", still, values.back())});
-    }
     if (column.role == Role::speed || column.role == Role::event || column.role == Role::load) continue;
-    const std::vector<std::size_t> rows = spikes(values);
-    if (!rows.empty()) {
-      faults.push_back(
-          {column.name, fmt::format("{} single {} far off, the first {:g} between {:g} and {:g}", rows.size(),
-                                    rows.size() == 1 ? "value" : "values", values[rows.front()],
-                                    values[rows.front() - 1], values[rows.front() + 1])});
-    }
+    add_faults_of_values(column, known, faults);
   }
+  return faults;
+}
+
+std::vector<ColumnFault> faults_bearing_on(const Series& series, std::string_view target) {
+  std::vector<ColumnFault> faults = column_faults(series);
+  std::erase_if(faults, [&](const ColumnFault& fault) {
+    const Column* const column = find_column(series, fault.column);
+    const bool is_of_values = fault.kind == FaultKind::stuck || fault.kind == FaultKind::far_off ||
+                              fault.kind == FaultKind::clipped || fault.kind == FaultKind::jumps;
+    if (!is_of_values || column == nullptr || (column->role == Role::measured && column->name != target)) return true;
+    return fault.kind == FaultKind::far_off && !fault.is_beyond && column->name != target;
+  });
   return faults;
 }
 

@@ -178,7 +178,7 @@ Parts parts_on_one_clock(std::span<const Series> parts, const std::optional<doub
         Gaps gaps = gaps_of(column.name, series.time_s, on_rows, values, gap_s);
         if (!gaps.rows.empty()) result.gaps.push_back(std::move(gaps));
       }
-      series.columns.push_back({column.name, column.role, std::move(on_rows)});
+      series.columns.push_back({column.name, column.role, std::move(on_rows), column.header});
     }
   }
   return result;
@@ -216,9 +216,10 @@ void expect_enough(const Parts& parts, const std::vector<char>& kept) {
                                        [](const Gaps& a, const Gaps& b) { return a.rows.size() < b.rows.size(); });
   const bool in_s = gaps.max_gap_s < 120.0;
   const auto text = [&](double time_s) { return in_s ? fmt::format("{:.10g}", time_s) : min_text(time_s); };
-  throw Error(fmt::format("expected values of {0} at most {1} {4} apart, found none between {2} and {3} {4}.",
-                          gaps.signal, text(gaps.max_gap_s), text(gaps.first_from_s), text(gaps.first_to_s),
-                          in_s ? "s" : "min"));
+  throw Error(fmt::format(
+      "expected values of {0} at most {1} {4} apart, found none between {2} and {3} {4}. A longer "
+      "--max-gap interpolates over it.",
+      gaps.signal, text(gaps.max_gap_s), text(gaps.first_from_s), text(gaps.first_to_s), in_s ? "s" : "min"));
 }
 
 void keep(std::vector<double>& values, const std::vector<char>& kept) {

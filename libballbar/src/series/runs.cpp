@@ -115,7 +115,8 @@ Series rows_of(const Series& data, const RowRange& range) {
   result.five_probe = data.five_probe;
   result.has_clock = data.has_clock;
   result.columns.reserve(data.columns.size());
-  for (const Column& column : data.columns) result.columns.push_back({column.name, column.role, part(column.values)});
+  for (const Column& column : data.columns)
+    result.columns.push_back({column.name, column.role, part(column.values), column.header});
   return result;
 }
 
@@ -160,7 +161,7 @@ Stacked stacked(const std::vector<Series>& runs, const std::vector<std::string>&
     }
   }
   for (const Column& column : runs.front().columns) {
-    if (is_in_all(runs, column.name)) all.columns.push_back({column.name, column.role, {}});
+    if (is_in_all(runs, column.name)) all.columns.push_back({column.name, column.role, {}, column.header});
   }
   if (all.columns.empty())
     throw Error(fmt::format("expected a column that all of {} have, found none.", fmt::join(names, ", ")));

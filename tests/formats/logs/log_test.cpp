@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/logs/column_named.hpp"
 #include "ballbar/formats/logs/recipe_toml.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "logs/log_cells.hpp"
@@ -345,6 +346,54 @@ TEST(log, names_in_any_case_and_patterns_state_units_and_roles) {
       said("time_s,mcu_pos_z\n0,4\n1,8\n", recipe),
       "log.csv: mcu_pos_z: expected a unit such as um, mm, degC, rpm, A, kW, bar or %, a scale such as 2.5um, or none, "
       "found \"2.5\".");
+}
+
+TEST(log, a_column_is_named_as_the_file_or_the_series_names_it_with_its_unit_or_without) {
+  const Log log = read_log(
+      "time_s,pos_steps,T room [\xC2\xB0"
+      "C],Probe Z (um),Probe Z (mm),Last/%\n"
+      "0,1,20.1,1,5,30\n1,2,20.2,2,5.1,31\n2,4,20.3,3,5.2,33\n",
+      "log.csv", {.columns = {{"pos", "", "1.25um", std::nullopt, false}}});
+  const auto named = [&](const std::string& typed) {
+    try {
+      return column_named(log.series, typed);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+  };
+  for (const char* typed : {"pos", "pos_steps", "pos_um", "POS", "pos_steps_um"})
+    EXPECT_EQ(named(typed), "pos_steps_um") << typed;
+  for (const char* typed : {"T room", "t_room", "T room (C)",
+                            "T room [\xC2\xB0"
+                            "C]",
+                            "T_room_degC"})
+    EXPECT_EQ(named(typed), "T_room_degC") << typed;
+  EXPECT_EQ(named("last"), "Last_percent");
+  EXPECT_EQ(named("Probe Z (um)"), "Probe_Z_um");
+  EXPECT_EQ(named("probe z [mm]"), "Probe_Z_2_um");
+  EXPECT_EQ(named("probe Z"),
+            "expected the name of one column, found \"probe Z\", which may be \"Probe Z (um)\" or \"Probe Z (mm)\"; "
+            "state its unit too.");
+  EXPECT_EQ(named("Probe"), "Probe");
+  EXPECT_EQ(
+      said("time_s,Probe Z (um),Probe Z (mm),x\n0,1,5,1\n1,2,5.1,2\n", {.columns = {{"probe z", "", "", {}, true}}}),
+      "log.csv:1: expected the name of one column, found \"probe z\", which may be \"Probe Z (um)\" or \"Probe Z "
+      "(mm)\"; state its unit too.");
+  EXPECT_EQ(text_of(read_log("Elapsed (s),Z (um)\n0,1\n1,2\n", "log.csv", {.time = "elapsed"})),
+            "Z_um measured: 1 2; ");
+}
+
+TEST(log, a_clock_is_set_by_a_shift) {
+  const LogRecipe recipe{.shifts = {{"room*.csv", 21600.0}, {"other.csv", 60.0}}};
+  const char* const text = "Time,Z (um)\n2026-03-09 22:00:00,1\n2026-03-09 22:01:00,2\n";
+  const Log log = read_log(text, "data/room-1.csv", recipe);
+  EXPECT_EQ(log.series.started, "2026-03-10T04:00:00");
+  EXPECT_EQ(log.series.time_s, (std::vector<double>{0, 60}));
+  EXPECT_EQ(log.remarks, (std::vector<std::string>{"Its clock is set 6 h later, as --shift states."}));
+  EXPECT_EQ(read_recipe(write_recipe(log.recipe), "r.toml").shifts, recipe.shifts);
+  EXPECT_EQ(read_log(text, "a.csv", recipe).series.started, "2026-03-09T22:00:00");
+  EXPECT_EQ(read_log("t (s),Z (um)\n0,1\n60,2\n", "other.csv", recipe).series.time_s, (std::vector<double>{60, 120}));
+  EXPECT_THROW(read_log("Z (um)\n0.5\n2\n", "other.csv", recipe), Error);
 }
 
 TEST(log, numbers_and_states_are_no_temperatures) {

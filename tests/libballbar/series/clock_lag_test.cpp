@@ -6,6 +6,7 @@
 #include <random>
 
 #include "ballbar/series/column_faults.hpp"
+#include "ballbar/series/zone_shift.hpp"
 
 namespace ballbar {
 namespace {
@@ -91,10 +92,102 @@ TEST(column_faults, of_what_looks_broken) {
   series.columns = {still, stuck, spiked, speed};
   const std::vector<ColumnFault> faults = column_faults(series);
   ASSERT_EQ(faults.size(), 4u);
-  EXPECT_EQ(faults[0].what, "1 pause of more than 10 s, the longest of 101 s at 199 s");
-  EXPECT_EQ(faults[1].what, "does not change: 21.5 in all rows");
-  EXPECT_EQ(faults[2].what, "does not change any more in the last 100 rows: 23");
+  EXPECT_EQ(faults[0].kind, FaultKind::pauses);
+  EXPECT_EQ(faults[0].count, 1u);
+  EXPECT_EQ(faults[0].value, 101.0);
+  EXPECT_EQ(faults[0].at_s, 199.0);
+  EXPECT_EQ(faults[1].kind, FaultKind::constant);
+  EXPECT_EQ(faults[1].value, 21.5);
+  EXPECT_EQ(faults[2].kind, FaultKind::stuck);
+  EXPECT_EQ(faults[2].count, 100u);
+  EXPECT_EQ(faults[2].value, 23.0);
+  EXPECT_EQ(faults[3].kind, FaultKind::far_off);
   EXPECT_EQ(faults[3].column, "c_um");
+  EXPECT_EQ(faults[3].at_s, 77.0);
+  ASSERT_EQ(faults_bearing_on(series, "c_um").size(), 2u);  // neither the pause nor the constant
+  EXPECT_EQ(faults_bearing_on(series, "d_um").size(), 1u);
+}
+
+// A sensor that ends at 30 degC, and a probe that the control moves by 2 um every 100 rows; a speed jumps by nature.
+TEST(column_faults, of_sensors_that_are_clipped_and_probes_that_jump) {
+  Series series;
+  std::mt19937 engine(1);
+  std::normal_distribution<double> normal(0.0, 0.1);
+  Column clipped{"a_degC", Role::structure, {}}, free{"b_degC", Role::structure, {}}, moved{"c_um", Role::measured, {}},
+      speed{"n_rpm", Role::speed, {}};
+  for (int i = 0; i < 600; ++i) {
+    series.time_s.push_back(60.0 * i);
+    const double degC = 25.0 + 8.0 * std::sin(0.02 * i);
+    clipped.values.push_back(std::min(30.0, std::round(100.0 * degC) / 100.0));
+    free.values.push_back(std::round(100.0 * degC) / 100.0);
+    moved.values.push_back(2.0 * (i / 100 % 2) + 0.001 * i + normal(engine));
+    speed.values.push_back((i + 25) / 50 % 2 * 6000.0);
+  }
+  series.columns = {clipped, free, moved, speed};
+  const std::vector<ColumnFault> faults = column_faults(series);
+  ASSERT_EQ(faults.size(), 2u);
+  EXPECT_EQ(faults[0].kind, FaultKind::clipped);
+  EXPECT_EQ(faults[0].column, "a_degC");
+  EXPECT_EQ(faults[0].value, 30.0);
+  EXPECT_NEAR(static_cast<double>(faults[0].count), 600.0 * 0.27, 30.0);  // sin > 5/8 in 51.3 deg/180 of the time
+  EXPECT_FALSE(faults[0].is_low);
+  EXPECT_EQ(faults[1].kind, FaultKind::jumps);
+  EXPECT_EQ(faults[1].count, 5u);
+  EXPECT_NEAR(faults[1].value, 2.0, 0.15);
+  EXPECT_EQ(faults[1].at_s, 6000.0);
+}
+
+// One day of a bearing that warms up and cools down at odd times, in a room whose heating switches; or of the room, as
+// a logger has it whose clock is `behind_s` behind.
+Series of_a_hall(double step_s, double behind_s, bool is_room, double noise_K, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> normal(0.0, noise_K);
+  Series series;
+  Column column{is_room ? "Room_degC" : "bearing_degC", is_room ? Role::ambient : Role::bearing, {}};
+  std::mt19937 events(5);
+  bool heats = false, turns = false;
+  double room = 18.0, bearing = 18.0;
+  for (int t = 0; t < 86400; t += 60) {
+    heats = heats != (events() % 100 < 3);
+    turns = turns != (events() % 100 < 2);
+    room += ((heats ? 24.0 : 17.0) - room) * 60.0 / 1500.0;
+    bearing += (room + (turns ? 1.0 : 0.0) - bearing) * 60.0 / 180.0;
+    if (t % static_cast<int>(step_s) != 0) continue;
+    series.time_s.push_back(t - behind_s);
+    column.values.push_back(std::round(10.0 * ((is_room ? room : bearing) + normal(engine))) / 10.0);
+  }
+  series.columns.push_back(column);
+  return series;
+}
+
+TEST(zone_shift, is_found_from_temperatures_that_change_together) {
+  const Series bearing = of_a_hall(60.0, 0.0, false, 0.05, 1);
+  for (const double shift_h : {6.0, -1.0, 1.0, -8.0, 5.5}) {
+    const auto found = zone_shift(bearing, of_a_hall(300.0, 3600.0 * shift_h, true, 0.05, 2));
+    ASSERT_TRUE(found) << shift_h;
+    EXPECT_EQ(found->shift_s, 3600.0 * shift_h);
+    EXPECT_EQ(found->column, "bearing_degC");
+    EXPECT_EQ(found->other, "Room_degC");
+    EXPECT_GT(found->correlation, found->correlation_now);
+  }
+  EXPECT_FALSE(zone_shift(bearing, of_a_hall(300.0, 0.0, true, 0.05, 2)));  // they agree as they are
+}
+
+TEST(zone_shift, is_none_of_curves_that_are_alike_at_many_shifts) {
+  Series day, other, noise;
+  std::mt19937 engine(3);
+  std::normal_distribution<double> normal(0.0, 0.1);
+  day.columns = {{"a_degC", Role::structure, {}}};
+  other.columns = {{"b_degC", Role::ambient, {}}};
+  noise.columns = {{"c_degC", Role::ambient, {}}};
+  for (int i = 0; i < 288; ++i) {
+    for (Series* series : {&day, &other, &noise}) series->time_s.push_back(300.0 * i);
+    day.columns[0].values.push_back(20.0 + 2.0 * std::sin(0.0218 * i));
+    other.columns[0].values.push_back(21.0 + 3.0 * std::sin(0.0218 * (i + 40)));
+    noise.columns[0].values.push_back(20.0 + normal(engine));
+  }
+  EXPECT_FALSE(zone_shift(day, other));
+  EXPECT_FALSE(zone_shift(day, noise));
 }
 
 }  // namespace

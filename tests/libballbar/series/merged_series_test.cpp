@@ -143,9 +143,11 @@ std::string message_of(const std::vector<Series>& parts, double max_gap_s) {
 TEST(Merged, says_what_is_wrong) {
   EXPECT_EQ(message_of({drift(), drift()}, 800.0), "expected every column once, found x_um twice.");
   EXPECT_EQ(message_of({drift(), signals()}, 600.0),
-            "expected values of T_degC at most 10 min apart, found none between 6.67 and 20 min.");
+            "expected values of T_degC at most 10 min apart, found none between 6.67 and 20 min. A longer --max-gap "
+            "interpolates over it.");
   EXPECT_EQ(message_of({drift(), signals()}, 20.0),
-            "expected values of T_degC at most 20 s apart, found none between 0 and 400 s.");
+            "expected values of T_degC at most 20 s apart, found none between 0 and 400 s. A longer --max-gap "
+            "interpolates over it.");
   Series empty = signals();
   empty.columns[0].values.assign(4, kGap);
   EXPECT_EQ(message_of({drift(), empty}, 800.0), "expected values of T_degC, found none.");

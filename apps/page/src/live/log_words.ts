@@ -58,7 +58,7 @@ export interface Gap {
   to_min: number;
   most_min: number; // that is interpolated
 }
-const kGap = /: expected values of (.+) at most ([\d.]+) min apart, found none between (-?[\d.]+) and (-?[\d.]+) min\.$/;
+const kGap = /: expected values of (.+) at most ([\d.]+) min apart, found none between (-?[\d.]+) and (-?[\d.]+) min\./;
 export const gap_in = (sentence: string): Gap | null => {
   const [, column = "", most, from, to] = kGap.exec(sentence) ?? [];
   return column === "" ? null : { column, from_min: Number(from), to_min: Number(to), most_min: Number(most) };

@@ -19,6 +19,7 @@ struct Column {
   std::string name;  // ends in its unit: "T_air_degC"
   Role role = Role::structure;
   std::vector<double> values;  // one a row; a gap is NaN
+  std::string header = {};     // as its file writes the name; empty: as `name`
 };
 
 // Five probes on a bar in the spindle (ISO 230-3 layout): what a file or a user states about them. Plane 1 is

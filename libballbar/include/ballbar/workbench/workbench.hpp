@@ -16,6 +16,7 @@
 #include "ballbar/model/model.hpp"
 #include "ballbar/predict/predictability.hpp"
 #include "ballbar/revision/effect_test.hpp"
+#include "ballbar/series/column_faults.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -28,6 +29,7 @@ struct ResidualReport {
   Fit fit;
   std::vector<Misfit> where;
   Whiteness whiteness;
+  std::vector<ColumnFault> faults;  // of a series: those that bear on what is said of the target
 };
 
 // Fits one target of the model (an index into model.targets). Throws Error as fit() does.

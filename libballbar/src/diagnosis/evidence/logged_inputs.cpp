@@ -14,11 +14,10 @@
 #include "ballbar/series/signal_kind.hpp"
 #include "noise/linear_filter.hpp"
 #include "series/resolution.hpp"
+#include "series/saturated_rows.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr std::size_t kRowsBeforeEnd = 5;
 
 bool is_whole(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
@@ -274,30 +273,6 @@ std::vector<double> continuous(const std::vector<double>& time_s, const std::vec
   return smoothed(observations, time_s);
 }
 
-// Rows in which a sensor stands at its largest or smallest value for long, though it changes by more than its
-// resolution from row to row just before. A temperature that comes to rest does so by small steps.
-std::vector<std::size_t> rows_at_end(const std::vector<double>& values, const Tuning& tuning) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  std::vector<double> changes;
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    if (values[i] != values[i - 1]) changes.push_back(std::abs(values[i] - values[i - 1]));
-  }
-  if (changes.size() < tuning.fewest_changes) return {};
-  const double resolution = *std::min_element(changes.begin(), changes.end());
-  std::vector<std::size_t> rows;
-  std::vector<double> before;
-  for (const RowRange& run : equal_rows(values)) {
-    if (run.begin == 0 || run.end - run.begin < tuning.fewest_at_end) continue;
-    if (values[run.begin] != *low && values[run.begin] != *high) continue;
-    for (std::size_t row = run.begin; row < run.end; ++row) rows.push_back(row);
-    for (std::size_t row = run.begin - std::min(run.begin - 1, kRowsBeforeEnd); row < run.begin; ++row)
-      before.push_back(std::abs(values[row] - values[row - 1]));
-  }
-  if (static_cast<double>(rows.size()) < tuning.least_at_end * static_cast<double>(values.size()) || before.empty())
-    return {};
-  return median(std::move(before)) > tuning.small_step * resolution ? rows : std::vector<std::size_t>{};
-}
-
 bool is_temperature(const Column& column) {
   const std::string_view unit = unit_of(column.name);
   return unit == "degC" || unit == "K";
@@ -356,7 +331,8 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
       input.sample_s = step_s;
       draw_steps(jumps_of(data.time_s, column.values, 1, tuning.longest_ramp_s, tuning), input, column.values, tuning);
     } else if (is_temperature(column) || (kind == SignalKind::smooth && column.role != Role::measured)) {
-      input.at_end = rows_at_end(column.values, tuning);
+      input.at_end = saturated_rows(
+          column.values, {tuning.fewest_at_end, tuning.least_at_end, tuning.small_step, tuning.fewest_changes});
       const std::size_t rows = even ? held_rows(column.values, tuning) : 1;
       const std::size_t sample = std::max(rows, even ? ramped_rows(column.values, tuning) : 1);
       input.sample_s = static_cast<double>(sample) * step_s;

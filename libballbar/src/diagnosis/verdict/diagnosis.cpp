@@ -10,6 +10,7 @@
 
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/numerics/range.hpp"
+#include "ballbar/series/far_readings.hpp"
 #include "diagnosis/posterior/inference.hpp"
 #include "diagnosis/posterior/set_regression.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
@@ -23,7 +24,6 @@
 #include "diagnosis/verdict/not_used.hpp"
 #include "diagnosis/verdict/start_values.hpp"
 #include "diagnosis/verdict/verdict.hpp"
-#include "fit/far_readings.hpp"
 #include "fit/model_columns.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"

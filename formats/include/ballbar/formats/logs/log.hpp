@@ -74,6 +74,9 @@ void show_values(LogColumn& column, std::span<const double> values);
 // leave out. Throws Error with `name` for a column that it does not have.
 Series with_stated_columns(Series series, const LogRecipe& recipe, const std::string& name);
 
+// By how much a recipe sets the clock of the file `name` later, in s; 0: not stated.
+double stated_shift_s(const LogRecipe& recipe, const std::string& name);
+
 // Converts Series::started to seconds since 1970 and back, without a zone. nullopt: not a date with a time.
 std::optional<double> seconds_of_stamp(std::string_view started);
 std::string stamp_text(double seconds);

@@ -20,6 +20,14 @@ struct ColumnRecipe {
   bool operator==(const ColumnRecipe&) const = default;
 };
 
+// By how much the clock of a log is set later, as its dates are of another time zone.
+struct LogShift {
+  std::string file;  // its name, with or without the folder, or a pattern: "room*.csv"
+  double shift_s = 0.0;
+
+  bool operator==(const LogShift&) const = default;
+};
+
 // What a user states about a log. Empty members are detected. `ballbar import --save` stores one for the next log.
 struct LogRecipe {
   std::string file;                  // the recipe file; empty: none
@@ -35,7 +43,8 @@ struct LogRecipe {
   bool may_lack_columns = false;     // ignore columns below that the file lacks
   bool skip_bad_rows = false;        // any number of them; false: two plus one in a hundred
   bool burst_means = false;          // replace each burst of rows by its mean
-  std::vector<std::string> join;     // files with further columns, row by row; not part of a recipe file
+  std::vector<std::string> join;     // files with further columns, row by row
+  std::vector<LogShift> shifts;
   std::vector<ColumnRecipe> columns;
 
   bool operator==(const LogRecipe&) const = default;

@@ -1,4 +1,4 @@
-#include "fit/far_readings.hpp"
+#include "ballbar/series/far_readings.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,34 @@
+// What looks wrong with a column, in words and in JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ballbar/formats/results/result_type.hpp"
+#include "ballbar/series/column_faults.hpp"
+
+namespace ballbar {
+
+// "8 readings lie far off their neighbours, the first, 305, at 2 h 12 min"
+std::string what_text(const ColumnFault& fault);
+
+// "probe_Z_um: 8 readings lie far off ..."
+std::string fault_text(const ColumnFault& fault);
+
+// A wrapped line each; empty where there are none.
+std::string lines_of(const std::vector<ColumnFault>& faults);
+
+template <>
+inline constexpr auto kResult<ColumnFault> = ResultType{
+    "ColumnFault", "What looks wrong with a column.",
+    std::tuple{Field{"column", &ColumnFault::column, "empty: the time"},
+               Field{"what", [](const ColumnFault& of) { return what_text(of); }, ""},
+               Field{"kind", [](const ColumnFault& of) { return std::string(name_of(of.kind)); },
+                     "pauses, few_values, gaps, constant, stuck, far_off, clipped, jumps"},
+               Field{"count", &ColumnFault::count, "pauses, rows or jumps"},
+               Field{"value", &ColumnFault::value,
+                     "at which it stands; far_off: the first; jumps: their median size; pauses: the longest, in s; "
+                     "gaps: their share"},
+               Field{"at_s", &ColumnFault::at_s, "of the first; pauses: of the longest"}}};
+
+}  // namespace ballbar
