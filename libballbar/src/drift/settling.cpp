@@ -21,7 +21,7 @@ constexpr int kTaus = 20;         // of the grid from which the fit starts
 constexpr double kLongest = 3.0;  // time constant, times the stretch
 constexpr double kLeastBand_um = 2.0, kBandOfRange = 0.1;
 constexpr std::size_t kRowsOfFit = 2000;  // means of more
-constexpr double kMostShare = 0.5;       // sigma of the time, of it
+constexpr double kMostShare = 0.5;        // sigma of the time, of it
 
 struct SettlingRows {
   Eigen::ArrayXd time_s;
