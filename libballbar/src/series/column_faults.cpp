@@ -14,12 +14,17 @@ namespace ballbar {
 namespace {
 
 constexpr double kLongPause = 10.0;
-constexpr std::size_t kAboutJump = 3, kDriftReach = 12, kFewestForJumps = 40, kFewestJumps = 3,
-                      kRowsBeside = 2;    // values on either side
-constexpr double kFarJump = 7.0;          // sigma of the difference of their medians
-constexpr double kInOneStep = 0.6;        // of the jump
-constexpr double kOfItsNeighbours = 0.5;  // of the jump: the largest change beside it
-constexpr double kStepOfInput = 0.2;      // of its range
+// Jumps of a measured column.
+constexpr std::size_t kAboutJump = 3;    // values on either side
+constexpr std::size_t kDriftReach = 12;  // rows on either side whose median difference is its drift
+constexpr std::size_t kFewestForJumps = 40, kFewestJumps = 3;
+constexpr std::size_t kRowsForSigma = 5000;  // more take time and tell no more
+constexpr double kFarJump = 7.0;             // sigma of the difference of their medians
+constexpr double kInOneStep = 0.6;           // of the jump
+constexpr double kOfItsNeighbours = 0.5;     // of the jump: the largest change beside it
+constexpr double kStepOfInput = 0.2;         // of its range
+constexpr std::size_t kRowsBeside = 2;       // of such a step
+
 constexpr std::array<std::string_view, 8> kKinds{"pauses", "few_values", "gaps",    "constant",
                                                  "stuck",  "far_off",    "clipped", "jumps"};
 
@@ -34,27 +39,30 @@ struct LevelStep {
   double size = 0.0;
 };
 
-// Where the medians before and after differ by far more than their drift about it, most of it in one step.
+double middle_of(double a, double b, double c) { return std::max(std::min(a, b), std::min(std::max(a, b), c)); }
+
+// Where the medians of three values before and after differ by far more than their drift about it, most of it in one
+// step. Of a long column the usual difference is taken from some rows.
 std::vector<LevelStep> level_steps(const std::vector<double>& values) {
   const std::size_t n = values.size(), last = n - std::min(n, kAboutJump);
   std::vector<LevelStep> steps;
   if (n < kFewestForJumps) return steps;
-  const auto median_of = [](const std::vector<double>& of, std::size_t from, std::size_t end) {
-    return median(std::vector<double>(of.begin() + static_cast<std::ptrdiff_t>(from),
-                                      of.begin() + static_cast<std::ptrdiff_t>(end)));
+  const auto middle = [&](std::size_t at) { return middle_of(values[at], values[at + 1], values[at + 2]); };
+  const auto difference = [&](std::size_t i) { return middle(i) - middle(i - kAboutJump); };
+  const auto off = [&](std::size_t i) {
+    std::vector<double> about;
+    for (std::size_t at = std::max(kAboutJump, i - std::min(i, kDriftReach)); at < std::min(last + 1, i + kDriftReach);
+         ++at)
+      about.push_back(difference(at));
+    return difference(i) - median(std::move(about));
   };
-  std::vector<double> difference(n, 0.0), off(n, 0.0), sizes;
-  for (std::size_t i = kAboutJump; i <= last; ++i)
-    difference[i] = median_of(values, i, i + kAboutJump) - median_of(values, i - kAboutJump, i);
-  for (std::size_t i = kAboutJump; i <= last; ++i) {
-    const std::size_t from = std::max(kAboutJump, i - std::min(i, kDriftReach)),
-                      end = std::min(last + 1, i + kDriftReach);
-    off[i] = difference[i] - median_of(difference, from, end);
-    sizes.push_back(std::abs(off[i]));
-  }
+  std::vector<double> sizes;
+  for (std::size_t i = kAboutJump; i <= last; i += std::max<std::size_t>(1, n / kRowsForSigma))
+    sizes.push_back(std::abs(off(i)));
   const double least = kFarJump * 1.4826 * median(std::move(sizes));
   for (std::size_t i = kAboutJump; i <= last; ++i) {
-    const double size = std::abs(off[i]), step = (values[i] - values[i - 1]) * (off[i] < 0.0 ? -1.0 : 1.0);
+    if (!(std::abs(values[i] - values[i - 1]) > kInOneStep * least)) continue;
+    const double here = off(i), size = std::abs(here), step = (values[i] - values[i - 1]) * (here < 0.0 ? -1.0 : 1.0);
     if (!(size > least) || step < kInOneStep * size || step > size / kInOneStep) continue;
     const double before = std::abs(values[i - 1] - values[i - 2]), after = std::abs(values[i + 1] - values[i]);
     if (std::max(before, after) > kOfItsNeighbours * step) continue;  // a ramp

@@ -1,6 +1,7 @@
 #include "ballbar/series/far_readings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -47,7 +48,15 @@ std::vector<std::size_t> far_readings(const std::vector<double>& readings) {
   const std::size_t n = values.size();
   if (n < 4 * kReach) return far;
   std::vector<double> off;
+  off.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
+    if (i >= kReach && i + kReach < n) {
+      std::array<double, 2 * kReach + 1> about;
+      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i - kReach), about.size(), about.begin());
+      std::nth_element(about.begin(), about.begin() + kReach, about.end());
+      off.push_back(values[i] - about[kReach]);
+      continue;
+    }
     const auto from = static_cast<std::ptrdiff_t>(i > kReach ? i - kReach : 0);
     const auto end = static_cast<std::ptrdiff_t>(std::min(n, i + kReach + 1));
     off.push_back(values[i] - median(std::vector<double>(values.begin() + from, values.begin() + end)));

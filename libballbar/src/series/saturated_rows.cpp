@@ -16,12 +16,6 @@ constexpr std::size_t kRowsBeforeEnd = 5;
 std::vector<std::size_t> saturated_rows(const std::vector<double>& values, const SaturationLimits& limits) {
   if (values.empty()) return {};
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  std::vector<double> changes;
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    if (values[i] != values[i - 1]) changes.push_back(std::abs(values[i] - values[i - 1]));
-  }
-  if (changes.size() < limits.fewest_changes) return {};
-  const double resolution = *std::min_element(changes.begin(), changes.end());
   std::vector<std::size_t> rows;
   std::vector<double> before;
   for (std::size_t begin = 0, end = 0; begin < values.size(); begin = end) {
@@ -34,6 +28,12 @@ std::vector<std::size_t> saturated_rows(const std::vector<double>& values, const
   }
   if (static_cast<double>(rows.size()) < limits.least_share * static_cast<double>(values.size()) || before.empty())
     return {};
+  std::vector<double> changes;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] != values[i - 1]) changes.push_back(std::abs(values[i] - values[i - 1]));
+  }
+  if (changes.size() < limits.fewest_changes) return {};
+  const double resolution = *std::min_element(changes.begin(), changes.end());
   return median(std::move(before)) > limits.small_step * resolution ? rows : std::vector<std::size_t>{};
 }
 
