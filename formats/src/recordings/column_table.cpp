@@ -58,14 +58,18 @@ ColumnTable column_table(std::string_view bytes, const std::string& name, const 
   const std::vector<std::size_t> places = numeric_columns(shape);
   ColumnTable table;
   for (const HeadLine& line : shape.preamble) table.preamble.push_back(line.text);
+  Headers headers;
+  std::vector<std::string> units;
   for (const std::size_t place : places) {
     const NameAndUnit header = name_and_unit(shape.headers[place]);
     const std::string& below = shape.units[place];
-    std::string unit = below.empty() ? header.unit : below;
-    const std::string source_name = header.name.empty() ? fmt::format("c{}", place + 1) : shape.headers[place];
-    const ColumnRecipe stated = stated_of(recipe, source_name, header.name, !unit.empty());
-    if (!stated.unit.empty()) unit = stated.unit;
-    table.columns.push_back({header.name, std::move(unit), {}});
+    units.push_back(below.empty() ? header.unit : below);
+    headers.emplace_back(header.name.empty() ? fmt::format("c{}", place + 1) : shape.headers[place], header.name);
+  }
+  const std::vector<StatedColumn> stated = stated_columns(recipe, headers, units);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::string& unit = stated[i].column.unit;
+    table.columns.push_back({headers[i].second, unit.empty() ? units[i] : unit, {}});
   }
   table.dated = has_dates(shape);
   LogLines lines(source, shape.encoding);
