@@ -18,7 +18,7 @@ template <>
 inline constexpr auto kResult<DriftOfSession> =
     ResultType{"Drift", "The drift of the spindle.",
                std::tuple_cat(fields_through(&DriftOfSession::drift, kResult<DriftSeries>.fields),
-                              std::tuple{Field{"settling", &DriftOfSession::settling, "when each axis is stable"},
+                              std::tuple{Field{"stability", &DriftOfSession::settling, "when each axis is stable"},
                                          Field{"skipped", &DriftOfSession::skipped, "files that could not be read"}})};
 
 }  // namespace ballbar

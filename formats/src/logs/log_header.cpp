@@ -142,6 +142,7 @@ std::optional<double> evidence_of_names(const Cells& cells, std::size_t columns)
     sum += std::log(at(kOfNames, kind) / at(kOfOthers, kind));
     if (kind != CellKind::word) continue;
     const std::string name = folded(trimmed_cell(cell));
+    if (name.empty() && trimmed_cell(cell).size() > 2) return std::nullopt;  // "***": a message of the logger
     if (is_kind_of_value(name)) sum += kKindOfValue;
     if (!names.insert(name).second) sum += kRepeated;
   }
@@ -262,11 +263,15 @@ Cut cut_by(const std::vector<HeadLine>& lines, char delimiter, std::size_t fewes
   for (std::size_t i = 0; i < looks.size(); ++i) {
     if (!suits(looks[i])) continue;
     std::size_t rows = 0, good = 0;  // a row among lines of text is one of the preamble
+    bool names_follow = false;       // as they do below the ratios of channels
     for (std::size_t k = i + 1; k < looks.size() && rows < 4; ++k) {
       if (looks[k].kinds.empty()) continue;
+      names_follow = names_follow || (rows == 0 && cut.columns > 1 && looks[k].kinds.size() == cut.columns &&
+                                      looks[k].count(CellKind::word) == cut.columns);
       ++rows;
       good += suits(looks[k]);
     }
+    if (names_follow) continue;
     const bool is_short = looks[i].kinds.size() < cut.columns;  // as most lines of a preamble are
     if (good + (is_short ? 0 : 1) < rows || (rows > 0 && numbers_the_columns(lines[i].text, delimiter))) continue;
     cut.first = i;

@@ -280,13 +280,16 @@ bool has_no_names(const ColumnTable& table) {
                      [](const NumberColumn& column) { return column.name.empty(); });
 }
 
-// A log of temperatures by dates: two of its columns may lie on a circle by chance.
+// A log of temperatures by dates, or of several over time: two of its columns may lie on a circle by chance.
 bool is_log(const ColumnTable& table) {
-  return table.dated && std::any_of(table.columns.begin(), table.columns.end(), [](const NumberColumn& column) {
-           const auto unit = log_unit(column.unit);
-           return (unit && (unit->canonical == "degC" || unit->canonical == "K")) ||
-                  (column.unit.empty() && (says_temperature(column.name) || names_a_part(column.name)));
-         });
+  const auto temperatures = std::count_if(table.columns.begin(), table.columns.end(), [](const NumberColumn& column) {
+    const auto unit = log_unit(column.unit);
+    return (unit && (unit->canonical == "degC" || unit->canonical == "K")) ||
+           (column.unit.empty() && (says_temperature(column.name) || names_a_part(column.name)));
+  });
+  const bool has_time = std::any_of(table.columns.begin(), table.columns.end(),
+                                    [](const NumberColumn& column) { return word_of(column) == ColumnWord::time; });
+  return temperatures >= (table.dated ? 1 : 2) && (table.dated || has_time);
 }
 
 bool could_be_coordinate(const NumberColumn& column) {

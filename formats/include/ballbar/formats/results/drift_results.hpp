@@ -163,7 +163,7 @@ inline constexpr auto kResult<StepRange> =
     ResultType{"SpeedStep", "A stretch of one speed.",
                std::tuple{Field{"from_s", &StepRange::from_s, ""}, Field{"to_s", &StepRange::to_s, ""},
                           Field{"speed_rpm", &StepRange::speed_rpm, ""}, Field{"ranges", &StepRange::ranges, "by axis"},
-                          Field{"settling", &StepRange::settling, "by axis"}}};
+                          Field{"stability", &StepRange::settling, "by axis"}}};
 
 struct FiveProbeDrift {
   double reference_s = 0.0;
@@ -196,7 +196,7 @@ inline constexpr auto kResult<FiveProbeDrift> = ResultType{
                Field{"points", &FiveProbeDrift::points, "one row per time, AXIS_um or AXIS_urad with sigma"},
                Field{"ranges", &FiveProbeDrift::ranges, "by axis"},
                Field{"steps", &FiveProbeDrift::steps, "changes of the speed"},
-               Field{"settling", &FiveProbeDrift::settling, "by axis, of a record of one speed"},
+               Field{"stability", &FiveProbeDrift::settling, "by axis, of a record of one speed"},
                Field{"remarks", &FiveProbeDrift::remarks, ""}}};
 
 }  // namespace ballbar
