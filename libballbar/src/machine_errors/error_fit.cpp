@@ -289,21 +289,32 @@ void free_of_centre(JointErrorFit& fitted, const Series& trace) {
     const Eigen::MatrixXd normal = x.values(Eigen::all, circle).transpose() * weighted;
     fitted.centre_map = normal.ldlt().solve(Eigen::MatrixXd(weighted.transpose()))(fitted.centres, Eigen::all);
   }
-  const Eigen::VectorXd taken =
-      fitted.second_order_um + x.fine(Eigen::all, fitted.centres) * (fitted.centre_map * fitted.rows.deviation_um);
-  Eigen::VectorXd fit = fitted.second_order_um;
+  // The centre at the angle of each reading; all else at that of its fine row.
+  const Eigen::VectorXd centre_um = fitted.centre_map * fitted.rows.deviation_um;
+  Eigen::VectorXd others = Eigen::VectorXd::Zero(x.fine.rows());
   const std::vector<bool> in = fitted.in_the_fit();
   for (std::size_t k = 0; k < in.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    if (in[k]) fit += fitted.curve_gains[column] * x.fine.col(column);
+    const bool is_centre = std::find(fitted.centres.begin(), fitted.centres.end(), column) != fitted.centres.end();
+    if (in[k] && !is_centre) others += fitted.curve_gains[column] * x.fine.col(column);
   }
+  const std::vector<double>& angle_rad = find_column(trace, trace_column("angle"))->values;
+  const std::vector<double>& recording = find_column(trace, trace_column("recording"))->values;
   fitted.freed_um = find_column(trace, "deviation_um")->values;
   double squares = 0.0;
   for (std::size_t i = 0; i < fitted.freed_um.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(fitted.rows.fine_of[i]);
-    const double left = fitted.freed_um[i] - fit[row];
+    fitted.freed_um[i] -= fitted.second_order_um[row];
+    double left = fitted.freed_um[i] - others[row];
+    for (std::size_t k = 0; k < fitted.centres.size(); ++k) {
+      const ErrorColumn& column = x.columns[static_cast<std::size_t>(fitted.centres[k])];
+      if (static_cast<double>(column.recording.value_or(static_cast<std::size_t>(recording[i]))) != recording[i])
+        continue;
+      const double unit = column.name.starts_with("centre_a") ? std::cos(angle_rad[i]) : std::sin(angle_rad[i]);
+      fitted.freed_um[i] -= centre_um[static_cast<Eigen::Index>(k)] * unit;
+      left -= fitted.curve_gains[fitted.centres[k]] * unit;
+    }
     squares += left * left;
-    fitted.freed_um[i] -= taken[row];
   }
   const double of_rows = fitted.residual().cwiseAbs2().dot(fitted.rows.count);
   fitted.within_um2 = std::max(0.0, (squares - of_rows) / fitted.rows.count.sum());

@@ -207,22 +207,27 @@ std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::Matri
     const double memory_s = times * likeliest().first;
     if (memory_s <= 1.0001 * memories.back()) fine_s.push_back(memory_s);
   }
-  // What lies beside the likeliest point, until it stays the likeliest.
-  for (auto best = likeliest();;) {
-    const auto place = std::find(fine_s.begin(), fine_s.end(), best.first);
-    const std::size_t most_white = std::min(best.second + 2, kWhiteOfCorrelated.size());
-    for (auto m = place - (place == fine_s.begin() ? 0 : 1); m != fine_s.end() && m <= place + 1; ++m) {
-      for (std::size_t w = best.second - std::min<std::size_t>(best.second, 1); w < most_white; ++w) look_at(*m, w);
+  // What lies beside each point that is not unlikely, until nothing new does.
+  for (std::size_t known = 0; known != points.size();) {
+    known = points.size();
+    const double least = points[likeliest()].weight + std::log(kLeastWeight);
+    const auto so_far = points;
+    for (const auto& [point, noise] : so_far) {
+      const auto place = std::find(fine_s.begin(), fine_s.end(), point.first);
+      if (place == fine_s.end() || noise.weight < least) continue;
+      const std::size_t most_white = std::min(point.second + 2, kWhiteOfCorrelated.size());
+      for (auto m = place - (place == fine_s.begin() ? 0 : 1); m != fine_s.end() && m <= place + 1; ++m) {
+        for (std::size_t w = point.second - std::min<std::size_t>(point.second, 1); w < most_white; ++w) look_at(*m, w);
+      }
     }
-    if (likeliest() == best) break;
-    best = likeliest();
   }
   std::vector<WeightedNoise> noises;
   const double most = points[likeliest()].weight;
   double sum = 0.0;
   for (const auto& [place, point] : points) {
     const double weight = std::exp(point.weight - most);
-    if (weight < kLeastWeight) continue;
+    const bool is_fine = std::find(fine_s.begin(), fine_s.end(), place.first) != fine_s.end();
+    if (!is_fine || weight < kLeastWeight) continue;
     noises.push_back({weight, point.noise});
     sum += weight;
   }
