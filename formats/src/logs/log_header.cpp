@@ -129,6 +129,13 @@ bool is_kind_of_value(const std::string& folded_name) {
   return is_one_of(kKinds, folded_name);
 }
 
+// "***" or "---": a message of the logger, or a line without a meaning.
+bool has_signs_alone(const Cells& cells) {
+  return std::any_of(cells.begin(), cells.end(), [](std::string_view cell) {
+    return trimmed_cell(cell).size() > 2 && kind_of(cell) != CellKind::number && folded(trimmed_cell(cell)).empty();
+  });
+}
+
 // How much more likely a row is one of names than any other; nullopt: it cannot be.
 std::optional<double> evidence_of_names(const Cells& cells, std::size_t columns) {
   std::set<std::string> names;
@@ -142,7 +149,6 @@ std::optional<double> evidence_of_names(const Cells& cells, std::size_t columns)
     sum += std::log(at(kOfNames, kind) / at(kOfOthers, kind));
     if (kind != CellKind::word) continue;
     const std::string name = folded(trimmed_cell(cell));
-    if (name.empty() && trimmed_cell(cell).size() > 2) return std::nullopt;  // "***": a message of the logger
     if (is_kind_of_value(name)) sum += kKindOfValue;
     if (!names.insert(name).second) sum += kRepeated;
   }
@@ -305,6 +311,7 @@ void find_header(const std::vector<HeadLine>& lines, const Cut& cut, LogShape& s
       if (!names.empty() || units || rows > 2) break;
       continue;
     }
+    if (has_signs_alone(cells)) continue;
     if (!units && is_units_row(cells)) {
       units = i;
     } else if (const auto evidence = evidence_of_names(cells, cut.columns)) {

@@ -272,8 +272,8 @@ void fit_beside_spikes(JointErrorFit& fitted, const Eigen::MatrixXd& prior,
   fit_all(fitted, prior);
 }
 
-// The centre of the readings: of the fit, on an arc of the circles alone, as `fit` gives it; the radius stays, and how
-// CCW and CW differ.
+// The centre of the readings: of the fit, as instrument software has it; on an arc of less than half a turn, which does
+// not determine it, that of the circles alone. The radius stays, and how CCW and CW differ.
 void free_of_centre(JointErrorFit& fitted, const Series& trace) {
   const ErrorColumns& x = fitted.design.x;
   Indices circle;
@@ -282,7 +282,7 @@ void free_of_centre(JointErrorFit& fitted, const Series& trace) {
     const std::string& name = x.columns[k].name;
     if (name.starts_with("centre_a") || name.starts_with("centre_b")) fitted.centres.push_back(circle.back());
   }
-  if (fitted.is_full) {
+  if (fitted.centre_of_fit) {
     fitted.centre_map = fitted.map(fitted.centres, Eigen::all) * fitted.design.z.transpose();
   } else {
     const Eigen::MatrixXd weighted = fitted.rows.count.asDiagonal() * x.values(Eigen::all, circle);
@@ -366,6 +366,7 @@ JointErrorFit joint_error_fit(const Series& trace, const MachineErrorOptions& op
   }
   JointErrorFit fitted;
   fitted.is_full = set_up.arc_rad >= kFullTurn_rad;
+  fitted.centre_of_fit = set_up.arc_rad >= kPi;
   fitted.rows = error_rows(with_feed(trace));
   const ErrorRows& rows = fitted.rows;
   const Eigen::VectorXd measured = rows.deviation_um;

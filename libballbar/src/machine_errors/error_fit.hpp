@@ -34,7 +34,8 @@ struct JointErrorFit {
   double slow_variance_um2 = 0.0;
   bool is_full = false;          // full turns
   Indices centres;               // columns of the centre, of all and of single recordings
-  Eigen::MatrixXd centre_map;    // their gains = centre_map deviation of the rows; on an arc of the circles alone
+  bool centre_of_fit = true;     // false: of the circles alone, on an arc of less than half a turn
+  Eigen::MatrixXd centre_map;    // gains of the centres = centre_map deviation of the rows
   std::vector<double> freed_um;  // readings without the centre
   double within_um2 = 0.0;       // mean square of readings about the mean of their row
 

@@ -74,10 +74,9 @@ struct Correction {
   Eigen::VectorXd curve;  // fine rows
 };
 
-// Fine rows as they are about the centre that fits them. That of a full turn is of the fit, in which an error adds
-// nothing to it.
+// Fine rows as they are about the centre that fits them. In that of the fit an error adds nothing to it.
 Eigen::VectorXd about_centre(const JointErrorFit& fitted, const Eigen::VectorXd& fine) {
-  return fitted.is_full ? fine : fine - fitted.centre_curve(fine);
+  return fitted.centre_of_fit ? fine : fine - fitted.centre_curve(fine);
 }
 
 Correction correction_of(const JointErrorFit& fitted, const std::vector<const Effect*>& effects) {

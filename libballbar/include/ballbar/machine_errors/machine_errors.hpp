@@ -150,8 +150,8 @@ struct MachineErrors {
   Eigen::MatrixXd covariance;               // of the values in `errors`, in that order
   std::vector<RankedError> ranked;          // by rank, then the others by falling IC
   std::vector<ErrorGroup> groups;           // by rank, those without one last
-  double circularity_um = 0.0;              // max - min of all readings about the centre: the fit's, or that of an
-                                            // arc's least-squares circles
+  double circularity_um = 0.0;              // max - min of all readings about the centre: the fit's, or below half
+                                            // a turn that of the least-squares circles
   double circularity_without_all_um = 0.0;  // circularity if all significant errors and groups are corrected
   double circle_rms_um = 0.0;               // residual of the circles alone
   double residual_rms_um = 0.0;             // residual of all errors
