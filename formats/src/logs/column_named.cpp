@@ -92,6 +92,7 @@ std::string column_named(const Series& data, const std::string& typed) {
   if (found.empty()) return typed;
   if (found.size() == 1) return names[found.front()].first;
   std::vector<std::string> several;
+  several.reserve(found.size());
   for (const std::size_t i : found) several.push_back(in_quotes(headers[i].first));
   throw Error(fmt::format("expected the name of one column, found {}, which may be {}; state its unit too.",
                           in_quotes(typed), fmt::join(several, " or ")));

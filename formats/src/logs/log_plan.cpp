@@ -207,6 +207,7 @@ void expect_recipe_columns(const Headers& headers, const std::string& name, std:
     if (!found.empty() && (is_pattern(one.source) || std::all_of(found.begin(), found.end(), is_first))) continue;
     if (!found.empty()) {
       std::vector<std::string> several;
+      several.reserve(found.size());
       for (const std::size_t i : found) several.push_back(in_quotes(headers[i].first));
       throw Error(fmt::format("{}:{}: expected the name of one column, found {}, which may be {}; state its unit too.",
                               name, line, in_quotes(one.source), fmt::join(several, " or ")));

@@ -115,6 +115,7 @@ std::string write_recipe(const LogRecipe& recipe) {
   const auto texts = [&](std::string_view key, const std::vector<std::string>& values) {
     if (values.empty()) return;
     std::vector<std::string> quoted;
+    quoted.reserve(values.size());
     for (const std::string& one : values) quoted.push_back(toml_quoted(one));
     out += fmt::format("{} = [{}]\n", key, fmt::join(quoted, ", "));
   };

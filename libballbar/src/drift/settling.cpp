@@ -202,6 +202,7 @@ std::optional<StableTime> stable_time(std::span<const double> time_s, std::span<
   if (static_cast<std::size_t>(n) < kRowsToSettle) return std::nullopt;
   const double length_s = rows.time_s[n - 1], step_s = length_s / static_cast<double>(n - 1);
   std::vector<double> grid_s;
+  grid_s.reserve(kTaus);
   for (int k = 0; k < kTaus; ++k)
     grid_s.push_back(0.5 * step_s * std::pow(2.0 * kLongest * length_s / step_s, static_cast<double>(k) / (kTaus - 1)));
   std::vector<SettlingFit> fits;
@@ -236,6 +237,7 @@ std::optional<StableTime> stable_time(std::span<const double> time_s, std::span<
 std::vector<AxisSettling> settling_of(const MeasuredDrift& drift, std::size_t begin, std::size_t end,
                                       std::optional<double> band_um) {
   std::vector<AxisSettling> all;
+  all.reserve(drift.axes.size());
   for (const DriftAxis& axis : drift.axes) {
     if (axis.unit != "um") continue;
     std::vector<double> times, values;

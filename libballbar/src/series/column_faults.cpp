@@ -129,6 +129,7 @@ void add_faults_of_values(const Column& column, const KnownRows& known, std::vec
   std::erase_if(steps, [&](const LevelStep& step) { return known.beside_a_jump[step.at] != 0; });
   if (steps.size() < kFewestJumps) return;
   std::vector<double> sizes;
+  sizes.reserve(steps.size());
   for (const LevelStep& step : steps) sizes.push_back(step.size);
   faults.push_back({column.name, FaultKind::jumps, steps.size(), median(std::move(sizes)),
                     known.time_s[steps.front().at], 0.0, false, false});
