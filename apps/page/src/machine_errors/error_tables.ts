@@ -10,8 +10,11 @@ import { named, t } from "../texts/texts";
 
 const decimals_of = (row: MachineErrorRow): number => Math.min(4, decimals_for(row.value, row.sigma));
 
+// A report of an older program does not say whether it is determined.
+const is_open = ({ determined }: Partial<Pick<MachineErrorRow, "determined">>): boolean => determined === false;
+
 const value_of = (row: MachineErrorRow): string =>
-  row.determined ? with_sigma(row.value, row.sigma, decimals_of(row)) : t.errors_not_determined;
+  is_open(row) ? t.errors_not_determined : with_sigma(row.value, row.sigma, decimals_of(row));
 
 // Beside it, with as many decimals: the instrument prints no more than two.
 const stored_value = (row: MachineErrorRow): string => shown(row.stored, Math.min(2, decimals_of(row)));
@@ -80,7 +83,7 @@ export const gains_table = ({ part, recordings }: ErrorTest): TextTable => {
     rows: ranked.flatMap(({ first, rows }) =>
       rows.map((row, k) => [
         error_name(row.name, plane),
-        row.determined ? `${value_of(row)} ${unit_shown(row.unit)}` : value_of(row),
+        is_open(row) ? value_of(row) : `${value_of(row)} ${unit_shown(row.unit)}`,
         ...(k > 0 ? ["", ""] : [first.significant === true ? gain(first) : t.errors_not_significant, shown(first.circularity_without_um, 2)]),
       ]),
     ),
