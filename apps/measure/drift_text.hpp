@@ -15,7 +15,7 @@ bool any_has(const DriftSeries& series, std::optional<Estimate> DriftPoint::*mem
 // "y 30.1 ± 0.0 um at 64 min": the largest drift of each quantity in the series.
 std::vector<std::string> largest_drifts(const DriftSeries& series);
 
-// When each axis is stable: a line each. start_min: of the stretch.
+// When each axis is stable: a line each.
 std::vector<std::string> settling_texts(const std::vector<AxisSettling>& settling);
 
 }  // namespace ballbar

@@ -125,8 +125,8 @@ bool is_nameless(const LogColumn& column) {
 }
 
 // A bare X, Y or Z without a unit is the place of an axis where another column is measured in one. Where none is, the
-// columns that may be are, if they are three at most: lengths far from zero, "mcu_pos_z"; of a log without names the
-// last column that is no temperature.
+// columns that may be lengths are measured, if they are three at most and far from zero, as "mcu_pos_z". In a log
+// without names the last column is measured, unless it is a temperature.
 void settle_targets(Log& log) {
   const auto taken = taken_columns(log);
   using Taken = std::pair<LogColumn*, Column*>;

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <random>
 
+#include "ballbar/numerics/order_statistic.hpp"
+
 namespace ballbar {
 namespace {
 
@@ -122,9 +124,7 @@ std::vector<Estimate> smooth_ranges(std::span<const double> time_s, std::span<co
   const std::size_t n = values.size();
   std::vector<double> steps(n, 0.0);
   for (std::size_t i = 1; i < n; ++i) steps[i] = time_s[i] - time_s[i - 1];
-  std::vector<double> sorted(steps.begin() + 1, steps.end());
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2), sorted.end());
-  const double step_s = sorted[sorted.size() / 2];
+  const double step_s = median_step_s(time_s);
   for (double& step : steps) step /= step_s;
   double best = 0.0, least = std::numeric_limits<double>::infinity();
   for (double log_ratio = kLeastLog; log_ratio <= kMostLog; log_ratio += kStepLog) {

@@ -46,6 +46,10 @@ Indices all_of(const ErrorDesign& design) {
   return all;
 }
 
+Eigen::VectorXd far_weight(const ErrorRows& rows) {
+  return rows.count.array() * (rows.from_reversal_deg.array() > kAtReversal_deg).cast<double>();
+}
+
 EffectDesign weighted(FittedEffect effect, ErrorColumns x, const Eigen::VectorXd& weight) {
   EffectDesign one;
   one.effect = std::move(effect);

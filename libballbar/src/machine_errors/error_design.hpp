@@ -56,6 +56,8 @@ struct EffectDesign {
   ErrorColumns x;
   Eigen::MatrixXd z;
 };
+// W of the rows farther than 1.5 deg from a reversal.
+Eigen::VectorXd far_weight(const ErrorRows& rows);
 // Z = W X of rows with these weights.
 EffectDesign weighted(FittedEffect effect, ErrorColumns x, const Eigen::VectorXd& weight);
 // Adds those that have columns.

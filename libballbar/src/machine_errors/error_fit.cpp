@@ -5,7 +5,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "ballbar/circle/trace.hpp"
@@ -51,11 +50,6 @@ std::vector<const Effect*> effects_fitted(ErrorFit where) {
     if (effect->rules.error_fit == where) effects.push_back(effect.get());
   }
   return effects;
-}
-
-// Weight of the rows without the reversals.
-Eigen::VectorXd far_weight(const ErrorRows& rows) {
-  return rows.count.array() * (rows.from_reversal_deg.array() > kAtReversal_deg).cast<double>();
 }
 
 // What an estimate leaves of the rows.
@@ -208,17 +202,14 @@ void fit_all(JointErrorFit& fitted, const Eigen::MatrixXd& prior) {
   };
   const Gains of_all = gains_of(whole);
 
-  Indices chosen;
   for (FittedEffect& effect : design.effects) {
     if (effect.effect->rules.error_fit != ErrorFit::where_it_shows) continue;
     effect.in_the_fit = corrected_p(effect, of_all, all) < kFalseErrors;
   }
   fitted.gains = of_all.values;
-  const std::vector<bool> in = fitted.in_the_fit();
-  for (const Eigen::Index k : all) {
-    const bool is_spike = kind_of(design.x.columns[static_cast<std::size_t>(k)]) == ErrorFit::at_reversals;
-    if (is_spike || in[static_cast<std::size_t>(k)]) chosen.push_back(k);
-  }
+  const Indices smooth = smooth_in_the_fit(design), spikes = columns_of(design, {ErrorFit::at_reversals});
+  Indices chosen = smooth;  // the spikes' columns are the last
+  chosen.insert(chosen.end(), spikes.begin(), spikes.end());
   const GainEstimate estimate = gain_estimate(design, chosen);
   const Gains gains = gains_of(estimate);
   fitted.gains(chosen) = gains.values;
@@ -240,10 +231,7 @@ void fit_all(JointErrorFit& fitted, const Eigen::MatrixXd& prior) {
     if (prior.size() > 0)
       effect.p_with_prior = p_of(fitted.curve_gains(effect.columns), spread(effect.columns, effect.columns));
   }
-  Indices smooth;  // a spike is no member of a group
-  std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(smooth), [&](Eigen::Index k) {
-    return kind_of(design.x.columns[static_cast<std::size_t>(k)]) != ErrorFit::at_reversals;
-  });
+  // A spike is no member of a group.
   fitted.groups = inseparable(design, of_all, all, smooth, [&](const Indices& columns) {
     std::vector<Gains> fits{gains_of(gain_estimate(design, columns))};
     if (prior.size() > 0) fits.push_back(scatter_only(gain_estimate(design, columns, prior)));

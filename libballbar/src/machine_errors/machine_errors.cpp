@@ -129,7 +129,7 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
   found.repeatability_um = std::sqrt(fitted.within_um2 + repeats_um * repeats_um);  // of readings, as the residual
   if (options.details) {
     found.next = next_measurement(with_feed(trace), smooth_errors(fitted));
-    const bool has_waves = longest_arc_rad(trace) >= kPi;  // waves of a shorter arc are not told apart
+    const bool has_waves = longest_arc_rad(trace) >= kPi;  // a shorter arc does not separate its waves
     if (has_waves) found.left = left_harmonic(fitted.rows, fitted.design.x.values, residual, fitted.noise);
   }
   return found;

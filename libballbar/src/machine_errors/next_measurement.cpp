@@ -26,7 +26,7 @@ struct SeparatedErrors {
 
 SeparatedErrors separated_errors(const Series& trace, std::span<const ShapedEffect> effects) {
   const ErrorRows rows = error_rows(trace);
-  const Eigen::VectorXd far = rows.count.array() * (rows.from_reversal_deg.array() > kAtReversal_deg).cast<double>();
+  const Eigen::VectorXd far = far_weight(rows);
   std::vector<EffectDesign> all{weighted(FittedEffect(), circle_columns(rows), far)};
   for (const ShapedEffect& one : effects) {
     ErrorColumns columns = effect_columns(*one.effect, one.shape, rows, false);

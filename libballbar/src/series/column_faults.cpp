@@ -8,6 +8,7 @@
 
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/series/far_readings.hpp"
+#include "numerics/median.hpp"
 #include "series/saturated_rows.hpp"
 
 namespace ballbar {
@@ -56,10 +57,9 @@ std::vector<LevelStep> level_steps(const std::vector<double>& values) {
       about.push_back(difference(at));
     return difference(i) - median(std::move(about));
   };
-  std::vector<double> sizes;
-  for (std::size_t i = kAboutJump; i <= last; i += std::max<std::size_t>(1, n / kRowsForSigma))
-    sizes.push_back(std::abs(off(i)));
-  const double least = kFarJump * 1.4826 * median(std::move(sizes));
+  std::vector<double> some;
+  for (std::size_t i = kAboutJump; i <= last; i += std::max<std::size_t>(1, n / kRowsForSigma)) some.push_back(off(i));
+  const double least = kFarJump * median_sigma(some);
   for (std::size_t i = kAboutJump; i <= last; ++i) {
     if (!(std::abs(values[i] - values[i - 1]) > kInOneStep * least)) continue;
     const double here = off(i), size = std::abs(here), step = (values[i] - values[i - 1]) * (here < 0.0 ? -1.0 : 1.0);

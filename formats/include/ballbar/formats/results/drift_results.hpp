@@ -51,38 +51,23 @@ inline constexpr auto kDriftPointElongation =
     Field{"elongation_correction_um", [](const DriftPoint& of) { return MayLack<double>{of.elongation_correction_um}; },
           "taken off the radial test"};
 
+constexpr auto combined(double Estimate::*value) {
+  return [value](const DriftPoint& of) {
+    const std::optional<Estimate> all = combined_drift(of);
+    return MayLack<double>{all ? std::optional((*all).*value) : std::nullopt};
+  };
+}
+
 template <>
-inline constexpr auto kResult<DriftPoint> = ResultType{"DriftPoint",
-                                                       "What a test says of the drift, as far as its method tells it.",
-                                                       std::tuple_cat(
-                                                           std::tuple{Field{"time_s", known(&DriftPoint::time_s),
-                                                                            "of the test"}},
-                                                           kDriftPointValues, kDriftPointSigmas,
-                                                           std::tuple{kDriftPointElongation,
-                                                                      Field{"combined_um",
-                                                                            [](const DriftPoint& of) {
-                                                                              const std::optional<Estimate> all =
-                                                                                  combined_drift(of);
-                                                                              return MayLack<double>{
-                                                                                  all ? std::optional(all->value_um)
-                                                                                      : std::nullopt};
-                                                                            },
-                                                                            "root of the sum of squares of x, y and z"},
-                                                                      Field{"combined_sigma_um",
-                                                                            [](const DriftPoint& of) {
-                                                                              const std::optional<Estimate> all =
-                                                                                  combined_drift(of);
-                                                                              return MayLack<double>{
-                                                                                  all ? std::optional(all->sigma_um)
-                                                                                      : std::nullopt};
-                                                                            },
-                                                                            ""},
-                                                                      Field{"correlation_y_z",
-                                                                            [](const DriftPoint& of) {
-                                                                              return MayLack<double>{
-                                                                                  of.correlation_y_z};
-                                                                            },
-                                                                            "of the test's own y and z"}})};
+inline constexpr auto kResult<DriftPoint> = ResultType{
+    "DriftPoint", "What a test says of the drift, as far as its method tells it.",
+    std::tuple_cat(
+        std::tuple{Field{"time_s", known(&DriftPoint::time_s), "of the test"}}, kDriftPointValues, kDriftPointSigmas,
+        std::tuple{kDriftPointElongation,
+                   Field{"combined_um", combined(&Estimate::value_um), "root of the sum of squares of x, y and z"},
+                   Field{"combined_sigma_um", combined(&Estimate::sigma_um), ""},
+                   Field{"correlation_y_z", [](const DriftPoint& of) { return MayLack<double>{of.correlation_y_z}; },
+                         "of the test's own y and z"}})};
 
 template <>
 inline constexpr auto kResult<Position> =
