@@ -125,7 +125,7 @@ test("stored results without readings: both values, and that what is clear is no
 test("a folder of a machine's tests is its history, from which a test is opened and compared", async () => {
   const { page, wrong, close } = await live();
   await page.setInputFiles("input[webkitdirectory]", of_run("machine-history"));
-  await verdict(page, "^Backlash of X \\+ 3\\.88 ± 0\\.17 µm, .* per year");
+  await verdict(page, "^Backlash of X \\+ 3\\.88 ± 0\\.15 µm, .* per year");
   assert.equal((await choices(page))["As"], "history");
   await page.evaluate(() => (document.querySelector("#tests > details").open = true));
   await page.getByRole("button", { name: "2026-01-19/XY.b5r" }).click();

@@ -34,7 +34,7 @@ const english_on = (page) =>
     { pattern: english.source, names: names.map((one) => one.source) },
   );
 
-for (const [locale, verdict] of [["de-DE", /\((über )?\d+ % sicher\)/], ["zh-CN", /（把握 (超过 )?\d+ %）/]]) {
+for (const [locale, verdict] of [["de-DE", /\((über )?\d+ % sicher\)|^Der Restfehler von .* keine aufgezeichnete Spalte erklärt ihn/], ["zh-CN", /（把握 (超过 )?\d+ %）|^\S+ 的剩余误差.*没有记录的列能解释它/]]) {
   for (const name of samples) {
     test(`${name} in ${locale}`, async () => {
       const { page, wrong, close } = await live({ locale });

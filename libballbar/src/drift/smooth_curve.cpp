@@ -9,6 +9,7 @@
 #include <random>
 
 #include "ballbar/numerics/order_statistic.hpp"
+#include "numerics/random_streams.hpp"
 
 namespace ballbar {
 namespace {
@@ -133,12 +134,12 @@ std::vector<Estimate> smooth_ranges(std::span<const double> time_s, std::span<co
   }
   Smoother smoother(steps, std::pow(10.0, best));
   const std::vector<double> curve = smoother.curve(values);
-  std::normal_distribution<double> noise(0.0, std::sqrt(smoother.noise_variance(n)));
+  const double sigma = std::sqrt(smoother.noise_variance(n));
   std::mt19937_64 random(1);
   Eigen::MatrixXd drawn(kDraws, static_cast<Eigen::Index>(windows.size()));
   std::vector<double> noisy(n);
   for (Eigen::Index draw = 0; draw < kDraws; ++draw) {
-    for (std::size_t i = 0; i < n; ++i) noisy[i] = curve[i] + noise(random);
+    for (std::size_t i = 0; i < n; ++i) noisy[i] = curve[i] + sigma * simulation::normal(random);
     const std::vector<double> again = smoother.curve(noisy);
     for (std::size_t w = 0; w < windows.size(); ++w)
       drawn(draw, static_cast<Eigen::Index>(w)) =
