@@ -94,7 +94,8 @@ std::string way_of(const DriftSeries& series, const DriftArguments& options) {
   return way;
 }
 
-void print_text(const Session& session, const DriftSeries& series, const DriftArguments& options) {
+void print_text(const Session& session, const DriftSeries& series, const DriftSheet& sheet,
+                const DriftArguments& options) {
   const std::string title = session.title.empty() ? options.session.name() : session.title;
   fmt::print("{}\n{}; {} test{} over {:g} min, reference at {:g} min\n\n", title, way_of(series, options),
              series.points.size(), series.points.size() == 1 ? "" : "s",
@@ -104,12 +105,11 @@ void print_text(const Session& session, const DriftSeries& series, const DriftAr
     return;
   }
   fmt::print("Largest drift of the spindle relative to the table:\n");
-  for (const std::string& largest : largest_drifts(series)) fmt::print("  {}\n", largest);
-  const MeasuredDrift drift = measured(series, session);
-  const std::vector<std::string> settling =
-      settling_texts(settling_of(drift, 0, drift.time_s.size(), options.stable_um));
-  if (!settling.empty()) fmt::print("\nStable, from the first test on:\n");
-  for (const std::string& text : settling) fmt::print("  {}\n", text);
+  for (const std::string& largest : largest_texts(sheet.largest)) fmt::print("  {}\n", largest);
+  if (!sheet.settling.empty()) fmt::print("\n");
+  print_settling(sheet.settling, "test");
+  fmt::print("\n");
+  for (const std::string& text : thermal_test_texts(sheet.test)) fmt::print("{}", wrapped(text));
   constexpr std::size_t kRows = 21;
   Table table = table_of(series);
   if (!options.details) table.shorten(kRows);
@@ -202,13 +202,13 @@ void run(const DriftArguments& options) {
   how.circle.elongation_form = options.eq34 ? ElongationForm::eq34 : ElongationForm::exact;
   const DriftSeries series = drift_of(session, how);
   for (const std::string& path : options.out) write_drift(series, path);
+  const DriftSheet sheet = sheet_of_session(*data.session, series, options.stable_um);
   if (options.json) {
-    const MeasuredDrift drift = measured(series, session);
-    DriftOfSession result{series, settling_of(drift, 0, drift.time_s.size(), options.stable_um), {}};
+    DriftOfSession result{series, sheet, {}};
     if (!data.session->skipped.empty()) result.skipped.value = data.session->skipped;
     print_json(json_of(result));
   } else {
-    print_text(session, series, options);
+    print_text(session, series, sheet, options);
     fmt::print("{}", left_out_text(data.session->skipped));
   }
   for (const Position& position : series.positions) {
@@ -229,7 +229,7 @@ void add_drift(CLI::App& app) {
   const auto options = std::make_shared<DriftArguments>();
   CLI::App* command = app.add_subcommand("drift", "Compute the drift of the spindle over a session");
   add_data(*command, "SESSION", options->session,
-           "session.toml or its folder, a folder of .b5r files, or a five-probe .csv")
+           "session.toml or its folder, a folder of .b5r files, five probes, or a log of x, y, z")
       ->required()
       ->type_name("");
   command->add_option("--out", options->out, "write the series to FILE (.csv, .json or .mat); may be repeated")

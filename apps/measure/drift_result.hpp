@@ -10,7 +10,7 @@ namespace ballbar {
 
 struct DriftOfSession {
   DriftSeries drift;
-  std::vector<AxisSettling> settling;
+  DriftSheet sheet;
   MayLack<std::vector<SkippedFile>> skipped;
 };
 
@@ -18,7 +18,7 @@ template <>
 inline constexpr auto kResult<DriftOfSession> =
     ResultType{"Drift", "The drift of the spindle.",
                std::tuple_cat(fields_through(&DriftOfSession::drift, kResult<DriftSeries>.fields),
-                              std::tuple{Field{"stability", &DriftOfSession::settling, "when each axis is stable"},
-                                         Field{"skipped", &DriftOfSession::skipped, "files that could not be read"}})};
+                              fields_through(&DriftOfSession::sheet, kSheetFields),
+                              std::tuple{Field{"skipped", &DriftOfSession::skipped, "files that could not be read"}})};
 
 }  // namespace ballbar

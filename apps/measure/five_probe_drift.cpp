@@ -12,6 +12,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/logs/column_named.hpp"
 #include "ballbar/formats/series/drift_files.hpp"
+#include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/number_text.hpp"
 #include "ballbar/series/speed_steps.hpp"
@@ -30,12 +31,12 @@ std::string heading(const DriftAxis& axis) { return fmt::format("{} {}", axis.na
 
 std::string cell(const std::optional<Estimate>& estimate) { return estimate ? with_sigma(*estimate) : "-"; }
 
-Table range_table(const MeasuredDrift& drift) {
-  Table table({"range (max - min)", "first 60 min", "after 60 min", "total", "first to last"});
-  for (const DriftAxis& axis : drift.axes) {
-    const DriftRange range = range_of(axis, drift.time_s, 0, drift.time_s.size());
-    table.add(
-        {heading(axis), cell(range.first_60_min), cell(range.after_60_min), cell(range.total), cell(range.at_end)});
+Table range_table(const DriftSheet& sheet) {
+  Table table({"range (max - min)", "first 60 min", "after 60 min", "last 60 min", "total", "first to last"});
+  for (const auto& [name, axis] : sheet.ranges) {
+    const DriftRange& range = axis.range;
+    table.add({fmt::format("{} {}", name, axis.unit), cell(range.first_60_min), cell(range.after_60_min),
+               cell(range.last_60_min), cell(range.total), cell(range.at_end)});
   }
   return table;
 }
@@ -80,15 +81,9 @@ std::string sigma_text(const DriftAxis& axis) {
   return fmt::format("{} {:.3f} {} ({})", axis.name, sigma_of(axis, worst), axis.unit, fmt::join(sources, ", "));
 }
 
-// When each axis is stable after the start, or after each change of the speed, in min.
-void print_settling(const FiveProbeReport& report, const MeasuredDrift& drift, const std::vector<SpeedStep>& steps) {
-  if (steps.size() < 2) {
-    fmt::print("Stable, from the first row on:\n");
-    for (const std::string& text : settling_texts(settling_of(drift, 0, drift.time_s.size(), report.stable_um)))
-      fmt::print("  {}\n", text);
-    fmt::print("\n");
-    return;
-  }
+// When each axis is stable after each change of the speed, in min.
+void print_settling_of_steps(const FiveProbeReport& report, const MeasuredDrift& drift,
+                             const std::vector<SpeedStep>& steps) {
   std::vector<std::string> names{"start min", "speed rpm"};
   for (const DriftAxis& axis : drift.axes) {
     if (axis.unit == "um") names.push_back(axis.name + " min");
@@ -113,17 +108,34 @@ void print_settling(const FiveProbeReport& report, const MeasuredDrift& drift, c
       "0: from the start. -: not determined. Beyond the end of a step the time is that of the fitted curve.\n\n");
 }
 
-void print_text(const FiveProbeReport& report, const MeasuredDrift& drift, const std::vector<SpeedStep>& steps) {
+void print_text(const FiveProbeReport& report, const MeasuredDrift& drift, const std::vector<SpeedStep>& steps,
+                const DriftSheet& sheet) {
   fmt::print("{}\n{}; {} rows over {:g} min, reference at {:g} min\n\n", report.title, drift.what, drift.time_s.size(),
              min_from_s(drift.time_s.back() - drift.time_s.front()), min_from_s(drift.reference_s));
-  fmt::print("{}\n", range_table(drift).text());
+  fmt::print("Largest drift:\n");
+  for (const std::string& largest : largest_texts(sheet.largest)) fmt::print("  {}\n", largest);
+  if (!sheet.courses.empty()) {
+    fmt::print("\nCourse:\n");
+    for (const std::string& course : course_texts(sheet.courses)) fmt::print("  {}\n", course);
+    fmt::print(
+        "{}", wrapped("Nothing but these readings was logged, so thermal growth, wear and a changed set-up look alike. "
+                      "A temperature of the spindle beside them, or the same part measured twice, tells them apart."));
+  }
+  fmt::print("\n");
+  for (const std::string& text : thermal_test_texts(sheet.test)) fmt::print("{}", wrapped(text));
+  fmt::print("\n{}\n", range_table(sheet).text());
   if (steps.size() > 1) {
     Table table = step_table(drift, steps);
     if (!report.details) table.shorten(kStepsShown);
     fmt::print("Drift since the reference at the end of each speed step (range within the step)\n{}", table.text());
     fmt::print("\n");
   }
-  print_settling(report, drift, steps);
+  if (steps.size() < 2) {
+    print_settling(sheet.settling, "row");
+    fmt::print("\n");
+  } else {
+    print_settling_of_steps(report, drift, steps);
+  }
   std::vector<std::string> sigmas;
   for (const DriftAxis& axis : drift.axes) sigmas.push_back(sigma_text(axis));
   fmt::print("{}", wrapped(fmt::format("± is one sigma. Largest sigma of all rows: {}.", fmt::join(sigmas, "; "))));
@@ -161,18 +173,37 @@ std::string complaint(const std::string& found, bool above_0) {
 }  // namespace
 
 void report_five_probe(const FiveProbeReport& report) {
-  const MeasuredDrift drift = five_point_of(report.series, report.how, report.title);
-  const auto speed = std::find_if(report.series.columns.begin(), report.series.columns.end(),
-                                  [](const Column& column) { return column.role == Role::speed; });
-  std::vector<SpeedStep> steps;
-  if (speed != report.series.columns.end()) steps = speed_steps(report.series.time_s, *speed);
-  for (const std::string& path : report.out) write_drift(drift, steps, path);
+  const MeasuredDrift drift = drift_of_log(report.series, report.how, report.title);
+  const std::vector<SpeedStep> steps = steps_of(report.series);
+  const DriftSheet sheet = sheet_of(drift, std::span(&report.series, 1), steps, report.stable_um);
+  for (const std::string& path : report.out) write_drift(drift, steps, sheet, path);
   if (report.json) {
-    print_json_text(json_text(drift, steps, report.stable_um));
+    print_json_text(json_text(drift, steps, sheet, report.stable_um));
   } else {
-    print_text(report, drift, steps);
+    print_text(report, drift, steps, sheet);
   }
   for (const std::string& path : report.out) wrote_line(path);
+}
+
+std::vector<SpeedStep> steps_of(const Series& series) {
+  const auto speed = std::find_if(series.columns.begin(), series.columns.end(),
+                                  [](const Column& column) { return column.role == Role::speed; });
+  return speed == series.columns.end() ? std::vector<SpeedStep>() : speed_steps(series.time_s, *speed);
+}
+
+void print_settling(const std::vector<AxisSettling>& settling, std::string_view first) {
+  if (settling.empty()) return;
+  fmt::print("Stable, from the first {} on:\n", first);
+  for (const std::string& text : settling_texts(settling)) fmt::print("  {}\n", text);
+}
+
+DriftSheet sheet_of_session(const SessionFiles& files, const DriftSeries& drift, std::optional<double> stable_um) {
+  std::vector<Series> signals;
+  signals.reserve(files.signals.size());
+  for (const Source& one : files.signals) signals.push_back(open_series(one));
+  DriftSheet sheet = sheet_of(measured(drift, files.session), signals, {}, stable_um);
+  sheet.largest = largest_drifts(drift);
+  return sheet;
 }
 
 bool FiveProbeOptions::any() const {
@@ -241,6 +272,25 @@ bool lacks_units(const Series& series) {
                     column.name.substr(1) == probe.substr(1);
            });
   });
+}
+
+MeasuredDrift drift_of_log(const Series& series, const FivePointOptions& how, const std::string& name) {
+  if (!is_five_probe(series) && !lacks_units(series)) {
+    MeasuredDrift drift = measured(series, name);
+    if (!series.has_clock && !drift.axes.empty()) {
+      throw Error(fmt::format(
+          "{}: expected readings over time, found numbered rows of {}. A table of positions and approaches, as "
+          "ISO 230-2 has it, is no drift and is not evaluated here. Of rows at equal intervals --every states the "
+          "interval.",
+          name, fmt::join(column_names(series), ", ")));
+    }
+    if (!drift.axes.empty()) drift = since_reference(std::move(drift), how.reference_s);
+    if (!drift.axes.empty()) {
+      drift.what = "displacements as logged";
+      return drift;
+    }
+  }
+  return five_point_of(series, how, name);
 }
 
 MeasuredDrift five_point_of(const Series& series, const FivePointOptions& how, const std::string& name) {

@@ -1,13 +1,16 @@
-// `ballbar drift` of five probes: its output and files.
+// `ballbar drift` of five probes, or of a log of displacements: its output and files.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ballbar/drift/five_probes.hpp"
+#include "ballbar/formats/results/drift_results.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
 #include "ballbar/series/series.hpp"
+#include "ballbar/series/speed_steps.hpp"
 
 namespace CLI {
 class App;
@@ -48,5 +51,15 @@ FivePointOptions place_of(const Series& series, const FiveProbeOptions& options,
 
 // The drift of five probes; `name`: their file, for messages.
 MeasuredDrift five_point_of(const Series& series, const FivePointOptions& how, const std::string& name);
+
+// The numbers of its sheet, with the signals of the session.
+DriftSheet sheet_of_session(const SessionFiles& files, const DriftSeries& drift, std::optional<double> stable_um = {});
+
+// Of five probes, else of the columns that were measured. Throws Error where there is neither.
+MeasuredDrift drift_of_log(const Series& series, const FivePointOptions& how, const std::string& name);
+std::vector<SpeedStep> steps_of(const Series& series);  // of its speed; none: it has no column of it
+
+// "Stable, from the first row on:", and a line for each axis.
+void print_settling(const std::vector<AxisSettling>& settling, std::string_view first);
 
 }  // namespace ballbar

@@ -128,7 +128,7 @@ void add_session(Report& made, const SessionFiles& files, const ReportRequest& o
   add_skipped(made, files.skipped);
   const DriftSeries drift = drift_of(session);
   made.page.drift.value = drift;
-  for (const std::string& largest : largest_drifts(drift)) made.conclude(fmt::format("Largest drift: {}.", largest));
+  for (const std::string& largest : largest_texts(largest_drifts(drift))) made.conclude(fmt::format("Largest drift: {}.", largest));
   if (files.five_probe) {
     const Series probes = open_series(*files.five_probe);
     made.page.five_probe.value =

@@ -36,7 +36,7 @@ void five_probe_file(benchmark::State& state) {
   for (auto _ : state) {
     const ballbar::Series series = ballbar::open_series(scratch / "probes.csv");
     const ballbar::FivePoint found = ballbar::five_point(series, at_the_ball());
-    ballbar::write_drift(found.drift, {}, scratch / "drift.csv");
+    ballbar::write_drift(found.drift, {}, {}, scratch / "drift.csv");
   }
   state.counters["rows"] = static_cast<double>(rows());
   fs::remove_all(scratch);

@@ -54,11 +54,9 @@ TableOf<AxisRange> ranges_of(const MeasuredDrift& drift, std::size_t begin, std:
   return ranges;
 }
 
-FiveProbeDrift result_of(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps,
+FiveProbeDrift result_of(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, const DriftSheet& sheet,
                          std::optional<double> stable_um) {
-  FiveProbeDrift result{drift.reference_s, series_of(drift), ranges_of(drift, 0, drift.time_s.size()), {}, {},
-                        drift.remarks};
-  if (steps.size() < 2) result.settling = settling_of(drift, 0, drift.time_s.size(), stable_um);
+  FiveProbeDrift result{drift.method, drift.reference_s, series_of(drift), {}, sheet, drift.remarks};
   for (const SpeedStep& step : steps) {
     result.steps.push_back({drift.time_s[step.begin], drift.time_s[step.end - 1], step.speed_rpm,
                             ranges_of(drift, step.begin, step.end),
@@ -93,9 +91,9 @@ void write_value(std::ostream& out, const Value& value) {
   }
 }
 
-void write_json(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, std::optional<double> stable_um,
-                std::ostream& out) {
-  const FiveProbeDrift result = result_of(drift, steps, stable_um);
+void write_json(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, const DriftSheet& sheet,
+                std::optional<double> stable_um, std::ostream& out) {
+  const FiveProbeDrift result = result_of(drift, steps, sheet, stable_um);
   std::string_view before = "{";
   const auto write = [&](const auto& field) {
     out << std::exchange(before, ",") << "\n  \"" << field.name << "\": ";
@@ -144,10 +142,21 @@ Series series_of(const DriftSeries& drift) {
   return series;
 }
 
-std::string json_text(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps,
+DriftSheet sheet_of(const MeasuredDrift& drift, std::span<const Series> signals, const std::vector<SpeedStep>& steps,
+                    std::optional<double> stable_um) {
+  const std::size_t n = drift.time_s.size();
+  DriftSheet sheet{thermal_test(signals, drift.time_s.front(), drift.time_s.back()),
+                   largest_drifts(drift),
+                   ranges_of(drift, 0, n),
+                   {}};
+  if (steps.size() < 2) sheet.settling = settling_of(drift, 0, n, stable_um);
+  return sheet;
+}
+
+std::string json_text(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, const DriftSheet& sheet,
                       std::optional<double> stable_um) {
   std::ostringstream out;
-  write_json(drift, steps, stable_um, out);
+  write_json(drift, steps, sheet, stable_um, out);
   return std::move(out).str();
 }
 
@@ -160,13 +169,14 @@ void write_drift(const DriftSeries& drift, const std::filesystem::path& path) {
       [&](std::ostream& out) { out << json_of(drift).dump(2) << '\n'; });
 }
 
-void write_drift(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, const std::filesystem::path& path) {
+void write_drift(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, const DriftSheet& sheet,
+                 const std::filesystem::path& path) {
   write_by_extension(
       path,
       [&] {
-        return DriftColumns{"five_probe", drift.reference_s, series_of(drift)};
+        return DriftColumns{drift.method, drift.reference_s, series_of(drift)};
       },
-      [&](std::ostream& out) { write_json(drift, steps, std::nullopt, out); });
+      [&](std::ostream& out) { write_json(drift, steps, sheet, std::nullopt, out); });
 }
 
 }  // namespace ballbar

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "ballbar/error.hpp"
+#include "drift/row_scatter.hpp"
 #include "drift/smooth_curve.hpp"
 #include "numerics/not_finite.hpp"
 
@@ -15,7 +16,6 @@ namespace ballbar {
 namespace {
 
 constexpr double kHour_s = 3600.0;
-constexpr std::size_t kRowsForScatter = 6;
 constexpr std::size_t kRowsForCurve = 30;  // of a range
 constexpr std::size_t kMostRows = 3000;    // of the curve
 constexpr const char* kResolution = "probe resolution";
@@ -80,25 +80,6 @@ std::size_t reference_row(const Series& series, const Columns& columns, std::opt
   return *best;
 }
 
-// Scatter of single readings, see the header.
-std::optional<double> scatter_um(const std::vector<double>& time_s, const std::vector<double>& value) {
-  std::vector<double> square;
-  square.reserve(value.size());
-  for (std::size_t i = 1; i + 1 < value.size(); ++i) {
-    const double w = (time_s[i] - time_s[i - 1]) / (time_s[i + 1] - time_s[i - 1]);
-    const double from_line = value[i] - (1.0 - w) * value[i - 1] - w * value[i + 1];
-    if (!std::isnan(from_line)) square.push_back(from_line * from_line / (1.0 + w * w + (1.0 - w) * (1.0 - w)));
-  }
-  if (square.size() + 2 < kRowsForScatter) return std::nullopt;
-  const std::size_t kept = square.size() - square.size() / 20;
-  // A normal variable cut at its 95 % (|z| < 1.960) keeps 0.759 of its variance; fewer than 20 are not cut.
-  const double share = kept < square.size() ? 0.7589 : 1.0;
-  std::nth_element(square.begin(), square.begin() + static_cast<std::ptrdiff_t>(kept - 1), square.end());
-  double sum = 0.0;
-  for (std::size_t i = 0; i < kept; ++i) sum += square[i];
-  return std::sqrt(sum / static_cast<double>(kept) / share);
-}
-
 // One axis as a weighted sum of probes; the pair whose tilt moves it where s is not known well.
 struct Combination {
   const char* name;
@@ -138,7 +119,7 @@ class Reduction {
     if (!variance) return;
     std::vector<double> sigma(series_.time_s.size(), std::sqrt(*variance));
     sigma[reference_] = 0.0;
-    axis.budget.push_back({source, std::move(sigma)});
+    axis.budget.push_back({source, std::move(sigma), false, true});
   }
 
   std::optional<double> resolution_variance(const Combination& combination) const {
@@ -246,12 +227,13 @@ FivePoint five_point(const Series& series, const FivePointOptions& options) {
   const std::size_t reference = reference_row(series, columns, options.reference_s);
   FivePoint found;
   MeasuredDrift& drift = found.drift;
+  drift.method = "five_probe";
   drift.what = probe.spacing_mm ? fmt::format("five probes, {:g} mm from plane 1", options.from_plane_1_mm)
                                 : "five probes, at plane 1";
   drift.reference_s = series.time_s[reference];
   drift.time_s = series.time_s;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (columns[i] != nullptr) found.scatter_um[i] = scatter_um(series.time_s, columns[i]->values);
+    if (columns[i] != nullptr) found.scatter_um[i] = row_scatter(series.time_s, columns[i]->values);
   }
   const Reduction reduction(series, probe, columns, reference, options, found);
   struct Pair {
@@ -322,7 +304,9 @@ DriftRange range_of(const DriftAxis& axis, const std::vector<double>& time_s, st
   struct Extremes {
     std::optional<std::size_t> low, high;
   };
-  Extremes first, after, total;
+  Extremes first, after, last_hour, total;
+  const double last_hour_s =
+      end > begin && time_s[end - 1] - time_s[begin] > kHour_s ? time_s[end - 1] - kHour_s : kUnknown;
   std::optional<std::size_t> start, last;
   const auto take = [&](Extremes& extremes, std::size_t row) {
     if (!extremes.low || axis.value[row] < axis.value[*extremes.low]) extremes.low = row;
@@ -334,6 +318,7 @@ DriftRange range_of(const DriftAxis& axis, const std::vector<double>& time_s, st
     last = row;
     take(total, row);
     take(time_s[row] - time_s[begin] <= kHour_s ? first : after, row);
+    if (time_s[row] >= last_hour_s) take(last_hour, row);
   }
   // Each row's sigma holds the reference's share, which cancels between two rows; added all the same.
   const auto change = [&](std::optional<std::size_t> from, std::optional<std::size_t> to) -> std::optional<Estimate> {
@@ -341,19 +326,21 @@ DriftRange range_of(const DriftAxis& axis, const std::vector<double>& time_s, st
     const double sigma = *from == *to ? 0.0 : std::hypot(sigma_of(axis, *from), sigma_of(axis, *to));
     return Estimate{axis.value[*to] - axis.value[*from], sigma};
   };
-  DriftRange range{change(first.low, first.high), change(after.low, after.high), change(total.low, total.high),
-                   change(start, last)};
+  DriftRange range{change(first.low, first.high), change(after.low, after.high), change(last_hour.low, last_hour.high),
+                   change(total.low, total.high), change(start, last)};
   std::vector<double> times, values;
-  std::size_t in_first = 0;
+  std::size_t in_first = 0, in_last = 0;
   for (std::size_t row = begin; row < end; ++row) {
     if (std::isnan(axis.value[row])) continue;
     times.push_back(time_s[row]);
     values.push_back(axis.value[row]);
     if (time_s[row] - time_s[begin] <= kHour_s) ++in_first;
+    if (time_s[row] >= last_hour_s) ++in_last;
   }
   if (values.size() < kRowsForCurve) return range;
   const std::size_t block = average_blocks(times, values, kMostRows);
   in_first = std::min(in_first / block, values.size());
+  in_last = std::min(in_last / block, values.size());
   // Of the curve through the rows, with what is stated beside the noise.
   std::vector<std::pair<std::size_t, std::size_t>> windows{{0, values.size()}};
   std::vector<std::optional<Estimate>*> of{&range.total};
@@ -366,11 +353,12 @@ DriftRange range_of(const DriftAxis& axis, const std::vector<double>& time_s, st
   };
   add(range.first_60_min, 0, in_first, first);
   add(range.after_60_min, in_first, values.size(), after);
+  if (range.last_60_min) add(range.last_60_min, values.size() - in_last, values.size(), last_hour);
   const std::vector<Estimate> smooth = smooth_ranges(times, values, windows);
   for (std::size_t k = 0; k < smooth.size(); ++k) {
     double square = smooth[k].sigma_um * smooth[k].sigma_um;
     for (const Contribution& one : axis.budget) {
-      if (one.source == kScatter || one.source == kResolution) continue;
+      if (one.noise) continue;
       for (const std::size_t row : {*rows[k].low, *rows[k].high})
         if (std::isfinite(one.sigma[row])) square += one.sigma[row] * one.sigma[row];
     }

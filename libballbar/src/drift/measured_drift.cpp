@@ -1,19 +1,25 @@
 #include "ballbar/drift/measured_drift.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
+#include "drift/drift_methods.hpp"
+#include "drift/row_scatter.hpp"
 #include "numerics/not_finite.hpp"
+#include "series/resolution.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr std::string_view kSigma = "_sigma";
+constexpr double kLargestDrift_um = 1000.0;
 
 // Bar's temperature of a test, from the first of its recordings that states one.
 std::optional<double> bar_temperature_degC(const SessionTest& test) {
@@ -84,6 +90,7 @@ const DriftAxis* find_axis(const MeasuredDrift& drift, std::string_view name) {
 MeasuredDrift measured(const DriftSeries& drift, const Session& session) {
   MeasuredDrift result;
   result.what = fmt::format("ballbar, {}", name_of(drift.method));
+  result.method = name_of(drift.method);
   result.reference_s = drift.reference_s;
   for (const DriftPoint& point : drift.points) result.time_s.push_back(point.time_s);
   for (const auto& [name, member] : kDriftQuantities) {
@@ -114,6 +121,7 @@ MeasuredDrift measured(const Series& series, std::string what) {
   if (series.time_s.empty()) throw Error(fmt::format("expected rows, found none in {}.", what));
   MeasuredDrift result;
   result.what = std::move(what);
+  result.method = "log";
   result.time_s = series.time_s;
   result.reference_s = series.time_s.front();
   for (const Column& column : series.columns) {
@@ -128,6 +136,47 @@ MeasuredDrift measured(const Series& series, std::string what) {
     result.axes.push_back(std::move(axis));
   }
   return result;
+}
+
+MeasuredDrift since_reference(MeasuredDrift drift, std::optional<double> reference_s) {
+  const std::size_t reference = reference_index(drift.time_s, reference_s);
+  drift.reference_s = drift.time_s[reference];
+  std::vector<std::string> still, far;
+  std::erase_if(drift.axes, [&](const DriftAxis& axis) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const double value : axis.value) {
+      if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
+    }
+    const bool is_still = !(most > least), is_far = most - least > (axis.unit == "mm" ? 1.0 : kLargestDrift_um);
+    if (is_still || is_far) (is_still ? still : far).push_back(axis.name);
+    return is_still || is_far;
+  });
+  if (!still.empty())
+    drift.remarks.push_back(fmt::format("Left out, because it does not change: {}.", fmt::join(still, ", ")));
+  if (!far.empty())
+    drift.remarks.push_back(
+        fmt::format("Left out, because it changes by more than 1 mm, as no drift does: {}.", fmt::join(far, ", ")));
+  for (DriftAxis& axis : drift.axes) {
+    std::size_t row = reference;
+    while (row < axis.value.size() && std::isnan(axis.value[row])) ++row;
+    if (row == axis.value.size()) row = reference;
+    const double scale = axis.unit == "mm" ? um_from_mm(1.0) : 1.0, origin = axis.value[row];
+    if (axis.unit == "mm") axis.unit = "um";
+    for (double& value : axis.value) value = scale * (value - origin);
+    for (Contribution& one : axis.budget) {
+      const double of_origin = one.sigma[row];
+      for (double& sigma : one.sigma) sigma = scale * std::hypot(sigma, of_origin);
+      one.sigma[row] = 0.0;
+    }
+    if (!axis.budget.empty()) continue;
+    if (const std::optional<double> scatter = row_scatter(drift.time_s, axis.value)) {
+      const double noise = std::max(*scatter, resolution_of(axis.value) / std::sqrt(12.0));
+      axis.budget.push_back(
+          {"scatter of the rows", std::vector<double>(axis.value.size(), std::sqrt(2.0) * noise), false, true});
+      axis.budget.back().sigma[row] = 0.0;
+    }
+  }
+  return drift;
 }
 
 Series series_of(const MeasuredDrift& drift) {

@@ -95,7 +95,7 @@ const std::vector<SpeedStep> kSteps{{0.0, 0, 2}, {8000.0, 2, 4}};
 TEST(drift_files, csv_of_five_probes_is_a_series) {
   const ScratchFolder folder;
   const auto file = folder.path() / "drift.csv";
-  write_drift(five_probes(), kSteps, file);
+  write_drift(five_probes(), kSteps, sheet_of(five_probes(), {}, kSteps), file);
   const std::string csv = read_bytes(file, 10000);
   EXPECT_EQ(csv,
             "# format = \"ballbar-series 1\"\n"
@@ -118,9 +118,9 @@ TEST(drift_files, csv_of_five_probes_is_a_series) {
 // Ranges: max - min over the first 60 min (rows 0 to 2), over the rest (row 3 alone), in total; last less first.
 TEST(drift_files, json_of_five_probes) {
   const ScratchFolder folder;
-  write_drift(five_probes(), kSteps, folder.path() / "drift.json");
+  write_drift(five_probes(), kSteps, sheet_of(five_probes(), {}, kSteps), folder.path() / "drift.json");
   const std::string text = read_bytes(folder.path() / "drift.json", 10000);
-  EXPECT_EQ(text, json_text(five_probes(), kSteps));
+  EXPECT_EQ(text, json_text(five_probes(), kSteps, sheet_of(five_probes(), {}, kSteps)));
   const auto json = nlohmann::ordered_json::parse(text);
   EXPECT_EQ(json["method"], "five_probe");
   EXPECT_EQ(json["reference_s"], 0.0);
@@ -145,7 +145,7 @@ TEST(drift_files, other_endings_are_refused) {
     return complaint(folder, [&] { write_drift(two_arcs(), folder.path() / name); });
   };
   EXPECT_EQ(writing("drift.xls"), "DIR/drift.xls: expected a name that ends in .csv, .json or .mat, found .xls.");
-  EXPECT_EQ(complaint(folder, [&] { write_drift(five_probes(), {}, folder.path() / "drift.txt"); }),
+  EXPECT_EQ(complaint(folder, [&] { write_drift(five_probes(), {}, {}, folder.path() / "drift.txt"); }),
             "DIR/drift.txt: expected a name that ends in .csv, .json or .mat, found .txt.");
   EXPECT_EQ(writing("drift"), "DIR/drift: expected a name that ends in .csv, .json or .mat, found no ending.");
   EXPECT_EQ(writing("none/drift.csv"),

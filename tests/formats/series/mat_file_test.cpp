@@ -68,7 +68,7 @@ TEST(mat_file, of_five_probes) {
   drift.time_s = {0.0, 600.0};
   drift.axes.push_back({.name = "tilt_b", .unit = "urad", .value = {0.0, 1.5}});
   const ScratchFolder folder;
-  write_drift(drift, {}, folder.path() / "drift.mat");
+  write_drift(drift, {}, {}, folder.path() / "drift.mat");
   const Mat file = opened(folder.path() / "drift.mat");
   ASSERT_NE(file, nullptr);
   EXPECT_EQ(text(file, "method"), "five_probe");

@@ -50,15 +50,15 @@ bool is_five_probe(const Series& series);
 // without a spacing; no row in which all probes have a reading.
 FivePoint five_point(const Series& series, const FivePointOptions& options = {});
 
-// Range (max - min) of one axis over rows [begin, end): in the first 60 min, after them, and in total; and the change
-// from the first row to the last. Noise alone gives a range of about 3 sigma in ten readings, and 6 sigma in a
-// thousand. Therefore the range of 30 rows and more is that of a smoothing spline, less what noise adds to it
-// (bootstrap); its sigma has the noise, that correction in full, and what is stated beside the noise. Of fewer rows it
-// is that of the readings. The other sigmas add those of the two extreme rows as independent. They are too large by the
-// contribution of the reference, and too small by a factor of at most sqrt(2) in the probe linearity of rows of
-// opposite sign.
+// Range (max - min) of one axis over rows [begin, end): in the first 60 min, after them, in the last 60 min (of longer
+// stretches), and in total; and the change from the first row to the last. Noise alone gives a range of about 3 sigma
+// in ten readings, and 6 sigma in a thousand. Therefore the range of 30 rows and more is that of a smoothing spline,
+// less what noise adds to it (bootstrap); its sigma has the noise, that correction in full, and what is stated beside
+// the noise. Of fewer rows it is that of the readings. The other sigmas add those of the two extreme rows as
+// independent. They are too large by the contribution of the reference, and too small by a factor of at most sqrt(2) in
+// the probe linearity of rows of opposite sign.
 struct DriftRange {
-  std::optional<Estimate> first_60_min, after_60_min, total, at_end;
+  std::optional<Estimate> first_60_min, after_60_min, last_60_min, total, at_end;
 };
 DriftRange range_of(const DriftAxis& axis, const std::vector<double>& time_s, std::size_t begin, std::size_t end);
 

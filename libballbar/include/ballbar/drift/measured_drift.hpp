@@ -17,6 +17,7 @@ struct Contribution {
   std::string source;         // "circle fits", "probe resolution"
   std::vector<double> sigma;  // n rows, in the axis' unit; NaN: not known
   bool shared = false;        // one error common to all rows, such as a scale error; sigma is its size in each row
+  bool noise = false;         // found in the scatter of the rows, or rounding: a curve through many rows has less
 };
 
 struct DriftAxis {
@@ -27,7 +28,8 @@ struct DriftAxis {
 };
 
 struct MeasuredDrift {
-  std::string what;  // "ballbar, two_arcs", or the file: for reports
+  std::string what;    // "ballbar, two_arcs", or the file: for reports
+  std::string method;  // "two_arcs", "five_probe", "log"
   double reference_s = 0.0;
   std::vector<double> time_s;  // n rows, strictly rising
   std::vector<DriftAxis> axes;
@@ -48,9 +50,15 @@ const DriftAxis* find_axis(const MeasuredDrift& drift, std::string_view name);
 //                        all angles changes the fitted radius, not the centre. It enters axial drift in full.
 MeasuredDrift measured(const DriftSeries& drift, const Session& session);
 
-// Every measured column (unit um, mm or urad) of a series, its sigma from the column NAME_sigma_UNIT.
+// Every measured column (unit um, mm or urad) of a series, its sigma from the column NAME_sigma_UNIT. The values are
+// those of the columns: since_reference() makes changes of them.
 // Throws Error: no row.
 MeasuredDrift measured(const Series& series, std::string what);
+
+// Changes since the value of each axis in the row nearest to reference_s (nullopt: the first), or in the first row
+// after it that has one; mm become um. The stated sigma is that of the difference, the noise of the two rows as
+// independent.
+MeasuredDrift since_reference(MeasuredDrift drift, std::optional<double> reference_s);
 
 // Columns NAME_UNIT and, where any is known, NAME_sigma_UNIT.
 Series series_of(const MeasuredDrift& drift);

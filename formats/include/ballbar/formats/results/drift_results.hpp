@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/drift/course.hpp"
 #include "ballbar/drift/drift.hpp"
 #include "ballbar/drift/five_probes.hpp"
 #include "ballbar/drift/settling.hpp"
+#include "ballbar/drift/thermal_test.hpp"
 #include "ballbar/formats/results/schema.hpp"
 #include "ballbar/series/series.hpp"
 
@@ -114,6 +116,8 @@ inline constexpr auto kResult<AxisRange> = ResultType{
                Field{"first_60_min_sigma", range_value(&DriftRange::first_60_min, &Estimate::sigma_um), ""},
                Field{"after_60_min", range_value(&DriftRange::after_60_min, &Estimate::value_um), ""},
                Field{"after_60_min_sigma", range_value(&DriftRange::after_60_min, &Estimate::sigma_um), ""},
+               Field{"last_60_min", range_value(&DriftRange::last_60_min, &Estimate::value_um), "of longer stretches"},
+               Field{"last_60_min_sigma", range_value(&DriftRange::last_60_min, &Estimate::sigma_um), ""},
                Field{"total", range_value(&DriftRange::total, &Estimate::value_um), ""},
                Field{"total_sigma", range_value(&DriftRange::total, &Estimate::sigma_um), ""},
                Field{"first_to_last", range_value(&DriftRange::at_end, &Estimate::value_um), "the last less the first"},
@@ -136,6 +140,86 @@ inline constexpr auto kResult<StableTime> =
                           Field{"final_sigma_um", &StableTime::final_sigma_um, ""},
                           Field{"share_at_end", &StableTime::share_at_end, "of it, at the last row of the stretch"}}};
 
+template <>
+inline constexpr auto kResult<TemperatureSpan> =
+    ResultType{"TemperatureSpan", "A temperature during a thermal test.",
+               std::tuple{Field{"column", &TemperatureSpan::column, ""}, Field{"role", &TemperatureSpan::role, ""},
+                          Field{"first_degC", &TemperatureSpan::first_degC, ""},
+                          Field{"least_degC", &TemperatureSpan::least_degC, ""},
+                          Field{"largest_degC", &TemperatureSpan::largest_degC, ""}}};
+template <>
+inline constexpr auto kResult<ThermalTest> =
+    ResultType{"ThermalTest", "Which thermal test a record is, and what it lacks.",
+               std::tuple{Field{"kind", &ThermalTest::kind,
+                                "unknown, environment (ETVE), spindle, spindle_spectrum, linear_axes or rotary_axes"},
+                          Field{"motion", &ThermalTest::motion, "the column that shows it"},
+                          Field{"duration_s", &ThermalTest::duration_s, ""},
+                          Field{"running_s", &ThermalTest::running_s, "the spindle turns, or the axis moves"},
+                          Field{"rest_after_s", &ThermalTest::rest_after_s, "from its last stop to the end"},
+                          Field{"speeds_rpm", &ThermalTest::speeds_rpm, "each for 5 % of that time and more"},
+                          Field{"temperatures", &ThermalTest::temperatures, "those of the room first"},
+                          Field{"lacks", &ThermalTest::lacks,
+                                "speed, room_temperature, structure_temperature, a_day, rest_after"}}};
+template <>
+inline constexpr auto kResult<LargestDrift> =
+    ResultType{"LargestDrift", "The largest drift from the reference in an axis.",
+               std::tuple{Field{"axis", &LargestDrift::axis, "combined: of x, y and z"},
+                          Field{"drift",
+                                [](const LargestDrift& of) {
+                                  return OfUnit<double>{of.drift.value_um, of.unit};
+                                },
+                                ""},
+                          Field{"drift_sigma",
+                                [](const LargestDrift& of) {
+                                  return OfUnit<double>{of.drift.sigma_um, of.unit};
+                                },
+                                ""},
+                          Field{"time_s", known(&LargestDrift::time_s), ""}}};
+
+template <>
+inline constexpr auto kResult<CourseStep> =
+    ResultType{"CourseStep", "A step in readings.",
+               std::tuple{Field{"time_s", known(&CourseStep::time_s), "of the first reading after it"},
+                          Field{"size_um", [](const CourseStep& of) { return of.size.value_um; }, ""},
+                          Field{"size_sigma_um", [](const CourseStep& of) { return of.size.sigma_um; }, ""}}};
+struct AxisCourse {
+  std::string axis;
+  Course course;
+};
+template <>
+inline constexpr auto kResult<AxisCourse> = ResultType{
+    "AxisCourse", "The course of readings without any input.",
+    std::tuple{
+        Field{"axis", &AxisCourse::axis, ""},
+        Field{"shape", [](const AxisCourse& of) { return of.course.shape; }, "still, trend or settling"},
+        Field{"probability", [](const AxisCourse& of) { return of.course.probability; }, "of that shape"},
+        Field{"trend_um_per_h", [](const AxisCourse& of) { return of.course.trend_um_per_h.value_um; }, ""},
+        Field{"trend_sigma_um_per_h", [](const AxisCourse& of) { return of.course.trend_um_per_h.sigma_um; }, ""},
+        Field{"settling_um", [](const AxisCourse& of) { return of.course.settling.value_um; }, "change in the end"},
+        Field{"settling_sigma_um", [](const AxisCourse& of) { return of.course.settling.sigma_um; }, ""},
+        Field{"time_constant_s", [](const AxisCourse& of) { return of.course.time_constant_s; }, "of settling"},
+        Field{"steps", [](const AxisCourse& of) { return of.course.steps; }, ""},
+        Field{"noise_um", [](const AxisCourse& of) { return of.course.noise_um; }, "of a reading"}}};
+
+// What stands on the sheet of a thermal test.
+struct DriftSheet {
+  ThermalTest test;
+  std::vector<LargestDrift> largest;
+  TableOf<AxisRange> ranges;
+  std::vector<AxisSettling> settling;  // of one speed
+  std::vector<AxisCourse> courses;     // where nothing else was logged
+};
+inline constexpr auto kSheetFields =
+    std::tuple{Field{"thermal_test", &DriftSheet::test, "which it is, and what it lacks"},
+               Field{"largest", &DriftSheet::largest, "of each axis, and combined"},
+               Field{"ranges", &DriftSheet::ranges, "by axis"},
+               Field{"stability", &DriftSheet::settling, "when each axis is stable, where the speed is one"},
+               Field{"courses", &DriftSheet::courses, "trend and steps, where nothing but the drift was logged"}};
+
+template <>
+inline constexpr auto kResult<DriftSheet> =
+    ResultType{"DriftSheet", "What stands on the sheet of a thermal test.", kSheetFields};
+
 // A step of the speed.
 struct StepRange {
   double from_s = 0.0, to_s = 0.0, speed_rpm = 0.0;
@@ -151,11 +235,11 @@ inline constexpr auto kResult<StepRange> =
                           Field{"stability", &StepRange::settling, "by axis"}}};
 
 struct FiveProbeDrift {
+  std::string method;
   double reference_s = 0.0;
   Series points;
-  TableOf<AxisRange> ranges;
   std::vector<StepRange> steps;
-  std::vector<AxisSettling> settling;  // of one speed
+  DriftSheet sheet;
   std::vector<std::string> remarks;
 };
 
@@ -175,13 +259,13 @@ struct SchemaOf<Series> {
 
 template <>
 inline constexpr auto kResult<FiveProbeDrift> = ResultType{
-    "DriftOfProbes", "The drift of the spindle from five probes.",
-    std::tuple{Field{"method", [](const FiveProbeDrift&) { return std::string_view("five_probe"); }, "five_probe"},
-               Field{"reference_s", known(&FiveProbeDrift::reference_s), "time that drift is taken to"},
-               Field{"points", &FiveProbeDrift::points, "one row per time, AXIS_um or AXIS_urad with sigma"},
-               Field{"ranges", &FiveProbeDrift::ranges, "by axis"},
-               Field{"steps", &FiveProbeDrift::steps, "changes of the speed"},
-               Field{"stability", &FiveProbeDrift::settling, "by axis, of a record of one speed"},
-               Field{"remarks", &FiveProbeDrift::remarks, ""}}};
+    "DriftOfProbes", "The drift of the spindle from five probes, or as a log has it.",
+    std::tuple_cat(
+        std::tuple{Field{"method", &FiveProbeDrift::method, "five_probe, or log"},
+                   Field{"reference_s", known(&FiveProbeDrift::reference_s), "time that drift is taken to"},
+                   Field{"points", &FiveProbeDrift::points, "one row per time, AXIS_um or AXIS_urad with sigma"},
+                   Field{"steps", &FiveProbeDrift::steps, "changes of the speed"}},
+        fields_through(&FiveProbeDrift::sheet, kSheetFields),
+        std::tuple{Field{"remarks", &FiveProbeDrift::remarks, ""}})};
 
 }  // namespace ballbar
