@@ -82,7 +82,7 @@ std::vector<std::string> settling_texts(const std::vector<AxisSettling>& settlin
   std::vector<std::string> texts;
   for (const AxisSettling& one : settling) {
     const std::string band = fmt::format("{} within {:.2g} um", one.axis, one.band_um);
-    if (one.is_small) {
+    if (one.is_small || (one.stable && one.stable->time_s == 0.0)) {
       texts.push_back(fmt::format("{} from the start", band));
     } else if (!one.stable) {
       texts.push_back(fmt::format("{}: these rows do not determine it", band));
@@ -108,7 +108,7 @@ std::vector<std::string> largest_texts(const std::vector<LargestDrift>& largest)
   texts.reserve(largest.size());
   for (const LargestDrift& one : largest)
     texts.push_back(
-        fmt::format("{} {} {} at {:g} min", one.axis, with_sigma(one.drift), one.unit, min_from_s(one.time_s)));
+        fmt::format("{} {} {} at {:.4g} min", one.axis, with_sigma(one.drift), one.unit, min_from_s(one.time_s)));
   return texts;
 }
 

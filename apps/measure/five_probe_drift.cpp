@@ -5,8 +5,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include "ballbar/drift/settling.hpp"
 #include "ballbar/error.hpp"
@@ -31,9 +33,9 @@ std::string heading(const DriftAxis& axis) { return fmt::format("{} {}", axis.na
 
 std::string cell(const std::optional<Estimate>& estimate) { return estimate ? with_sigma(*estimate) : "-"; }
 
-Table range_table(const DriftSheet& sheet) {
-  Table table({"range (max - min)", "first 60 min", "after 60 min", "last 60 min", "total", "first to last"});
-  for (const auto& [name, axis] : sheet.ranges) {
+Table range_table(const TableOf<AxisRange>& ranges, const std::string& of) {
+  Table table({of, "first 60 min", "after 60 min", "last 60 min", "total", "first to last"});
+  for (const auto& [name, axis] : ranges) {
     const DriftRange& range = axis.range;
     table.add({fmt::format("{} {}", name, axis.unit), cell(range.first_60_min), cell(range.after_60_min),
                cell(range.last_60_min), cell(range.total), cell(range.at_end)});
@@ -121,9 +123,14 @@ void print_text(const FiveProbeReport& report, const MeasuredDrift& drift, const
         "{}", wrapped("Nothing but these readings was logged, so thermal growth, wear and a changed set-up look alike. "
                       "A temperature of the spindle beside them, or the same part measured twice, tells them apart."));
   }
-  fmt::print("\n");
-  for (const std::string& text : thermal_test_texts(sheet.test)) fmt::print("{}", wrapped(text));
-  fmt::print("\n{}\n", range_table(sheet).text());
+  const bool is_thermal = sheet.test.kind != ThermalTestKind::unknown || !sheet.test.temperatures.empty() ||
+                          drift.axes.size() > 1;  // one size alone may be that of parts
+  if (is_thermal) {
+    fmt::print("\n");
+    for (const std::string& text : thermal_test_texts(sheet.test)) fmt::print("{}", wrapped(text));
+  }
+  fmt::print("\n{}\n", range_table(sheet.ranges, "range (max - min)").text());
+  if (!sheet.in_motion.empty()) fmt::print("{}\n", range_table(sheet.in_motion, "in motion only").text());
   if (steps.size() > 1) {
     Table table = step_table(drift, steps);
     if (!report.details) table.shorten(kStepsShown);
@@ -132,7 +139,7 @@ void print_text(const FiveProbeReport& report, const MeasuredDrift& drift, const
   }
   if (steps.size() < 2) {
     print_settling(sheet.settling, "row");
-    fmt::print("\n");
+    if (!sheet.settling.empty()) fmt::print("\n");
   } else {
     print_settling_of_steps(report, drift, steps);
   }
@@ -170,6 +177,43 @@ std::string complaint(const std::string& found, bool above_0) {
   return {};
 }
 
+// Rows without a time are often a table of positions and approaches. Its reversal is the mean of the approaches in one
+// direction less that in the other, which the names of the columns state (up, down; arrows).
+std::string table_complaint(const Series& series, const std::string& name) {
+  const std::string found = fmt::format("{}: expected readings over time, found rows without a time", name);
+  const auto target = std::find_if(series.columns.begin(), series.columns.end(), [](const Column& column) {
+    const auto is_not_rising = [](double a, double b) { return !(b > a); };
+    return unit_of(column.name) == "um" && column.values.size() > 1 &&
+           column.values.back() - column.values.front() > 1000.0 &&
+           std::adjacent_find(column.values.begin(), column.values.end(), is_not_rising) == column.values.end();
+  });
+  std::vector<const Column*> up, down;
+  for (const Column& column : series.columns) {
+    const std::string& head = column.header.empty() ? column.name : column.header;
+    const auto has = [&](const auto& words) {
+      return std::any_of(std::begin(words), std::end(words),
+                         [&](const char* word) { return head.find(word) != std::string::npos; });
+    };
+    if (has(std::array{"up", "Up", "UP", "↑"})) up.push_back(&column);
+    if (has(std::array{"down", "Down", "DOWN", "↓"})) down.push_back(&column);
+  }
+  if (target == series.columns.end() || up.empty() || down.empty())
+    return found + ". Of rows at equal intervals --every states the interval.";
+  std::vector<std::string> reversals;
+  for (std::size_t row = 0; row < target->values.size(); ++row) {
+    const auto mean = [&](const std::vector<const Column*>& of) {
+      double sum = 0.0;
+      for (const Column* column : of) sum += column->values[row];
+      return sum / static_cast<double>(of.size());
+    };
+    reversals.push_back(fmt::format("{:.4g} mm {:.2f}", mm_from_um(target->values[row]), mean(up) - mean(down)));
+  }
+  return fmt::format(
+      "{}: a table of {} positions with {} approaches up and {} down. It is no drift, and ISO 230-2 is not evaluated "
+      "here. Reversal (mean of up less mean of down), in the unit of the columns: {}.",
+      found, reversals.size(), up.size(), down.size(), fmt::join(reversals, "; "));
+}
+
 }  // namespace
 
 void report_five_probe(const FiveProbeReport& report) {
@@ -186,9 +230,8 @@ void report_five_probe(const FiveProbeReport& report) {
 }
 
 std::vector<SpeedStep> steps_of(const Series& series) {
-  const auto speed = std::find_if(series.columns.begin(), series.columns.end(),
-                                  [](const Column& column) { return column.role == Role::speed; });
-  return speed == series.columns.end() ? std::vector<SpeedStep>() : speed_steps(series.time_s, *speed);
+  const Column* motion = motion_of(series);
+  return motion == nullptr ? std::vector<SpeedStep>() : speed_steps(series.time_s, *motion);
 }
 
 void print_settling(const std::vector<AxisSettling>& settling, std::string_view first) {
@@ -276,15 +319,11 @@ bool lacks_units(const Series& series) {
 
 MeasuredDrift drift_of_log(const Series& series, const FivePointOptions& how, const std::string& name) {
   if (!is_five_probe(series) && !lacks_units(series)) {
+    if (!series.has_clock) throw Error(table_complaint(series, name));
     MeasuredDrift drift = measured(series, name);
-    if (!series.has_clock && !drift.axes.empty()) {
-      throw Error(fmt::format(
-          "{}: expected readings over time, found numbered rows of {}. A table of positions and approaches, as "
-          "ISO 230-2 has it, is no drift and is not evaluated here. Of rows at equal intervals --every states the "
-          "interval.",
-          name, fmt::join(column_names(series), ", ")));
-    }
-    if (!drift.axes.empty()) drift = since_reference(std::move(drift), how.reference_s);
+    if (!drift.axes.empty()) drift = since_reference(at_each_position(std::move(drift), series), how.reference_s);
+    const Column* motion = motion_of(series);
+    if (motion != nullptr && motion->role != Role::speed) drift = with_lengths(std::move(drift));
     if (!drift.axes.empty()) {
       drift.what = "displacements as logged";
       return drift;

@@ -65,6 +65,15 @@ FiveProbeDrift result_of(const MeasuredDrift& drift, const std::vector<SpeedStep
   return result;
 }
 
+// Neither measured, nor a length, nor a number such as that of a part; and it changes.
+bool may_cause(const Column& column) {
+  const std::string_view unit = unit_of(column.name);
+  if (column.role == Role::measured || unit.empty() || unit == "um" || unit == "mm") return false;
+  const auto other = std::find_if(column.values.begin(), column.values.end(),
+                                  [&](double value) { return std::isfinite(value) && value != column.values.front(); });
+  return other != column.values.end();
+}
+
 void write_rows(std::ostream& out, const Series& series) {
   constexpr std::string_view kTime = std::get<0>(kResult<SeriesRow>.fields).name;
   out << '[';
@@ -145,11 +154,25 @@ Series series_of(const DriftSeries& drift) {
 DriftSheet sheet_of(const MeasuredDrift& drift, std::span<const Series> signals, const std::vector<SpeedStep>& steps,
                     std::optional<double> stable_um) {
   const std::size_t n = drift.time_s.size();
-  DriftSheet sheet{thermal_test(signals, drift.time_s.front(), drift.time_s.back()),
-                   largest_drifts(drift),
-                   ranges_of(drift, 0, n),
-                   {}};
-  if (steps.size() < 2) sheet.settling = settling_of(drift, 0, n, stable_um);
+  DriftSheet sheet;
+  sheet.test = thermal_test(signals, drift.time_s.front(), drift.time_s.back());
+  sheet.largest = largest_drifts(drift);
+  sheet.ranges = ranges_of(drift, 0, n);
+  const bool is_alone = std::all_of(signals.begin(), signals.end(), [](const Series& series) {
+    return std::none_of(series.columns.begin(), series.columns.end(), &may_cause);
+  });
+  for (const DriftAxis& axis : drift.axes) {
+    if (!is_alone || signals.empty() || drift.method != "log" || axis.unit != "um") continue;
+    if (const std::optional<Course> course = course_of(drift.time_s, axis.value))
+      sheet.courses.push_back({axis.name, *course});
+  }
+  const bool is_at_rest = sheet.test.kind == ThermalTestKind::environment;  // it follows the room, and does not settle
+  if (steps.size() < 2 && !is_at_rest) sheet.settling = settling_of(drift, 0, n, stable_um);
+  const auto is_moving = [](const SpeedStep& step) { return std::abs(step.speed_rpm) > 1.0; };
+  if (steps.size() > 1 && std::count_if(steps.begin(), steps.end(), is_moving) == 1) {
+    const SpeedStep& step = *std::find_if(steps.begin(), steps.end(), is_moving);
+    sheet.in_motion = ranges_of(drift, step.begin, step.end);
+  }
   return sheet;
 }
 

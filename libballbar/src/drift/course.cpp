@@ -16,9 +16,12 @@ namespace {
 constexpr Eigen::Index kFewestReadings = 8, kBetweenSteps = 3;
 constexpr std::size_t kMostSteps = 3, kMostReadings = 2000;
 constexpr int kTimeConstants = 24;
+constexpr double kStepCosts = 3.0;  // parameters
 
 struct CourseFit {
-  double bic = std::numeric_limits<double>::infinity();
+  double squares = std::numeric_limits<double>::infinity();
+  double independent = 0.0;  // readings, as far as neighbouring residuals are not correlated
+  double penalty = 0.0;      // of BIC
   double noise_um = 0.0, tau_s = 0.0;
   Eigen::VectorXd gains, sigmas;    // a, b or c, steps
   std::vector<Eigen::Index> steps;  // their first rows
@@ -55,13 +58,14 @@ CourseFit fit_of(const Eigen::VectorXd& y, const Eigen::VectorXd& shape, double 
     const Eigen::HouseholderQR<Eigen::MatrixXd> parts(x);
     const Eigen::VectorXd gains = parts.solve(y), left = y - x * gains;
     const double squares = std::max(left.squaredNorm(), 1e-18);
-    const double bic = static_cast<double>(n) * std::log(squares / static_cast<double>(n)) +
-                       (1.0 + free_of_shape + 3.0 * static_cast<double>(steps.size())) * log_n;
-    if (bic >= best.bic) return best;
-    const double freedom = std::max(1.0, static_cast<double>(n - x.cols()));
     const double r = std::clamp(left.head(n - 1).dot(left.tail(n - 1)) / squares, 0.0, 0.9);
+    const double independent = static_cast<double>(n) * (1.0 - r) / (1.0 + r);
+    if (!steps.empty() && independent * std::log(best.squares / squares) <= kStepCosts * log_n) return best;
+    const double freedom = std::max(1.0, static_cast<double>(n - x.cols()));
     const Eigen::MatrixXd inverse = (x.transpose() * x).ldlt().solve(Eigen::MatrixXd::Identity(x.cols(), x.cols()));
-    best.bic = bic;
+    best.squares = squares;
+    best.independent = independent;
+    best.penalty = (1.0 + free_of_shape + kStepCosts * static_cast<double>(steps.size())) * log_n;
     best.noise_um = std::sqrt(squares / freedom);
     best.gains = gains;
     best.sigmas = best.noise_um * ((1.0 + r) / (1.0 - r) * inverse.diagonal()).cwiseMax(0.0).cwiseSqrt();
@@ -75,6 +79,10 @@ CourseFit fit_of(const Eigen::VectorXd& y, const Eigen::VectorXd& shape, double 
     x.col(x.cols() - 1).setZero();
     x.col(x.cols() - 1).tail(n - row).setOnes();
   }
+}
+
+double white_bic(const CourseFit& fit, Eigen::Index n) {
+  return static_cast<double>(n) * std::log(fit.squares) + fit.penalty;
 }
 
 }  // namespace
@@ -97,17 +105,24 @@ std::optional<Course> course_of(std::span<const double> time_s, std::span<const 
   const Eigen::VectorXd t = Eigen::VectorXd::Map(times.data(), n);
   const Eigen::VectorXd y = Eigen::VectorXd::Map(values.data(), n);
   std::array<CourseFit, 3> fits{fit_of(y, {}, 0.0), fit_of(y, t / 3600.0, 1.0), CourseFit{}};
-  const double least_s = 2.0 * median_step_s(times), most_s = 0.5 * (times.back() - times.front());
-  for (int k = 0; k < kTimeConstants; ++k) {
-    const double tau_s = least_s * std::pow(most_s / least_s, k / (kTimeConstants - 1.0));
+  const auto try_tau = [&](double tau_s) {
     CourseFit one = fit_of(y, (-t / tau_s).array().exp().matrix(), 2.0);
     one.tau_s = tau_s;
-    if (one.bic < fits[2].bic) fits[2] = std::move(one);
-  }
+    if (white_bic(one, n) < white_bic(fits[2], n)) fits[2] = std::move(one);
+  };
+  const double least_s = 2.0 * median_step_s(times), most_s = 0.5 * (times.back() - times.front());
+  const double factor = std::pow(most_s / least_s, 1.0 / kTimeConstants);
+  for (int k = 0; k <= kTimeConstants; ++k) try_tau(least_s * std::pow(factor, k));
+  const double near_s = fits[2].tau_s;
+  for (int k = 1 - kTimeConstants; k < kTimeConstants; ++k)
+    try_tau(near_s * std::pow(factor, static_cast<double>(k) / kTimeConstants));
+  const auto closest =
+      std::min_element(fits.begin(), fits.end(), [](const auto& a, const auto& b) { return a.squares < b.squares; });
+  const auto bic = [&](const CourseFit& one) { return closest->independent * std::log(one.squares) + one.penalty; };
   const auto best =
-      std::min_element(fits.begin(), fits.end(), [](const auto& a, const auto& b) { return a.bic < b.bic; });
+      std::min_element(fits.begin(), fits.end(), [&](const auto& a, const auto& b) { return bic(a) < bic(b); });
   double sum = 0.0;
-  for (const CourseFit& one : fits) sum += std::exp(0.5 * (best->bic - one.bic));
+  for (const CourseFit& one : fits) sum += std::exp(0.5 * (bic(*best) - bic(one)));
   Course course;
   course.shape = static_cast<CourseShape>(best - fits.begin());
   course.probability = 1.0 / sum;

@@ -30,12 +30,34 @@ bool is_same_but_for_capitals(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return small(x) == small(y); });
 }
 
-// The probe's column, in capitals or not.
+// Whether letters and digits of the name in a row are that word: "CH1_X1_um" has X1.
+bool word_of(std::string_view name, std::string_view word) {
+  const auto is_alnum = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  };
+  for (std::size_t begin = 0; begin < name.size();) {
+    std::size_t end = begin;
+    while (end < name.size() && is_alnum(name[end])) ++end;
+    if (end > begin && is_same_but_for_capitals(name.substr(begin, end - begin), word)) return true;
+    begin = end + 1;
+  }
+  return false;
+}
+
+// The probe's column, in capitals or not; else the only one in um with that word in its name.
 const Column* find_probe(const Series& series, std::string_view name) {
   if (const Column* column = find_column(series, name)) return column;
   const auto found = std::find_if(series.columns.begin(), series.columns.end(),
                                   [&](const Column& one) { return is_same_but_for_capitals(one.name, name); });
-  return found == series.columns.end() ? nullptr : &*found;
+  if (found != series.columns.end()) return &*found;
+  const std::string_view word = name.substr(0, name.find('_'));  // X1 of X1_um
+  const auto has_word = [&](const Column& one) {
+    return unit_of(one.name) == "um" && (word_of(one.name, word) || (word == "Z" && word_of(one.name, "Z1")));
+  };
+  const auto with_word = std::find_if(series.columns.begin(), series.columns.end(), has_word);
+  const bool is_one = with_word != series.columns.end() &&
+                      std::find_if(with_word + 1, series.columns.end(), has_word) == series.columns.end();
+  return is_one ? &*with_word : nullptr;
 }
 
 Columns probes_of(const Series& series, const FiveProbe& probe) {

@@ -169,8 +169,12 @@ MeasuredDrift since_reference(MeasuredDrift drift, std::optional<double> referen
       one.sigma[row] = 0.0;
     }
     if (!axis.budget.empty()) continue;
-    if (const std::optional<double> scatter = row_scatter(drift.time_s, axis.value)) {
-      const double noise = std::max(*scatter, resolution_of(axis.value) / std::sqrt(12.0));
+    std::vector<double> times, values;
+    for (std::size_t i = 0; i < axis.value.size(); ++i) {
+      if (std::isfinite(axis.value[i])) times.push_back(drift.time_s[i]), values.push_back(axis.value[i]);
+    }
+    if (const std::optional<double> scatter = row_scatter(times, values)) {
+      const double noise = std::max(*scatter, resolution_of(values) / std::sqrt(12.0));
       axis.budget.push_back(
           {"scatter of the rows", std::vector<double>(axis.value.size(), std::sqrt(2.0) * noise), false, true});
       axis.budget.back().sigma[row] = 0.0;

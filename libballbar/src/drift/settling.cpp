@@ -21,7 +21,8 @@ constexpr int kTaus = 20;         // of the grid from which the fit starts
 constexpr double kLongest = 3.0;  // time constant, times the stretch
 constexpr double kLeastBand_um = 2.0, kBandOfRange = 0.1;
 constexpr std::size_t kRowsOfFit = 2000;  // means of more
-constexpr double kMostShare = 0.5;        // sigma of the time, of it
+constexpr double kLeastOfTheWay = 0.75;
+constexpr double kMostShare = 0.5;  // sigma of the time, of it
 
 struct SettlingRows {
   Eigen::ArrayXd time_s;
@@ -231,6 +232,8 @@ std::optional<StableTime> stable_time(std::span<const double> time_s, std::span<
   stable.sigma_s = std::sqrt(std::max(0.0, time_square / sum - stable.time_s * stable.time_s));
   stable.final_sigma_um = std::sqrt(std::max(0.0, final_square / sum - stable.final_um * stable.final_um));
   stable.reached = stable.time_s < length_s;
+  // Of less than three quarters of the way a curve that settles, a trend and half a cycle look alike.
+  if (!stable.reached && stable.share_at_end < kLeastOfTheWay) return std::nullopt;
   const bool is_determined =
       stable.sigma_s <= std::max(kMostShare * stable.time_s, step_s) && std::isfinite(stable.sigma_s);
   return is_determined ? std::optional(stable) : std::nullopt;

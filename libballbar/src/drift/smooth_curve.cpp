@@ -104,6 +104,31 @@ double range_of_curve(std::span<const double> values) {
   return *most - *least;
 }
 
+// The curve; `take(draw, curve)` gets that of each draw of the bootstrap.
+template <class Take>
+std::vector<double> drawn_curves(std::span<const double> time_s, std::span<const double> values, Take take) {
+  const std::size_t n = values.size();
+  std::vector<double> steps(n, 0.0);
+  for (std::size_t i = 1; i < n; ++i) steps[i] = time_s[i] - time_s[i - 1];
+  const double step_s = median_step_s(time_s);
+  for (double& step : steps) step /= step_s;
+  double best = 0.0, least = std::numeric_limits<double>::infinity();
+  for (double log_ratio = kLeastLog; log_ratio <= kMostLog; log_ratio += kStepLog) {
+    const double deviance = Smoother(steps, std::pow(10.0, log_ratio)).deviance(values);
+    if (deviance < least) least = deviance, best = log_ratio;
+  }
+  Smoother smoother(steps, std::pow(10.0, best));
+  const std::vector<double> curve = smoother.curve(values);
+  const double sigma = std::sqrt(smoother.noise_variance(n));
+  std::mt19937_64 random(1);
+  std::vector<double> noisy(n);
+  for (int draw = 0; draw < kDraws; ++draw) {
+    for (std::size_t i = 0; i < n; ++i) noisy[i] = curve[i] + sigma * simulation::normal(random);
+    take(draw, smoother.curve(noisy));
+  }
+  return curve;
+}
+
 }  // namespace
 
 std::size_t average_blocks(std::vector<double>& time_s, std::vector<double>& values, std::size_t most) {
@@ -122,38 +147,43 @@ std::size_t average_blocks(std::vector<double>& time_s, std::vector<double>& val
 
 std::vector<Estimate> smooth_ranges(std::span<const double> time_s, std::span<const double> values,
                                     std::span<const std::pair<std::size_t, std::size_t>> windows) {
-  const std::size_t n = values.size();
-  std::vector<double> steps(n, 0.0);
-  for (std::size_t i = 1; i < n; ++i) steps[i] = time_s[i] - time_s[i - 1];
-  const double step_s = median_step_s(time_s);
-  for (double& step : steps) step /= step_s;
-  double best = 0.0, least = std::numeric_limits<double>::infinity();
-  for (double log_ratio = kLeastLog; log_ratio <= kMostLog; log_ratio += kStepLog) {
-    const double deviance = Smoother(steps, std::pow(10.0, log_ratio)).deviance(values);
-    if (deviance < least) least = deviance, best = log_ratio;
-  }
-  Smoother smoother(steps, std::pow(10.0, best));
-  const std::vector<double> curve = smoother.curve(values);
-  const double sigma = std::sqrt(smoother.noise_variance(n));
-  std::mt19937_64 random(1);
+  const auto range_in = [](std::span<const double> curve, const std::pair<std::size_t, std::size_t>& window) {
+    return range_of_curve(curve.subspan(window.first, window.second - window.first));
+  };
   Eigen::MatrixXd drawn(kDraws, static_cast<Eigen::Index>(windows.size()));
-  std::vector<double> noisy(n);
-  for (Eigen::Index draw = 0; draw < kDraws; ++draw) {
-    for (std::size_t i = 0; i < n; ++i) noisy[i] = curve[i] + sigma * simulation::normal(random);
-    const std::vector<double> again = smoother.curve(noisy);
+  const std::vector<double> curve = drawn_curves(time_s, values, [&](int draw, const std::vector<double>& again) {
     for (std::size_t w = 0; w < windows.size(); ++w)
-      drawn(draw, static_cast<Eigen::Index>(w)) =
-          range_of_curve(std::span(again).subspan(windows[w].first, windows[w].second - windows[w].first));
-  }
+      drawn(draw, static_cast<Eigen::Index>(w)) = range_in(again, windows[w]);
+  });
   std::vector<Estimate> ranges;
   for (std::size_t w = 0; w < windows.size(); ++w) {
     const auto of_draws = drawn.col(static_cast<Eigen::Index>(w)).array();
-    const double own = range_of_curve(std::span(curve).subspan(windows[w].first, windows[w].second - windows[w].first));
+    const double own = range_in(curve, windows[w]);
     const double added = of_draws.mean() - own;  // by noise; as uncertain as it is large
     const double scatter = std::sqrt((of_draws - of_draws.mean()).square().sum() / (kDraws - 1.0));
     ranges.push_back({std::max(0.0, own - added), std::hypot(scatter, added)});
   }
   return ranges;
+}
+
+std::vector<Estimate> smooth_changes(std::span<const double> time_s, std::span<const double> values,
+                                     std::size_t reference) {
+  const std::size_t n = values.size();
+  std::vector<std::vector<double>> drawn;
+  drawn.reserve(kDraws);
+  const std::vector<double> curve =
+      drawn_curves(time_s, values, [&](int /*draw*/, const std::vector<double>& again) { drawn.push_back(again); });
+  std::vector<Estimate> changes(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    changes[i].value_um = curve[i] - curve[reference];
+    double square = 0.0;
+    for (const std::vector<double>& again : drawn) {
+      const double off = again[i] - again[reference] - changes[i].value_um;
+      square += off * off;
+    }
+    changes[i].sigma_um = std::sqrt(square / kDraws);
+  }
+  return changes;
 }
 
 }  // namespace ballbar

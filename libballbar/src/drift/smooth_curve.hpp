@@ -24,4 +24,8 @@ std::size_t average_blocks(std::vector<double>& time_s, std::vector<double>& val
 std::vector<Estimate> smooth_ranges(std::span<const double> time_s, std::span<const double> values,
                                     std::span<const std::pair<std::size_t, std::size_t>> windows);
 
+// The curve less its value in the row `reference`, each with its sigma by the same bootstrap.
+std::vector<Estimate> smooth_changes(std::span<const double> time_s, std::span<const double> values,
+                                     std::size_t reference);
+
 }  // namespace ballbar

@@ -1,19 +1,25 @@
 #include "ballbar/drift/thermal_test.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "ballbar/series/speed_steps.hpp"
 #include "ballbar/units.hpp"
+#include "drift/smooth_curve.hpp"
 #include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kAtRest_rpm = 1.0, kAtRest_mm_per_min = 1.0, kAtRest_deg_per_min = 1.0;
+constexpr char kRotaryAxes[] = {'a', 'b', 'c'};
+constexpr std::size_t kFewestForCurve = 30, kMostOfCurve = 3000;
 constexpr double kDay_s = 86400.0, kShortRest_s = 600.0;
 constexpr double kLeastShare = 0.05;  // of the time at speed
 constexpr std::size_t kMostSpeeds = 20;
@@ -107,10 +113,10 @@ std::vector<TestLack> lacks_of(const ThermalTest& test) {
   return lacks;
 }
 
-// Whether a word of the name, of Latin letters alone, is the letter or d and the letter.
-bool has_word(std::string_view name, char letter) {
+// Whether a word of the name, of Latin letters alone, is the letter, or d and the letter if that is a difference too.
+bool has_word(std::string_view name, char letter, bool with_d = true) {
   std::string word;
-  const auto is_it = [&] { return word == std::string(1, letter) || word == std::string{'d', letter}; };
+  const auto is_it = [&] { return word == std::string(1, letter) || (with_d && word == std::string{'d', letter}); };
   for (const char c : name) {
     const bool is_large = c >= 'A' && c <= 'Z';
     if (is_large || (c >= 'a' && c <= 'z')) {
@@ -135,6 +141,70 @@ const DriftAxis* axis_along(const MeasuredDrift& drift, char letter) {
   return found;
 }
 
+// Drift since the reference at these rows, or where there are many, at the means of neighbours.
+struct Changes {
+  std::vector<double> time_s;
+  std::vector<Estimate> value;
+};
+
+Changes changes_of(const DriftAxis& axis, const MeasuredDrift& drift, const std::vector<std::size_t>& rows) {
+  Changes changes;
+  std::vector<double> values;
+  std::size_t reference = 0;
+  for (const std::size_t row : rows) {
+    if (std::abs(drift.time_s[row] - drift.reference_s) < std::abs(drift.time_s[rows[reference]] - drift.reference_s))
+      reference = values.size();
+    changes.time_s.push_back(drift.time_s[row]);
+    values.push_back(axis.value[row]);
+  }
+  const bool has_noise =
+      std::any_of(axis.budget.begin(), axis.budget.end(), [](const Contribution& one) { return one.noise; });
+  if (values.size() < kFewestForCurve || !has_noise) {
+    for (const std::size_t row : rows) changes.value.push_back({axis.value[row], sigma_of(axis, row)});
+    return changes;
+  }
+  const std::size_t block = average_blocks(changes.time_s, values, kMostOfCurve);
+  changes.value = smooth_changes(changes.time_s, values, std::min(reference / block, values.size() - 1));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    double square = changes.value[i].sigma_um * changes.value[i].sigma_um;
+    for (const Contribution& one : axis.budget) {
+      const double sigma = one.sigma[rows[std::min(i * block, rows.size() - 1)]];
+      if (!one.noise && std::isfinite(sigma)) square += sigma * sigma;
+    }
+    changes.value[i].sigma_um = std::sqrt(square);
+  }
+  return changes;
+}
+
+constexpr const char* kFeeds[] = {"mm_per_min", "deg_per_min"};
+constexpr double kAtRest = 1.0;  // rpm, mm/min, deg/min
+
+bool moves(const Column& column) {
+  return std::any_of(column.values.begin(), column.values.end(),
+                     [](double value) { return std::abs(value) > kAtRest; });
+}
+
+ThermalTestKind kind_of(const Column& column) {
+  if (column.role != Role::speed)
+    return unit_of(column.name) == kFeeds[0] ? ThermalTestKind::linear_axes : ThermalTestKind::rotary_axes;
+  const std::string& name = column.header.empty() ? column.name : column.header;
+  const bool is_axis = std::any_of(std::begin(kRotaryAxes), std::end(kRotaryAxes),
+                                   [&](char letter) { return has_word(name, letter, false); });
+  return is_axis ? ThermalTestKind::rotary_axes : ThermalTestKind::spindle;
+}
+
+// The first that moves: a speed, a feed, a turn.
+Signal moving(std::span<const Series> signals) {
+  const auto first = [&](auto is_it) {
+    return first_of(signals, [&](const Column& column) { return is_it(column) && moves(column); });
+  };
+  Signal signal = first([](const Column& column) { return column.role == Role::speed; });
+  for (const char* unit : kFeeds) {
+    if (signal.column == nullptr) signal = first([&](const Column& column) { return unit_of(column.name) == unit; });
+  }
+  return signal;
+}
+
 }  // namespace
 
 std::string_view name_of(ThermalTestKind kind) {
@@ -153,66 +223,77 @@ ThermalTest thermal_test(std::span<const Series> signals, double from_s, double 
   ThermalTest test;
   test.duration_s = to_s - from_s;
   test.temperatures = temperatures_of(signals, from_s, to_s);
-  const Signal speed = first_of(signals, [](const Column& column) { return column.role == Role::speed; });
-  const Signal feed = first_of(signals, [](const Column& column) { return unit_of(column.name) == "mm_per_min"; });
-  const Signal turn = first_of(signals, [](const Column& column) { return unit_of(column.name) == "deg_per_min"; });
   const auto name_of = [](const Column& column) { return column.header.empty() ? column.name : column.header; };
-  const auto take = [&](const Signal& signal, double at_rest, ThermalTestKind kind) {
-    if (signal.column == nullptr) return false;
-    const TimeAtSpeed motion = time_at_speed(signal, at_rest, from_s, to_s);
-    if (motion.largest <= at_rest) return false;
-    test.kind = kind;
+  if (const Signal signal = moving(signals); signal.column != nullptr) {
+    const TimeAtSpeed motion = time_at_speed(signal, kAtRest, from_s, to_s);
+    test.kind = kind_of(*signal.column);
     test.motion = name_of(*signal.column);
     test.running_s = motion.running_s;
     test.rest_after_s = motion.rest_after_s;
-    if (kind != ThermalTestKind::spindle) return true;
     double longest_s = 0.0;
     for (const auto& [size, lasts_s] : motion.levels) {
       longest_s = std::max(longest_s, lasts_s);
-      if (lasts_s >= kLeastShare * motion.running_s && test.speeds_rpm.size() < kMostSpeeds)
+      if (test.kind == ThermalTestKind::spindle && lasts_s >= kLeastShare * motion.running_s &&
+          test.speeds_rpm.size() < kMostSpeeds)
         test.speeds_rpm.push_back(size);
     }
     std::sort(test.speeds_rpm.begin(), test.speeds_rpm.end());
-    if (longest_s < (1.0 - kLeastShare) * motion.running_s) test.kind = ThermalTestKind::spindle_spectrum;
-    return true;
-  };
-  const bool is_moving = take(speed, kAtRest_rpm, ThermalTestKind::spindle) ||
-                         take(feed, kAtRest_mm_per_min, ThermalTestKind::linear_axes) ||
-                         take(turn, kAtRest_deg_per_min, ThermalTestKind::rotary_axes);
-  if (!is_moving && speed.column != nullptr) {
+    if (test.kind == ThermalTestKind::spindle && longest_s < (1.0 - kLeastShare) * motion.running_s)
+      test.kind = ThermalTestKind::spindle_spectrum;
+  } else if (const Signal still = first_of(signals, [](const Column& column) { return column.role == Role::speed; });
+             still.column != nullptr) {
     test.kind = ThermalTestKind::environment;
-    test.motion = name_of(*speed.column);
+    test.motion = name_of(*still.column);
   }
   test.lacks = lacks_of(test);
   return test;
 }
 
+const Column* motion_of(const Series& series) { return moving(std::span(&series, 1)).column; }
+
 std::vector<LargestDrift> largest_drifts(const MeasuredDrift& drift) {
   std::vector<LargestDrift> all;
-  const auto take = [](std::optional<LargestDrift>& largest, const LargestDrift& one) {
-    if (!largest || std::abs(one.drift.value_um) > std::abs(largest->drift.value_um)) largest = one;
-  };
+  const std::size_t n = drift.time_s.size();
+  std::vector<std::size_t> rows(n);
   for (const DriftAxis& axis : drift.axes) {
-    std::optional<LargestDrift> largest;
-    for (std::size_t row = 0; row < axis.value.size(); ++row) {
-      if (std::isnan(axis.value[row])) continue;
-      take(largest, {axis.name, axis.unit, {axis.value[row], sigma_of(axis, row)}, drift.time_s[row]});
+    rows.resize(n);
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    std::erase_if(rows, [&](std::size_t row) { return std::isnan(axis.value[row]); });
+    const Changes changes = changes_of(axis, drift, rows);
+    if (rows.empty()) continue;
+    std::size_t largest = 0;
+    for (std::size_t i = 1; i < changes.value.size(); ++i) {
+      if (std::abs(changes.value[i].value_um) > std::abs(changes.value[largest].value_um)) largest = i;
     }
-    if (largest) all.push_back(*largest);
+    all.push_back({axis.name, axis.unit, changes.value[largest], changes.time_s[largest]});
   }
-  const DriftAxis* const axes[] = {axis_along(drift, 'x'), axis_along(drift, 'y'), axis_along(drift, 'z')};
+  std::vector<const DriftAxis*> axes;
+  std::string name;
+  for (const char letter : {'x', 'y', 'z'}) {
+    const DriftAxis* axis = axis_along(drift, letter);
+    if (axis == nullptr || axis->unit != "um") continue;
+    axes.push_back(axis);
+    name += fmt::format("{}{}", name.empty() ? "combined " : ", ", letter);
+  }
+  if (axes.size() < 2) return all;
+  rows.resize(n);
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  std::erase_if(rows, [&](std::size_t row) {
+    return std::any_of(axes.begin(), axes.end(), [&](const DriftAxis* axis) { return std::isnan(axis->value[row]); });
+  });
+  if (rows.empty()) return all;
+  std::vector<Changes> each;
+  for (const DriftAxis* axis : axes) each.push_back(changes_of(*axis, drift, rows));
   std::optional<LargestDrift> largest;
-  for (std::size_t row = 0; row < drift.time_s.size(); ++row) {
-    const auto of = [&](const DriftAxis* axis) -> std::optional<Estimate> {
-      if (axis == nullptr || axis->unit != "um" || std::isnan(axis->value[row])) return std::nullopt;
-      return Estimate{axis->value[row], sigma_of(*axis, row)};
-    };
+  for (std::size_t i = 0; i < each.front().value.size(); ++i) {
     DriftPoint point;
-    point.x = of(axes[0]), point.y = of(axes[1]), point.z = of(axes[2]);
-    if (const std::optional<Estimate> one = combined_drift(point))
-      take(largest, {"combined", "um", *one, drift.time_s[row]});
+    point.x = each[0].value[i], point.y = each[1].value[i];
+    if (axes.size() == 3) point.z = each[2].value[i];
+    const Estimate one = *combined_drift(point);
+    if (!largest || one.value_um > largest->drift.value_um)
+      largest = LargestDrift{axes.size() == 3 ? "combined" : name, "um", one, each.front().time_s[i]};
   }
-  if (largest) all.push_back(*largest);
+  all.push_back(*largest);
   return all;
 }
 

@@ -6,8 +6,9 @@
 //
 // Least squares. At most three steps, one by one where each lowers the sum of squares most, at least three readings
 // from the ends and from each other. Shapes and steps by BIC, where a step costs three parameters (Zhang and Siegmund,
-// Biometrics 63 (2007) 22); the probability of a shape is exp(-BIC / 2) over the sum of the three. The sigmas are those
-// of the fit, times (1 + r) / (1 - r) in variance, r the correlation of neighbouring residuals.
+// Biometrics 63 (2007) 22) and the n readings count as n (1 - r) / (1 + r), r the correlation of neighbouring
+// residuals. The probability of a shape is exp(-BIC / 2) over the sum of the three. The sigmas are those of the fit,
+// times (1 + r) / (1 - r) in variance.
 //
 // Readings alone do not tell why a size changes: thermal growth, wear and a changed set-up may have one course.
 #pragma once

@@ -10,6 +10,8 @@
 //   an axis moves and the spindle rests or has no column                linear_axes, rotary_axes
 //   none of these columns                                               unknown
 //
+// Where the column of a speed has the letter of a rotary axis as a word (A, B, C: "n_C_axis"), it is that of the axis.
+//
 // Two speeds are one if they differ by at most 2 % of the largest speed (speed_steps.hpp), ramps included.
 #pragma once
 
@@ -58,16 +60,21 @@ struct ThermalTest {
 // Of what was logged from `from_s` to `to_s`. O(rows).
 ThermalTest thermal_test(std::span<const Series> signals, double from_s, double to_s);
 
+// The column of the speed or feed that moves, as above; nullptr: none.
+const Column* motion_of(const Series& series);
+
 // The largest drift from the reference, and when.
 struct LargestDrift {
-  std::string axis;  // "combined": root of the sum of squares of x, y and z
+  std::string axis;  // "combined": root of the sum of squares of x, y and z; "combined x, y" of two of them
   std::string unit;
   Estimate drift;
   double time_s = 0.0;
 };
 
-// One for each axis that has a value; "combined" last, if two of x, y and z or all three have one in the same row. An
-// axis is x if its name is x, or if it alone has a word x or dx in its name ("Probe_X", "dX", "X-Abw").
+// One for each axis that has a value; "combined" last, of the rows in which x, y and z have one, or those two of them
+// that there are. From 30 rows on, those whose noise is found in their scatter are the smoothing spline of range_of(),
+// less its value at the reference: the largest of noisy rows is too large. Others are the rows themselves. An axis is x
+// if its name is x, or if it alone has a word x or dx in its name ("Probe_X", "dX", "X-Abw").
 std::vector<LargestDrift> largest_drifts(const MeasuredDrift& drift);
 std::vector<LargestDrift> largest_drifts(const DriftSeries& series);
 

@@ -205,14 +205,15 @@ inline constexpr auto kResult<AxisCourse> = ResultType{
 struct DriftSheet {
   ThermalTest test;
   std::vector<LargestDrift> largest;
-  TableOf<AxisRange> ranges;
-  std::vector<AxisSettling> settling;  // of one speed
-  std::vector<AxisCourse> courses;     // where nothing else was logged
+  TableOf<AxisRange> ranges, in_motion;  // of the record, and of its only stretch in motion
+  std::vector<AxisSettling> settling;    // of one speed
+  std::vector<AxisCourse> courses;       // where nothing else was logged
 };
 inline constexpr auto kSheetFields =
     std::tuple{Field{"thermal_test", &DriftSheet::test, "which it is, and what it lacks"},
                Field{"largest", &DriftSheet::largest, "of each axis, and combined"},
                Field{"ranges", &DriftSheet::ranges, "by axis"},
+               Field{"ranges_in_motion", &DriftSheet::in_motion, "of the only stretch of one speed or feed"},
                Field{"stability", &DriftSheet::settling, "when each axis is stable, where the speed is one"},
                Field{"courses", &DriftSheet::courses, "trend and steps, where nothing but the drift was logged"}};
 
