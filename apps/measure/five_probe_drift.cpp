@@ -219,7 +219,7 @@ std::string table_complaint(const Series& series, const std::string& name) {
 void report_five_probe(const FiveProbeReport& report) {
   const MeasuredDrift drift = drift_of_log(report.series, report.how, report.title);
   const std::vector<SpeedStep> steps = steps_of(report.series);
-  const DriftSheet sheet = sheet_of(drift, std::span(&report.series, 1), steps, report.stable_um);
+  const DriftSheet sheet = sheet_of_log(drift, report.series, report.stable_um);
   for (const std::string& path : report.out) write_drift(drift, steps, sheet, path);
   if (report.json) {
     print_json_text(json_text(drift, steps, sheet, report.stable_um));
@@ -317,19 +317,26 @@ bool lacks_units(const Series& series) {
   });
 }
 
+MeasuredDrift measured_drift_of(const Series& series, std::optional<double> reference_s, const std::string& name) {
+  MeasuredDrift drift = measured(series, name);
+  if (drift.axes.empty()) return drift;
+  drift = since_reference(at_each_position(std::move(drift), series), reference_s);
+  drift.what = "displacements as logged";
+  const Column* motion = motion_of(series);
+  return motion != nullptr && motion->role != Role::speed ? with_lengths(std::move(drift)) : drift;
+}
+
 MeasuredDrift drift_of_log(const Series& series, const FivePointOptions& how, const std::string& name) {
   if (!is_five_probe(series) && !lacks_units(series)) {
     if (!series.has_clock) throw Error(table_complaint(series, name));
-    MeasuredDrift drift = measured(series, name);
-    if (!drift.axes.empty()) drift = since_reference(at_each_position(std::move(drift), series), how.reference_s);
-    const Column* motion = motion_of(series);
-    if (motion != nullptr && motion->role != Role::speed) drift = with_lengths(std::move(drift));
-    if (!drift.axes.empty()) {
-      drift.what = "displacements as logged";
-      return drift;
-    }
+    MeasuredDrift drift = measured_drift_of(series, how.reference_s, name);
+    if (!drift.axes.empty()) return drift;
   }
   return five_point_of(series, how, name);
+}
+
+DriftSheet sheet_of_log(const MeasuredDrift& drift, const Series& series, std::optional<double> stable_um) {
+  return sheet_of(drift, std::span(&series, 1), steps_of(series), stable_um);
 }
 
 MeasuredDrift five_point_of(const Series& series, const FivePointOptions& how, const std::string& name) {

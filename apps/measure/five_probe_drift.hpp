@@ -55,6 +55,11 @@ MeasuredDrift five_point_of(const Series& series, const FivePointOptions& how, c
 // The numbers of its sheet, with the signals of the session.
 DriftSheet sheet_of_session(const SessionFiles& files, const DriftSeries& drift, std::optional<double> stable_um = {});
 
+// Of the measured columns of a series; without axes where it has none that may be a drift.
+MeasuredDrift measured_drift_of(const Series& series, std::optional<double> reference_s, const std::string& name);
+// The numbers of its sheet, with the columns of its series.
+DriftSheet sheet_of_log(const MeasuredDrift& drift, const Series& series, std::optional<double> stable_um = {});
+
 // Of five probes, else of the columns that were measured. Throws Error where there is neither.
 MeasuredDrift drift_of_log(const Series& series, const FivePointOptions& how, const std::string& name);
 std::vector<SpeedStep> steps_of(const Series& series);  // of its speed; none: it has no column of it

@@ -174,7 +174,10 @@ std::string handover_of(const Json& report, const std::vector<std::string>& choi
       drawn("--format pdf", "draw_handover", fmt::format("{},{}", as_argument(report), as_script(Json(choices))));
   expect_choices(answer);
   if (answer["drawn"].empty()) {
-    throw Error("--format pdf: expected one ballbar test of two linear axes, with readings, found another report.");
+    throw Error(
+        "--format pdf: expected one ballbar test of two linear axes, with readings, or a drift over time without "
+        "--model, "
+        "found another report.");
   }
   return answer["drawn"][0]["svg"].get<std::string>();
 }

@@ -191,7 +191,7 @@ void add_report(CLI::App& app) {
                    "or one sheet (.pdf)")
       ->type_name("FILE");
   add_choice(*command, "--format", {"html", "svg", "json", "pdf"}, "by the name of --out",
-             "html: the page; svg: its pictures; json: its data; pdf: one ballbar test on one sheet",
+             "html: the page; svg: its pictures; json: its data; pdf: one ballbar or thermal test on one sheet",
              [options](std::size_t at) { options->chosen_format = static_cast<Format>(at); });
   command->add_flag("--json", options->json, "print the data of the page as JSON");
   command->add_option("--picture", options->pictures.names, "with --format svg: only this picture; may be repeated")

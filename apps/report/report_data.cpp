@@ -128,7 +128,9 @@ void add_session(Report& made, const SessionFiles& files, const ReportRequest& o
   add_skipped(made, files.skipped);
   const DriftSeries drift = drift_of(session);
   made.page.drift.value = drift;
-  for (const std::string& largest : largest_texts(largest_drifts(drift))) made.conclude(fmt::format("Largest drift: {}.", largest));
+  for (const std::string& largest : largest_texts(largest_drifts(drift)))
+    made.conclude(fmt::format("Largest drift: {}.", largest));
+  if (options.model.model.empty() && drift.points.size() > 1) made.page.thermal.value = sheet_of_session(files, drift);
   if (files.five_probe) {
     const Series probes = open_series(*files.five_probe);
     made.page.five_probe.value =
@@ -145,6 +147,10 @@ void add_series(Report& made, const Series& series, const ReportRequest& options
   if (is_five_probe(series) || options.probes.any()) {
     const Series with = stated(series, options.probes);
     made.page.five_probe.value = five_point_of(with, place_of(with, options.probes), file_name(path));
+    if (options.model.model.empty()) made.page.thermal.value = sheet_of_log(*made.page.five_probe.value, with);
+  } else if (options.model.model.empty() && series.has_clock) {
+    const MeasuredDrift drift = measured_drift_of(series, {}, file_name(path));
+    if (!drift.axes.empty()) made.page.thermal.value = sheet_of_log(drift, series);
   }
   made.page.head.signals.push_back(signals_part(file_name(path), series));
 }

@@ -65,6 +65,7 @@ struct PageReport {
   MayLack<std::vector<SkippedFile>> skipped;
   MayLack<DriftSeries> drift;
   MayLack<MeasuredDrift> five_probe;
+  MayLack<DriftSheet> thermal;
   MayLack<Comparison> compare;
   ModelPart model;
   MayLack<BatchJob> batch;
@@ -80,7 +81,8 @@ inline constexpr auto kResult<PageReport> = ResultType{
                    Field{"test_comparisons", &PageReport::test_comparisons, "one a plane"},
                    Field{"skipped", &PageReport::skipped, "files that cannot be read, by their names"},
                    Field{"drift", &PageReport::drift, "of a session"}, Field{"five_probe", &PageReport::five_probe, ""},
-                   Field{"compare", &PageReport::compare, "of two drifts"}},
+                   Field{"thermal", &PageReport::thermal, "the sheet of a thermal test, without a model"},
+               Field{"compare", &PageReport::compare, "of two drifts"}},
         fields_through(&PageReport::model, kModelPartDrawn),
         std::tuple{Field{"batch", &PageReport::batch, "with a model of train"}})};
 

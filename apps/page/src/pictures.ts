@@ -3,6 +3,7 @@ import type { Picture, State } from "./picture";
 import type { Report } from "./report";
 import { sections_of } from "./sections";
 import { handover_sheet, kSheet_px } from "./handover/handover";
+import { thermal_sheet } from "./handover/thermal_sheet";
 import { kErrors_picture } from "./machine_errors/errors_pictures";
 import { initial_state, kCaption_px, sheet, svg_file } from "./figure/still";
 
@@ -65,7 +66,10 @@ const draw_sheet = (report: Report, width_px: number): Answer => {
 
 // One test on a sheet of A4 for `--format pdf`; none where the report is of no test or several. `choices`: "error=NAME".
 const draw_handover = (report: Report, choices: readonly string[]): Answer => {
-  const picture = pictures_of(report).find(({ name }) => name === kErrors_picture);
+  const pictures = pictures_of(report);
+  const thermal = thermal_sheet(report, pictures);
+  if (thermal !== null) return { drawn: [{ name: "handover", title: report.title, svg: thermal }] };
+  const picture = pictures.find(({ name }) => name === kErrors_picture);
   if (!picture) return { drawn: [] };
   const state = state_with(picture, kSheet_px.width, choices);
   if (!("look" in state)) return state;

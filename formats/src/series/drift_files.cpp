@@ -172,6 +172,7 @@ DriftSheet sheet_of(const MeasuredDrift& drift, std::span<const Series> signals,
   if (steps.size() > 1 && std::count_if(steps.begin(), steps.end(), is_moving) == 1) {
     const SpeedStep& step = *std::find_if(steps.begin(), steps.end(), is_moving);
     sheet.in_motion = ranges_of(drift, step.begin, step.end);
+    sheet.settling = settling_of(drift, step.begin, step.end, stable_um);
   }
   return sheet;
 }

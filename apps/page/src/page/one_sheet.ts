@@ -3,6 +3,8 @@
 import { button, element } from "../elements/elements";
 import { handover_sheet, kSheet_px } from "../handover/handover";
 import { section_sheet } from "../handover/section_sheet";
+import { thermal_sheet } from "../handover/thermal_sheet";
+import { sections_of } from "../sections";
 import type { Section, State } from "../picture";
 import { kErrors_picture } from "../machine_errors/errors_pictures";
 import type { Report } from "../report";
@@ -24,7 +26,9 @@ export const one_sheet = (report: Report, first: Section | undefined, shared: Sh
   if (!first || name === undefined) return null;
   const figure = shared.figures.get(name);
   const drawing = (state: State | undefined): string | null =>
-    (name === kErrors_picture ? handover_sheet(report, state?.chosen["error"]) : null) ?? section_sheet(report, first, state, shared.asked ?? "");
+    (name === kErrors_picture ? handover_sheet(report, state?.chosen["error"]) : null) ??
+    (first.id === "drift" || first.id === "signals" ? thermal_sheet(report, sections_of(report).flatMap(({ pictures = [] }) => pictures)) : null) ??
+    section_sheet(report, first, state, shared.asked ?? "");
   const image = element("img", { alt: t.handover, width: String(kSheet_px.width), height: String(kSheet_px.height) });
   const draw = (): void => {
     image.src = as_address(drawing(figure?.state()) ?? "");

@@ -206,7 +206,7 @@ struct DriftSheet {
   ThermalTest test;
   std::vector<LargestDrift> largest;
   TableOf<AxisRange> ranges, in_motion;  // of the record, and of its only stretch in motion
-  std::vector<AxisSettling> settling;    // of one speed
+  std::vector<AxisSettling> settling;    // of one speed, or of the stretch in motion
   std::vector<AxisCourse> courses;       // where nothing else was logged
 };
 inline constexpr auto kSheetFields =
@@ -214,7 +214,7 @@ inline constexpr auto kSheetFields =
                Field{"largest", &DriftSheet::largest, "of each axis, and combined"},
                Field{"ranges", &DriftSheet::ranges, "by axis"},
                Field{"ranges_in_motion", &DriftSheet::in_motion, "of the only stretch of one speed or feed"},
-               Field{"stability", &DriftSheet::settling, "when each axis is stable, where the speed is one"},
+               Field{"stability", &DriftSheet::settling, "when each axis is stable, of a record of one speed, or of its only stretch in motion"},
                Field{"courses", &DriftSheet::courses, "trend and steps, where nothing but the drift was logged"}};
 
 template <>
