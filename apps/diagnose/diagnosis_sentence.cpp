@@ -74,9 +74,12 @@ std::string effect_text(const Diagnosis& d, const BoundEffect& bound) {
     if (std::string jump = jump_text(d, *one); !jump.empty()) return jump;
   }
   const bool sized = one != nullptr && one->amplitude_um > 0.0;
+  const double size_um = sized ? said_um(d, one->amplitude_um) : 0.0;
   const std::string sure = sure_text(p_of(d, bound)) + (one != nullptr && one->minor ? ", minor" : "");
   return fmt::format("{}, {}: {}{}", label_of(bound), in_words(*bound.effect),
-                     sized ? fmt::format("{} um ({})", size_text(said_um(d, one->amplitude_um)), sure) : sure,
+                     sized ? fmt::format("{}{} um ({})", size_um < one->amplitude_um ? "" : coefficient_text(*one),
+                                         size_text(size_um), sure)
+                           : sure,
                      one != nullptr ? time_text(*one) : "");
 }
 

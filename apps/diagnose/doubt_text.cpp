@@ -1,5 +1,13 @@
 #include "diagnose/doubt_text.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/number_text.hpp"
+#include "terminal/terminal_table.hpp"
+
 namespace ballbar {
 
 std::string text_of(Doubt doubt, const Effect& effect) {
@@ -35,6 +43,15 @@ std::vector<std::string> doubt_texts(const Candidate& candidate) {
   texts.reserve(candidate.doubts.size());
   for (const Doubt doubt : candidate.doubts) texts.push_back(text_of(doubt, *candidate.bound.effect));
   return texts;
+}
+
+std::string coefficient_text(const Candidate& candidate) {
+  const auto gain =
+      std::find_if(candidate.parameters.begin(), candidate.parameters.end(),
+                   [](const FittedParameter& one) { return one.unit == "um/K" && one.kind == ParameterKind::gain; });
+  if (gain == candidate.parameters.end() || gain->value == 0.0 || !std::isfinite(gain->sigma)) return "";
+  return fmt::format("{} um/K, over {:.2g} K ", with_sigma(gain->value, gain->sigma, decimals_showing(2, gain->sigma)),
+                     candidate.amplitude_um / std::abs(gain->value));
 }
 
 }  // namespace ballbar

@@ -162,7 +162,13 @@ std::string conclusion(const EffectTest& effect_test) {
 }
 
 std::string tables(const EffectTest& effect_test, bool details) {
-  std::string text = figures(effect_test).text(table_width()) + "\n" + added_table(effect_test).text(table_width());
+  std::string text;
+  for (const Candidate& tried : effect_test.added) {
+    if (const std::string coefficient = coefficient_text(tried); !coefficient.empty())
+      text += wrapped(fmt::format("{}: {}{} um.", tried.label, coefficient, size_text(tried.amplitude_um)));
+  }
+  if (!text.empty()) text += "\n";
+  text += figures(effect_test).text(table_width()) + "\n" + added_table(effect_test).text(table_width());
   if (!details) return text;
   if (!effect_test.earlier.empty()) text += "\n" + earlier_table(effect_test).text(table_width());
   text += "\n" + parameter_table(effect_test).text(table_width());

@@ -97,7 +97,8 @@ std::string common_unit(const Comparison& comparison) {
 }
 
 std::string with_unit(const std::string& value, const AxisComparison& axis, const std::string& common) {
-  return common.empty() && !axis.unit.empty() && value != kNone ? value + " " + axis.unit : value;
+  return common.empty() && !axis.unit.empty() && value.find(" ± ") != std::string::npos ? value + " " + axis.unit
+                                                                                        : value;
 }
 
 Table statistics(const Comparison& comparison, bool all) {
@@ -183,7 +184,9 @@ std::string structure_text(const Comparison& comparison) {
     for (const AxisComparison& axis : comparison.axes) {
       const auto part = axis.structure ? axis.structure->parts[static_cast<std::size_t>(kind)] : std::nullopt;
       const bool is_length = kind == DifferenceKind::offset || kind == DifferenceKind::drift;
-      const std::string value = part ? with_sigma(scale * (part->value - zero), scale * part->sigma, decimals) : kNone;
+      const std::string value = part ? with_sigma(scale * (part->value - zero), scale * part->sigma, decimals)
+                                : axis.structure ? "not determined"
+                                                 : kNone;
       cells.push_back(is_length ? with_unit(value, axis, unit) : value);
     }
     table.add(cells);

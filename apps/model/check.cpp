@@ -114,6 +114,8 @@ void print_text(const ResidualReport& residual_report, const std::string& title,
   const std::string faults = faults_text(residual_report);
   fmt::print("{}\n{}\n\n{}{}", title, heading(fit), faults, faults.empty() ? "" : "\n");
   print_sentences(residual_report);
+  if (!residual_report.coefficients.empty()) fmt::print("\n");
+  for (const std::string& text : coefficient_texts(residual_report.coefficients)) fmt::print("{}", wrapped(text));
   if (details || fit.parameters.size() <= kParametersShown) {
     Table table({"effect", "parameter", "value", "unit", "correlated most with"});
     add_parameters(table, fit, "");

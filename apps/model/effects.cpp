@@ -150,6 +150,11 @@ void print_page(const Effect& effect) {
     }
     fmt::print("{}\n", parameters.left_aligned());
   }
+  for (const Parameter& parameter : effect.parameters) {
+    if (!parameter.usual.empty())
+      print_part("Usual", fmt::format("{} of {:g} to {:g} {}: {}.", parameter.name, parameter.usual_low,
+                                      parameter.usual_high, parameter.unit, parameter.usual));
+  }
   print_part("Confused with", fmt::format("{}", fmt::join(page.confused_with, ", ")));
   if (!effect.rules.becomes.empty()) print_part("Becomes", effect.rules.becomes + ", at the limits of its parameters");
   print_part("Distinguished by", page.separated_by);

@@ -18,6 +18,14 @@ inline constexpr auto kResult<Input> =
                std::tuple{Field{"role", &Input::role, ""}, Field{"units", &Input::units, "accepted"},
                           Field{"meaning", &Input::meaning, ""}}};
 
+template <auto kBound>
+MayLack<double> usual_of(const Parameter& of) {
+  return {of.usual.empty() ? std::nullopt : std::optional(of.*kBound)};
+}
+inline MayLack<std::string> usual_source(const Parameter& of) {
+  return {of.usual.empty() ? std::nullopt : std::optional(of.usual)};
+}
+
 template <>
 inline constexpr auto kResult<Parameter> = ResultType{
     "EffectParameter", "A parameter of an effect.",
@@ -26,7 +34,10 @@ inline constexpr auto kResult<Parameter> = ResultType{
                Field{"lower", &Parameter::lower, "bound; null: none"},
                Field{"upper", &Parameter::upper, "bound; null: none"},
                Field{"held", &Parameter::held, "whether a model that does not name it keeps it at its start"},
-               Field{"meaning", &Parameter::meaning, ""}}};
+               Field{"meaning", &Parameter::meaning, ""},
+               Field{"usual_low", &usual_of<&Parameter::usual_low>, "of its size on machines, where it is known"},
+               Field{"usual_high", &usual_of<&Parameter::usual_high>, ""},
+               Field{"usual", &usual_source, "where that range comes from"}}};
 
 inline constexpr auto kEffectPage =
     std::tuple{Field{"summary", &Explanation::summary, "in a line"},

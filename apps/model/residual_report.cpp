@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -51,6 +52,26 @@ void print_sentences(const ResidualReport& residual_report) {
   for (const std::string& sentence : sentences(residual_report.fit, residual_report.where, residual_report.whiteness)) {
     fmt::print("{}", wrapped(sentence));
   }
+}
+
+std::vector<std::string> coefficient_texts(const std::vector<Coefficient>& coefficients) {
+  std::vector<std::string> texts;
+  const auto text_of = [](const Estimate& one) {
+    return with_sigma(one.value_um, one.sigma_um,
+                      decimals_showing(2, std::isfinite(one.sigma_um) ? one.sigma_um : one.value_um));
+  };
+  for (const Coefficient& one : coefficients) {
+    std::string text =
+        fmt::format("{}: {} {}, over {:.3g} K {} um", one.effect,
+                    std::isfinite(one.value.sigma_um) ? text_of(one.value) : fmt::format("{:.4g}", one.value.value_um),
+                    one.unit, one.span_K, size_text(one.size_um));
+    if (one.rising && one.falling)
+      text += fmt::format("; {} while it rises, {} while it falls", text_of(*one.rising), text_of(*one.falling));
+    if (!is_usual(one))
+      text += fmt::format(". Usual are {:g} to {:g} {} ({})", one.usual_low, one.usual_high, one.unit, one.usual);
+    texts.push_back(text + ".");
+  }
+  return texts;
 }
 
 int decimals_of(double rmse_um) { return std::max(2, decimals_showing(2, rmse_um)); }

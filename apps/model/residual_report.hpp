@@ -9,6 +9,7 @@
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/fit/parameter_correlation.hpp"
 #include "ballbar/fit/residual.hpp"
+#include "ballbar/formats/results/drift_results.hpp"
 #include "ballbar/formats/results/fit_results.hpp"
 #include "ballbar/workbench/workbench.hpp"
 #include "model/column_fault_text.hpp"
@@ -30,6 +31,10 @@ std::string faults_text(const ResidualReport& report, const std::vector<FaultKin
 // The three sentences, wrapped.
 void print_sentences(const ResidualReport& residual_report);
 
+// "expansion(T_degC): 3.53 ± 0.02 um/K, over 9.1 K 32 um; 3.5 ± 0.1 while it rises, 3.6 ± 0.1 while it falls", a line
+// each.
+std::vector<std::string> coefficient_texts(const std::vector<Coefficient>& coefficients);
+
 // RMSE, the floor with its source, and the effective number of values.
 std::string floor_text(const Fit& fit);
 
@@ -38,6 +43,20 @@ int decimals_of(double rmse_um);
 
 // Absent if not known.
 std::optional<double> floor_um(const ResidualReport& report);
+
+template <>
+inline constexpr auto kResult<Coefficient> = ResultType{
+    "Coefficient", "The coefficient of an effect of one temperature.",
+    std::tuple{Field{"effect", &Coefficient::effect, ""}, Field{"column", &Coefficient::column, ""},
+               Field{"value_um_per_K", [](const Coefficient& of) { return of.value.value_um; }, ""},
+               Field{"sigma_um_per_K", [](const Coefficient& of) { return of.value.sigma_um; }, "null: held"},
+               Field{"span_K", &Coefficient::span_K, "of the column in the fitted rows"},
+               Field{"size_um", &Coefficient::size_um, "of the effect there, largest less smallest"},
+               Field{"rising_um_per_K", value_um(&Coefficient::rising), "while the effect rises"},
+               Field{"rising_sigma_um_per_K", sigma_um(&Coefficient::rising), ""},
+               Field{"falling_um_per_K", value_um(&Coefficient::falling), "while it falls"},
+               Field{"falling_sigma_um_per_K", sigma_um(&Coefficient::falling), ""},
+               Field{"is_usual", &is_usual, "within the range of the page of the effect, or none is known"}}};
 
 // What `check --json` prints of one target.
 inline constexpr auto kResidualReportFigures =
@@ -68,11 +87,13 @@ inline constexpr auto kResidualReportEnd = std::tuple{
 template <>
 inline constexpr auto kResult<ResidualReport> = ResultType{
     "Checked", "A model fitted, and where it fails.",
-    std::tuple_cat(kResidualReportFigures, kResidualReportDetails, kResidualReportEnd,
-                   std::tuple{Field{"n_set_aside", [](const ResidualReport& of) { return of.fit.set_aside.size(); },
-                                    "readings far from their neighbours, which are not in n"},
-                              Field{"faults", &ResidualReport::faults, "of columns, that bear on what is said"},
-                              Field{"remarks", [](const ResidualReport& of) { return of.fit.remarks; }, ""}})};
+    std::tuple_cat(
+        kResidualReportFigures, kResidualReportDetails, kResidualReportEnd,
+        std::tuple{Field{"n_set_aside", [](const ResidualReport& of) { return of.fit.set_aside.size(); },
+                         "readings far from their neighbours, which are not in n"},
+                   Field{"coefficients", &ResidualReport::coefficients, "um/K of each effect of one temperature"},
+                   Field{"faults", &ResidualReport::faults, "of columns, that bear on what is said"},
+                   Field{"remarks", [](const ResidualReport& of) { return of.fit.remarks; }, ""}})};
 
 struct CheckedTargets {
   std::vector<ResidualReport> targets;

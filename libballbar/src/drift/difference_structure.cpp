@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/numerics/range.hpp"
 #include "ballbar/units.hpp"
 #include "drift/slope_of_rows.hpp"
 #include "numerics/autocorrelation.hpp"
@@ -164,11 +165,19 @@ Fitted fitted(const DifferenceRows& rows, const Free& free) {
   return fit;
 }
 
+// A sigma above it says nothing of the part: half of the scale, a quarter of the time, the range of the drifts.
+std::array<double, 4> most_sigma_of(const DifferenceRows& rows) {
+  const double range = std::max(range_of(rows.a), range_of(rows.b));
+  const double length_s = rows.time_s.back() - rows.time_s.front();
+  return {range, 0.5, 0.25 * length_s, range / (length_s / 3600.0)};
+}
+
 // Parts as they are estimated, their chances as tested where there is no difference.
 DifferenceParts parts_of(const DifferenceRows& rows, const Linearised& none, const Free& free, double widened_by,
                          double degrees) {
   const Solved tested = solved(none, free);
   const Fitted fit = fitted(rows, free);
+  const std::array<double, 4> most_sigma = most_sigma_of(rows);
   DifferenceParts parts;
   for (std::size_t kind = 0; kind < free.size(); ++kind) {
     if (!tested.step[kind]) continue;
@@ -183,7 +192,7 @@ DifferenceParts parts_of(const DifferenceRows& rows, const Linearised& none, con
     const double scatter = better ? fit.linearised.scatter[kind] : none.scatter[kind];
     part.value = better ? fit.at[kind] : kNoDifference[kind] + *tested.step[kind];
     part.sigma = widened_by * std::sqrt(information) / std::max(information - scatter, 0.5 * information);
-    parts[kind] = part;
+    if (part.sigma <= most_sigma[kind] || part.chance < kChanceOfPart) parts[kind] = part;
   }
   return parts;
 }

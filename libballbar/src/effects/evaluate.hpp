@@ -21,6 +21,16 @@ inline Parameter gain_within(const char* name, const char* unit, double bound, c
   return {name, unit, ParameterKind::gain, 0.0, -bound, bound, {}, meaning, false, ShapeOf::curve, {}, {}, row};
 }
 
+// um/K of a body of steel: alpha L.
+inline Parameter growth_of_steel(const char* meaning) {
+  Parameter gain = gain_within("gain_um_per_K", "um/K", 1000.0, meaning);
+  gain.usual_low = 0.1, gain.usual_high = 15.0;
+  gain.usual =
+      "alpha L of 10 mm to 1 m of steel, 11 to 14e-6 /K; the spindle of Huang, Li, Zhao 2022 has 13.6e-6 /K "
+      "times 165 mm, 2.2 um/K";
+  return gain;
+}
+
 template <int kParameters, int kKept = 0, class Functor>
 Evaluate by_row(Functor functor) {
   constexpr std::size_t kNumbers = kKept > 0 ? kKept : 1;

@@ -20,9 +20,10 @@ bool is_plain(const FitOptions& options) { return !options.robust && !options.wh
 
 // A fit with its misfits, and the inference about missing effects.
 ResidualReport report_of(Fit fit, const Model& model, const Series& data) {
-  ResidualReport report{std::move(fit), {}, {}, {}};
+  ResidualReport report{std::move(fit), {}, {}, {}, {}};
   report.where = where_it_fails(report.fit, data);
   report.whiteness = whiteness(report.fit);
+  if (model.level == Level::series) report.coefficients = coefficients_of(model, report.fit, data);
   if (model.level == Level::series) report.faults = faults_bearing_on(data, report.fit.target);
   for (const std::string& name : measured_inputs_with_gaps(model, data)) {
     const auto& values = find_column(data, name)->values;

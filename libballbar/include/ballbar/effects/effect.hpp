@@ -77,6 +77,8 @@ struct Parameter {
                               // the last but one
   std::string row = {};       // gain of a machine error: its row in the table of errors, "pos" for "NAME_pos"; two
                               // gains with one row are sine and cosine of an amplitude
+  double usual_low = 0.0, usual_high = 0.0;  // gain: the range of |value| on machines; both 0: not known
+  std::string usual = {};                    // where that range comes from, a phrase
 };
 
 // Start values to try on these rows: those of `grid_on` or `grid` from `lower` to `upper`. Empty: only the parameter's

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/fit/coefficient.hpp"
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/fit/residual.hpp"
 #include "ballbar/model/model.hpp"
@@ -30,6 +31,7 @@ struct ResidualReport {
   std::vector<Misfit> where;
   Whiteness whiteness;
   std::vector<ColumnFault> faults;  // of a series: those that bear on what is said of the target
+  std::vector<Coefficient> coefficients;
 };
 
 // Fits one target of the model (an index into model.targets). Throws Error as fit() does.

@@ -31,7 +31,7 @@ extern const Effect kExpansion{
          "One body of uniform temperature, free to expand; bearing steel and aluminium are linear over tens of K.",
      .source = "Huang, Li, Zhao 2022, eq. 21: dL = alpha L (T(xi) - T0)."},
     {{"temperature", {"degC", "K"}, "temperature of the body"}},
-    {gain_within("gain_um_per_K", "um/K", 1000.0, "growth for each kelvin: alpha L")},
+    {growth_of_steel("growth for each kelvin: alpha L")},
     by_row<1>(Expansion{}),
     false,
     {},

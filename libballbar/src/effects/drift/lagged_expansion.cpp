@@ -31,10 +31,9 @@ extern const Effect kLaggedExpansion{
      .validity = "One dominant time constant; a thick wall has several.",
      .source = "Heat balance of a lumped body; not from a paper."},
     {{"temperature", {"degC", "K"}, "temperature that the body follows"}},
-    {gain_within("gain_um_per_K", "um/K", 1000.0, "final growth for each kelvin"),
-     time_constant(
-         {60.0, 100.0, 180.0, 330.0, 600.0, 1000.0, 1800.0, 3300.0, 5400.0, 9500.0, 16000.0, 29000.0, 50000.0},
-         "time constant of the body")},
+    {growth_of_steel("final growth for each kelvin"), time_constant({60.0, 100.0, 180.0, 330.0, 600.0, 1000.0, 1800.0,
+                                                                     3300.0, 5400.0, 9500.0, 16000.0, 29000.0, 50000.0},
+                                                                    "time constant of the body")},
     by_row<2, kLowPassKept>(LaggedExpansion{}),
     false,
     {},
