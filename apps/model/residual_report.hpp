@@ -51,7 +51,7 @@ inline constexpr auto kResult<Coefficient> = ResultType{
                Field{"value_um_per_K", [](const Coefficient& of) { return of.value.value_um; }, ""},
                Field{"sigma_um_per_K", [](const Coefficient& of) { return of.value.sigma_um; }, "null: held"},
                Field{"span_K", &Coefficient::span_K, "of the column in the fitted rows"},
-               Field{"size_um", &Coefficient::size_um, "of the effect there, largest less smallest"},
+               Field{"change_um", &Coefficient::size_um, "of the effect there, largest less smallest"},
                Field{"rising_um_per_K", value_um(&Coefficient::rising), "while the effect rises"},
                Field{"rising_sigma_um_per_K", sigma_um(&Coefficient::rising), ""},
                Field{"falling_um_per_K", value_um(&Coefficient::falling), "while it falls"},

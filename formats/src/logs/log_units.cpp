@@ -65,6 +65,8 @@ constexpr Known kUnits[] = {
     {"l/h", {"l_per_min", 1.0 / 60.0}},
     {"mm/min|mm_per_min", {"mm_per_min"}},
     {"m/min", {"mm_per_min", 1e3}},
+    {"deg/min|deg_per_min|°/min", {"deg_per_min"}},
+    {"deg/s|deg_per_s|°/s", {"deg_per_min", 60.0}},
     {"mm/s", {"mm_per_min", 60.0}},
     {"in/min|ipm", {"mm_per_min", 25.4}},
     {"v|volt|volts|vdc", {"V"}},

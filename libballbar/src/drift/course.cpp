@@ -88,7 +88,7 @@ double white_bic(const CourseFit& fit, Eigen::Index n) {
 }  // namespace
 
 std::string_view name_of(CourseShape shape) {
-  constexpr std::array<std::string_view, 3> kNames{"still", "trend", "settling"};
+  constexpr std::array<std::string_view, 3> kNames{"still", "trend", "decay"};
   return kNames[static_cast<std::size_t>(shape)];
 }
 

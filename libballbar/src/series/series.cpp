@@ -7,8 +7,8 @@
 namespace ballbar {
 namespace {
 
-constexpr std::string_view kUnits[] = {"um", "mm",      "urad", "degC", "rpm",       "A",          "W",
-                                       "K",  "percent", "Nm",   "bar",  "l_per_min", "mm_per_min", "V"};
+constexpr std::string_view kUnits[] = {"um",      "mm", "urad", "degC",      "rpm",        "A",           "W", "K",
+                                       "percent", "Nm", "bar",  "l_per_min", "mm_per_min", "deg_per_min", "V"};
 
 constexpr std::array<std::pair<Role, std::string_view>, 10> kRoles = {{
     {Role::structure, "structure"},

@@ -79,6 +79,7 @@ MeasuredDrift five_probes() {
   constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
   MeasuredDrift drift;
   drift.what = "five probes, at plane 1";
+  drift.method = "five_probe";
   drift.reference_s = 0.0;
   drift.time_s = {0.0, 1800.0, 3600.0, 5400.0};
   drift.axes = {{"x",

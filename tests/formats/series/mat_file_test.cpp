@@ -64,6 +64,7 @@ TEST(mat_file, one_variable_a_column) {
 
 TEST(mat_file, of_five_probes) {
   MeasuredDrift drift;
+  drift.method = "five_probe";
   drift.reference_s = 0.0;
   drift.time_s = {0.0, 600.0};
   drift.axes.push_back({.name = "tilt_b", .unit = "urad", .value = {0.0, 1.5}});

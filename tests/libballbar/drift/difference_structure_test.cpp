@@ -237,7 +237,7 @@ TEST(difference_structure, conclusions) {
     std::mt19937_64 random = stream("conclusions");
     const DifferenceRows rows = seen(made, {.a = 0.05, .b = 0.05}, random);
     const auto side = [&](const char* what, const Values& value) {
-      MeasuredDrift drift{what, 0.0, rows.time_s, {}, {}};
+      MeasuredDrift drift{what, "log", 0.0, rows.time_s, {}, {}};
       Values sigma(value.size(), 0.05 * std::numbers::sqrt2);
       sigma[0] = 0.0;
       drift.axes.push_back({"z", "um", value, {{"scatter", sigma}}});

@@ -17,7 +17,8 @@ const kFoot_px = 96;
 
 type Row = readonly [string, string];
 
-const span_text = (time_s: number): string => {
+const span_text = (time_s: Num): string => {
+  if (time_s === null) return "–";
   const whole = Math.round(minutes(time_s));
   const [h, min] = [Math.floor(whole / 60), whole % 60];
   return [h > 0 ? `${h} h` : "", min > 0 || h === 0 ? `${min} min` : ""].filter((one) => one !== "").join(" ");
@@ -31,7 +32,7 @@ const speeds_text = ({ speeds_rpm: speeds }: ThermalTest): string => {
 
 const rows_of = (report: Report, { thermal_test: test }: DriftSheet): Row[] => {
   const moving: Row[] =
-    test.running_s > 0
+    (test.running_s ?? 0) > 0
       ? [
           ...(test.speeds_rpm.length > 0 ? [[t.thermal_speeds, speeds_text(test)] as const] : []),
           [t.thermal_running, span_text(test.running_s)],

@@ -53,7 +53,7 @@ struct Series {
 };
 
 // Unit at the end of a column's name ("um", "mm", "urad", "degC", "rpm", "A", "W", "K", "percent", "Nm", "bar",
-// "l_per_min", "mm_per_min", "V"), empty if there is none.
+// "l_per_min", "mm_per_min", "deg_per_min", "V"), empty if there is none.
 std::string_view unit_of(std::string_view column_name);
 
 Role role_from_unit(std::string_view unit);

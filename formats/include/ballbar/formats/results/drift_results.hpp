@@ -180,8 +180,8 @@ template <>
 inline constexpr auto kResult<CourseStep> =
     ResultType{"CourseStep", "A step in readings.",
                std::tuple{Field{"time_s", known(&CourseStep::time_s), "of the first reading after it"},
-                          Field{"size_um", [](const CourseStep& of) { return of.size.value_um; }, ""},
-                          Field{"size_sigma_um", [](const CourseStep& of) { return of.size.sigma_um; }, ""}}};
+                          Field{"step_um", [](const CourseStep& of) { return of.size.value_um; }, ""},
+                          Field{"step_sigma_um", [](const CourseStep& of) { return of.size.sigma_um; }, ""}}};
 struct AxisCourse {
   std::string axis;
   Course course;
@@ -191,13 +191,13 @@ inline constexpr auto kResult<AxisCourse> = ResultType{
     "AxisCourse", "The course of readings without any input.",
     std::tuple{
         Field{"axis", &AxisCourse::axis, ""},
-        Field{"shape", [](const AxisCourse& of) { return of.course.shape; }, "still, trend or settling"},
+        Field{"shape", [](const AxisCourse& of) { return of.course.shape; }, "still, trend or decay"},
         Field{"probability", [](const AxisCourse& of) { return of.course.probability; }, "of that shape"},
         Field{"trend_um_per_h", [](const AxisCourse& of) { return of.course.trend_um_per_h.value_um; }, ""},
         Field{"trend_sigma_um_per_h", [](const AxisCourse& of) { return of.course.trend_um_per_h.sigma_um; }, ""},
-        Field{"settling_um", [](const AxisCourse& of) { return of.course.settling.value_um; }, "change in the end"},
-        Field{"settling_sigma_um", [](const AxisCourse& of) { return of.course.settling.sigma_um; }, ""},
-        Field{"time_constant_s", [](const AxisCourse& of) { return of.course.time_constant_s; }, "of settling"},
+        Field{"decay_um", [](const AxisCourse& of) { return of.course.settling.value_um; }, "change in the end"},
+        Field{"decay_sigma_um", [](const AxisCourse& of) { return of.course.settling.sigma_um; }, ""},
+        Field{"tau_s", [](const AxisCourse& of) { return of.course.time_constant_s; }, "its time constant"},
         Field{"steps", [](const AxisCourse& of) { return of.course.steps; }, ""},
         Field{"noise_um", [](const AxisCourse& of) { return of.course.noise_um; }, "of a reading"}}};
 
