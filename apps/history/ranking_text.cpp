@@ -149,12 +149,23 @@ std::vector<std::string> conclusion(const History& history) {
   const std::size_t all = history.machines.size();
   const std::size_t beyond = count_of(history, Need::beyond), expected = count_of(history, Need::expected),
                     finding = count_of(history, Need::finding), nothing = count_of(history, Need::nothing);
-  const std::string first =
+  const auto untested = static_cast<std::size_t>(std::count_if(
+      history.machines.begin(), history.machines.end(), [](const MachineHistory& one) { return one.judged == 0; }));
+  if (nothing == all && untested == all)
+    return {
+        fmt::format("Nothing could be tested on {}: there are too few tests of one machine, or over too short a "
+                    "time, to show a step or a trend.",
+                    machines_text(all))};
+  std::vector<std::string> lines;
+  lines.push_back(
       nothing == all
           ? fmt::format("No significant change on any of {}.", machines_text(all))
           : fmt::format("Findings on {} of {}: {} beyond a tolerance, {} drifting towards one, {} with another change.",
-                        all - nothing, machines_text(all), beyond, expected, finding);
-  return {first, questions_text(history)};
+                        all - nothing, machines_text(all), beyond, expected, finding));
+  lines.push_back(questions_text(history));
+  if (untested > 0)
+    lines.push_back(fmt::format("Too few tests to show a step or a trend: {}.", machines_text(untested)));
+  return lines;
 }
 
 std::string ranking_text(const History& history, bool all, const std::vector<std::string>& remarks) {

@@ -109,9 +109,10 @@ void say_place(const std::string& name, const ContinuedRun& run, const Series& o
                                   name, rows_text(before)));
   }
   if (left_out > 0) {
-    remarks.push_back(fmt::format("{}: {} left out, because an input has no value there. State a longer --max-gap to "
-                                  "interpolate.",
-                                  name, rows_text(left_out)));
+    remarks.push_back(
+        fmt::format("{}: {} left out, because an input has no value there. State a longer --max-gap to "
+                    "interpolate.",
+                    name, rows_text(left_out)));
   }
   const double usual_s = of_fit.time_s.size() > 1 ? of_fit.time_s[1] - of_fit.time_s[0] : 0.0;
   if (run.pause_s > std::max(600.0, 3.0 * usual_s)) {
@@ -152,9 +153,10 @@ OtherData open_other(const ModelOptions& options, const Model& model, const Mode
   if (!found) {
     if (as_it_is) data = open_data(options);
     if (fitted.level == Level::series && !inputs.empty()) {
-      tell({fmt::format("{}: another run than that of the fit. Its effects start at rest at its own first row, its "
-                        "zero.",
-                        source.name())});
+      tell(
+          {fmt::format("{}: another run than that of the fit. Its effects start at rest at its own first row, its "
+                       "zero.",
+                       source.name())});
     }
     return of_its_own(std::move(data));
   }
@@ -174,7 +176,8 @@ OtherData open_other(const ModelOptions& options, const Model& model, const Mode
                                            : begin + static_cast<std::size_t>(at - closed->time_s.begin()));
   }
   say_place(source.name(), found->run, runs[found->of].series, before, rows->time_s.size() - kept.size());
-  other.data.series = kept.size() == rows->time_s.size() ? rows : std::make_shared<const Series>(with_rows(*rows, kept));
+  other.data.series =
+      kept.size() == rows->time_s.size() ? rows : std::make_shared<const Series>(with_rows(*rows, kept));
   return other;
 }
 

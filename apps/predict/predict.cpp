@@ -113,8 +113,8 @@ void run(const PredictOptions& options) {
   const Model model = open_model(options.model, data);
   ModelOptions elsewhere = options.model;
   if (!options.on.empty()) elsewhere.data = options.on;
-  const OtherData place = options.on.empty() ? of_its_own(data)
-                                             : open_other(elsewhere, model, data, options.model.data);
+  const OtherData place =
+      options.on.empty() ? of_its_own(data) : open_other(elsewhere, model, data, options.model.data);
   const ModelData& other = place.data;
   std::vector<std::filesystem::path> inputs = data.files;
   inputs.insert(inputs.end(), other.files.begin(), other.files.end());

@@ -220,16 +220,15 @@ void bind_bench(py::module_& module) {
              const nlohmann::ordered_json json = listener.hear([&] { return bench.test(text, effects); });
              return py::make_tuple(to_python(json), listener.remarks);
            })
-      .def("predict",
-           [](Bench& bench, const std::optional<Places>& places, const Held& held, bool fitted,
-              const py::object& progress) {
-             Listener listener(progress);
-             auto [time_s, found] =
-                 listener.hear([&] { return places ? bench.predict(*places, held, fitted) : bench.predict(); });
-             return py::make_tuple(array_of(std::move(time_s)), array_of(std::move(found.predicted_um)),
-                                   array_of(std::move(found.sigma_um)), arrays_of(std::move(found.contribution_um)),
-                                   listener.remarks);
-           });
+      .def("predict", [](Bench& bench, const std::optional<Places>& places, const Held& held, bool fitted,
+                         const py::object& progress) {
+        Listener listener(progress);
+        auto [time_s, found] =
+            listener.hear([&] { return places ? bench.predict(*places, held, fitted) : bench.predict(); });
+        return py::make_tuple(array_of(std::move(time_s)), array_of(std::move(found.predicted_um)),
+                              array_of(std::move(found.sigma_um)), arrays_of(std::move(found.contribution_um)),
+                              listener.remarks);
+      });
   module.def(
       "bench",
       [](const Places& places, const Held& held, const std::string& text, const Effects& effects,

@@ -162,8 +162,7 @@ std::shared_ptr<Series> series_of(const py::object& time_s, const py::dict& colu
     expect_name(*series, name);
     series->columns.push_back(
         column_of(name, py::reinterpret_borrow<py::object>(data), role_of(name, roles), series->time_s.size()));
-    if (const auto header = headers.find(name); header != headers.end())
-      series->columns.back().header = header->second;
+    if (const auto header = headers.find(name); header != headers.end()) series->columns.back().header = header->second;
   }
   for (const auto& [name, role] : roles) {
     if (find_column(*series, name) != nullptr) continue;
@@ -205,8 +204,7 @@ void bind_series(py::module_& module) {
       .def(py::init(&series_of), py::arg("time_s"), py::arg("columns"), py::kw_only(),
            py::arg("roles") = std::map<std::string, std::string>{},
            py::arg("headers") = std::map<std::string, std::string>{}, py::arg("has_clock") = true,
-           py::arg("started") = py::none(),
-           py::arg("five_probe") = py::none())
+           py::arg("started") = py::none(), py::arg("five_probe") = py::none())
       .def_property_readonly(
           "time_s", [](const py::object& self) { return view_of(py::cast<const Series&>(self).time_s, self); },
           "(n,) s, strictly rising; read-only.")

@@ -28,9 +28,9 @@ std::optional<RenamedColumn> in_unit_of_series(std::string_view name) {
 std::optional<RenamedColumn> in_um(std::string_view name) {
   const std::string_view unit = unit_of(name);
   if (unit == "um") return std::nullopt;
-  const NameAndUnit split = unit.empty() ? name_and_unit(name)
-                                         : NameAndUnit{std::string(name.substr(0, name.size() - unit.size() - 1)),
-                                                       std::string(unit)};
+  const NameAndUnit split =
+      unit.empty() ? name_and_unit(name)
+                   : NameAndUnit{std::string(name.substr(0, name.size() - unit.size() - 1)), std::string(unit)};
   auto found = renamed(split.name, split.unit);
   return found && found->unit.canonical == "um" ? found : std::nullopt;
 }

@@ -74,8 +74,7 @@ std::optional<ContinuedRun> continued_run(const Series& run, const Series& other
   std::size_t i = 0, j = 0;
   while (j < result.time_s.size() && result.time_s[j] < first_s) result.time_s[j++] = kUnknown;
   while (i < run.time_s.size() || j < result.time_s.size()) {
-    const bool is_of_run =
-        i < run.time_s.size() && (j == result.time_s.size() || run.time_s[i] <= result.time_s[j]);
+    const bool is_of_run = i < run.time_s.size() && (j == result.time_s.size() || run.time_s[i] <= result.time_s[j]);
     const bool is_of_both = is_of_run && j < result.time_s.size() && run.time_s[i] == result.time_s[j];
     series.time_s.push_back(is_of_run ? run.time_s[i] : result.time_s[j]);
     for (std::size_t c = 0; c < of_run.size(); ++c)

@@ -1,0 +1,85 @@
+"""What a fit says of itself: the table of its parameters, its criteria, the interval of a reading."""
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._units import named_in
+
+if TYPE_CHECKING:
+    from ._model import Fit
+
+NORMAL_95 = 1.959963984540054  #: half of the interval of 95 % of a normal distribution, in sigmas
+
+
+class Criteria:
+    """What is compared between fits of the same readings; smaller AIC and BIC are better.
+
+    Notes
+    -----
+    H. Akaike, IEEE Trans. Autom. Control 19 (1974) 716; G. Schwarz, Ann. Stat. 6 (1978) 461. The parameters of the noise
+    count, one of white noise, three with a correlated part; the sample of BIC is the number of readings.
+    """
+
+    def __init__(self, log_likelihood: float, readings: int, parameters: int) -> None:
+        self.log_likelihood, self.parameters = log_likelihood, parameters
+        self.aic = 2.0 * parameters - 2.0 * log_likelihood
+        self.bic = math.log(readings) * parameters - 2.0 * log_likelihood
+
+
+def criteria_of(fit: Fit) -> Criteria:
+    free = sum(row["state"] != "held" for row in fit._json["parameters"])
+    noise = fit._json["noise"]
+    of_noise = 3 if next(value for key, value in noise.items() if key.startswith("correlated")) else 1
+    return Criteria(float(fit._arrays["log_likelihood"]), fit._json["n"] - len(fit._arrays["discounted"]), free + of_noise)
+
+
+def r_squared_of(fit: Fit) -> float:
+    """Share of the variance of the readings that the model explains; NaN where they do not vary."""
+    kept = np.delete(np.arange(len(fit._arrays["measured_um"])), fit._arrays["discounted"])
+    measured, residual = fit._arrays["measured_um"][kept], fit._arrays["residual_um"][kept]
+    around = float(((measured - measured.mean()) ** 2).sum())
+    return 1.0 - float((residual**2).sum()) / around if around > 0.0 else math.nan
+
+
+def reading_sigma_of(fit: Fit) -> float:
+    """Sigma of a reading about the true model: the white and the correlated noise, and what the readings state."""
+    noise = fit._json["noise"]
+    parts = [value for key, value in noise.items() if key.startswith(("white", "correlated")) and not key.endswith("_s")]
+    stated = fit._arrays["stated_sigma_um"]
+    return math.sqrt(sum(part * part for part in parts) + (float((stated**2).mean()) if len(stated) else 0.0))
+
+
+def summary_of(fit: Fit) -> str:
+    """The lines of :meth:`Fit.summary`."""
+    unit = fit._json["target_unit"]
+    ends = f" {unit}" if unit else ""
+    number = _number
+    head = f"Fit of {fit._json['target']}: {fit._json['n']} rows" + _set_aside(fit)
+    lines = [head, ""]
+    table = fit.params[["effect", "parameter", "value", "sigma", "low", "high", "unit", "state"]]
+    lines += table.to_string(index=False, float_format=number, na_rep="-").splitlines()
+    noise = fit._json["noise"]
+    white, slow = (noise[named_in(f"{part}_um", unit)] for part in ("white", "correlated"))
+    slowly = f", {number(slow)}{ends} over {number(noise['correlation_time_s'] / 60.0)} min" if slow else ""
+    floor = fit._json[named_in("floor_um", unit)]
+    criteria = criteria_of(fit)
+    lines += [
+        "",
+        f"RMSE {number(fit._json[named_in('rmse_um', unit)])}{ends}" + (f", floor {number(floor)}{ends}" if floor is not None else "")
+        + f", noise {number(white)}{ends} from row to row{slowly}",
+        f"R² {r_squared_of(fit):.4f}, log-likelihood {criteria.log_likelihood:.1f}, AIC {criteria.aic:.1f}, BIC {criteria.bic:.1f}, "
+        f"{fit._json['n_effective']:.3g} independent readings",
+    ]
+    return "\n".join(lines)
+
+
+def _set_aside(fit: Fit) -> str:
+    aside = fit._json.get("n_set_aside", 0)
+    return f", {aside} set aside" if aside else ""
+
+
+def _number(value: Any) -> str:
+    return f"{value:.4g}"
