@@ -153,19 +153,17 @@ std::vector<std::string> conclusion(const History& history) {
       history.machines.begin(), history.machines.end(), [](const MachineHistory& one) { return one.judged == 0; }));
   if (nothing == all && untested == all)
     return {
-        fmt::format("Nothing could be tested on {}: there are too few tests of one machine, or over too short a "
+        fmt::format("Nothing could be tested on any of {}: there are too few tests of one machine, or over too short a "
                     "time, to show a step or a trend.",
                     machines_text(all))};
-  std::vector<std::string> lines;
-  lines.push_back(
+  const std::string too_few =
+      untested == 0 ? "." : fmt::format("; {} with too few tests to show one.", machines_text(untested));
+  const std::string first =
       nothing == all
-          ? fmt::format("No significant change on any of {}.", machines_text(all))
+          ? fmt::format("No significant change on any of {}{}", machines_text(all), too_few)
           : fmt::format("Findings on {} of {}: {} beyond a tolerance, {} drifting towards one, {} with another change.",
-                        all - nothing, machines_text(all), beyond, expected, finding));
-  lines.push_back(questions_text(history));
-  if (untested > 0)
-    lines.push_back(fmt::format("Too few tests to show a step or a trend: {}.", machines_text(untested)));
-  return lines;
+                        all - nothing, machines_text(all), beyond, expected, finding);
+  return {first, questions_text(history)};
 }
 
 std::string ranking_text(const History& history, bool all, const std::vector<std::string>& remarks) {

@@ -231,7 +231,9 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
                             data.title, fmt::join(column_names(*data.series), ", ")));
   expect_model_suits(model, options, data);
   expect_also_inputs(options, model, *data.series);
-  for (const std::string& target : model.targets) say_unit(target);
+  for (const std::string& target : model.targets) {
+    if (!options.carries_unit) say_unit(target);
+  }
   return model;
 }
 

@@ -154,8 +154,8 @@ OtherData open_other(const ModelOptions& options, const Model& model, const Mode
     if (as_it_is) data = open_data(options);
     if (fitted.level == Level::series && !inputs.empty()) {
       tell(
-          {fmt::format("{}: another run than that of the fit. Its effects start at rest at its own first row, its "
-                       "zero.",
+          {fmt::format("{}: another run than that of the fit: its effects start at rest at its own first row, which is "
+                       "its zero.",
                        source.name())});
     }
     return of_its_own(std::move(data));

@@ -245,6 +245,7 @@ void bind_bench(py::module_& module) {
         options.max_gap_s = max_gap_s;
         options.robust = robust;
         options.white = white;
+        options.carries_unit = true;
         Listener listener(progress);
         const auto bench = listener.hear([&] { return std::make_shared<Bench>(std::move(options)); });
         return py::make_tuple(bench, listener.remarks);

@@ -75,7 +75,8 @@ std::string python_name(std::string name) {
 }
 
 // Options that Model.fit takes too, under its names for them.
-const std::map<std::string, std::string, std::less<>> kAsOfFit{{"unit", "units"}, {"role", "roles"}, {"every", "every"}};
+const std::map<std::string, std::string, std::less<>> kAsOfFit{
+    {"unit", "units"}, {"role", "roles"}, {"every", "every"}};
 
 struct Argument {
   std::string name, type, otherwise, meaning, value;  // value: as it is handed on
@@ -270,9 +271,10 @@ std::string class_text(const Effect& effect) {
   }
   const bool has_zero = !of_recordings && !effect.inputs.empty();
   const std::string zero =
-      has_zero ? indented("Its zero is the first row of the run, where it is at rest. :meth:`Fit.predict` continues the run "
-                          "of the fit for its rows and those that follow; any other data are a run with its own zero.",
-                          4) +
+      has_zero ? indented(
+                     "Its zero is the first row of the run, where it is at rest. :meth:`Fit.predict` continues the run "
+                     "of the fit for its rows and those that follow; any other data are a run with its own zero.",
+                     4) +
                      "\n"
                : "";
   return fmt::format(

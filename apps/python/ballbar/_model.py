@@ -268,7 +268,7 @@ class Model:
         Returns
         -------
         DataFrame
-            As of :meth:`Fit.predict`; the sigma of held parameters is not known: NaN. Its zero is the first row.
+            As of :meth:`Fit.predict`, without the interval; the sigma of held parameters is not known: NaN. Its zero is the first row.
 
         Raises
         ------
@@ -594,8 +594,8 @@ class Fit(_kinds.Checked):
         Returns
         -------
         DataFrame
-            The target, its sigma by what the parameters scatter (``z_um_sigma``), the interval that holds 95 % of readings
-            (``z_um_low``, ``z_um_high``: sigma and noise), and a column an effect.
+            The target, its sigma by what the parameters scatter (``z_um_sigma``), a column an effect, and the interval that
+            holds 95 % of readings (``z_um_low``, ``z_um_high``: by sigma and noise).
 
         Examples
         --------
@@ -616,21 +616,19 @@ class Fit(_kinds.Checked):
         """With what holds 95 % of readings."""
         mean, sigma = found[self.target], found[f"{self.target}_sigma"]
         half = NORMAL_95 * np.sqrt(sigma**2 + reading_sigma_of(self) ** 2)
-        for place, (name, values) in enumerate((("low", mean - half), ("high", mean + half)), 2):
-            found.insert(place, f"{self.target}_{name}", values)
-        return found
+        return found.assign(**{f"{self.target}_low": mean - half, f"{self.target}_high": mean + half})
 
     def could(self) -> Preflight:
         """Which effects the data could show, and from which size, before any residual is looked at."""
         from ._functions import could
 
-        return could(self._sources(), model=self.model, **self._of_call())
+        return Preflight(in_unit(could(self._sources(), model=self.model, **self._of_call()).to_dict(), self._json["target_unit"]))
 
     def plan(self, **how: Any) -> Plan:
         """The run of the machine that would decide what is missing; parameters as of :func:`ballbar.plan`."""
         from ._functions import plan
 
-        return plan(self._sources(), model=self.model, **self._of_call(), **how)
+        return Plan(in_unit(plan(self._sources(), model=self.model, **self._of_call(), **how).to_dict(), self._json["target_unit"]))
 
     def _sources(self) -> Any:
         return [self._held.get(place, place) for place in self._places]

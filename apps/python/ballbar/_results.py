@@ -42,9 +42,14 @@ class Result:
         try:
             return self[name]
         except KeyError:
-            if _annotation(type(self), name):  # a key of other cases: there is nothing
+            if _annotation(type(self), name) and not self._has_other_unit(name):  # a key of other cases: there is nothing
                 return None
             raise AttributeError(f"{type(self).__name__} has no {name}; it has {', '.join(self._json)}") from None
+
+    def _has_other_unit(self, name: str) -> bool:
+        """Whether the key in um is there in another unit, that of a target which is no length."""
+        stem, um, _ = name.partition("_um")
+        return bool(um) and not any("_um" in key for key in self._json) and any(f"{key}_".startswith(f"{stem}_") for key in self._json)
 
     def __getitem__(self, name: str) -> Any:
         if name not in self._made:

@@ -45,11 +45,19 @@ def r_squared_of(fit: Fit) -> float:
 
 
 def reading_sigma_of(fit: Fit) -> float:
-    """Sigma of a reading about the true model: the white and the correlated noise, and what the readings state."""
-    noise = fit._json["noise"]
-    parts = [value for key, value in noise.items() if key.startswith(("white", "correlated")) and not key.endswith("_s")]
-    stated = fit._arrays["stated_sigma_um"]
-    return math.sqrt(sum(part * part for part in parts) + (float((stated**2).mean()) if len(stated) else 0.0))
+    """Sigma of a reading about the true model: the white and the correlated noise, and what the readings state.
+
+    Where the correlation is longer than a tenth of the record, the fit takes it for a misfit and does not correct the noise
+    for what its parameters absorb of it: that is made up for here, by at most twice the sigma.
+    """
+    unit = fit._json["target_unit"]
+    white, slow = (fit._json["noise"][named_in(f"{part}_um", unit)] for part in ("white", "correlated"))
+    stated, time_s = fit._arrays["stated_sigma_um"], fit._arrays["time_s"]
+    slow_squared = slow * slow
+    if slow > white and fit._json["noise"]["correlation_time_s"] > 0.1 * float(np.ptp(time_s)):
+        samples, free = fit._json["n_effective"], sum(row["state"] != "held" for row in fit._json["parameters"])
+        slow_squared *= samples / max(samples - free, samples / 4.0)
+    return math.sqrt(white * white + slow_squared + (float((stated**2).mean()) if len(stated) else 0.0))
 
 
 def summary_of(fit: Fit) -> str:

@@ -17,7 +17,7 @@ TIMES = {"time_s": 1.0, "time_min": 60.0, "time_h": 3600.0}
 ROWS = "row"  #: name of the index of rows that are numbered, for no file tells their times
 Every = Union[float, str, timedelta, "np.timedelta64", None]
 _ISO = re.compile(r"\d{4}-\d{2}-\d{2}([ T]\d{2}:\d{2}(:\d{2}([.,]\d+)?)?(Z|[+-]\d{2}:?\d{2})?)?")
-_EXPECTED = 'a column time_s (or time_min, time_h), an index of dates or durations, or every=, the step of the rows, such as every="10s"'
+_EXPECTED = 'a column of that name (or time_min, time_h), an index of dates or durations, or every=, the step of the rows, such as every="10s"'
 
 
 class Times:
