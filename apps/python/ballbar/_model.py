@@ -15,9 +15,9 @@ from . import _core, _kinds
 from ._errors import BallbarError, UsageError, number_of
 from ._frame import Data, Every, Held, Path, Progress
 from ._kinds import Plan, Preflight, Tried
-from ._summary import NORMAL_95, criteria_of, r_squared_of, reading_sigma_of, summary_of
+from ._summary import NORMAL_95, criteria_of, half_interval_of, r_squared_of, summary_of
 from ._terms import Effect, PythonEffect, effect_from_table, functions_of, parameter_names, toml_of, toml_table
-from ._times import zero_of
+from ._times import ROWS, zero_of
 from ._units import in_unit, named_in
 
 Array = NDArray[np.float64]
@@ -408,7 +408,7 @@ class Fit(_kinds.Checked):
         time_s = self._arrays["time_s"]
         if self._index is not None:
             return self._index[np.searchsorted(self._held[self._places[0]].time_s, time_s)]
-        return _index_of(time_s, self.model.of_recordings)
+        return _index_of(time_s, self.model.of_recordings, getattr(self._held.get(self._places[0]), "has_clock", True))
 
     def _on_index(self, name: str) -> pandas.Series:
         return pandas.Series(self._arrays[name], index=self.index, name=named_in(name, self._json["target_unit"]), copy=True)
@@ -613,9 +613,8 @@ class Fit(_kinds.Checked):
         return self._with_interval(_predicted(self._workbench(), places, held.values, held.index, progress, fitted=True))
 
     def _with_interval(self, found: pandas.DataFrame) -> pandas.DataFrame:
-        """With what holds 95 % of readings."""
-        mean, sigma = found[self.target], found[f"{self.target}_sigma"]
-        half = NORMAL_95 * np.sqrt(sigma**2 + reading_sigma_of(self) ** 2)
+        """With the interval of readings."""
+        mean, half = found[self.target], half_interval_of(self, found[f"{self.target}_sigma"])
         return found.assign(**{f"{self.target}_low": mean - half, f"{self.target}_high": mean + half})
 
     def could(self) -> Preflight:
@@ -652,11 +651,11 @@ def _of_files(bench: Any, places: list[str], held: dict[str, Any]) -> dict[str, 
     return {file: _core.read_series(file) if bench.series is not None else _core.read_recordings(file) for file in files}
 
 
-def _index_of(time_s: Array, of_recordings: bool) -> pandas.Index:
-    """Times, of several runs with the number of the run."""
-    times = pandas.Index(time_s, name="time_s")
+def _index_of(time_s: Array, of_recordings: bool, has_clock: bool = True) -> pandas.Index:
+    """Times, of several runs with the number of the run; without a clock the numbers of the rows."""
+    times = pandas.Index(time_s, name="time_s") if has_clock else pandas.Index(time_s.astype(np.int64), name=ROWS)
     runs = np.cumsum(np.diff(time_s, prepend=-np.inf) <= 0.0)
-    return times if of_recordings or not runs.any() else pandas.MultiIndex.from_arrays([runs, times], names=["run", "time_s"])
+    return times if of_recordings or not runs.any() else pandas.MultiIndex.from_arrays([runs, times], names=["run", times.name])
 
 
 def _predicted(
@@ -671,7 +670,7 @@ def _predicted(
     if index is not None and len(index) != len(mean):  # the first or the last rows lack an input
         index = index[np.searchsorted(held[known[0]].time_s, time_s)]
     columns = {bench.target: mean, f"{bench.target}_sigma": sigma, **dict(zip(bench.labels, parts))}
-    return pandas.DataFrame(columns, index=_index_of(time_s, bench.series is None) if index is None else index, copy=False)
+    return pandas.DataFrame(columns, index=_index_of(time_s, bench.series is None, getattr(bench.series, "has_clock", True)) if index is None else index, copy=False)
 
 
 def _bench_of(

@@ -18,6 +18,7 @@ from ._core import Recording
 from ._kinds import Comparison, Drift, Fitted, RankedErrors
 from ._model import Diagnosis, Fit
 from ._results import Result
+from ._times import ROWS
 
 __all__ = ["circle", "comparison", "diagnosis", "drift", "errors", "fit", "history", "of", "svg_of"]
 
@@ -52,11 +53,12 @@ def fit(found: Fit, *, axes: Any = None) -> Any:
     """What was measured, the model and the residual, um."""
     axes = axes or _new()
     dates = found.index if isinstance(found.index, pandas.DatetimeIndex) else None
-    at = found._arrays["elapsed_s"] / 60.0 if dates is None else dates.to_numpy()
+    is_numbered = found.index.names[-1] == ROWS
+    at = dates.to_numpy() if dates is not None else found._arrays["elapsed_s"] / (1.0 if is_numbered else 60.0)
     axes.plot(at, found.measured.to_numpy(), ".", markersize=3, label="measured")
     axes.plot(at, found.fitted.to_numpy(), "-", label="model")
     axes.plot(at, found.residuals.to_numpy(), "-", linewidth=0.8, label="residual")
-    return _named(axes, "time, min" if dates is None else "", f"{found.target}, {_sign(found.target_unit)}")
+    return _named(axes, "" if dates is not None else "row" if is_numbered else "time, min", f"{found.target}, {_sign(found.target_unit)}")
 
 
 def diagnosis(found: Diagnosis, *, axes: Any = None) -> Any:

@@ -72,9 +72,9 @@ TEST(ranking_text, says_that_there_is_nothing) {
 TEST(ranking_text, says_first_that_nothing_could_be_tested) {
   History history;
   history.machines.resize(3);
-  EXPECT_EQ(ranking_text(history),
-            "Nothing could be tested on any of 3 machines: there are too few tests of one machine, or over\n"
-            "too short a time, to show a step or a trend.\n");
+  const std::string text = ranking_text(history);
+  EXPECT_TRUE(text.starts_with("Nothing could be tested on any of 3 machines: ")) << text;
+  EXPECT_EQ(text.find("quantities tested"), std::string::npos) << text;
 }
 
 TEST(machine_folder, is_that_of_the_machine_where_a_date_names_the_test) {
