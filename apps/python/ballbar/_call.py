@@ -11,11 +11,11 @@ import numpy as np
 
 from . import _core
 from ._errors import BallbarError, UsageError, in_python
-from ._frame import Data, Every, Held, Path, Progress
+from ._frame import Data, Held, Path, Progress
 from ._model import Model
 from ._progress import progress_or_tqdm
 from ._terms import Effect
-from ._times import seconds
+from ._times import Every, seconds
 
 __all__ = ["Data", "DataOf", "Every", "ModelLike", "Path", "Progress", "TextOf", "run"]
 

@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 
 from . import _core, _kinds
 from ._errors import BallbarError, UsageError, number_of
-from ._frame import Data, Every, Held, Path, Progress
+from ._frame import Data, Held, Path, Progress
 from ._kinds import Plan, Preflight, Tried
 from ._summary import NORMAL_95, criteria_of, half_interval_of, r_squared_of, summary_of
 from ._terms import Effect, PythonEffect, effect_from_table, functions_of, parameter_names, toml_of, toml_table
-from ._times import ROWS, zero_of
+from ._times import ROWS, Every, zero_of
 from ._units import in_unit, named_in
 
 Array = NDArray[np.float64]

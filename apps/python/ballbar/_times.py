@@ -15,7 +15,7 @@ from ._errors import BallbarError
 
 TIMES = {"time_s": 1.0, "time_min": 60.0, "time_h": 3600.0}
 ROWS = "row"  #: name of the index of rows that are numbered, for no file tells their times
-Every = Union[float, str, timedelta, "np.timedelta64", None]
+Every = Union[float, str, timedelta, np.timedelta64, None]
 _ISO = re.compile(r"\d{4}-\d{2}-\d{2}([ T]\d{2}:\d{2}(:\d{2}([.,]\d+)?)?(Z|[+-]\d{2}:?\d{2})?)?")
 _EXPECTED = 'a column of that name (or time_min, time_h), an index of dates or durations, or every=, the step of the rows, such as every="10s"'
 
@@ -84,7 +84,7 @@ def times_of(columns: Mapping[str, Any], index: pandas.Index, every: Every, zero
 def seconds(every: Any) -> float:
     """The step that a user states, s."""
     try:
-        step_s = pandas.Timedelta(every).total_seconds() if isinstance(every, (str, timedelta, np.timedelta64)) else float(every)
+        step_s: float = pandas.Timedelta(every).total_seconds() if isinstance(every, (str, timedelta, np.timedelta64)) else float(every)
     except (TypeError, ValueError):
         step_s = math.nan
     if not 0.0 < step_s < math.inf:
