@@ -152,7 +152,10 @@ OtherData open_other(const ModelOptions& options, const Model& model, const Mode
   const std::optional<Continued> found = continued(runs, *rows, inputs);
   if (!found) {
     if (as_it_is) data = open_data(options);
-    if (fitted.level == Level::series && !inputs.empty()) {
+    const bool has_all = std::all_of(inputs.begin(), inputs.end(), [&](const std::string& name) {
+      return find_column(*data.series, name) != nullptr;
+    });
+    if (fitted.level == Level::series && !inputs.empty() && has_all) {
       tell(
           {fmt::format("{}: another run than that of the fit: its effects start at rest at its own first row, which is "
                        "its zero.",
