@@ -11,6 +11,7 @@
 
 #include "ballbar/formats/logs/log.hpp"
 #include "ballbar/number_text.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/series/continued_run.hpp"
 #include "ballbar/series/merged_series.hpp"
 #include "ballbar/series/runs.hpp"
@@ -114,8 +115,7 @@ void say_place(const std::string& name, const ContinuedRun& run, const Series& o
                     "interpolate.",
                     name, rows_text(left_out)));
   }
-  const double usual_s = of_fit.time_s.size() > 1 ? of_fit.time_s[1] - of_fit.time_s[0] : 0.0;
-  if (run.pause_s > std::max(600.0, 3.0 * usual_s)) {
+  if (run.pause_s > std::max(600.0, 3.0 * median_step_s(of_fit.time_s))) {
     remarks.push_back(fmt::format("{}: begins {} after the fit. The inputs are taken as straight lines in between.",
                                   name, duration_text(run.pause_s)));
   }

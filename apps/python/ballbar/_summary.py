@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
 NORMAL_95 = 1.959963984540054  #: half of the interval of 95 % of a normal distribution, in sigmas
 
 
+@dataclass(frozen=True)
 class Criteria:
     """What is compared between fits of the same readings; smaller AIC and BIC are better.
 
@@ -23,16 +25,23 @@ class Criteria:
     count, one of white noise, three with a correlated part; the sample of BIC is the number of readings.
     """
 
-    def __init__(self, log_likelihood: float, readings: int, parameters: int) -> None:
-        self.log_likelihood, self.parameters = log_likelihood, parameters
-        self.aic = 2.0 * parameters - 2.0 * log_likelihood
-        self.bic = math.log(readings) * parameters - 2.0 * log_likelihood
+    log_likelihood: float
+    readings: int
+    parameters: int
+
+    @property
+    def aic(self) -> float:
+        return 2.0 * self.parameters - 2.0 * self.log_likelihood
+
+    @property
+    def bic(self) -> float:
+        return math.log(self.readings) * self.parameters - 2.0 * self.log_likelihood
 
 
 def criteria_of(fit: Fit) -> Criteria:
     free = sum(row["state"] != "held" for row in fit._json["parameters"])
     noise = fit._json["noise"]
-    of_noise = 3 if next(value for key, value in noise.items() if key.startswith("correlated")) else 1
+    of_noise = 3 if noise[named_in("correlated_um", fit._json["target_unit"])] else 1
     return Criteria(float(fit._arrays["log_likelihood"]), fit._json["n"] - len(fit._arrays["discounted"]), free + of_noise)
 
 
@@ -70,29 +79,24 @@ def summary_of(fit: Fit) -> str:
     """The lines of :meth:`Fit.summary`."""
     unit = fit._json["target_unit"]
     ends = f" {unit}" if unit else ""
-    number = _number
-    head = f"Fit of {fit._json['target']}: {fit._json['n']} rows" + _set_aside(fit)
+    aside = fit._json["n_set_aside"]
+    head = f"Fit of {fit._json['target']}: {fit._json['n']} rows" + (f", {aside} set aside" if aside else "")
     lines = [head, ""]
     table = fit.params[["effect", "parameter", "value", "sigma", "low", "high", "unit", "state"]]
-    lines += table.to_string(index=False, float_format=number, na_rep="-").splitlines()
+    lines += table.to_string(index=False, float_format=_number, na_rep="-").splitlines()
     noise = fit._json["noise"]
     white, slow = (noise[named_in(f"{part}_um", unit)] for part in ("white", "correlated"))
-    slowly = f", {number(slow)}{ends} over {number(noise['correlation_time_s'] / 60.0)} min" if slow else ""
+    slowly = f", {_number(slow)}{ends} over {_number(noise['correlation_time_s'] / 60.0)} min" if slow else ""
     floor = fit._json[named_in("floor_um", unit)]
     criteria = criteria_of(fit)
     lines += [
         "",
-        f"RMSE {number(fit._json[named_in('rmse_um', unit)])}{ends}" + (f", floor {number(floor)}{ends}" if floor is not None else "")
-        + f", noise {number(white)}{ends} from row to row{slowly}",
+        f"RMSE {_number(fit._json[named_in('rmse_um', unit)])}{ends}" + (f", floor {_number(floor)}{ends}" if floor is not None else "")
+        + f", noise {_number(white)}{ends} from row to row{slowly}",
         f"R² {r_squared_of(fit):.4f}, log-likelihood {criteria.log_likelihood:.1f}, AIC {criteria.aic:.1f}, BIC {criteria.bic:.1f}, "
         f"{fit._json['n_effective']:.3g} independent readings",
     ]
     return "\n".join(lines)
-
-
-def _set_aside(fit: Fit) -> str:
-    aside = fit._json.get("n_set_aside", 0)
-    return f", {aside} set aside" if aside else ""
 
 
 def _number(value: Any) -> str:

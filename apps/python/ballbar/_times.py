@@ -4,6 +4,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
 from datetime import timedelta
 from typing import Any, Union
 
@@ -20,6 +21,7 @@ _ISO = re.compile(r"\d{4}-\d{2}-\d{2}([ T]\d{2}:\d{2}(:\d{2}([.,]\d+)?)?(Z|[+-]\
 _EXPECTED = 'a column of that name (or time_min, time_h), an index of dates or durations, or every=, the step of the rows, such as every="10s"'
 
 
+@dataclass(frozen=True, eq=False)
 class Times:
     """Seconds of each row.
 
@@ -34,8 +36,10 @@ class Times:
         False: the rows are numbered.
     """
 
-    def __init__(self, time_s: Any, started: str | None = None, column: str | None = None, has_clock: bool = True) -> None:
-        self.time_s, self.started, self.column, self.has_clock = time_s, started, column, has_clock
+    time_s: Any
+    started: str | None = None
+    column: str | None = None
+    has_clock: bool = True
 
 
 def times_of(columns: Mapping[str, Any], index: pandas.Index, every: Every, zero: pandas.Timestamp | None = None) -> Times:
@@ -103,8 +107,13 @@ def _are_iso(values: Any) -> bool:
     """Texts of dates whose order of day and month is known."""
     if values.dtype != object and not pandas.api.types.is_string_dtype(values.dtype):
         return False
-    known = [one for one in values if not pandas.isna(one)]
-    return bool(known) and all(isinstance(one, str) and _ISO.fullmatch(one) is not None for one in known)
+    found = False
+    for one in values:
+        if isinstance(one, str) and _ISO.fullmatch(one):
+            found = True
+        elif isinstance(one, str) or not pandas.isna(one):
+            return False
+    return found
 
 
 def _of_dates(index: pandas.DatetimeIndex, zero: pandas.Timestamp | None, column: str | None = None) -> Times:

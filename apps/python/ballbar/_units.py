@@ -10,7 +10,7 @@ from ._errors import BallbarError, UsageError
 
 _NAMED = re.compile(r"_um(?=_|$)")
 _WORD = re.compile(r"(?<![\w/])um(?!\w)")
-_OF_TEMPERATURE = re.compile(r"(?i)t|t[_ \d]|temp")
+_OF_TEMPERATURE = re.compile(r"(?i)^t\d*[_ (\[]|temp")
 
 
 def named_column(name: str, units: Mapping[str, str]) -> tuple[str, float, float]:
@@ -28,7 +28,7 @@ def named_column(name: str, units: Mapping[str, str]) -> tuple[str, float, float
     if found is None or found[0].endswith("_um"):  # a length may be an input in its own unit; a target is converted later
         return name, 1.0, 0.0
     of_one_letter = len(name) > 1 and not name[-2].isalnum() and name[-2] != "°"
-    if of_one_letter and (name[-1] not in "CF" or not _OF_TEMPERATURE.match(name)):
+    if of_one_letter and (name[-1] not in "CF" or not _OF_TEMPERATURE.search(name)):
         return name, 1.0, 0.0  # phase_C is no temperature
     return found
 
