@@ -49,6 +49,7 @@ class Predictions(unittest.TestCase):
         table = self.table
         for part in (table, table.iloc[700:], table.iloc[333:444], table.iloc[::7], table.iloc[800:801], table.sample(50, random_state=1).sort_index(), table.iloc[100:].drop(columns=["y_um", "x_um"])):
             self.equals_fitted(self.whole, part)
+        self.equals_fitted(self.whole, table.iloc[700:].astype("float32"))
         self.equals_fitted(pickle.loads(pickle.dumps(self.whole)), table.iloc[700:])
         self.equals_fitted(self.model.fit(DATA), table.iloc[700:])
         robust = self.model.fit(table, robust=True)

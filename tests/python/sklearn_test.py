@@ -67,6 +67,12 @@ class Sklearn(unittest.TestCase):
         anew = EffectRegressor(BOTH).fit(inputs.iloc[:1000].reset_index(drop=True), target.iloc[:1000]).predict(inputs.iloc[1000:].reset_index(drop=True))
         self.assertGreater(np.abs(anew - later).max(), 1.0)
 
+    def test_numbered_rows_go_on(self):
+        """Without times the numbers of the rows are the clock: of consecutive rows, as splits by time take them."""
+        inputs, target = (one.reset_index(drop=True) for one in data())
+        timed = cross_val_score(EffectRegressor(BOTH), *data(), cv=TimeSeriesSplit(3))
+        np.testing.assert_allclose(cross_val_score(EffectRegressor(BOTH), inputs, target, cv=TimeSeriesSplit(3)), timed, atol=1e-6)
+
     def test_folds_of_time_are_parts_of_the_run(self):
         """A fold in the middle of the training lies in its run; of one before it, the zero is its own."""
         inputs, target = data()

@@ -59,8 +59,7 @@ def times_of(columns: Mapping[str, Any], index: pandas.Index, every: Every, zero
         timed = [name for name in TIMES if name in columns or index.name == name]
         if timed or isinstance(index, (pandas.DatetimeIndex, pandas.TimedeltaIndex, pandas.PeriodIndex)):
             raise BallbarError(f"every: expected a table without times, found {timed[0] if timed else 'an index of them'}; leave it out.")
-        # Rows cut out of a table keep their numbers.
-        first = index.start if isinstance(index, pandas.RangeIndex) and index.step == 1 and index.start > 0 else 0
+        first = int(index[0]) if _counts(index) else 0  # rows cut out of a table keep their numbers
         return Times(seconds(every) * np.arange(first, first + len(index)))
     for name, of_one in TIMES.items():
         if name in columns:
@@ -83,6 +82,11 @@ def times_of(columns: Mapping[str, Any], index: pandas.Index, every: Every, zero
     if len(dates) > 1:
         raise BallbarError(f"time_s: expected one column of dates, found {', '.join(dates)}; set_index() chooses one.")
     raise BallbarError(f"time_s: expected {_EXPECTED}, found {', '.join(columns) or 'none'}.")
+
+
+def _counts(index: pandas.Index) -> bool:
+    """Whole numbers, each by 1 more than the one before it."""
+    return bool(len(index)) and pandas.api.types.is_integer_dtype(index.dtype) and bool((np.diff(index.to_numpy()) == 1).all())
 
 
 def seconds(every: Any) -> float:

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLongestPause_s = 8.0 * 3600.0;  // a machine that stood longer begins another run
 constexpr double kMostSteps = 10.0;               // of hourly readings that is longer
 constexpr double kSameTime_s = 1e-6;              // dates are sums of seconds
-constexpr double kSameValue = 1e-9;
+constexpr double kSameValue = 1e-6;               // a table may hold them as 32-bit numbers
 constexpr double kMostOffLine = 2.0;  // steps: white noise is 0.9 off the line, another run as much as it varies
 
 // The times of the other on the clock of the run; those of a row of the run are its own, to the last bit.

@@ -20,7 +20,7 @@ struct ContinuedRun {
 
 // `inputs`: the columns that matter. clock_s: time 0 of the other on the clock of the run, in s.
 //
-// The other is a part of the run if at common times all inputs are equal (to 1e-9 of their size), and between the rows
+// The other is a part of the run if at common times all inputs are equal (to 1e-6 of their size), and between the rows
 // of the run, at most 10 usual steps apart, they differ from the line on average by at most twice the step between
 // these rows. It follows the run if it begins at most 8 h, or 10 usual steps, after its last row. nullopt: it is
 // another run, or it lacks an input.
