@@ -376,8 +376,9 @@ class Fit(_kinds.Checked):
         bench = _bench_of(model, places, held, how, progress)
         keys, arrays = told(bench.check, places, progress)
         keys = in_unit(keys, keys["target_unit"])
-        held = {**held, **_of_files(bench, places, held)}
-        return cls._from(keys, model, places, held, index, how, arrays, bench.labels, bench)
+        of_files = _of_files(bench, places, held)
+        kept = None if len(places) > 1 and of_files else bench  # one that knows no file: it is made when it is needed
+        return cls._from(keys, model, places, {**held, **of_files}, index, how, arrays, bench.labels, kept)
 
     @classmethod
     def _from(cls, keys: dict[str, Any], *state: Any) -> Fit:
