@@ -1,5 +1,7 @@
 """Units, times and options as people write them; what is not known is not said."""
 import datetime
+import importlib.util
+import inspect
 import pathlib
 import tempfile
 import unittest
@@ -68,8 +70,6 @@ class Targets(unittest.TestCase):
 
 
 def has_matplotlib():
-    import importlib.util
-
     return importlib.util.find_spec("matplotlib") is not None
 
 
@@ -174,8 +174,8 @@ class Options(unittest.TestCase):
 
     def test_one_spelling(self):
         """Of what a fit and the functions of the program's commands both take."""
-        import inspect
-
+        if importlib.util.find_spec("sklearn"):
+            self.assertIn("every", inspect.signature(bb.sklearn.EffectRegressor).parameters)
         for function in (bb.import_log, bb.drift, bb.circles, bb.compare, bb.Model.fit):
             names = set(inspect.signature(function).parameters)
             self.assertLessEqual({"units", "roles", "every"}, names, function.__name__)

@@ -16,7 +16,7 @@ from ._frame import series_of
 from ._functions import predict, train
 from ._model import Model
 from ._terms import Effect
-from ._times import TIMES, zero_of
+from ._times import TIMES, Every, seconds, zero_of
 
 try:
     from sklearn.utils.validation import validate_data  # from 1.6 on
@@ -44,8 +44,8 @@ class EffectRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         Fitted by :meth:`Model.fit`; None: every effect on every column, by :func:`ballbar.train`.
     columns : list of str
         Names for an X without column names, ending in their unit; None: ``T0_degC``, ``T1_degC`` ...
-    every_s : float
-        Step of the rows, s, where X has no times.
+    every : float, str or timedelta
+        Step of the rows, s or such as ``"10s"``, where X has no times.
     max_gap_s : float
         Longest gap of a signal to interpolate over, s; default 600. A fold taken out of the middle leaves a longer one.
     few : bool
@@ -77,12 +77,12 @@ class EffectRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
     """
 
     def __init__(
-        self, effects: Sequence[Effect | str] | None = None, *, columns: Sequence[str] | None = None, every_s: float = 60.0,
+        self, effects: Sequence[Effect | str] | None = None, *, columns: Sequence[str] | None = None, every: Every = 60.0,
         max_gap_s: float | None = None, few: bool = False,
     ) -> None:
         self.effects = effects
         self.columns = columns
-        self.every_s = every_s
+        self.every = every
         self.max_gap_s = max_gap_s
         self.few = few
 
@@ -128,11 +128,11 @@ class EffectRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         if isinstance(X, pandas.DataFrame) and all(isinstance(name, str) for name in X.columns):
             validate_data(self, X, reset=reset, skip_check_array=True)
             timed = _has_times(X) or any(name in X for name in TIMES)
-            series, _ = series_of(X, every=None if timed else self.every_s, zero=self._zero)
+            series, _ = series_of(X, every=None if timed else self.every, zero=self._zero)
             return pandas.DataFrame({"time_s": series.time_s, **{name: series[name] for name in series}})
         rows = validate_data(self, X, reset=reset, dtype=np.float64, ensure_min_samples=3 if reset else 1)
         names = self.columns or [f"T{k}_degC" for k in range(rows.shape[1])]
-        return pandas.DataFrame({"time_s": self.every_s * np.arange(len(rows)), **dict(zip(names, rows.T))})
+        return pandas.DataFrame({"time_s": seconds(self.every) * np.arange(len(rows)), **dict(zip(names, rows.T))})
 
     def __sklearn_tags__(self) -> Any:  # from 1.6 on
         tags = super().__sklearn_tags__()
