@@ -100,6 +100,17 @@ Series with_rows(const Series& series, const std::vector<std::size_t>& rows) {
   return result;
 }
 
+// Whether the data have the inputs, with other times or values than those of the fit.
+bool are_others(const Series& data, const Series& fitted, const std::vector<std::string>& inputs) {
+  bool is_other = data.time_s != fitted.time_s;
+  for (const std::string& name : inputs) {
+    const Column* const column = find_column(data, name);
+    if (column == nullptr) return false;  // which predict() says
+    is_other = is_other || column->values != find_column(fitted, name)->values;
+  }
+  return is_other;
+}
+
 std::string rows_text(std::size_t rows) { return rows == 1 ? "1 row" : fmt::format("{} rows", rows); }
 
 void say_place(const std::string& name, const ContinuedRun& run, const Series& of_fit, std::size_t before,
@@ -152,10 +163,7 @@ OtherData open_other(const ModelOptions& options, const Model& model, const Mode
   const std::optional<Continued> found = continued(runs, *rows, inputs);
   if (!found) {
     if (as_it_is) data = open_data(options);
-    const bool has_all = std::all_of(inputs.begin(), inputs.end(), [&](const std::string& name) {
-      return find_column(*data.series, name) != nullptr;
-    });
-    if (fitted.level == Level::series && !inputs.empty() && has_all) {
+    if (fitted.level == Level::series && !inputs.empty() && are_others(*data.series, *fitted.series, inputs)) {
       tell(
           {fmt::format("{}: another run than that of the fit: its effects start at rest at its own first row, which is "
                        "its zero.",

@@ -83,7 +83,10 @@ def summary_of(fit: Fit) -> str:
     head = f"Fit of {fit._json['target']}: {fit._json['n']} rows" + (f", {aside} set aside" if aside else "")
     lines = [head, ""]
     table = fit.params[["effect", "parameter", "value", "sigma", "low", "high", "unit", "state"]]
-    lines += table.to_string(index=False, float_format=_number, na_rep="-").splitlines()
+    numbers = ["value", "sigma", "low", "high"]
+    shown = table.astype({name: object for name in numbers})
+    shown[numbers] = [[_to_sigma(value, row["sigma"]) for value in row[numbers]] for _, row in table.iterrows()]
+    lines += shown.to_string(index=False).splitlines()
     noise = fit._json["noise"]
     white, slow = (noise[named_in(f"{part}_um", unit)] for part in ("white", "correlated"))
     slowly = f", {_number(slow)}{ends} over {_number(noise['correlation_time_s'] / 60.0)} min" if slow else ""
@@ -94,9 +97,19 @@ def summary_of(fit: Fit) -> str:
         f"RMSE {_number(fit._json[named_in('rmse_um', unit)])}{ends}" + (f", floor {_number(floor)}{ends}" if floor is not None else "")
         + f", noise {_number(white)}{ends} from row to row{slowly}",
         f"R² {r_squared_of(fit):.4f}, log-likelihood {criteria.log_likelihood:.1f}, AIC {criteria.aic:.1f}, BIC {criteria.bic:.1f}, "
-        f"{fit._json['n_effective']:.3g} independent readings",
+        f"{fit._json['n_effective']:.{0 if fit._json['n_effective'] >= 100 else 1}f} independent readings",
     ]
     return "\n".join(lines)
+
+
+def _to_sigma(value: float, sigma: float) -> str:
+    """With two digits of sigma; "-": not known."""
+    if not math.isfinite(value):
+        return "-"
+    if not (math.isfinite(sigma) and sigma > 0.0):
+        return f"{value:.6g}"
+    decimals = max(0, 1 - math.floor(math.log10(sigma)))
+    return f"{value:.{decimals}f}" if decimals < 10 else f"{value:.6g}"
 
 
 def _number(value: Any) -> str:
