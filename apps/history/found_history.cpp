@@ -11,6 +11,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "history/machine_folder.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -34,19 +35,22 @@ void expect_known(const std::vector<Tolerance>& tolerances, const std::vector<Ma
   }
 }
 
-// Of several folders each is a machine, where its tests name none.
+// Of several folders each is a machine, where its tests name none; those that are dates hold its tests.
 void name_by_folder(std::vector<MachineTest>& tests, const std::vector<std::string>& folders) {
   if (folders.size() < 2) return;
   std::error_code error;
   const auto path_of = [](const std::string& folder) {
-    return (std::filesystem::path(folder) / "").lexically_normal().parent_path();
+    return machine_folder((std::filesystem::path(folder) / "").lexically_normal().parent_path());
   };
-  std::set<std::filesystem::path> names;
-  for (const std::string& folder : folders) names.insert(path_of(folder).filename());
+  std::set<std::filesystem::path> names, paths;
+  for (const std::string& folder : folders) {
+    paths.insert(path_of(folder));
+    names.insert(path_of(folder).filename());
+  }
   for (const std::string& folder : folders) {
     if (!std::filesystem::is_directory(folder, error)) continue;
     const std::filesystem::path path = path_of(folder);
-    const std::string name = (names.size() == folders.size() ? path.filename() : path).string();
+    const std::string name = (names.size() == paths.size() ? path.filename() : path).string();
     const std::string inside = folder.ends_with('/') ? folder : folder + '/';
     for (MachineTest& test : tests) {
       if (test.machine.empty() && test.file.starts_with(inside)) test.machine = name;

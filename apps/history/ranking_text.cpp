@@ -149,9 +149,18 @@ std::vector<std::string> conclusion(const History& history) {
   const std::size_t all = history.machines.size();
   const std::size_t beyond = count_of(history, Need::beyond), expected = count_of(history, Need::expected),
                     finding = count_of(history, Need::finding), nothing = count_of(history, Need::nothing);
+  const auto untested = static_cast<std::size_t>(std::count_if(
+      history.machines.begin(), history.machines.end(), [](const MachineHistory& one) { return one.judged == 0; }));
+  if (nothing == all && untested == all)
+    return {
+        fmt::format("Nothing could be tested on any of {}: there are too few tests of one machine, or over too short a "
+                    "time, to show a step or a trend.",
+                    machines_text(all))};
+  const std::string too_few =
+      untested == 0 ? "." : fmt::format("; {} with too few tests to show one.", machines_text(untested));
   const std::string first =
       nothing == all
-          ? fmt::format("No significant change on any of {}.", machines_text(all))
+          ? fmt::format("No significant change on any of {}{}", machines_text(all), too_few)
           : fmt::format("Findings on {} of {}: {} beyond a tolerance, {} drifting towards one, {} with another change.",
                         all - nothing, machines_text(all), beyond, expected, finding);
   return {first, questions_text(history)};

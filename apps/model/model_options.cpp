@@ -22,6 +22,7 @@
 #include "ballbar/number_text.hpp"
 #include "model/held_values.hpp"
 #include "model/resolve_columns.hpp"
+#include "model/targets_in_um.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/log_options.hpp"
 #include "terminal/option_checks.hpp"
@@ -178,8 +179,8 @@ void add_fit_options(CLI::App& command, ModelOptions& options) {
 }
 
 ModelData open_data(const ModelOptions& options) {
-  ModelData data =
-      open_model_data(with_stated_targets(options), {}, options.max_gap_s, known_readers(), options.circle);
+  ModelData data = with_targets_in_um(
+      open_model_data(with_stated_targets(options), {}, options.max_gap_s, known_readers(), options.circle), options);
   tell(data.remarks);
   if (!data.series->has_clock) {
     stderr_line(
@@ -230,7 +231,9 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
                             data.title, fmt::join(column_names(*data.series), ", ")));
   expect_model_suits(model, options, data);
   expect_also_inputs(options, model, *data.series);
-  for (const std::string& target : model.targets) say_unit(target);
+  for (const std::string& target : model.targets) {
+    if (!options.carries_unit) say_unit(target);
+  }
   return model;
 }
 

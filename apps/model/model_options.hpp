@@ -30,6 +30,7 @@ struct ModelOptions {
   StatedCircle circle;
   bool robust = false;
   bool white = false;
+  bool carries_unit = false;  // results are given in the unit of the target: no remark that um stands for it
   Catalogue catalogue = built_in_catalogue();  // effects for models and searches
 };
 

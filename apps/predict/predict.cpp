@@ -18,6 +18,7 @@
 #include "ballbar/series/runs.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
+#include "model/other_data.hpp"
 #include "predict/predict_results.hpp"
 #include "predict/predicted_job.hpp"
 #include "terminal/caller.hpp"
@@ -112,7 +113,9 @@ void run(const PredictOptions& options) {
   const Model model = open_model(options.model, data);
   ModelOptions elsewhere = options.model;
   if (!options.on.empty()) elsewhere.data = options.on;
-  const ModelData other = options.on.empty() ? data : open_data(elsewhere);
+  const OtherData place =
+      options.on.empty() ? of_its_own(data) : open_other(elsewhere, model, data, options.model.data);
+  const ModelData& other = place.data;
   std::vector<std::filesystem::path> inputs = data.files;
   inputs.insert(inputs.end(), other.files.begin(), other.files.end());
   if (options.model.model.is_path()) inputs.push_back(options.model.model.path());
@@ -123,7 +126,7 @@ void run(const PredictOptions& options) {
     const std::vector<FittedParameter> parameters =
         has_free(model) ? fit_of(options.model, model, data, target).parameters : held_parameters(model);
     const Prediction prediction =
-        with_source(elsewhere.data.front().name(), [&] { return predict(model, parameters, *other.series); });
+        with_source(elsewhere.data.front().name(), [&] { return predict(model, parameters, place); });
     const std::vector<Column> columns = columns_of(model, model.targets[target], prediction, *other.series);
     series.columns.insert(series.columns.end(), columns.begin(), columns.end());
   }

@@ -4,6 +4,7 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <map>
@@ -21,6 +22,7 @@
 #include "diagnose/diagnosis_result.hpp"
 #include "diagnose/revision_results.hpp"
 #include "model/model_options.hpp"
+#include "model/other_data.hpp"
 #include "model/residual_report.hpp"
 #include "python/arrays.hpp"
 #include "python/classes.hpp"
@@ -113,18 +115,26 @@ class Bench {
     }
     ModelOptions elsewhere = options_;
     elsewhere.data = sources_of(places, held);
-    elsewhere = expect_data(std::move(elsewhere));
-    const ModelData other = open_data(elsewhere);
-    const std::shared_ptr<const ResidualReport> report = has_free(model_) ? check() : nullptr;
-    const std::vector<FittedParameter> parameters = report ? report->fit.parameters : held_parameters(model_);
-    const Eigen::MatrixXd* const covariance = report ? &report->fit.covariance : nullptr;
-    Prediction prediction = with_source(
-        elsewhere.data.front().name(), [&] { return ballbar::predict(model_, parameters, *other.series, covariance); });
-    prediction.sigma_um.resize(prediction.predicted_um.size(), std::nan(""));
-    return {other.series->time_s, std::move(prediction)};
+    const OtherData other = open_other(expect_data(std::move(elsewhere)), model_, *data_, options_.data);
+    return {other.data.series->time_s, predicted(other)};
+  }
+
+  // Of the data of the fit.
+  std::pair<std::vector<double>, Prediction> predict() {
+    return {data_->series->time_s, predicted(of_its_own(*data_))};
   }
 
  private:
+  Prediction predicted(const OtherData& other) {
+    const std::shared_ptr<const ResidualReport> report = has_free(model_) ? check() : nullptr;
+    const std::vector<FittedParameter> parameters = report ? report->fit.parameters : held_parameters(model_);
+    const Eigen::MatrixXd* const covariance = report ? &report->fit.covariance : nullptr;
+    Prediction prediction =
+        with_source(other.data.title, [&] { return ballbar::predict(model_, parameters, other, covariance); });
+    prediction.sigma_um.resize(prediction.predicted_um.size(), std::nan(""));
+    return prediction;
+  }
+
   [[nodiscard]] Workbench workbench(const DiagnoseOptions& how = {}) const {
     DiagnosisOptions options = diagnosis_options(how, target());
     options.search.so_far = nullptr;  // who is told of progress reads texts
@@ -147,6 +157,18 @@ py::list arrays_of(std::vector<std::vector<double>> all) {
   return list;
 }
 
+// Of the readings that are kept, with the noise of the fit.
+double fit_log_likelihood(const Fit& fit) {
+  const auto kept = [&](const std::vector<double>& values) {
+    std::vector<double> some;
+    for (std::size_t row = 0; row < values.size(); ++row) {
+      if (!std::binary_search(fit.discounted.begin(), fit.discounted.end(), row)) some.push_back(values[row]);
+    }
+    return some;
+  };
+  return log_likelihood(fit.noise, kept(fit.time_s), kept(fit.residual_um), kept(fit.sigma_um));
+}
+
 py::dict arrays_of(const Fit& fit) {
   py::dict arrays;
   arrays["row"] = whole_numbers(fit.row);
@@ -156,6 +178,8 @@ py::dict arrays_of(const Fit& fit) {
   arrays["measured_um"] = array_of(fit.measured_um);
   arrays["predicted_um"] = array_of(fit.predicted_um);
   arrays["residual_um"] = array_of(fit.residual_um);
+  arrays["stated_sigma_um"] = array_of(fit.sigma_um);
+  arrays["log_likelihood"] = fit_log_likelihood(fit);
   arrays["contribution_um"] = arrays_of(fit.contribution_um);
   arrays["covariance"] = py::cast(fit.covariance);
   return arrays;
@@ -196,14 +220,15 @@ void bind_bench(py::module_& module) {
              const nlohmann::ordered_json json = listener.hear([&] { return bench.test(text, effects); });
              return py::make_tuple(to_python(json), listener.remarks);
            })
-      .def("predict",
-           [](Bench& bench, const Places& places, const Held& held, bool fitted, const py::object& progress) {
-             Listener listener(progress);
-             auto [time_s, found] = listener.hear([&] { return bench.predict(places, held, fitted); });
-             return py::make_tuple(array_of(std::move(time_s)), array_of(std::move(found.predicted_um)),
-                                   array_of(std::move(found.sigma_um)), arrays_of(std::move(found.contribution_um)),
-                                   listener.remarks);
-           });
+      .def("predict", [](Bench& bench, const std::optional<Places>& places, const Held& held, bool fitted,
+                         const py::object& progress) {
+        Listener listener(progress);
+        auto [time_s, found] =
+            listener.hear([&] { return places ? bench.predict(*places, held, fitted) : bench.predict(); });
+        return py::make_tuple(array_of(std::move(time_s)), array_of(std::move(found.predicted_um)),
+                              array_of(std::move(found.sigma_um)), arrays_of(std::move(found.contribution_um)),
+                              listener.remarks);
+      });
   module.def(
       "bench",
       [](const Places& places, const Held& held, const std::string& text, const Effects& effects,
@@ -220,6 +245,7 @@ void bind_bench(py::module_& module) {
         options.max_gap_s = max_gap_s;
         options.robust = robust;
         options.white = white;
+        options.carries_unit = true;
         Listener listener(progress);
         const auto bench = listener.hear([&] { return std::make_shared<Bench>(std::move(options)); });
         return py::make_tuple(bench, listener.remarks);

@@ -2,6 +2,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,7 @@
 #include "history/history_page.hpp"
 #include "history/history_result.hpp"
 #include "history/history_text.hpp"
+#include "history/machine_folder.hpp"
 #include "python/arrays.hpp"
 #include "python/classes.hpp"
 
@@ -99,6 +101,8 @@ py::tuple fleet(const Texts& texts, const Columns& columns,
   std::string text, page;
   Listener(py::none()).hear([&] {
     const std::vector<MachineTest> tests = tests_of(texts, columns, quantities);
+    options.every_quantity = std::all_of(
+        tests.begin(), tests.end(), [&](const MachineTest& test) { return test.machine == tests.front().machine; });
     const History found = history_of(tests, options);
     json = json_of(found);
     text = ranking_text(found, false, remarks);
@@ -121,6 +125,9 @@ py::object tests(const std::vector<std::string>& files) {
 
 void bind_fleets(py::module_& module) {
   module.def("tests", &tests, py::arg("files"));
+  module.def(
+      "machine_of_folder", [](const std::string& folder) { return machine_folder(folder).filename().string(); },
+      py::arg("folder"));
   module.def("fleet", &fleet, py::arg("texts"), py::arg("numbers"), py::arg("quantities"), py::arg("tolerances"),
              py::arg("false_discovery_rate"), py::arg("title") = py::none(),
              py::arg("remarks") = std::vector<std::string>());

@@ -74,6 +74,10 @@ std::string python_name(std::string name) {
   return kWords.contains(name) ? name + "_" : name;
 }
 
+// Options that Model.fit takes too, under its names for them.
+const std::map<std::string, std::string, std::less<>> kAsOfFit{
+    {"unit", "units"}, {"role", "roles"}, {"every", "every"}};
+
 struct Argument {
   std::string name, type, otherwise, meaning, value;  // value: as it is handed on
   std::string option;                                 // "max_gap"; empty of a place
@@ -136,6 +140,7 @@ Argument option_of(const OptionWords& words, const Function& of) {
   } else if (const auto number = kNumbers.find(words.value); number != kNumbers.end()) {
     argument.type = words.value == "N" ? "int" : "float";
     if (!argument.name.ends_with(number->second)) argument.name += number->second;
+    if (argument.option == "every") argument.type = "Every";
   } else if (words.value == "DATA") {
     argument.type = "Data";
   } else if (words.takes == Takes::file || words.takes == Takes::folder) {
@@ -143,9 +148,10 @@ Argument option_of(const OptionWords& words, const Function& of) {
   } else {
     argument.type = words.value.find('=') != std::string::npos ? "Mapping[str, Any]" : "str";
   }
+  if (const auto known = kAsOfFit.find(argument.option); known != kAsOfFit.end()) argument.name = known->second;
   if (words.is_many && !argument.type.starts_with("Mapping") && argument.type != "Data")
     argument.type += " | Sequence[" + argument.type + "]";
-  if (argument.otherwise == "None") argument.type += " | None";
+  if (argument.otherwise == "None" && argument.type != "Every") argument.type += " | None";
   argument.value = words.value == "DATA" ? fmt::format("DataOf({})", argument.name) : argument.name;
   return argument;
 }
@@ -208,7 +214,7 @@ std::string functions_file() {
   std::string text =
       "\"\"\"The commands of the program as functions, made of its options by python_api.\"\"\"\n"
       "from __future__ import annotations\n\nfrom collections.abc import Mapping, Sequence\nfrom typing import Any\n\n"
-      "from ._call import Data, DataOf, ModelLike, Path, Progress, run\nfrom ._kinds import (\n    ";
+      "from ._call import Data, DataOf, Every, ModelLike, Path, Progress, run\nfrom ._kinds import (\n    ";
   std::set<std::string_view> results;
   for (const Function& one : kFunctions) results.insert(one.result);
   text += fmt::format("{},\n)\n", fmt::join(results, ",\n    "));
@@ -263,12 +269,20 @@ std::string class_text(const Effect& effect) {
                               : fmt::format("free from {} to {}", number_text(one.lower), number_text(one.upper)))),
                  8));
   }
+  const bool has_zero = !of_recordings && !effect.inputs.empty();
+  const std::string zero =
+      has_zero ? indented(
+                     "Its zero is the first row of the run, where it is at rest. :meth:`Fit.predict` continues the run "
+                     "of the fit for its rows and those that follow; any other data are a run with its own zero.",
+                     4) +
+                     "\n"
+               : "";
   return fmt::format(
-      "\n\nclass {}(Effect):\n    r\"\"\"{}\n\n{}\n    ``{}``\n\n    Parameters\n    ----------\n{}    \"\"\"\n\n"
+      "\n\nclass {}(Effect):\n    r\"\"\"{}\n\n{}\n    ``{}``\n\n{}    Parameters\n    ----------\n{}    \"\"\"\n\n"
       "    of_recordings = {}\n    effect_name = \"{}\"\n\n    def __init__(self{}) -> None:\n        "
       "super().__init__(\"{}\", {{{}}}, {{{}}})\n",
       class_name(effect), sentence(effect.explanation.summary), indented(effect.explanation.cause, 4),
-      effect.explanation.formula, parameters, of_recordings ? "True" : "False", effect.name, names, effect.name,
+      effect.explanation.formula, zero, parameters, of_recordings ? "True" : "False", effect.name, names, effect.name,
       columns, values);
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/logs/column_unit.hpp"
 #include "ballbar/formats/logs/log.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
@@ -36,6 +37,10 @@ columns : dict of (n,) arrays
     Names end in a unit: ``T_room_degC``, ``speed_rpm``, ``z_um``. NaN, None, NA and what a mask covers are gaps.
 roles : dict
     Of columns whose role is not the usual one of their unit: ``{"T_room_degC": "ambient"}``.
+headers : dict
+    Other names that find a column: ``{"T_room_degC": "T_room_degF"}``.
+has_clock : bool
+    False: `time_s` numbers the rows, for nothing tells the time.
 started : str
     Wall clock at time 0, ``2026-11-22T13:05:10``.
 five_probe : dict
@@ -140,8 +145,10 @@ Column column_of(const std::string& name, const py::object& data, Role role, std
 
 std::shared_ptr<Series> series_of(const py::object& time_s, const py::dict& columns,
                                   const std::map<std::string, std::string>& roles,
+                                  const std::map<std::string, std::string>& headers, bool has_clock,
                                   const std::optional<std::string>& started, const std::optional<py::dict>& probes) {
   auto series = std::make_shared<Series>();
+  series->has_clock = has_clock;
   series->time_s = vector_of(time_s, "time_s");
   expect_rising(series->time_s);
   if (started && !seconds_of_stamp(*started)) {
@@ -155,6 +162,7 @@ std::shared_ptr<Series> series_of(const py::object& time_s, const py::dict& colu
     expect_name(*series, name);
     series->columns.push_back(
         column_of(name, py::reinterpret_borrow<py::object>(data), role_of(name, roles), series->time_s.size()));
+    if (const auto header = headers.find(name); header != headers.end()) series->columns.back().header = header->second;
   }
   for (const auto& [name, role] : roles) {
     if (find_column(*series, name) != nullptr) continue;
@@ -167,7 +175,7 @@ std::shared_ptr<Series> series_of(const py::object& time_s, const py::dict& colu
 py::tuple state_of(Series& series) {
   py::list columns, runs;
   for (const Column& one : series.columns) {
-    columns.append(py::make_tuple(one.name, static_cast<int>(one.role), array_of(one.values)));
+    columns.append(py::make_tuple(one.name, static_cast<int>(one.role), array_of(one.values), one.header));
   }
   for (const RunOrigin& one : series.runs) runs.append(py::make_tuple(one.name, static_cast<int>(one.start)));
   return py::make_tuple(array_of(series.time_s), columns, series.started, of_probes(series), runs, series.has_clock);
@@ -176,8 +184,9 @@ py::tuple state_of(Series& series) {
 std::shared_ptr<Series> series_from(const py::tuple& state) {
   auto series = std::make_shared<Series>();
   series->time_s = vector_of(state[0], "time_s");
-  for (const auto& [name, role, values] : py::cast<std::vector<std::tuple<std::string, int, py::object>>>(state[1])) {
-    series->columns.push_back({name, static_cast<Role>(role), vector_of(values, name)});
+  using StateOfColumn = std::tuple<std::string, int, py::object, std::string>;
+  for (const auto& [name, role, values, header] : py::cast<std::vector<StateOfColumn>>(state[1])) {
+    series->columns.push_back({name, static_cast<Role>(role), vector_of(values, name), header});
   }
   series->started = py::cast<std::optional<std::string>>(state[2]);
   if (!state[3].is_none()) series->five_probe = probes_from(py::cast<py::dict>(state[3]));
@@ -193,8 +202,9 @@ std::shared_ptr<Series> series_from(const py::tuple& state) {
 void bind_series(py::module_& module) {
   py::class_<Series, std::shared_ptr<Series>>(module, "Series", kSeries)
       .def(py::init(&series_of), py::arg("time_s"), py::arg("columns"), py::kw_only(),
-           py::arg("roles") = std::map<std::string, std::string>{}, py::arg("started") = py::none(),
-           py::arg("five_probe") = py::none())
+           py::arg("roles") = std::map<std::string, std::string>{},
+           py::arg("headers") = std::map<std::string, std::string>{}, py::arg("has_clock") = true,
+           py::arg("started") = py::none(), py::arg("five_probe") = py::none())
       .def_property_readonly(
           "time_s", [](const py::object& self) { return view_of(py::cast<const Series&>(self).time_s, self); },
           "(n,) s, strictly rising; read-only.")
@@ -255,6 +265,20 @@ void bind_series(py::module_& module) {
       .def(py::pickle(&state_of, &series_from));
   module.def(
       "unit_of", [](const std::string& name) { return std::string(unit_of(name)); }, py::arg("name"));
+  module.def(
+      "column_unit",
+      [](const std::string& unit) -> py::object {
+        const auto known = column_unit(unit);
+        return known ? py::object(py::make_tuple(known->canonical, known->factor, known->offset)) : py::none();
+      },
+      py::arg("unit"));
+  module.def(
+      "in_unit_of_series",
+      [](const std::string& name) -> py::object {
+        const auto known = in_unit_of_series(name);
+        return known ? py::object(py::make_tuple(known->name, known->unit.factor, known->unit.offset)) : py::none();
+      },
+      py::arg("name"));
   module.def(
       "read_series",
       [](const std::filesystem::path& path) {

@@ -23,6 +23,9 @@ rmse: float = fit.rmse_um
 found: bb.Diagnosis = fit.diagnose()
 better = model + found.best
 sentence: str = better.fit(table).compare(fit).sentence
+low = fit.predict(table.iloc[5:])["y_um_low"]
+summary: str = fit.summary() + f"{fit.aic} {fit.bic} {fit.log_likelihood} {fit.r_squared}"
+stepped = bb.read("run.csv", every="10s", units={"T": "degF"})
 centre: float = bb.fit_circle([100.0, 100.1], angle_deg=[0.0, 90.0]).recordings[0].centre_a_um
 rows: int = len(bb.drift("session.toml").points)
 """

@@ -29,6 +29,28 @@ class Plots(unittest.TestCase):
         self.assertAlmostEqual(float(np.mean(radius_mm)), 100.004, places=1)
         self.assertGreater(np.ptp(radius_mm), 4.0)  # 5.6 um a thousand times
 
+    def test_a_circle_has_a_scale_in_um(self):
+        recordings = bb.read_recordings("sample-runs/qc20-style-b5r/00.b5r")
+        axes = plot.circle(recordings, bb.fit_circle(recordings))
+        labels = [label.get_text() for label in axes.get_yticklabels()]
+        self.assertEqual(labels, ["-4 µm", "-2 µm", "0", "+2 µm", "+4 µm"])
+        radii_mm, ring_mm = axes.lines[0].get_ydata(), axes.get_yticks()
+        largest_um = 2.0 * np.abs(radii_mm - ring_mm[2]).max() / (ring_mm[3] - ring_mm[2])
+        self.assertAlmostEqual(float(largest_um), 2.9, delta=0.3)  # circularity is 5.6 um
+        self.assertIn("a ring 2 µm", axes.get_title())
+
+    def test_nothing_is_cut_off_or_hidden(self):
+        """Labels, and legends, are within the figure; a legend is beside the axes."""
+        fit = bb.Model.load(f"{HE}/model.toml").fit(HE)
+        recordings = bb.read_recordings("sample-runs/qc20-style-b5r/00.b5r")
+        errors = bb.machine_errors("sample-runs/qc20-style-b5r/00.b5r")
+        for axes in (fit.plot(), fit.diagnose().plot(), errors.plot(), plot.circle(recordings, bb.fit_circle(recordings)), bb.drift(HE).plot()):
+            axes.figure.canvas.draw()
+            box, whole = axes.get_tightbbox(axes.figure.canvas.get_renderer()), axes.figure.bbox
+            self.assertTrue(box.x0 > whole.x0 - 1.0 and box.x1 < whole.x1 + 1.0 and box.y0 > whole.y0 - 1.0 and box.y1 < whole.y1 + 1.0, (box, whole))
+            if axes.get_legend() is not None:
+                self.assertGreaterEqual(axes.get_legend().get_window_extent().x0, axes.get_window_extent().x1)
+
     def test_drift_and_comparison(self):
         axes = bb.drift(HE).plot()
         self.assertIn("y", [text.get_text() for text in axes.get_legend().get_texts()])

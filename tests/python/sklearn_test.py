@@ -1,4 +1,5 @@
 """The estimator of scikit-learn, by scikit-learn's own checks."""
+import importlib
 import importlib.util
 import sys
 import unittest
@@ -65,6 +66,55 @@ class Sklearn(unittest.TestCase):
         np.testing.assert_allclose(later, whole[1000:], atol=1e-9)
         anew = EffectRegressor(BOTH).fit(inputs.iloc[:1000].reset_index(drop=True), target.iloc[:1000]).predict(inputs.iloc[1000:].reset_index(drop=True))
         self.assertGreater(np.abs(anew - later).max(), 1.0)
+
+    def test_numbered_rows_go_on(self):
+        """Without times the numbers of the rows are the clock: of consecutive rows, as splits by time take them."""
+        inputs, target = (one.reset_index(drop=True) for one in data())
+        timed = cross_val_score(EffectRegressor(BOTH), *data(), cv=TimeSeriesSplit(3))
+        np.testing.assert_allclose(cross_val_score(EffectRegressor(BOTH), inputs, target, cv=TimeSeriesSplit(3)), timed, atol=1e-6)
+
+    def test_folds_of_time_are_parts_of_the_run(self):
+        """A fold in the middle of the training lies in its run; of one before it, the zero is its own."""
+        inputs, target = data()
+        middle = np.r_[0:400, 800 : len(inputs)]
+        regressor = EffectRegressor(BOTH, max_gap_s=1e6).fit(inputs.iloc[middle], target.iloc[middle])
+        found = regressor.predict(inputs.iloc[400:800])
+        self.assertLess(float(np.sqrt(np.mean((found - target.iloc[400:800]) ** 2))), 1.0)
+        np.testing.assert_allclose(regressor.predict(inputs.iloc[900:1000]), regressor.fit_.fitted.to_numpy()[500:600], atol=1e-9)
+        later = EffectRegressor(BOTH).fit(inputs.iloc[500:], target.iloc[500:])
+        with self.assertLogs("ballbar") as logs:
+            self.assertTrue(np.isfinite(later.predict(inputs.iloc[:400])).all())
+        self.assertIn("another run", logs.output[0])
+
+    def test_with_the_functions_of_later_versions(self):
+        """As scikit-learn 1.7: validate_data is public, and the estimator has lost _validate_data and its like."""
+        import sklearn.base
+        import sklearn.utils.validation as validation
+        from unittest import mock
+
+        base, called = sklearn.base.BaseEstimator, []
+        kept = {name: getattr(base, name) for name in ("_validate_data", "_check_n_features", "_check_feature_names") if hasattr(base, name)}
+
+        def validate_data(estimator, X, *, reset, skip_check_array=False, **how):
+            called.append(skip_check_array)
+            estimator.n_features_in_ = X.shape[1]
+            return X if skip_check_array else validation.check_array(X, **how)
+
+        module = sys.modules["ballbar.sklearn"]
+        inputs, target = data()
+        for name in kept:
+            delattr(base, name)
+        try:
+            with mock.patch.object(validation, "validate_data", validate_data, create=True):
+                later = importlib.reload(module).EffectRegressor
+                found = later(BOTH).fit(inputs, target).predict(inputs)
+                self.assertEqual(later(["expansion(T0_degC)"]).fit(inputs.to_numpy(), target).predict(inputs.to_numpy()).shape, target.shape)
+        finally:
+            for name, value in kept.items():
+                setattr(base, name, value)
+            importlib.reload(module)
+        self.assertEqual(sorted(set(called)), [False, True])
+        np.testing.assert_array_equal(found, bb.Model("y_um", BOTH).fit(bb.read(DATA)).fitted)
 
     def test_dates(self):
         inputs, target = data()

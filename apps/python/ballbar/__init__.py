@@ -8,7 +8,6 @@ Units stand at the end of every name: ``_um``, ``_mm``, ``_deg``, ``_s``, ``_deg
 """
 from __future__ import annotations
 
-import importlib
 from typing import Any
 
 from . import _core, _effects
@@ -35,8 +34,16 @@ __all__ = [
 ]
 
 
+_MODULES = ("fleet", "plot", "sklearn")  # that need more than numpy and pandas: imported when they are first used
+
+
 def __getattr__(name: str) -> Any:
-    """Modules that need more than numpy and pandas are imported when they are first used."""
-    if name in ("fleet", "plot", "sklearn"):
-        return importlib.import_module(f"{__name__}.{name}")
+    if name in _MODULES:
+        from importlib import import_module
+
+        return import_module(f"{__name__}.{name}")
     raise AttributeError(f"module {__name__} has no attribute {name}")
+
+
+def __dir__() -> list[str]:
+    return sorted([*__all__, *_MODULES, *(name for name in globals() if name.startswith("__"))])

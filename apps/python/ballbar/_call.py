@@ -4,6 +4,7 @@ from __future__ import annotations
 import logging
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from datetime import timedelta
 from typing import Any, Union
 
 import numpy as np
@@ -14,8 +15,9 @@ from ._frame import Data, Held, Path, Progress
 from ._model import Model
 from ._progress import progress_or_tqdm
 from ._terms import Effect
+from ._times import Every, seconds
 
-__all__ = ["Data", "DataOf", "ModelLike", "Path", "Progress", "TextOf", "run"]
+__all__ = ["Data", "DataOf", "Every", "ModelLike", "Path", "Progress", "TextOf", "run"]
 
 _log = logging.getLogger("ballbar")
 
@@ -98,4 +100,6 @@ def _word(value: Any, held: Held, effects: list[Any]) -> str:
 def _text(value: Any) -> str:
     if isinstance(value, (os.PathLike, str)):
         return os.fspath(value)
+    if isinstance(value, (timedelta, np.timedelta64)):
+        value = seconds(value)
     return repr(float(value)) if isinstance(value, float) else str(value)

@@ -18,12 +18,18 @@ _FILE = re.compile(r"^[^<>\s]+\.[A-Za-z]\w*$")  # by its ending, where there is 
 
 # What the program's sentences say of its command line, as Python has it.
 _HELP = re.compile(r"; see ballbar \S+ --help$")
-_OPTION = re.compile(r"(?<![^\s(])--([a-z][A-Za-z0-9-]*)")
+_OPTION = re.compile(r"(?<![^\s(])--([a-z][A-Za-z0-9-]*)(?: (\d+(?:ms|s|min|h))\b)?")
+_ARGUMENTS = {"max_gap": "max_gap_s", "unit": "units", "role": "roles", "set": "hold", "lag_range": "lag_range_s", "radius": "radius_mm"}
 
 
 def in_python(sentence: str) -> str:
-    """A sentence of the program with arguments in the place of options."""
-    return _OPTION.sub(lambda option: option[1].replace("-", "_"), _HELP.sub("", sentence))
+    """A sentence of the program with arguments in the place of options: ``every="10s"`` for ``--every 10s``."""
+
+    def argument(option: re.Match[str]) -> str:
+        name = option[1].replace("-", "_")
+        return _ARGUMENTS.get(name, name) + (f'="{option[2]}"' if option[2] else "")
+
+    return _OPTION.sub(argument, _HELP.sub("", sentence))
 
 
 class BallbarError(ValueError):

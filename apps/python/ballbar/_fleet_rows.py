@@ -222,7 +222,7 @@ def _row(file: str, sha256: str, test: Row, at: str) -> Row:
     row.update({name: test[name] for name in ("date", "plane", "stored", "feed_mm_per_min", "start_deg", "arc_deg")})
     row["length_mm"] = test["nominal_length_mm"]
     row["bar"] = test["bar"] or None
-    row["machine"] = test["machine"] or os.path.basename(os.path.dirname(os.path.join(at, file))) or None
+    row["machine"] = test["machine"] or _core.machine_of_folder(os.path.dirname(os.path.join(at, file))) or None
     for one in test["errors"]:
         unit = one["unit"].replace("/", "_per_")
         row[f"{one['name']}_{unit}"] = one["value"]

@@ -1,10 +1,10 @@
 """Tables of pandas and their like as the data of a fit, and back."""
 from __future__ import annotations
 
-import math
 import os
-from collections.abc import Callable, Iterable, Mapping
-from typing import Any, Union
+import re
+from collections.abc import Callable, Collection, Iterable, Mapping
+from typing import Any, NoReturn, Union
 
 import numpy as np
 import pandas
@@ -12,6 +12,8 @@ import pandas
 from . import _core
 from ._core import Recording, Series
 from ._errors import BallbarError, warn
+from ._times import ROWS, Every, times_of
+from ._units import expect_columns, named_column
 
 Path = Union[str, os.PathLike[str]]
 Progress = Callable[[int, int, str], object]
@@ -20,7 +22,7 @@ Data = Any
 """A path or a list of paths, a DataFrame (pandas, or what has ``__dataframe__`` or ``to_dataframe``), a dict of arrays,
 a :class:`Series`, a :class:`Recording` or a list of them."""
 
-TIMES = {"time_s": 1.0, "time_min": 60.0, "time_h": 3600.0}
+_EXPECTED = "expected a path, a DataFrame, a Series or recordings"
 
 
 class Held:
@@ -52,12 +54,14 @@ class Held:
             series, index = series_of(frame, **self._how)
             self._indexes.append(index)
             return [self.hold(series)]
-        if isinstance(data, Iterable) and not hasattr(data, "read"):
+        if isinstance(data, Iterable) and not hasattr(data, "read") and not isinstance(data, np.ndarray):
             several = list(data)
             if several and all(isinstance(one, Recording) for one in several):
                 return [self.hold(several)]
             return [place for one in several for place in self.places(one)]
-        raise TypeError(f"expected a path, a DataFrame, a Series or recordings, found {type(data).__name__}")
+        if isinstance(data, (np.ndarray, np.generic)):
+            raise TypeError(f"{_EXPECTED}, found an array, whose columns have no names; pandas.DataFrame(data, columns=[...]) gives them")
+        raise TypeError(f"{_EXPECTED}, found {type(data).__name__}")
 
     def hold(self, value: Any, kind: str = "data") -> str:
         number = 1 + sum(name.startswith(f"<{kind}") for name in self.values)
@@ -100,81 +104,57 @@ def series_of(
     *,
     units: Mapping[str, str] | None = None,
     roles: Mapping[str, str] | None = None,
-    every: float | str | None = None,
+    every: Every = None,
+    zero: pandas.Timestamp | None = None,
+    needed: Collection[str] = (),
 ) -> tuple[Series, pandas.Index]:
     """The columns that are numbers, over time, and the index of the rows.
 
-    Time is a column ``time_s``, ``time_min`` or ``time_h``, else the index: dates, durations, numbers under one of these
-    names, or with `every` any; else the one column of dates.
+    Time is a column ``time_s``, ``time_min`` or ``time_h``, else the index: dates, durations, periods, numbers under one
+    of these names, or with `every` any; else the one column of dates. Rows of :func:`read` that a file without times
+    numbers stay numbered. `zero`: time 0 of dates. `needed`: columns that a model reads, which must be numbers.
     """
     named = {str(name): frame[name] for name in frame.columns}
     if len(named) < len(frame.columns):
         raise BallbarError("expected columns of different names, found " + ", ".join(map(str, frame.columns)) + ".")
-    time_s, started, used = _time_of(named, frame.index, every)
+    times = times_of(named, frame.index, every, zero)
     columns: dict[str, Any] = {}
     names: dict[str, str] = {}  # of the columns that are kept, as files have them
-    for name in units or ():
-        if name not in named:
-            raise BallbarError(f'units: expected names of columns, found "{name}".')
+    expect_columns(units or {}, named)
     left_out = []
     for name, values in named.items():
-        if name == used:
+        if name == times.column:
             continue
         if not _is_numbers(values):
+            if name in needed:
+                _expect_numbers(name, values)
             left_out.append(name)
             continue
-        is_bare = units and name in units and not name.endswith("_" + units[name])
-        names[name] = f"{name}_{units[name]}" if units and is_bare else file_name(name)
+        stated, factor, offset = named_column(name, units or {})
+        names[name] = stated if units and name in units else file_name(stated)
         if names[name] in columns:
             raise BallbarError(f'{name}: expected a name of its own with its unit, found two columns "{names[name]}".')
-        columns[names[name]] = values.to_numpy()
+        numbers = values.to_numpy()
+        columns[names[name]] = numbers if (factor, offset) == (1.0, 0.0) else factor * _core.numbers(numbers, name) + offset
     if left_out:
         warn(f"left out, as these columns are no numbers: {', '.join(left_out)}")
-    stated = {**frame.attrs.get("roles", {}), **(roles or {})}
-    known = {names.get(name, name): role for name, role in stated.items() if name in names or roles and name in roles}
+    stated_roles = {**frame.attrs.get("roles", {}), **(roles or {})}
+    known = {names.get(name, name): role for name, role in stated_roles.items() if name in names or roles and name in roles}
     of_file = {key: frame.attrs.get(key) for key in ("started", "five_probe") if key != "started" or every is None}
-    return Series(time_s, columns, roles=known, **{**of_file, **({"started": started} if started else {})}), frame.index
+    started = {"started": times.started} if times.started else {}
+    headers = {file: name for name, file in names.items() if file != name and file_name(name) != file}
+    return Series(times.time_s, columns, roles=known, headers=headers, has_clock=times.has_clock, **{**of_file, **started}), frame.index
 
 
-def _time_of(named: dict[str, Any], index: pandas.Index, every: float | str | None) -> tuple[Any, str | None, str | None]:
-    """Seconds, the wall clock at their start, and the column that they are from."""
-    if every is not None:
-        timed = [name for name in TIMES if name in named or index.name == name]
-        if timed or isinstance(index, (pandas.DatetimeIndex, pandas.TimedeltaIndex)):
-            raise BallbarError(f"every: expected a table without times, found {timed[0] if timed else 'an index of them'}; leave it out.")
-        try:
-            step_s = pandas.Timedelta(every).total_seconds() if isinstance(every, str) else float(every)
-        except (TypeError, ValueError):
-            step_s = math.nan
-        if not 0.0 < step_s < math.inf:
-            raise BallbarError(f'every: expected the step of the rows, in s or such as "10s", found {every!r}.')
-        return step_s * np.arange(len(index)), None, None
-    for name, seconds in TIMES.items():
-        if name in named:
-            return seconds * _core.numbers(named[name].to_numpy(), name), None, name
-    if isinstance(index, (pandas.DatetimeIndex, pandas.TimedeltaIndex)):
-        return *_seconds_of(index), None
-    if index.name in TIMES:
-        return TIMES[str(index.name)] * _core.numbers(index.to_numpy(), str(index.name)), None, None
-    dates = [name for name, values in named.items() if pandas.api.types.is_datetime64_any_dtype(values)]
-    if len(dates) == 1:
-        return *_seconds_of(pandas.DatetimeIndex(named[dates[0]])), dates[0]
-    raise BallbarError(
-        "time_s: expected a column of that name (or time_min, time_h), an index of dates or durations, or every=, the "
-        f"step of the rows, such as every=\"10s\", found {', '.join(named) or 'none'}."
-    )
-
-
-def _seconds_of(index: Any) -> tuple[Any, str | None]:
-    if isinstance(index, pandas.TimedeltaIndex):
-        return index.total_seconds().to_numpy(), None
-    if index.hasnans:
-        raise BallbarError(f"time, row {int(np.argmax(index.isna()))}: expected a date, found none.")
-    if not len(index):
-        return np.empty(0), None
-    started = index[0].strftime("%Y-%m-%dT%H:%M:%S")  # of the wall clock; what passes since is of no zone
-    passed = index if index.tz is None else index.tz_convert("UTC").tz_localize(None)
-    return (passed - passed[0].floor("s")).total_seconds().to_numpy(), started
+def _expect_numbers(name: str, values: Any) -> NoReturn:
+    """Says what a column of texts holds, and how it becomes numbers."""
+    row, found = next(((row, one) for row, one in enumerate(values) if not isinstance(one, (int, float, np.number))), (0, values.iloc[0]))
+    how = ""
+    if isinstance(found, str):
+        comma = re.fullmatch(r"\s*[-+]?\d+,\d+\s*", found) is not None
+        texts = 'table[name].str.replace(",", ".")' if comma else "table[name]"
+        how = f"; pandas.to_numeric({texts.replace('name', repr(name))}) makes numbers of texts" if comma or re.fullmatch(r"\s*[-+.\deE]+\s*", found) else ""
+    raise BallbarError(f"{name}, row {row}: expected a number, found {found!r}{how}.")
 
 
 def _is_numbers(values: Any) -> bool:
@@ -200,8 +180,10 @@ def table_name(name: str) -> str:
 
 
 def frame_from(series: Series) -> pandas.DataFrame:
-    """A series as a DataFrame over ``time_s``, with units, roles and what else the file states in ``attrs``."""
-    frame = pandas.DataFrame({table_name(name): series[name] for name in series}, index=pandas.Index(series.time_s, name="time_s"))
+    """A series as a DataFrame over ``time_s``, or over ``row`` where no file tells the time; its units and roles, and what
+    else the file states, are in ``attrs``."""
+    index = pandas.Index(series.time_s, name="time_s") if series.has_clock else pandas.RangeIndex(len(series), name=ROWS)
+    frame = pandas.DataFrame({table_name(name): series[name] for name in series}, index=index)
     frame.attrs["units"] = {table_name(name): unit for name, unit in series.units.items()}
     frame.attrs["roles"] = {table_name(name): role for name, role in series.roles.items()}
     frame.attrs |= {key: value for key in ("started", "five_probe") if (value := getattr(series, key)) is not None}

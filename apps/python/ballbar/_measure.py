@@ -23,13 +23,14 @@ def read(data: Any, **how: Any) -> pandas.DataFrame:
     data : path or list of paths
         Delimited text, .xlsx, .mat, .json or a ballbar series; several logs are joined on the clock of the first.
     **how
-        As of :func:`import_log`: recipe, sheet, delimiter, decimal, dates, time, time_unit, every, missing, unit, role,
+        As of :func:`import_log`: recipe, sheet, delimiter, decimal, dates, time, time_unit, every, missing, units, roles,
         name, leave_out, keep_clocks, lag_range_s, max_gap_s ...
 
     Returns
     -------
     DataFrame
-        Index ``time_s``; ``attrs`` has ``units`` and ``roles`` by column, and ``started`` where the file tells it.
+        Index ``time_s``, or ``row`` where no file tells the time and `every` is not given: a fit then knows no time, and
+        refuses effects with a time constant. ``attrs`` has ``units`` and ``roles`` by column, and ``started`` where the file tells it.
 
     Raises
     ------

@@ -15,7 +15,10 @@ from . import _core, _kinds
 from ._errors import BallbarError, UsageError, number_of
 from ._frame import Data, Held, Path, Progress
 from ._kinds import Plan, Preflight, Tried
-from ._terms import Effect, PythonEffect, effect_from_table, functions_of, toml_of, toml_table
+from ._summary import NORMAL_95, criteria_of, half_interval_of, r_squared_of, summary_of
+from ._terms import Effect, PythonEffect, effect_from_table, functions_of, parameter_names, toml_of, toml_table
+from ._times import ROWS, Every, zero_of
+from ._units import in_unit, named_in
 
 Array = NDArray[np.float64]
 
@@ -83,6 +86,9 @@ class Model:
 
     def _make(self, root: dict[str, Any], effects: Sequence[Effect], name: str) -> None:
         functions = functions_of(effects)
+        for one in effects:
+            if sum(one == other for other in effects) > 1:
+                raise BallbarError(f"effects: expected each once, found {one!r} twice.")
         plain = {key: value for key, value in root.items() if key not in ("trained", "effect", "history")}
         text = toml_table({"format": "ballbar-model 1", **plain})
         if root.get("trained"):
@@ -135,7 +141,11 @@ class Model:
             raise BallbarError(f"{os.fspath(path)}: expected effects of the catalogue, found {self.functions[0].name}, a function of Python; pickle keeps such a model.")
         pathlib.Path(path).write_text(self.text, encoding="utf-8")
 
-    def __add__(self, effects: Effects) -> Model:
+    def __add__(self, effects: Effects | Model) -> Model:
+        if isinstance(effects, Model):
+            if (effects.targets, effects.of_recordings) != (self.targets, self.of_recordings):
+                raise BallbarError(f"expected a model of {', '.join(self.targets)}, found one of {', '.join(effects.targets)}.")
+            effects = effects.effects
         return self._of(self._root, [*self.effects, *_effects(effects, self.of_recordings)])
 
     def __sub__(self, effects: Effects) -> Model:
@@ -164,7 +174,7 @@ class Model:
         max_gap_s: float | None = None,
         units: Mapping[str, str] | None = None,
         roles: Mapping[str, str] | None = None,
-        every: float | str | None = None,
+        every: Every = None,
         progress: Progress | None = None,
     ) -> Fit:
         """Fits the model to data; all numbers are computed here, once.
@@ -173,7 +183,8 @@ class Model:
         ----------
         data : DataFrame, path, list of paths, dict of arrays, Series, recordings
             A DataFrame has its time in a column ``time_s`` (or ``time_min``, ``time_h``) or as index of dates or durations;
-            columns end in their unit. Columns that are no numbers are left out with a :class:`BallbarWarning`.
+            columns end in their unit. Columns that are no numbers are left out with a :class:`BallbarWarning`; one that
+            the model reads is an error. A target in another length (``z_mm``) is read in um, as ``z_um``.
         target : str
             One column instead of the model's own.
         robust : bool
@@ -181,16 +192,17 @@ class Model:
         white : bool
             Ordinary least squares: the noise has no memory.
         hold : dict
-            Parameters held, in their units: ``{"lagged_expansion(T9_degC).time_constant_s": 3600.0}``.
+            Parameters held, in their units: ``{"time_constant_s": 3600.0}``, or of several effects that have it
+            ``{"lagged_expansion(T9_degC).time_constant_s": 3600.0}``.
         also_input : str or list of str
             Other targets, which effects may read.
         max_gap_s : float
             Longest gap of a signal to interpolate over, s; default 600.
         units : dict
-            Of columns whose names have none: ``{"z": "um"}`` makes ``z_um`` of it.
+            Of columns whose names have none: ``{"z": "um"}`` makes ``z_um`` of it; ``{"T": "degF"}`` gives ``T_degC``.
         roles : dict
             Of columns whose role is not the usual one of their unit: ``{"T_room_degC": "ambient"}``.
-        every : float or str
+        every : float, str or timedelta
             Step of the rows, s or such as ``"10s"``, for a table without times.
         progress : callable
             Called with (done, of, text); `of` is 0 if the length of the work is unknown.
@@ -222,36 +234,51 @@ class Model:
                 raise UsageError(f"{name}: expected True or False, found {flag!r}.")
         if target is not None and not isinstance(target, str):
             raise UsageError(f"target: expected the name of one column, found {target!r}; fit_all() fits each.")
-        held_at = {"constant.constant_um" if key == "constant_um" else key: value for key, value in (hold or {}).items()}
         how: dict[str, Any] = {
             "target": [] if target is None else [target], "also_input": [also_input] if isinstance(also_input, str) else list(also_input),
-            "set": [f"{key}={number_of(key, value)!r}" for key, value in held_at.items()],
+            "set": [f"{self._parameter(key)}={number!r}" for key, value in (hold or {}).items() for number in [number_of(key, value)]],
             "max_gap_s": None if max_gap_s is None else number_of("max_gap_s", max_gap_s, 0.0), "robust": bool(robust), "white": bool(white),
         }
-        held = Held(units=units, roles=roles, every=every)
+        held = Held(units=units, roles=roles, every=every, needed=self._columns(target))
         places = held.places(data)
         return Fit._of(self, places, held.values, held.index, how, progress)
 
+    def _columns(self, target: str | None = None) -> set[str]:
+        """That it reads."""
+        named = {column for one in self.effects if one.name != "expression" for column in one.columns.values()}
+        return named | (set(self.targets) if target is None else {target})
+
+    def _parameter(self, key: str) -> str:
+        """The parameter that a key of `hold` names, with its effect."""
+        if key == "constant_um":
+            return "constant.constant_um"
+        having = [one for one in self.effects if key in parameter_names(one)]
+        if "." in key or len(having) == 1:
+            return key if "." in key else f"{_label(having[0])}.{key}"
+        known = [f"{_label(one)}.{name}" for one in self.effects for name in parameter_names(one)]
+        found = f'"{key}", of {len(having)} effects' if having else f'"{key}"'
+        raise UsageError(f"hold: expected a parameter of the model, one of {', '.join([*known, 'constant_um'])}, found {found}.")
+
     def predict(
         self, data: Data, *, units: Mapping[str, str] | None = None, roles: Mapping[str, str] | None = None,
-        every: float | str | None = None, progress: Progress | None = None,
+        every: Every = None, progress: Progress | None = None,
     ) -> pandas.DataFrame:
         """The series of a model whose parameters are all held; :meth:`Fit.predict` is of one that is fitted.
 
         Returns
         -------
         DataFrame
-            As of :meth:`Fit.predict`; the sigma of held parameters is not known: NaN.
+            As of :meth:`Fit.predict`, without the interval; the sigma of held parameters is not known: NaN. Its zero is the first row.
 
         Raises
         ------
         BallbarError
             A parameter that is free, and what can be put right in the data.
         """
-        held = Held(units=units, roles=roles, every=every)
+        held = Held(units=units, roles=roles, every=every, needed=self._columns() - set(self.targets))
         places = held.places(data)
         how: dict[str, Any] = {"target": [], "also_input": [], "set": [], "max_gap_s": None, "robust": False, "white": False}
-        return _predicted(_bench_of(self, places, held.values, how, progress), places, held.values, held.index, False, progress)
+        return _predicted(_bench_of(self, places, held.values, how, progress), places, held.values, held.index, progress)
 
     def fit_all(self, data: Data, **how: Any) -> dict[str, Fit]:
         """A fit of each target, by its name; parameters as of :meth:`fit`."""
@@ -301,8 +328,16 @@ def _effects_of(root: Mapping[str, Any], functions: Sequence[PythonEffect] = ())
     return tuple(effect_from_table(table, of_recordings, functions) for table in root.get("effect", []))
 
 
+def _label(effect: Effect) -> str:
+    """As the program names it, with its columns."""
+    return f"{effect.name}({', '.join(effect.columns.values())})" if effect.columns else effect.name
+
+
 class Fit(_kinds.Checked):
     """A model fitted to data. Cannot be changed; pickled and copied whole.
+
+    A target that is no length keeps its unit: of one in degC the RMSE is ``rmse_degC``, and `params` and sentences say
+    degC. Without a unit it is ``rmse``.
 
     Attributes
     ----------
@@ -318,6 +353,10 @@ class Fit(_kinds.Checked):
         Covariance of the parameters, in the order of `params`; 0 where one is held.
     where : DataFrame
         Where the model fails: one row per group of readings.
+    log_likelihood, aic, bic : float
+        Of the residual with its noise; AIC and BIC count the parameters of the noise.
+    r_squared : float
+        Share of the variance of the readings that the model explains.
     """
 
     __slots__ = ("model", "_places", "_held", "_index", "_how", "_arrays", "_labels", "_bench")
@@ -336,8 +375,10 @@ class Fit(_kinds.Checked):
 
         bench = _bench_of(model, places, held, how, progress)
         keys, arrays = told(bench.check, places, progress)
-        held = {**held, **_of_files(bench, places, held)}
-        return cls._from(keys, model, places, held, index, how, arrays, bench.labels, bench)
+        keys = in_unit(keys, keys["target_unit"])
+        of_files = _of_files(bench, places, held)
+        kept = None if len(places) > 1 and of_files else bench  # one that knows no file: it is made when it is needed
+        return cls._from(keys, model, places, {**held, **of_files}, index, how, arrays, bench.labels, kept)
 
     @classmethod
     def _from(cls, keys: dict[str, Any], *state: Any) -> Fit:
@@ -357,7 +398,7 @@ class Fit(_kinds.Checked):
         """A row a parameter: effect, parameter, value, sigma, low, high (95 %), unit, state."""
         rows = pandas.DataFrame(self._json["parameters"]).rename(columns={"name": "parameter"})
         rows[["value", "sigma"]] = rows[["value", "sigma"]].astype(float)
-        half = 1.959963984540054 * rows["sigma"]  # of a normal distribution, 95 %
+        half = NORMAL_95 * rows["sigma"]
         rows.insert(4, "low", rows["value"] - half)
         rows.insert(5, "high", rows["value"] + half)
         return rows
@@ -368,10 +409,10 @@ class Fit(_kinds.Checked):
         time_s = self._arrays["time_s"]
         if self._index is not None:
             return self._index[np.searchsorted(self._held[self._places[0]].time_s, time_s)]
-        return _index_of(time_s, self.model.of_recordings)
+        return _index_of(time_s, self.model.of_recordings, getattr(self._held.get(self._places[0]), "has_clock", True))
 
     def _on_index(self, name: str) -> pandas.Series:
-        return pandas.Series(self._arrays[name], index=self.index, name=name, copy=True)
+        return pandas.Series(self._arrays[name], index=self.index, name=named_in(name, self._json["target_unit"]), copy=True)
 
     @property
     def residuals(self) -> pandas.Series:
@@ -399,6 +440,41 @@ class Fit(_kinds.Checked):
         return np.array(self._arrays["covariance"])
 
     @property
+    def log_likelihood(self) -> float:
+        """ln of the likelihood of the residual, with the noise of the fit."""
+        return criteria_of(self).log_likelihood
+
+    @property
+    def aic(self) -> float:
+        """Akaike's criterion, 2 k - 2 ln L; comparable between fits of the same readings."""
+        return criteria_of(self).aic
+
+    @property
+    def bic(self) -> float:
+        """Schwarz's criterion, k ln n - 2 ln L."""
+        return criteria_of(self).bic
+
+    @property
+    def r_squared(self) -> float:
+        """Share of the variance of the readings that the model explains."""
+        return r_squared_of(self)
+
+    def summary(self) -> str:
+        """A table of the parameters, with RMSE, noise, rows, R², log-likelihood, AIC and BIC.
+
+        Examples
+        --------
+        >>> import ballbar as bb
+        >>> fit = bb.Model("y_um", ["lagged_expansion(T_motor_degC)"]).fit("sample-runs/hidden-effect/01/data.csv")
+        >>> print(fit.summary().splitlines()[0])
+        Fit of y_um: 1441 rows
+        """
+        return summary_of(self)
+
+    def __repr__(self) -> str:
+        return self.summary()
+
+    @property
     def where(self) -> pandas.DataFrame:  # type: ignore[override]
         """Where the model fails: one row per group of readings."""
         return pandas.DataFrame(self._json["where"])
@@ -409,6 +485,7 @@ class Fit(_kinds.Checked):
         tolerance_um: float = 0.0,
         most_rows: int | None = None,
         extra: Sequence[PythonEffect] = (),
+        seed: int | None = None,
         progress: Progress | None = None,
     ) -> Diagnosis:
         """Which physical effect the model lacks: one verdict, the candidates, what the data cannot tell.
@@ -421,6 +498,8 @@ class Fit(_kinds.Checked):
             Values of the target that are searched; of longer series every k-th.
         extra : list of PythonEffect
             Effects made by :func:`effect`, searched beside the catalogue's in this call alone.
+        seed : int
+            Changes nothing: a diagnosis draws no random numbers. Programs for earlier versions state it.
         progress : callable
             As of :meth:`Model.fit`.
 
@@ -447,6 +526,7 @@ class Fit(_kinds.Checked):
         most_rows = None if most_rows is None else int(number_of("most_rows", most_rows, 30, 5000, whole=True))
         bench = _bench_of(self.model, self._places, self._held, self._how, progress, extra) if extra else self._workbench()
         keys, text = told(lambda tell: bench.diagnose(tolerance_um, most_rows, tell), self._places, progress)
+        keys = in_unit(keys, self._json["target_unit"])
         return Diagnosis._from(keys, self, _effects_of(tomllib.loads(text), functions_of(self.model.effects, extra)))
 
     def test(self, effects: Effects, *, progress: Progress | None = None) -> Tried:
@@ -468,7 +548,7 @@ class Fit(_kinds.Checked):
         of_them = Model._of({key: value for key, value in self.model._root.items() if key in ("level", "target")}, more)
         functions = [one.core for one in of_them.functions]
         keys, = told(lambda tell: self._workbench().test(of_them.text, functions, tell), self._places, progress)
-        return Tried(keys)
+        return Tried(in_unit(keys, self._json["target_unit"]))
 
     def compare(self, other: Fit, *, progress: Progress | None = None) -> Tried:
         """This fit beside one of a smaller model of the same data: the fall of the error, and tests.
@@ -504,32 +584,51 @@ class Fit(_kinds.Checked):
 
     def predict(
         self, data: Data = None, *, units: Mapping[str, str] | None = None, roles: Mapping[str, str] | None = None,
-        every: float | str | None = None, progress: Progress | None = None,
+        every: Every = None, progress: Progress | None = None,
     ) -> pandas.DataFrame:
-        """The model's series for these data or others, with sigma, and what each effect adds, um.
+        """The model's series for these data or others, with sigma, interval, and what each effect adds.
+
+        Rows of the data that were fitted, and rows that follow them within 8 h on the same clock, continue the run of the
+        fit: zero and memory of its effects are those of the fit. Any other data are a run of their own, whose zero is its
+        first row, as a remark says. Rows before the first of the fit are NaN.
 
         Returns
         -------
         DataFrame
-            The target, its sigma by what the parameters scatter (``z_um_sigma``), and a column an effect.
+            The target, its sigma by what the parameters scatter (``z_um_sigma``), a column an effect, and the interval that
+            holds 95 % of readings (``z_um_low``, ``z_um_high``: by sigma and noise).
+
+        Examples
+        --------
+        >>> import ballbar as bb
+        >>> table = bb.read("sample-runs/hidden-effect/01/data.csv")
+        >>> fit = bb.Model("y_um", ["lagged_expansion(T_motor_degC)", "lagged_expansion(T_room_degC)"]).fit(table.iloc[:700])
+        >>> fit.predict(table.iloc[700:])["y_um"].equals(fit.predict(table)["y_um"].iloc[700:])
+        True
         """
         if data is None:
-            return _predicted(self._workbench(), self._places, self._held, self._index, True, progress)
-        held = Held(units=units, roles=roles, every=every)
+            return self._with_interval(_predicted(self._workbench(), None, self._held, self._index, progress, self._places))
+        needed = self.model._columns() - set(self.model.targets)
+        held = Held(units=units, roles=roles, every=every, needed=needed, zero=zero_of(self._index))
         places = held.places(data)
-        return _predicted(self._workbench(), places, held.values, held.index, True, progress)
+        return self._with_interval(_predicted(self._workbench(), places, held.values, held.index, progress, fitted=True))
+
+    def _with_interval(self, found: pandas.DataFrame) -> pandas.DataFrame:
+        """With the interval of readings."""
+        mean, half = found[self.target], half_interval_of(self, found[f"{self.target}_sigma"])
+        return found.assign(**{f"{self.target}_low": mean - half, f"{self.target}_high": mean + half})
 
     def could(self) -> Preflight:
         """Which effects the data could show, and from which size, before any residual is looked at."""
         from ._functions import could
 
-        return could(self._sources(), model=self.model, **self._of_call())
+        return Preflight(in_unit(could(self._sources(), model=self.model, **self._of_call()).to_dict(), self._json["target_unit"]))
 
     def plan(self, **how: Any) -> Plan:
         """The run of the machine that would decide what is missing; parameters as of :func:`ballbar.plan`."""
         from ._functions import plan
 
-        return plan(self._sources(), model=self.model, **self._of_call(), **how)
+        return Plan(in_unit(plan(self._sources(), model=self.model, **self._of_call(), **how).to_dict(), self._json["target_unit"]))
 
     def _sources(self) -> Any:
         return [self._held.get(place, place) for place in self._places]
@@ -553,21 +652,26 @@ def _of_files(bench: Any, places: list[str], held: dict[str, Any]) -> dict[str, 
     return {file: _core.read_series(file) if bench.series is not None else _core.read_recordings(file) for file in files}
 
 
-def _index_of(time_s: Array, of_recordings: bool) -> pandas.Index:
-    """Times, of several runs with the number of the run."""
-    times = pandas.Index(time_s, name="time_s")
+def _index_of(time_s: Array, of_recordings: bool, has_clock: bool = True) -> pandas.Index:
+    """Times, of several runs with the number of the run; without a clock the numbers of the rows."""
+    times = pandas.Index(time_s, name="time_s") if has_clock else pandas.Index(time_s.astype(np.int64), name=ROWS)
     runs = np.cumsum(np.diff(time_s, prepend=-np.inf) <= 0.0)
-    return times if of_recordings or not runs.any() else pandas.MultiIndex.from_arrays([runs, times], names=["run", "time_s"])
+    return times if of_recordings or not runs.any() else pandas.MultiIndex.from_arrays([runs, times], names=["run", times.name])
 
 
-def _predicted(bench: Any, places: list[str], held: dict[str, Any], index: pandas.Index | None, fitted: bool, progress: Progress | None) -> pandas.DataFrame:
+def _predicted(
+    bench: Any, places: list[str] | None, held: dict[str, Any], index: pandas.Index | None, progress: Progress | None,
+    of_fit: Sequence[str] = (), fitted: bool = False,
+) -> pandas.DataFrame:
+    """Of these places, or, None, of the data of the fit, which stand `of_fit`."""
     from ._call import told
 
-    time_s, mean, sigma, parts = told(lambda tell: bench.predict(places, held, fitted, tell), places, progress)
+    known = list(of_fit if places is None else places)
+    time_s, mean, sigma, parts = told(lambda tell: bench.predict(places, held, fitted, tell), known, progress)
     if index is not None and len(index) != len(mean):  # the first or the last rows lack an input
-        index = index[np.searchsorted(held[places[0]].time_s, time_s)]
+        index = index[np.searchsorted(held[known[0]].time_s, time_s)]
     columns = {bench.target: mean, f"{bench.target}_sigma": sigma, **dict(zip(bench.labels, parts))}
-    return pandas.DataFrame(columns, index=_index_of(time_s, bench.series is None) if index is None else index, copy=False)
+    return pandas.DataFrame(columns, index=_index_of(time_s, bench.series is None, getattr(bench.series, "has_clock", True)) if index is None else index, copy=False)
 
 
 def _bench_of(

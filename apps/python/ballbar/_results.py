@@ -21,7 +21,7 @@ class Result:
     """One result: ``result.rmse_um`` is the key ``rmse_um`` of the program's JSON, to the last bit.
 
     Lists of numbers are arrays (a number that is not known is NaN), lists of objects are :class:`Rows`, objects are
-    results. A key that is a word of Python is read as ``result["from"]``.
+    results. An attribute of the class that has no key here, as there is nothing of it, is None. A key that is a word of Python is read as ``result["from"]``.
     """
 
     __slots__ = ("_json", "_made")
@@ -42,7 +42,14 @@ class Result:
         try:
             return self[name]
         except KeyError:
+            if _annotation(type(self), name) and not self._has_other_unit(name):  # a key of other cases: there is nothing
+                return None
             raise AttributeError(f"{type(self).__name__} has no {name}; it has {', '.join(self._json)}") from None
+
+    def _has_other_unit(self, name: str) -> bool:
+        """Whether the key in um is there in another unit, that of a target which is no length."""
+        stem, um, _ = name.partition("_um")
+        return bool(um) and not any("_um" in key for key in self._json) and any(f"{key}_".startswith(f"{stem}_") for key in self._json)
 
     def __getitem__(self, name: str) -> Any:
         if name not in self._made:

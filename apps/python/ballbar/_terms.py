@@ -1,6 +1,7 @@
 """The terms of a model: effects of the catalogue on columns, formulas, and functions of Python."""
 from __future__ import annotations
 
+import inspect
 import json
 import math
 import pickle
@@ -331,6 +332,16 @@ def effect(
         "explanation": explanation,
     }
     return lambda function: PythonEffect(function, str(name), stated)
+
+
+def parameter_names(effect: Effect) -> list[str]:
+    """The parameters of an effect, of a formula those that are stated."""
+    if effect.function:
+        return [*effect.function._stated["gains"], *effect.function._stated["shapes"]]
+    if isinstance(effect, Expression):
+        return list(effect.parameters)
+    stated = inspect.signature(type(effect).__init__).parameters.values()
+    return [one.name for one in stated if one.kind is inspect.Parameter.KEYWORD_ONLY]
 
 
 def _mapping(name: str, value: Any) -> Mapping[str, Any]:

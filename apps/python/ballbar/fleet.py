@@ -3,8 +3,8 @@
 >>> from ballbar import fleet
 >>> table = fleet.errors("sample-runs/machine-history/*/*.b5r")   # nothing is read yet
 >>> rows = table.compute()                                         # here it is
->>> len(rows), rows["fault"].isna().all()
-(10, True)
+>>> len(rows), rows["fault"].isna().all(), rows["machine"].unique().tolist()
+(10, True, ['machine-history'])
 
 :func:`update` keeps such a table in a folder and reads only what is new or changed; :func:`rank` says which machine needs
 what.
@@ -81,7 +81,8 @@ def diagnose(
     Returns
     -------
     dask.dataframe.DataFrame
-        Columns: file, sha256, version, verdict, sentence, named, fault, rmse_um, floor_um, p_nothing.
+        Columns: file, sha256, version, verdict, sentence, named, fault, rmse_um, floor_um (NaN of a target that is no
+        length), p_nothing.
 
     Raises
     ------
@@ -105,7 +106,7 @@ def diagnose(
         else:
             fit = fitted.fit(path)
             found = fit.diagnose(extra=extra)
-            row = {"sentence": found.sentence, "rmse_um": fit.rmse_um, "floor_um": fit.floor_um, "p_nothing": found.p_nothing}
+            row = {"sentence": found.sentence, "rmse_um": fit.to_dict().get("rmse_um"), "floor_um": fit.to_dict().get("floor_um"), "p_nothing": found.p_nothing}
         return {**row, "verdict": found.verdict, "named": ", ".join(one.effect for one in found.named)}
 
     return _frame_of_each(work, paths, storage, files_of_a_partition, "verdict sentence named fault", "rmse_um floor_um p_nothing")
@@ -203,7 +204,8 @@ def rank(
         Of :func:`errors` or :func:`update`; rows with a fault, and copies, are passed over.
     machine : callable
         Takes the path of a test, and returns the name of its machine, or the parts of that name:
-        ``lambda path: path.parts[-3:-1]``. None: the name in the file, or else that of its folder.
+        ``lambda path: path.parts[-3:-1]``. None: the name in the file, or else that of its folder; a folder named by a
+        date holds a test, and the one above it is the machine's.
     tolerance : dict
         Limit of a quantity, to both sides of 0, in the unit of its column: ``{"backlash_a_pos": 5.0}``.
     false_discovery_rate : float

@@ -30,7 +30,7 @@ from ._progress import progress_or_tqdm
 __all__ = ["Updated", "read", "update"]
 
 _TRIES = 3  # of a file that changes while it is read
-_FORMAT = "ballbar-fleet-table 3"
+_FORMAT = "ballbar-fleet-table 4"
 _SECONDS_OF_A_SAVE = 10.0
 
 _STATES = ("size", "modified", "ahead")

@@ -18,6 +18,7 @@ from ._core import Recording
 from ._kinds import Comparison, Drift, Fitted, RankedErrors
 from ._model import Diagnosis, Fit
 from ._results import Result
+from ._times import ROWS
 
 __all__ = ["circle", "comparison", "diagnosis", "drift", "errors", "fit", "history", "of", "svg_of"]
 
@@ -52,11 +53,12 @@ def fit(found: Fit, *, axes: Any = None) -> Any:
     """What was measured, the model and the residual, um."""
     axes = axes or _new()
     dates = found.index if isinstance(found.index, pandas.DatetimeIndex) else None
-    at = found._arrays["elapsed_s"] / 60.0 if dates is None else dates.to_numpy()
+    is_numbered = found.index.names[-1] == ROWS
+    at = dates.to_numpy() if dates is not None else found._arrays["elapsed_s"] / (1.0 if is_numbered else 60.0)
     axes.plot(at, found.measured.to_numpy(), ".", markersize=3, label="measured")
     axes.plot(at, found.fitted.to_numpy(), "-", label="model")
     axes.plot(at, found.residuals.to_numpy(), "-", linewidth=0.8, label="residual")
-    return _named(axes, "time, min" if dates is None else "", f"{found.target}, µm")
+    return _named(axes, "" if dates is not None else "row" if is_numbered else "time, min", f"{found.target}, {_sign(found.target_unit)}")
 
 
 def diagnosis(found: Diagnosis, *, axes: Any = None) -> Any:
@@ -71,7 +73,7 @@ def diagnosis(found: Diagnosis, *, axes: Any = None) -> Any:
 
 
 def circle(recordings: Recording | list[Recording], found: Fitted, *, magnified: float | None = None, axes: Any = None) -> Any:
-    """The deviation from the fitted circle over the angle, magnified.
+    """The deviation from the fitted circle over the angle, magnified; the rings say it in um.
 
     Parameters
     ----------
@@ -80,7 +82,7 @@ def circle(recordings: Recording | list[Recording], found: Fitted, *, magnified:
     found : Fitted
         What :func:`ballbar.fit_circle` says of them.
     magnified : float
-        How many times; default such that the largest is a fifth of the radius.
+        How many times; default such that the largest is 0.4 of the radius.
     axes : matplotlib.axes.Axes
         Polar ones.
 
@@ -96,12 +98,22 @@ def circle(recordings: Recording | list[Recording], found: Fitted, *, magnified:
         each.append(1e3 * (one.length_mm - at.radius_mm - centre_mm))
     largest = max(float(np.abs(deviation).max()) for deviation in each) or 1.0
     radius_mm = found.recordings[0].radius_mm
-    scale = magnified or 0.2 * 1e3 * radius_mm / largest
+    scale = magnified or 0.4 * 1e3 * radius_mm / largest
     for one, deviation in zip(several, each):
         axes.plot(one.angle_rad, radius_mm + 1e-3 * scale * deviation, label=f"{one.plane} {one.direction}")
-    axes.set_title(f"deviation, {scale:.0f} times")
-    axes.legend(loc="lower left")
-    return axes
+    step_um = _step(largest)
+    rings_um = step_um * np.arange(-np.ceil(largest / step_um), np.ceil(largest / step_um) + 1.0)
+    axes.set_rticks(radius_mm + 1e-3 * scale * rings_um, [f"{ring:+g} µm" if ring else "0" for ring in rings_um])
+    farthest_mm = 1e-3 * scale * float(rings_um[-1])
+    axes.set_rlim(min(0.0, radius_mm - farthest_mm), radius_mm + farthest_mm)
+    axes.set_title(f"deviation from the circle of {radius_mm:.3f} mm, a ring {step_um:g} µm")
+    return _beside(axes)
+
+
+def _step(largest: float) -> float:
+    """The largest of 1, 2 and 5 times a power of ten that is not larger."""
+    power = 10.0 ** np.floor(np.log10(largest))
+    return float(max(power * factor for factor in (1.0, 2.0, 5.0) if power * factor <= largest))
 
 
 def errors(found: RankedErrors, *, axes: Any = None) -> Any:
@@ -163,15 +175,24 @@ def _new(**how: Any) -> Any:
         from matplotlib import pyplot
     except ImportError:
         raise ImportError("expected matplotlib to draw with, found none; on Debian it is in the package python3-matplotlib") from None
-    return pyplot.subplots(**how)[1]
+    return pyplot.subplots(layout="constrained", **how)[1]
 
 
 def _named(axes: Any, x: str, y: str) -> Any:
     axes.set_xlabel(x)
     axes.set_ylabel(y)
+    return _beside(axes)
+
+
+def _beside(axes: Any) -> Any:
+    """With the legend beside what is drawn, which it hides nothing of."""
     if axes.get_legend_handles_labels()[0]:
-        axes.legend()
+        axes.legend(loc="upper left", bbox_to_anchor=(1.08 if axes.name == "polar" else 1.01, 1.0), borderaxespad=0.0)
     return axes
+
+
+def _sign(unit: str) -> str:
+    return {"um": "µm", "degC": "°C", "": "units"}.get(unit, unit)
 
 
 _DRAWN: list[tuple[type, Callable[..., Any]]] = [

@@ -121,6 +121,25 @@ Eigen::VectorXd values_of(const std::vector<FittedParameter>& parameters) {
   return values;
 }
 
+// Whether all that is free are gains: of such a sum of squares the minimum is known exactly.
+bool is_linear(const Model& model) {
+  return std::all_of(model.terms.begin(), model.terms.end(), [](const Term& term) {
+    for (std::size_t k = 0; k < term.settings.size(); ++k) {
+      if (!term.settings[k].held && term.effect->parameters[k].kind != ParameterKind::gain) return false;
+    }
+    return true;
+  });
+}
+
+// The search ends where the sum of squares is flat, which is up to 1e-3 sigma away from its minimum.
+Minimum exact(const FitProblem& problem, const Weighting& weighting, Minimum found) {
+  constexpr Stop kToTheEnd{20, 0.0};
+  Minimum end = minimise(problem.rows, problem.target_um, weighting, problem.bounds, found.parameters, kToTheEnd);
+  if (!(end.cost <= found.cost)) return found;
+  end.converged = found.converged;
+  return end;
+}
+
 }  // namespace
 
 Fit fit(const Model& model, const Series& data, std::size_t target, const FitOptions& options) {
@@ -172,6 +191,7 @@ Fit fit(const Model& model, const Series& data, std::size_t target, const FitOpt
     misfit = refitted.misfit;
     kept = result.row.size() - best.discounted.size();
   }
+  if (!options.robust && is_linear(resolved)) best.minimum = exact(problem, best.weighting, std::move(best.minimum));
 
   Eigen::MatrixXd jacobian;
   const Eigen::VectorXd predicted = rows.sum(best.minimum.parameters, &jacobian);

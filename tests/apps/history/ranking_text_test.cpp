@@ -2,6 +2,7 @@
 
 #include "history/history_result.hpp"
 #include "history/history_text.hpp"
+#include "history/machine_folder.hpp"
 
 namespace ballbar {
 namespace {
@@ -58,9 +59,34 @@ TEST(ranking_text, says_the_conclusion_first) {
 TEST(ranking_text, says_that_there_is_nothing) {
   History history;
   history.machines.resize(3);
+  for (MachineHistory& machine : history.machines) machine.judged = 2;
+  history.judged = 6;
   EXPECT_EQ(ranking_text(history),
             "No significant change on any of 3 machines.\n"
-            "0 quantities tested, 0 significant; at most 5 % of these by chance.\n");
+            "6 quantities tested, 0 significant; at most 5 % of these by chance.\n");
+  history.machines.back().judged = 0;
+  EXPECT_TRUE(ranking_text(history).starts_with(
+      "No significant change on any of 3 machines; 1 machine with too few tests to show one.\n"));
+}
+
+TEST(ranking_text, says_first_that_nothing_could_be_tested) {
+  History history;
+  history.machines.resize(3);
+  const std::string text = ranking_text(history);
+  EXPECT_TRUE(text.starts_with("Nothing could be tested on any of 3 machines: ")) << text;
+  EXPECT_EQ(text.find("quantities tested"), std::string::npos) << text;
+}
+
+TEST(machine_folder, is_that_of_the_machine_where_a_date_names_the_test) {
+  const auto folder = [](const char* path) { return machine_folder(path).generic_string(); };
+  EXPECT_EQ(folder("plant/mill-01/2025-01-20"), "plant/mill-01");
+  EXPECT_EQ(folder("plant/mill-01/2025/20250120 after crash"), "plant/mill-01");
+  EXPECT_EQ(folder("plant/mill-01/20.1.2025_b"), "plant/mill-01");
+  EXPECT_EQ(folder("plant/mill-01/2025-W03"), "plant/mill-01");
+  EXPECT_EQ(folder("plant/mill-01/2025-01"), "plant/mill-01");
+  EXPECT_EQ(folder("2025-01-20"), "");
+  for (const char* own : {"plant/mill-01", "plant/2041", "plant/100234", "plant/DMU-2020-01", "plant/2025-13-45"})
+    EXPECT_EQ(folder(own), own);
 }
 
 TEST(history_result, has_every_key) {
