@@ -28,10 +28,10 @@ std::string span(double time_s) {
   return minutes % 60 == 0 ? fmt::format("{} h", minutes / 60) : fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
-std::string speeds_text(const std::vector<double>& speeds_rpm) {
+std::string speeds_text(const std::vector<double>& speeds) {
   constexpr std::size_t kShown = 5;
   std::vector<std::string> each;
-  for (const double speed : speeds_rpm) each.push_back(fmt::format("{:.0f}", speed));
+  for (const double speed : speeds) each.push_back(fmt::format("{:.0f}", speed));
   if (each.size() <= kShown) return fmt::format("{} rpm", fmt::join(each, ", "));
   return fmt::format("{} speeds of {} to {} rpm", each.size(), each.front(), each.back());
 }
@@ -39,7 +39,7 @@ std::string speeds_text(const std::vector<double>& speeds_rpm) {
 std::string course_text(const AxisCourse& of) {
   const Course& course = of.course;
   const auto with_unit = [](const Estimate& one, const char* unit) {
-    return fmt::format("{} {}", with_sigma(one.value_um, one.sigma_um, decimals_showing(2, one.sigma_um, 2)), unit);
+    return fmt::format("{} {}", with_sigma(one.value_um, one.sigma_um, decimals_showing(2, one.sigma_um, 4)), unit);
   };
   std::string text = of.axis + ": ";
   switch (course.shape) {
@@ -49,8 +49,8 @@ std::string course_text(const AxisCourse& of) {
     case CourseShape::trend:
       text += fmt::format("a trend of {}", with_unit(course.trend_um_per_h, "um/h"));
       break;
-    case CourseShape::settling:
-      text += fmt::format("settles by {}, time constant about {}", with_unit(course.settling, "um"),
+    case CourseShape::decay:
+      text += fmt::format("settles by {}, time constant about {}", with_unit(course.decay, "um"),
                           span(course.time_constant_s));
       break;
   }
@@ -65,13 +65,13 @@ std::string lack_text(TestLack lack) {
     case TestLack::speed:
       return "the speed of the spindle, which shows which test of ISO 230-3 it is";
     case TestLack::room_temperature:
-      return "the temperature of the room";
+      return "the temperature of the room (role ambient)";
     case TestLack::structure_temperature:
       return "a temperature of the spindle or the machine";
     case TestLack::a_day:
       return "a whole day, in which the room goes through its cycle";
     case TestLack::rest_after:
-      return "the spindle at rest after it has turned, which shows the cooling";
+      return "10 min at rest after the spindle has turned, which show the cooling";
   }
   return {};
 }
@@ -103,12 +103,16 @@ bool any_has(const DriftSeries& series, std::optional<Estimate> DriftPoint::*mem
                      [&](const DriftPoint& point) { return (point.*member).has_value(); });
 }
 
+std::string time_text(double time_s) {
+  const double minutes = min_from_s(time_s);
+  return std::abs(minutes) >= 1000.0 ? fmt::format("{:.0f} min", minutes) : fmt::format("{:.4g} min", minutes);
+}
+
 std::vector<std::string> largest_texts(const std::vector<LargestDrift>& largest) {
   std::vector<std::string> texts;
   texts.reserve(largest.size());
   for (const LargestDrift& one : largest)
-    texts.push_back(
-        fmt::format("{} {} {} at {:.4g} min", one.axis, with_sigma(one.drift), one.unit, min_from_s(one.time_s)));
+    texts.push_back(fmt::format("{} {} {} at {}", one.axis, with_sigma(one.drift), one.unit, time_text(one.time_s)));
   return texts;
 }
 
@@ -130,8 +134,8 @@ std::vector<std::string> thermal_test_texts(const ThermalTest& test) {
       break;
     case ThermalTestKind::spindle:
     case ThermalTestKind::spindle_spectrum:
-      texts.push_back(fmt::format("Spindle test of ISO 230-3 (rotating spindle): {} for {}.",
-                                  speeds_text(test.speeds_rpm), running));
+      texts.push_back(
+          fmt::format("Spindle test of ISO 230-3 (rotating spindle): {} for {}.", speeds_text(test.speeds), running));
       break;
     case ThermalTestKind::linear_axes:
       texts.push_back(fmt::format("Linear-axis test of ISO 230-3: in motion for {}.", running));

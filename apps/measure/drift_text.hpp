@@ -14,6 +14,8 @@ namespace ballbar {
 
 bool any_has(const DriftSeries& series, std::optional<Estimate> DriftPoint::*member);
 
+std::string time_text(double time_s);  // "64 min"
+
 // "y 30.1 ± 0.0 um at 64 min"
 std::vector<std::string> largest_texts(const std::vector<LargestDrift>& largest);
 

@@ -43,9 +43,13 @@ Table range_table(const TableOf<AxisRange>& ranges, const std::string& of) {
   return table;
 }
 
+std::string speed_heading(const std::string& unit) {
+  return unit == "mm_per_min" ? "feed mm/min" : unit == "deg_per_min" ? "speed deg/min" : "speed rpm";
+}
+
 // Drift at the end of each step, and range within it.
-Table step_table(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps) {
-  std::vector<std::string> names{"start min", "end min", "speed rpm"};
+Table step_table(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, const std::string& unit) {
+  std::vector<std::string> names{"start min", "end min", speed_heading(unit)};
   for (const DriftAxis& axis : drift.axes) names.push_back(heading(axis));
   Table table(names);
   for (const SpeedStep& step : steps) {
@@ -85,8 +89,8 @@ std::string sigma_text(const DriftAxis& axis) {
 
 // When each axis is stable after each change of the speed, in min.
 void print_settling_of_steps(const FiveProbeReport& report, const MeasuredDrift& drift,
-                             const std::vector<SpeedStep>& steps) {
-  std::vector<std::string> names{"start min", "speed rpm"};
+                             const std::vector<SpeedStep>& steps, const std::string& unit) {
+  std::vector<std::string> names{"start min", speed_heading(unit)};
   for (const DriftAxis& axis : drift.axes) {
     if (axis.unit == "um") names.push_back(axis.name + " min");
   }
@@ -120,8 +124,9 @@ void print_text(const FiveProbeReport& report, const MeasuredDrift& drift, const
     fmt::print("\nCourse:\n");
     for (const std::string& course : course_texts(sheet.courses)) fmt::print("  {}\n", course);
     fmt::print(
-        "{}", wrapped("Nothing but these readings was logged, so thermal growth, wear and a changed set-up look alike. "
-                      "A temperature of the spindle beside them, or the same part measured twice, tells them apart."));
+        "{}",
+        wrapped("No other column that changes was logged, so thermal growth, wear and a changed set-up look alike. "
+                "A temperature of the spindle beside them, or the same part measured twice, tells them apart."));
   }
   const bool is_thermal = sheet.test.kind != ThermalTestKind::unknown || !sheet.test.temperatures.empty() ||
                           drift.axes.size() > 1;  // one size alone may be that of parts
@@ -132,7 +137,7 @@ void print_text(const FiveProbeReport& report, const MeasuredDrift& drift, const
   fmt::print("\n{}\n", range_table(sheet.ranges, "range (max - min)").text());
   if (!sheet.in_motion.empty()) fmt::print("{}\n", range_table(sheet.in_motion, "in motion only").text());
   if (steps.size() > 1) {
-    Table table = step_table(drift, steps);
+    Table table = step_table(drift, steps, sheet.test.motion_unit);
     if (!report.details) table.shorten(kStepsShown);
     fmt::print("Drift since the reference at the end of each speed step (range within the step)\n{}", table.text());
     fmt::print("\n");
@@ -141,7 +146,7 @@ void print_text(const FiveProbeReport& report, const MeasuredDrift& drift, const
     print_settling(sheet.settling, "row");
     if (!sheet.settling.empty()) fmt::print("\n");
   } else {
-    print_settling_of_steps(report, drift, steps);
+    print_settling_of_steps(report, drift, steps, sheet.test.motion_unit);
   }
   std::vector<std::string> sigmas;
   for (const DriftAxis& axis : drift.axes) sigmas.push_back(sigma_text(axis));
@@ -220,7 +225,7 @@ void report_five_probe(const FiveProbeReport& report) {
   const MeasuredDrift drift = drift_of_log(report.series, report.how, report.title);
   const std::vector<SpeedStep> steps = steps_of(report.series);
   const DriftSheet sheet = sheet_of_log(drift, report.series, report.stable_um);
-  for (const std::string& path : report.out) write_drift(drift, steps, sheet, path);
+  for (const std::string& path : report.out) write_drift(drift, steps, sheet, path, report.stable_um);
   if (report.json) {
     print_json_text(json_text(drift, steps, sheet, report.stable_um));
   } else {
@@ -331,6 +336,10 @@ MeasuredDrift drift_of_log(const Series& series, const FivePointOptions& how, co
     if (!series.has_clock) throw Error(table_complaint(series, name));
     MeasuredDrift drift = measured_drift_of(series, how.reference_s, name);
     if (!drift.axes.empty()) return drift;
+    if (!drift.remarks.empty()) {
+      throw Error(fmt::format("{}: expected a column in um or mm that changes by at most 1 mm, found none. {}", name,
+                              fmt::join(drift.remarks, " ")));
+    }
   }
   return five_point_of(series, how, name);
 }

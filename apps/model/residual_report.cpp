@@ -64,7 +64,7 @@ std::vector<std::string> coefficient_texts(const std::vector<Coefficient>& coeff
     std::string text =
         fmt::format("{}: {} {}, over {:.3g} K {} um", one.effect,
                     std::isfinite(one.value.sigma_um) ? text_of(one.value) : fmt::format("{:.4g}", one.value.value_um),
-                    one.unit, one.span_K, size_text(one.size_um));
+                    one.unit, one.size_um / std::abs(one.value.value_um), size_text(one.size_um));
     if (one.rising && one.falling)
       text += fmt::format("; {} while it rises, {} while it falls", text_of(*one.rising), text_of(*one.falling));
     if (!is_usual(one))

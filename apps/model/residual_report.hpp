@@ -31,6 +31,7 @@ std::string faults_text(const ResidualReport& report, const std::vector<FaultKin
 // The three sentences, wrapped.
 void print_sentences(const ResidualReport& residual_report);
 
+// The span is that of the temperature as the effect takes it, with its delay.
 // "expansion(T_degC): 3.53 ± 0.02 um/K, over 9.1 K 32 um; 3.5 ± 0.1 while it rises, 3.6 ± 0.1 while it falls", a line
 // each.
 std::vector<std::string> coefficient_texts(const std::vector<Coefficient>& coefficients);

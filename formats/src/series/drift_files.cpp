@@ -59,7 +59,7 @@ FiveProbeDrift result_of(const MeasuredDrift& drift, const std::vector<SpeedStep
   FiveProbeDrift result{drift.method, drift.reference_s, series_of(drift), {}, sheet, drift.remarks};
   for (const SpeedStep& step : steps) {
     result.steps.push_back({drift.time_s[step.begin], drift.time_s[step.end - 1], step.speed_rpm,
-                            ranges_of(drift, step.begin, step.end),
+                            sheet.test.motion_unit, ranges_of(drift, step.begin, step.end),
                             settling_of(drift, step.begin, step.end, stable_um)});
   }
   return result;
@@ -69,9 +69,9 @@ FiveProbeDrift result_of(const MeasuredDrift& drift, const std::vector<SpeedStep
 bool may_cause(const Column& column) {
   const std::string_view unit = unit_of(column.name);
   if (column.role == Role::measured || unit.empty() || unit == "um" || unit == "mm") return false;
-  const auto other = std::find_if(column.values.begin(), column.values.end(),
-                                  [&](double value) { return std::isfinite(value) && value != column.values.front(); });
-  return other != column.values.end();
+  const auto first =
+      std::find_if(column.values.begin(), column.values.end(), [](double value) { return std::isfinite(value); });
+  return std::any_of(first, column.values.end(), [&](double value) { return std::isfinite(value) && value != *first; });
 }
 
 void write_rows(std::ostream& out, const Series& series) {
@@ -194,13 +194,13 @@ void write_drift(const DriftSeries& drift, const std::filesystem::path& path) {
 }
 
 void write_drift(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, const DriftSheet& sheet,
-                 const std::filesystem::path& path) {
+                 const std::filesystem::path& path, std::optional<double> stable_um) {
   write_by_extension(
       path,
       [&] {
         return DriftColumns{drift.method, drift.reference_s, series_of(drift)};
       },
-      [&](std::ostream& out) { write_json(drift, steps, sheet, std::nullopt, out); });
+      [&](std::ostream& out) { write_json(drift, steps, sheet, stable_um, out); });
 }
 
 }  // namespace ballbar

@@ -95,7 +95,7 @@ MeasuredDrift with_lengths(MeasuredDrift drift) {
   const std::size_t n = drift.axes.size();
   for (std::size_t k = 0; k < n; ++k) {
     const auto is_pair = [&](const DriftAxis& other) {
-      return other.unit == "um" && drift.axes[k].unit == "um" &&
+      return other.unit == "um" && drift.axes[k].unit == "um" && other.name.find("mm") != std::string::npos &&
              without_digits(other.name) == without_digits(drift.axes[k].name);
     };
     const auto begin = drift.axes.begin();
@@ -105,7 +105,10 @@ MeasuredDrift with_lengths(MeasuredDrift drift) {
     const DriftAxis first = drift.axes[k];
     const DriftAxis second = *std::find_if(begin + static_cast<long>(k) + 1, begin + static_cast<long>(n), is_pair);
     DriftAxis length{fmt::format("{} less {}", second.name, first.name), "um", {}, {}};
-    Contribution noise{"scatter of the rows", {}, false, true};
+    const auto is_noise = [](const Contribution& one) { return one.noise; };
+    const bool all_noise = std::all_of(first.budget.begin(), first.budget.end(), is_noise) &&
+                           std::all_of(second.budget.begin(), second.budget.end(), is_noise);
+    Contribution noise{"both positions", {}, false, all_noise};
     double last_first = kUnknown, last_second = kUnknown;  // readings may take the positions in turn
     for (std::size_t row = 0; row < drift.time_s.size(); ++row) {
       const bool any = std::isfinite(first.value[row]) || std::isfinite(second.value[row]);

@@ -127,7 +127,7 @@ std::optional<Course> course_of(std::span<const double> time_s, std::span<const 
   course.shape = static_cast<CourseShape>(best - fits.begin());
   course.probability = 1.0 / sum;
   course.trend_um_per_h = {fits[1].gains[1], fits[1].sigmas[1]};
-  course.settling = {-fits[2].gains[1], fits[2].sigmas[1]};
+  course.decay = {-fits[2].gains[1], fits[2].sigmas[1]};
   course.time_constant_s = fits[2].tau_s;
   course.noise_um = best->noise_um;
   const Eigen::Index first = best->gains.size() - static_cast<Eigen::Index>(best->steps.size());

@@ -376,7 +376,10 @@ DriftRange range_of(const DriftAxis& axis, const std::vector<double>& time_s, st
   add(range.first_60_min, 0, in_first, first);
   add(range.after_60_min, in_first, values.size(), after);
   if (range.last_60_min) add(range.last_60_min, values.size() - in_last, values.size(), last_hour);
-  const std::vector<Estimate> smooth = smooth_ranges(times, values, windows);
+  std::vector<Estimate> smooth = smooth_ranges(times, values, windows);
+  for (std::size_t k = 1; k < smooth.size(); ++k) {  // no part is larger than the whole
+    if (smooth[k].value_um > smooth[0].value_um) smooth[0] = smooth[k];
+  }
   for (std::size_t k = 0; k < smooth.size(); ++k) {
     double square = smooth[k].sigma_um * smooth[k].sigma_um;
     for (const Contribution& one : axis.budget) {

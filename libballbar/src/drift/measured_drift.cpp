@@ -141,25 +141,36 @@ MeasuredDrift measured(const Series& series, std::string what) {
 MeasuredDrift since_reference(MeasuredDrift drift, std::optional<double> reference_s) {
   const std::size_t reference = reference_index(drift.time_s, reference_s);
   drift.reference_s = drift.time_s[reference];
-  std::vector<std::string> still, far;
+  std::vector<std::string> empty, still, far;
   std::erase_if(drift.axes, [&](const DriftAxis& axis) {
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const double value : axis.value) {
       if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
     }
-    const bool is_still = !(most > least), is_far = most - least > (axis.unit == "mm" ? 1.0 : kLargestDrift_um);
-    if (is_still || is_far) (is_still ? still : far).push_back(axis.name);
-    return is_still || is_far;
+    const double limit = axis.unit == "mm" ? mm_from_um(kLargestDrift_um) : kLargestDrift_um;
+    std::vector<std::string>* why = nullptr;
+    if (!(most >= least)) {
+      why = &empty;
+    } else if (!(most > least)) {
+      why = &still;
+    } else if (axis.unit != "urad" && most - least > limit) {
+      why = &far;
+    }
+    if (why != nullptr) why->push_back(axis.name);
+    return why != nullptr;
   });
-  if (!still.empty())
-    drift.remarks.push_back(fmt::format("Left out, because it does not change: {}.", fmt::join(still, ", ")));
-  if (!far.empty())
-    drift.remarks.push_back(
-        fmt::format("Left out, because it changes by more than 1 mm, as no drift does: {}.", fmt::join(far, ", ")));
+  const auto say = [&](const std::vector<std::string>& names, const char* why) {
+    if (!names.empty())
+      drift.remarks.push_back(fmt::format("Left out, because it {}: {}.", why, fmt::join(names, ", ")));
+  };
+  say(empty, "has no value");
+  say(still, "does not change");
+  say(far, "changes by more than 1 mm, as no drift does");
   for (DriftAxis& axis : drift.axes) {
     std::size_t row = reference;
     while (row < axis.value.size() && std::isnan(axis.value[row])) ++row;
     if (row == axis.value.size()) row = reference;
+    while (std::isnan(axis.value[row])) --row;  // it has a value
     const double scale = axis.unit == "mm" ? um_from_mm(1.0) : 1.0, origin = axis.value[row];
     if (axis.unit == "mm") axis.unit = "um";
     for (double& value : axis.value) value = scale * (value - origin);

@@ -251,14 +251,14 @@ std::vector<AxisSettling> settling_of(const MeasuredDrift& drift, std::size_t be
       times.push_back(drift.time_s[row]);
       values.push_back(axis.value[row]);
     }
-    AxisSettling one{axis.name, kLeastBand_um, true, std::nullopt};
+    AxisSettling one{axis.name, kLeastBand_um, false, std::nullopt};
     if (!values.empty()) {
       const auto [least, most] = std::minmax_element(values.begin(), values.end());
       const double range_um = *most - *least;
       one.band_um = band_um.value_or(std::max(kLeastBand_um, kBandOfRange * range_um));
       one.is_small = range_um <= one.band_um;
     }
-    if (!one.is_small) {
+    if (!one.is_small && !values.empty()) {
       average_blocks(times, values, kRowsOfFit);
       const std::size_t rows = settling_rows(values, one.band_um);
       one.stable = stable_time(std::span(times).first(rows), std::span(values).first(rows), one.band_um);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/series/speed_steps.hpp"
 #include "ballbar/units.hpp"
 #include "drift/smooth_curve.hpp"
@@ -20,50 +21,51 @@ namespace {
 
 constexpr char kRotaryAxes[] = {'a', 'b', 'c'};
 constexpr std::size_t kFewestForCurve = 30, kMostOfCurve = 3000;
-constexpr double kDay_s = 86400.0, kShortRest_s = 600.0;
+constexpr double kDay_s = 23.5 * 3600.0, kShortRest_s = 600.0, kShortest_s = 60.0;
+constexpr double kAtRest = 1.0;         // rpm, mm/min, deg/min
+constexpr double kSameSpeed = 0.02;     // of the largest
+constexpr double kLongestPause = 10.0;  // without a row, of a log that goes on
+constexpr const char* kFeeds[] = {"mm_per_min", "deg_per_min"};
 constexpr double kLeastShare = 0.05;  // of the time at speed
 constexpr std::size_t kMostSpeeds = 20;
 
-// The first column that `is_it` holds for, with the clock of its series.
-struct Signal {
-  const Series* series = nullptr;
-  const Column* column = nullptr;
-};
-template <class IsIt>
-Signal first_of(std::span<const Series> signals, IsIt is_it) {
-  for (const Series& series : signals) {
-    for (const Column& column : series.columns) {
-      if (is_it(column)) return {&series, &column};
-    }
-  }
-  return {};
-}
+std::string shown_name(const Column& column) { return column.header.empty() ? column.name : column.header; }
 
-struct TimeAtSpeed {
-  double running_s = 0.0, rest_after_s = 0.0, largest = 0.0;
+// How an axis or the spindle moved. Rows without a value do not count; the last one before `from_s` holds until there.
+struct AxisMotion {
+  const Column* column = nullptr;  // nullptr: no column, or no value within
+  double running_s = 0.0, rest_after_s = 0.0;
   std::vector<std::pair<double, double>> levels;  // speed, s
 };
 
-// The time at each speed. Neighbouring levels are joined as they come, by 2 % of the largest.
-TimeAtSpeed time_at_speed(const Signal& signal, double at_rest, double from_s, double to_s) {
-  TimeAtSpeed motion;
-  for (const double speed : signal.column->values) {
-    if (std::isfinite(speed)) motion.largest = std::max(motion.largest, std::abs(speed));
+AxisMotion motion_in(const Series& series, const Column& column, double from_s, double to_s) {
+  AxisMotion motion;
+  std::vector<double> time_s;
+  Column speed{column.name, column.role, {}};
+  for (std::size_t row = 0; row < series.time_s.size() && series.time_s[row] <= to_s; ++row) {
+    if (!std::isfinite(column.values[row])) continue;
+    if (series.time_s[row] <= from_s) time_s.clear(), speed.values.clear();
+    time_s.push_back(std::max(series.time_s[row], from_s));
+    speed.values.push_back(std::abs(column.values[row]));
   }
-  const std::vector<double>& time_s = signal.series->time_s;
-  std::vector<SpeedStep> steps = speed_steps(time_s, *signal.column);
+  if (time_s.empty()) return motion;
+  motion.column = &column;
+  const double largest = *std::max_element(speed.values.begin(), speed.values.end());
+  // Rows that are as dense as these end where the log does.
+  const double step_s = time_s.size() > 1 ? median_step_s(time_s) : 0.0;
+  const double end_s = step_s > 0.0 && to_s - time_s.back() > kLongestPause * step_s ? time_s.back() : to_s;
+  const std::vector<SpeedStep> steps = speed_steps(time_s, speed);
   for (std::size_t k = 0; k < steps.size(); ++k) {
-    const double begin_s = std::clamp(time_s[steps[k].begin], from_s, to_s);
-    const double end_s = k + 1 < steps.size() ? std::clamp(time_s[steps[k + 1].begin], from_s, to_s) : to_s;
-    const double size = std::abs(steps[k].speed_rpm), lasts_s = std::max(0.0, end_s - begin_s);
-    if (size <= at_rest) {
+    const double size = steps[k].speed_rpm;
+    const double lasts_s = (k + 1 < steps.size() ? time_s[steps[k + 1].begin] : end_s) - time_s[steps[k].begin];
+    if (size <= kAtRest) {
       motion.rest_after_s += lasts_s;
       continue;
     }
     motion.rest_after_s = 0.0;
     motion.running_s += lasts_s;
     const auto level = std::find_if(motion.levels.begin(), motion.levels.end(), [&](const auto& one) {
-      return std::abs(one.first - size) <= 0.02 * motion.largest;
+      return std::abs(one.first - size) <= kSameSpeed * largest;
     });
     if (level != motion.levels.end()) {
       level->second += lasts_s;
@@ -79,7 +81,7 @@ std::vector<TemperatureSpan> temperatures_of(std::span<const Series> signals, do
   for (const Series& series : signals) {
     for (const Column& column : series.columns) {
       if (unit_of(column.name) != "degC") continue;
-      TemperatureSpan span{column.header.empty() ? column.name : column.header, column.role, kUnknown, 0.0, 0.0};
+      TemperatureSpan span{shown_name(column), column.role, kUnknown, 0.0, 0.0};
       for (std::size_t row = 0; row < series.time_s.size(); ++row) {
         const double value = column.values[row];
         if (!std::isfinite(value) || series.time_s[row] < from_s || series.time_s[row] > to_s) continue;
@@ -113,13 +115,14 @@ std::vector<TestLack> lacks_of(const ThermalTest& test) {
   return lacks;
 }
 
-// Whether a word of the name, of Latin letters alone, is the letter, or d and the letter if that is a difference too.
+// Whether a word of the name, of Latin letters and digits, is the letter, or d and the letter if that is a difference
+// too.
 bool has_word(std::string_view name, char letter, bool with_d = true) {
   std::string word;
   const auto is_it = [&] { return word == std::string(1, letter) || (with_d && word == std::string{'d', letter}); };
   for (const char c : name) {
     const bool is_large = c >= 'A' && c <= 'Z';
-    if (is_large || (c >= 'a' && c <= 'z')) {
+    if (is_large || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) {
       word += is_large ? static_cast<char>(c - 'A' + 'a') : c;
     } else if (is_it()) {
       return true;
@@ -157,9 +160,7 @@ Changes changes_of(const DriftAxis& axis, const MeasuredDrift& drift, const std:
     changes.time_s.push_back(drift.time_s[row]);
     values.push_back(axis.value[row]);
   }
-  const bool has_noise =
-      std::any_of(axis.budget.begin(), axis.budget.end(), [](const Contribution& one) { return one.noise; });
-  if (values.size() < kFewestForCurve || !has_noise) {
+  if (values.size() < kFewestForCurve) {
     for (const std::size_t row : rows) changes.value.push_back({axis.value[row], sigma_of(axis, row)});
     return changes;
   }
@@ -176,33 +177,30 @@ Changes changes_of(const DriftAxis& axis, const MeasuredDrift& drift, const std:
   return changes;
 }
 
-constexpr const char* kFeeds[] = {"mm_per_min", "deg_per_min"};
-constexpr double kAtRest = 1.0;  // rpm, mm/min, deg/min
-
-bool moves(const Column& column) {
-  return std::any_of(column.values.begin(), column.values.end(),
-                     [](double value) { return std::abs(value) > kAtRest; });
-}
-
 ThermalTestKind kind_of(const Column& column) {
   if (column.role != Role::speed)
     return unit_of(column.name) == kFeeds[0] ? ThermalTestKind::linear_axes : ThermalTestKind::rotary_axes;
-  const std::string& name = column.header.empty() ? column.name : column.header;
   const bool is_axis = std::any_of(std::begin(kRotaryAxes), std::end(kRotaryAxes),
-                                   [&](char letter) { return has_word(name, letter, false); });
+                                   [&](char letter) { return has_word(shown_name(column), letter, false); });
   return is_axis ? ThermalTestKind::rotary_axes : ThermalTestKind::spindle;
 }
 
-// The first that moves: a speed, a feed, a turn.
-Signal moving(std::span<const Series> signals) {
-  const auto first = [&](auto is_it) {
-    return first_of(signals, [&](const Column& column) { return is_it(column) && moves(column); });
-  };
-  Signal signal = first([](const Column& column) { return column.role == Role::speed; });
-  for (const char* unit : kFeeds) {
-    if (signal.column == nullptr) signal = first([&](const Column& column) { return unit_of(column.name) == unit; });
+// Of the first column that moves for more than a minute: a speed, a feed, a turn. Else of the first speed.
+AxisMotion motion_in(std::span<const Series> signals, double from_s, double to_s) {
+  AxisMotion still;
+  for (const char* unit : {"", kFeeds[0], kFeeds[1]}) {
+    for (const Series& series : signals) {
+      for (const Column& column : series.columns) {
+        const bool is_speed = column.role == Role::speed;
+        if (*unit == 0 ? !is_speed : unit_of(column.name) != unit) continue;
+        AxisMotion motion = motion_in(series, column, from_s, to_s);
+        if (motion.running_s > kShortest_s) return motion;
+        if (is_speed && still.column == nullptr) still = std::move(motion);
+      }
+    }
   }
-  return signal;
+  still.running_s = 0.0;
+  return still;
 }
 
 }  // namespace
@@ -221,35 +219,35 @@ std::string_view name_of(TestLack lack) {
 
 ThermalTest thermal_test(std::span<const Series> signals, double from_s, double to_s) {
   ThermalTest test;
+  test.from_s = from_s;
   test.duration_s = to_s - from_s;
   test.temperatures = temperatures_of(signals, from_s, to_s);
-  const auto name_of = [](const Column& column) { return column.header.empty() ? column.name : column.header; };
-  if (const Signal signal = moving(signals); signal.column != nullptr) {
-    const TimeAtSpeed motion = time_at_speed(signal, kAtRest, from_s, to_s);
-    test.kind = kind_of(*signal.column);
-    test.motion = name_of(*signal.column);
+  if (const AxisMotion motion = motion_in(signals, from_s, to_s); motion.column != nullptr) {
+    const bool is_moving = motion.running_s > 0.0;
+    test.kind = is_moving ? kind_of(*motion.column) : ThermalTestKind::environment;
+    test.motion = shown_name(*motion.column);
+    test.motion_unit = unit_of(motion.column->name);
     test.running_s = motion.running_s;
-    test.rest_after_s = motion.rest_after_s;
+    test.rest_after_s = is_moving ? motion.rest_after_s : 0.0;
     double longest_s = 0.0;
+    for (const auto& [size, lasts_s] : motion.levels) longest_s = std::max(longest_s, lasts_s);
+    const double least_s = std::min(kLeastShare * motion.running_s, longest_s);
     for (const auto& [size, lasts_s] : motion.levels) {
-      longest_s = std::max(longest_s, lasts_s);
-      if (test.kind == ThermalTestKind::spindle && lasts_s >= kLeastShare * motion.running_s &&
-          test.speeds_rpm.size() < kMostSpeeds)
-        test.speeds_rpm.push_back(size);
+      if (is_moving && lasts_s >= least_s && test.speeds.size() < kMostSpeeds) test.speeds.push_back(size);
     }
-    std::sort(test.speeds_rpm.begin(), test.speeds_rpm.end());
+    std::sort(test.speeds.begin(), test.speeds.end());
     if (test.kind == ThermalTestKind::spindle && longest_s < (1.0 - kLeastShare) * motion.running_s)
       test.kind = ThermalTestKind::spindle_spectrum;
-  } else if (const Signal still = first_of(signals, [](const Column& column) { return column.role == Role::speed; });
-             still.column != nullptr) {
-    test.kind = ThermalTestKind::environment;
-    test.motion = name_of(*still.column);
   }
   test.lacks = lacks_of(test);
   return test;
 }
 
-const Column* motion_of(const Series& series) { return moving(std::span(&series, 1)).column; }
+const Column* motion_of(const Series& series) {
+  if (series.time_s.empty()) return nullptr;
+  const AxisMotion motion = motion_in(std::span(&series, 1), series.time_s.front(), series.time_s.back());
+  return motion.running_s > 0.0 ? motion.column : nullptr;
+}
 
 std::vector<LargestDrift> largest_drifts(const MeasuredDrift& drift) {
   std::vector<LargestDrift> all;
@@ -310,7 +308,20 @@ std::vector<LargestDrift> largest_drifts(const DriftSeries& series) {
   };
   for (const DriftQuantity& quantity : kDriftQuantities)
     add(quantity.name, [&](const DriftPoint& point) { return point.*quantity.member; });
-  add("combined", [](const DriftPoint& point) { return combined_drift(point); });
+  std::string axes;
+  const auto has = [&](std::optional<Estimate> DriftPoint::*member) {
+    return std::any_of(series.points.begin(), series.points.end(),
+                       [&](const DriftPoint& point) { return (point.*member).has_value(); });
+  };
+  const std::array members{&DriftPoint::x, &DriftPoint::y, &DriftPoint::z};
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    if (has(members[k])) axes += fmt::format("{}{}", axes.empty() ? "combined " : ", ", "xyz"[k]);
+  }
+  const bool is_of_all = axes == "combined x, y, z";
+  add(is_of_all ? "combined" : axes.c_str(), [&](const DriftPoint& point) {
+    const bool lacks_one = std::any_of(members.begin(), members.end(), [&](auto member) { return !(point.*member); });
+    return is_of_all && lacks_one ? std::nullopt : combined_drift(point);
+  });
   return all;
 }
 

@@ -75,8 +75,8 @@ TEST(Course, warming_up_settles) {
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
     const Course course =
         course_of(readings_of(48, 600.0, 0.8, seed, [](double t) { return 14.0 * std::exp(-t / 3300.0); }));
-    settles += course.shape == CourseShape::settling && course.steps.empty() ? 1 : 0;
-    within += std::abs(course.settling.value_um + 14.0) <= 3.0 * course.settling.sigma_um ? 1 : 0;
+    settles += course.shape == CourseShape::decay && course.steps.empty() ? 1 : 0;
+    within += std::abs(course.decay.value_um + 14.0) <= 3.0 * course.decay.sigma_um ? 1 : 0;
   }
   EXPECT_GE(settles, 45);
   EXPECT_GE(within, 45);

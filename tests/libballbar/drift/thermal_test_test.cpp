@@ -51,8 +51,8 @@ TEST(ThermalTest, one_speed_with_a_ripple_and_its_rest) {
   EXPECT_EQ(test.kind, ThermalTestKind::spindle);
   EXPECT_DOUBLE_EQ(test.running_s, 4.0 * kHour_s);
   EXPECT_DOUBLE_EQ(test.rest_after_s, 55.0 * 60.0);
-  ASSERT_EQ(test.speeds_rpm.size(), 1U);
-  EXPECT_NEAR(test.speeds_rpm[0], 3000.0, 25.0);
+  ASSERT_EQ(test.speeds.size(), 1U);
+  EXPECT_NEAR(test.speeds[0], 3000.0, 25.0);
   EXPECT_EQ(test.lacks, (std::vector{TestLack::room_temperature, TestLack::structure_temperature}));
 }
 
@@ -60,7 +60,7 @@ TEST(ThermalTest, several_speeds_are_a_spectrum_and_its_end_lacks_the_rest) {
   const Column speed = column_of("speed_rpm", Role::speed, 240, [](double t) { return t < 120.0 ? 4000.0 : 8000.0; });
   const ThermalTest test = test_of(series_of(240, {speed}));
   EXPECT_EQ(test.kind, ThermalTestKind::spindle_spectrum);
-  EXPECT_EQ(test.speeds_rpm, (std::vector{4000.0, 8000.0}));
+  EXPECT_EQ(test.speeds, (std::vector{4000.0, 8000.0}));
   EXPECT_EQ(test.lacks.back(), TestLack::rest_after);
 }
 
@@ -74,6 +74,43 @@ TEST(ThermalTest, a_feed_or_the_letter_of_an_axis_is_no_spindle) {
   speed.header = "n C-axis [1/min]";
   EXPECT_EQ(test_of(series_of(240, {speed})).kind, ThermalTestKind::rotary_axes);
   EXPECT_EQ(test_of(series_of(240, {column_of("z_um", Role::measured, 240, moving)})).kind, ThermalTestKind::unknown);
+  speed.header = "Spindle C1 [1/min]";
+  EXPECT_EQ(test_of(series_of(240, {speed})).kind, ThermalTestKind::spindle);
+}
+
+// Only what is within the record and known counts.
+TEST(ThermalTest, a_speed_that_is_not_known_is_none) {
+  const double gap = std::nan("");
+  const auto kind_of = [](const Series& series) { return test_of(series).kind; };
+  EXPECT_EQ(kind_of(series_of(200, {column_of("n_rpm", Role::speed, 200, [&](double) { return gap; })})),
+            ThermalTestKind::unknown);
+  const Series ends =
+      series_of(600, {column_of("n_rpm", Role::speed, 600, [&](double t) { return t > 60.0 ? gap : 3000.0; })});
+  EXPECT_DOUBLE_EQ(test_of(ends).running_s, kHour_s);
+  const Series one_row =
+      series_of(600, {column_of("n_rpm", Role::speed, 600, [](double t) { return t == 30.0 ? 2.0 : 0.0; })});
+  EXPECT_EQ(kind_of(one_row), ThermalTestKind::environment);
+  const Series before =
+      series_of(600, {column_of("n_rpm", Role::speed, 600, [](double t) { return t < 120.0 ? 8000.0 : 0.0; })});
+  EXPECT_EQ(thermal_test(std::span(&before, 1), 130.0 * 60.0, 600.0 * 60.0).kind, ThermalTestKind::environment);
+}
+
+// Axes with stated sigmas keep their rows, the others have means of neighbours: the combined drift needs one choice.
+TEST(ThermalTest, axes_with_and_without_noise_are_combined_row_by_row) {
+  Series series = series_of(5000, {column_of("x_um", Role::measured, 5000, [](double t) { return 1e-3 * t; }),
+                                   column_of("x_sigma_um", Role::measured, 5000, [](double) { return 0.1; }),
+                                   column_of("y_um", Role::measured, 5000, [](double t) { return 2e-3 * t; })});
+  const LargestDrift last = largest_drifts(since_reference(measured(series, "log"), std::nullopt)).back();
+  EXPECT_NEAR(last.drift.value_um, std::hypot(5.0, 10.0), 0.01);
+}
+
+TEST(MeasuredDrift, an_axis_that_ends_before_the_reference_has_the_last_value_before_it) {
+  const Series series = series_of(
+      100, {column_of("x_um", Role::measured, 100, [](double t) { return t > 60.0 ? std::nan("") : 0.1 * t; }),
+            column_of("y_um", Role::measured, 100, [](double t) { return 0.1 * t; })});
+  const MeasuredDrift drift = since_reference(measured(series, "log"), 6000.0);
+  EXPECT_DOUBLE_EQ(drift.axes[0].value[60], 0.0);
+  EXPECT_DOUBLE_EQ(drift.axes[0].value[0], -6.0);
 }
 
 // The largest of noisy rows is too large by two or three sigma; that of the curve is not.

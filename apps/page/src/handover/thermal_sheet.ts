@@ -24,7 +24,7 @@ const span_text = (time_s: Num): string => {
   return [h > 0 ? `${h} h` : "", min > 0 || h === 0 ? `${min} min` : ""].filter((one) => one !== "").join(" ");
 };
 
-const speeds_text = ({ speeds_rpm: speeds }: ThermalTest): string => {
+const speeds_text = ({ speeds }: ThermalTest): string => {
   const [least, most] = [speeds[0], speeds[speeds.length - 1]].map((one) => shown(one ?? null, 0));
   if (speeds.length === 0) return "–";
   return speeds.length > 5 ? `${least} … ${most} rpm (${speeds.length})` : `${speeds.map((one) => shown(one, 0)).join(", ")} rpm`;
@@ -34,7 +34,7 @@ const rows_of = (report: Report, { thermal_test: test }: DriftSheet): Row[] => {
   const moving: Row[] =
     (test.running_s ?? 0) > 0
       ? [
-          ...(test.speeds_rpm.length > 0 ? [[t.thermal_speeds, speeds_text(test)] as const] : []),
+          ...(test.speeds.length > 0 && test.motion_unit === "rpm" ? [[t.thermal_speeds, speeds_text(test)] as const] : []),
           [t.thermal_running, span_text(test.running_s)],
           [t.thermal_rest_after, span_text(test.rest_after_s)],
         ]
@@ -76,11 +76,11 @@ const head_at = (report: Report, sheet: DriftSheet): Block => {
 const estimate = (value: Num | undefined, sigma: Num | undefined): string =>
   typeof value !== "number" ? "–" : with_sigma(value, sigma ?? null, Math.min(2, decimals_for(value, sigma ?? null)));
 
-const conclusion_of = ({ largest }: DriftSheet): string => {
+const conclusion_of = ({ largest, thermal_test: { from_s } }: DriftSheet): string => {
   const all = largest.filter(({ axis }) => axis.startsWith("combined"));
   const [most] = all.length > 0 ? all : [...largest].sort((a, b) => Math.abs(drift_of(b) ?? 0) - Math.abs(drift_of(a) ?? 0));
   if (!most) return "";
-  return t.thermal_largest({ axis: axis_name(most.axis), value: `${estimate(drift_of(most), sigma_of(most))} ${unit_shown(unit_of(most))}`, at: span_text(most.time_s) });
+  return t.thermal_largest({ axis: axis_name(most.axis), value: `${estimate(drift_of(most), sigma_of(most))} ${unit_shown(unit_of(most))}`, at: span_text(most.time_s - (from_s ?? 0)) });
 };
 
 // "drift_um" of a key that ends in the unit.
@@ -102,7 +102,7 @@ const stable_text = ({ is_small, stable }: AxisSettling): string => {
   return stable.reached ? value : t.thermal_beyond({ value });
 };
 
-const numbers_of = (sheet: DriftSheet): { heading: string[]; rows: string[][] } => {
+const numbers_of = (sheet: DriftSheet): { heading: string[]; rows: string[][]; more: number } => {
   const of_motion = Object.keys(sheet.ranges_in_motion).length > 0;
   const ranges = of_motion ? sheet.ranges_in_motion : sheet.ranges;
   const rows = sheet.largest.map((one) => {
@@ -120,7 +120,8 @@ const numbers_of = (sheet: DriftSheet): { heading: string[]; rows: string[][] } 
   const range = of_motion ? t.thermal_range_in_motion : t.thermal_range;
   return {
     heading: ["", t.thermal_largest_head, t.thermal_at_min, ...[t.thermal_first_hour, t.thermal_last_hour, t.thermal_total].map((one) => `${range} ${one}`), ...(sheet.stability.length > 0 ? [t.thermal_stable] : [])],
-    rows: rows.slice(0, kMost_rows),
+    rows: rows.length > kMost_rows ? [...rows.slice(0, kMost_rows - 1), ...rows.slice(-1)] : rows, // combined is the last
+    more: Math.max(0, rows.length - kMost_rows),
   };
 };
 
@@ -142,7 +143,7 @@ const picture_at = (picture: Picture, y: number, high_px: number): Block => {
 export const thermal_sheet = (report: Report, pictures: readonly Picture[]): string | null => {
   const sheet = report.thermal;
   const of = (names: readonly string[]): Picture[] => pictures.filter(({ name }) => names.includes(name)).slice(0, 1);
-  const [drift] = [...of(["drift"]), ...of(["five-probe"]), ...of(["measured"])];
+  const [drift] = [...of(["drift"]), ...of(["five-probe"]), ...pictures.filter(({ name }) => name.startsWith("measured"))];
   if (!sheet || !drift) return null;
   let { svg: drawn, below: y } = head_at(report, sheet);
   const put = (block: Block, gap_px: number): void => {
@@ -158,9 +159,10 @@ export const thermal_sheet = (report: Report, pictures: readonly Picture[]): str
   const others = [...of(["temperatures"]), ...(kind === "environment" ? [] : of(["speed"]))];
   put(picture_at(drift, y, 275), 4);
   for (const picture of others) put(picture_at(picture, y, picture.name === "speed" ? 140 : 180), 4);
-  const { heading, rows } = numbers_of(sheet);
+  const { heading, rows, more } = numbers_of(sheet);
   y += 12;
-  put(table_at(kLeft, y, kAcross, heading, rows, 8.5), 6);
+  put(table_at(kLeft, y, kAcross, heading, rows, 8.5), more > 0 ? 0 : 6);
+  if (more > 0) put(paragraph_at(kLeft, y, kAcross, t.handover_more({ n: more }), 1, { size_px: 8.5, fill: "#444" }), 6);
   const temperatures = temperatures_of(sheet).slice(0, Math.max(0, Math.floor((kSheet_px.height - kFoot_px - 24 - y) / 12.5) - 2));
   if (temperatures.length > 0)
     put(table_at(kLeft, y, kAcross, [t.thermal_temperature, t.thermal_first, t.thermal_least, t.thermal_most, t.thermal_difference], temperatures, 8.5), 4);

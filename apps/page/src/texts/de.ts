@@ -313,7 +313,7 @@ export const de: Texts = {
     room_temperature: "die Temperatur des Raums",
     structure_temperature: "eine Temperatur der Spindel oder der Maschine",
     a_day: "ein ganzer Tag, in dem der Raum seinen Gang durchläuft",
-    rest_after: "die Spindel in Ruhe nach dem Lauf",
+    rest_after: "10 min in Ruhe nach dem Lauf der Spindel",
   },
   thermal_speeds: "Drehzahl",
   thermal_running: "in Bewegung",

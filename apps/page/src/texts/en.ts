@@ -322,7 +322,7 @@ export const en = {
     room_temperature: "the temperature of the room",
     structure_temperature: "a temperature of the spindle or the machine",
     a_day: "a whole day, in which the room goes through its cycle",
-    rest_after: "the spindle at rest after it has turned",
+    rest_after: "10 min at rest after the spindle has turned",
   },
   thermal_speeds: "speed",
   thermal_running: "in motion",

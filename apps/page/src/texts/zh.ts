@@ -298,7 +298,7 @@ export const zh: Texts = {
     room_temperature: "室温",
     structure_temperature: "主轴或机床的温度",
     a_day: "完整的一天（室温的一个周期）",
-    rest_after: "主轴旋转之后的静止阶段",
+    rest_after: "主轴旋转之后静止 10 min",
   },
   thermal_speeds: "转速",
   thermal_running: "运动时间",

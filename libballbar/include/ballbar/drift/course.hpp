@@ -1,7 +1,7 @@
 // The course of readings without any input, such as the sizes of a shift's parts: a trend, a curve that settles, steps.
 //
 //   y(t) = a + b t + steps             trend        (wear of a tool; a drift that goes on)
-//   y(t) = a + c exp(-t / tau) + steps settling     (warming up; running in)
+//   y(t) = a + c exp(-t / tau) + steps decay        (warming up; running in)
 //   y(t) = a + steps                   still
 //
 // Least squares. At most three steps, one by one where each lowers the sum of squares most, at least three readings
@@ -22,7 +22,7 @@
 
 namespace ballbar {
 
-enum class CourseShape { still, trend, settling };
+enum class CourseShape { still, trend, decay };
 std::string_view name_of(CourseShape shape);
 
 struct CourseStep {
@@ -34,8 +34,8 @@ struct Course {
   CourseShape shape = CourseShape::still;  // the most probable
   double probability = 0.0;
   Estimate trend_um_per_h;       // of the shape trend, whatever the most probable one is
-  Estimate settling;             // settling: c without its sign, what the drift has gone through in the end
-  double time_constant_s = 0.0;  // settling
+  Estimate decay;                // decay: -c, the change in the end
+  double time_constant_s = 0.0;  // tau
   std::vector<CourseStep> steps;
   double noise_um = 0.0;  // standard deviation of the residual
 };

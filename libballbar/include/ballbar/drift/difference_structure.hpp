@@ -46,9 +46,9 @@ struct DifferencePart {
   bool named = false;     // chance below the limit
 };
 
-// As kDifferenceKinds. nullopt: not determined, because the rows do not tell it from the others; or it does not stand out
-// (p > 1 %) and its sigma is above half of the scale, a quarter of the time, the range of the drifts, or that range over
-// the time.
+// As kDifferenceKinds. nullopt: not determined, because the rows do not tell it from the others; or it does not stand
+// out (p > 1 %) and its sigma is above half of the scale, a quarter of the time, the range of the drifts, or that range
+// over the time.
 using DifferenceParts = std::array<std::optional<DifferencePart>, 4>;
 
 enum class NoiseOfDifference { stated, widened, from_rows };

@@ -56,17 +56,17 @@ MeasuredDrift measured(const DriftSeries& drift, const Session& session);
 MeasuredDrift measured(const Series& series, std::string what);
 
 // Changes since the value of each axis in the row nearest to reference_s (nullopt: the first), or in the first row
-// after it that has one; mm become um. The stated sigma is that of the difference, the noise of the two rows as
-// independent.
+// after it that has one, else the last before it; mm become um. The stated sigma is that of the difference, the noise
+// of the two rows as independent.
 MeasuredDrift since_reference(MeasuredDrift drift, std::optional<double> reference_s);
 
-// Readings that were taken at a few positions in turn (a column of the series in mm that changes by more than 1 mm, at
-// most 12 values, 6 rows or more at each) become an axis a position, "error at 800 mm", where they scatter less than
-// half as much about a slow drift there. Other rows are gaps. `drift` is that of the series.
+// Readings that were taken at a few positions in turn (a column of the series in mm or um that changes by more than 1
+// mm, at most 12 values, 6 rows or more at each) become an axis a position, "error at 800 mm", where they scatter less
+// than half as much about a slow drift there. Other rows are gaps. `drift` is that of the series.
 MeasuredDrift at_each_position(MeasuredDrift drift, const Series& series);
 
-// With the change of length between two positions: of two axes in um whose names differ in digits alone, the second
-// less the first. Where readings take them in turn, the last one of each. Call it after since_reference().
+// With the change of length between two positions: of two axes in um whose names have mm and differ in digits alone,
+// the second less the first. Where readings take them in turn, the last one of each. Call it after since_reference().
 MeasuredDrift with_lengths(MeasuredDrift drift);
 
 // Columns NAME_UNIT and, where any is known, NAME_sigma_UNIT.

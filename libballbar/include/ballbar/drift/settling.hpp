@@ -36,7 +36,8 @@ struct StableTime {
 };
 
 // Of rows with rising times, NaN: a gap. nullopt: fewer than 6 rows; the sigma is above half of the time; or
-// the rows end before three quarters of the final value, where a trend or half a cycle look like a curve that settles.
+// the time lies beyond the rows, and they end before three quarters of the final value, where a trend or half a cycle
+// look like a curve that settles.
 std::optional<StableTime> stable_time(std::span<const double> time_s, std::span<const double> drift_um, double band_um);
 
 struct AxisSettling {

@@ -4,7 +4,7 @@
 // by a rotating spindle, by moving linear axes, and by rotary motion of components. The speed of the spindle, or the
 // feed of an axis (mm/min, deg/min), shows which of them a record is:
 //
-//   the spindle rests (never faster than 1 rpm) and no axis moves       environment
+//   the spindle rests and no axis moves                                 environment
 //   the spindle turns, at one speed for 95 % of the time that it turns  spindle
 //   the spindle turns at several speeds                                 spindle_spectrum
 //   an axis moves and the spindle rests or has no column                linear_axes, rotary_axes
@@ -12,7 +12,8 @@
 //
 // Where the column of a speed has the letter of a rotary axis as a word (A, B, C: "n_C_axis"), it is that of the axis.
 //
-// Two speeds are one if they differ by at most 2 % of the largest speed (speed_steps.hpp), ramps included.
+// At rest is at most 1 rpm, mm/min or deg/min, or faster for a minute in all. Only values from `from_s` to `to_s`
+// count. Two speeds are one if they differ by at most 2 % of the largest speed (speed_steps.hpp), ramps included.
 #pragma once
 
 #include <span>
@@ -48,11 +49,13 @@ struct TemperatureSpan {
 
 struct ThermalTest {
   ThermalTestKind kind = ThermalTestKind::unknown;
-  std::string motion;  // the column of the speed or feed that shows it; empty: unknown
+  std::string motion;       // the column of the speed or feed that shows it; empty: unknown
+  std::string motion_unit;  // "rpm", "mm_per_min", "deg_per_min"
+  double from_s = 0.0;
   double duration_s = 0.0;
-  double running_s = 0.0;                     // the spindle turns, or the axis moves
-  double rest_after_s = 0.0;                  // from its last stop to the end
-  std::vector<double> speeds_rpm;             // each for at least 5 % of running_s, rising; at most 20
+  double running_s = 0.0;      // the spindle turns, or the axis moves
+  double rest_after_s = 0.0;   // from its last stop to the end
+  std::vector<double> speeds;  // in that unit, each for at least 5 % of running_s, rising; at most 20; else the longest
   std::vector<TemperatureSpan> temperatures;  // those of the room first
   std::vector<TestLack> lacks;
 };
@@ -72,9 +75,9 @@ struct LargestDrift {
 };
 
 // One for each axis that has a value; "combined" last, of the rows in which x, y and z have one, or those two of them
-// that there are. From 30 rows on, those whose noise is found in their scatter are the smoothing spline of range_of(),
-// less its value at the reference: the largest of noisy rows is too large. Others are the rows themselves. An axis is x
-// if its name is x, or if it alone has a word x or dx in its name ("Probe_X", "dX", "X-Abw").
+// that there are. From 30 rows on it is that of the smoothing spline of range_of(), less its value at the reference:
+// the largest of noisy rows is too large. Of fewer rows it is that of the rows themselves. An axis is x if its name is
+// x, or if it alone has a word x or dx in its name ("Probe_X", "dX", "X-Abw").
 std::vector<LargestDrift> largest_drifts(const MeasuredDrift& drift);
 std::vector<LargestDrift> largest_drifts(const DriftSeries& series);
 

@@ -153,10 +153,11 @@ inline constexpr auto kResult<ThermalTest> =
                std::tuple{Field{"kind", &ThermalTest::kind,
                                 "unknown, environment (ETVE), spindle, spindle_spectrum, linear_axes or rotary_axes"},
                           Field{"motion", &ThermalTest::motion, "the column that shows it"},
-                          Field{"duration_s", &ThermalTest::duration_s, ""},
+                          Field{"motion_unit", &ThermalTest::motion_unit, "rpm, mm_per_min, deg_per_min"},
+                          Field{"from_s", &ThermalTest::from_s, ""}, Field{"duration_s", &ThermalTest::duration_s, ""},
                           Field{"running_s", &ThermalTest::running_s, "the spindle turns, or the axis moves"},
                           Field{"rest_after_s", &ThermalTest::rest_after_s, "from its last stop to the end"},
-                          Field{"speeds_rpm", &ThermalTest::speeds_rpm, "each for 5 % of that time and more"},
+                          Field{"speeds", &ThermalTest::speeds, "in motion_unit, each for 5 % of that time and more"},
                           Field{"temperatures", &ThermalTest::temperatures, "those of the room first"},
                           Field{"lacks", &ThermalTest::lacks,
                                 "speed, room_temperature, structure_temperature, a_day, rest_after"}}};
@@ -180,8 +181,8 @@ template <>
 inline constexpr auto kResult<CourseStep> =
     ResultType{"CourseStep", "A step in readings.",
                std::tuple{Field{"time_s", known(&CourseStep::time_s), "of the first reading after it"},
-                          Field{"step_um", [](const CourseStep& of) { return of.size.value_um; }, ""},
-                          Field{"step_sigma_um", [](const CourseStep& of) { return of.size.sigma_um; }, ""}}};
+                          Field{"value_um", [](const CourseStep& of) { return of.size.value_um; }, ""},
+                          Field{"sigma_um", [](const CourseStep& of) { return of.size.sigma_um; }, ""}}};
 struct AxisCourse {
   std::string axis;
   Course course;
@@ -195,8 +196,8 @@ inline constexpr auto kResult<AxisCourse> = ResultType{
         Field{"probability", [](const AxisCourse& of) { return of.course.probability; }, "of that shape"},
         Field{"trend_um_per_h", [](const AxisCourse& of) { return of.course.trend_um_per_h.value_um; }, ""},
         Field{"trend_sigma_um_per_h", [](const AxisCourse& of) { return of.course.trend_um_per_h.sigma_um; }, ""},
-        Field{"decay_um", [](const AxisCourse& of) { return of.course.settling.value_um; }, "change in the end"},
-        Field{"decay_sigma_um", [](const AxisCourse& of) { return of.course.settling.sigma_um; }, ""},
+        Field{"decay_um", [](const AxisCourse& of) { return of.course.decay.value_um; }, "change in the end"},
+        Field{"decay_sigma_um", [](const AxisCourse& of) { return of.course.decay.sigma_um; }, ""},
         Field{"tau_s", [](const AxisCourse& of) { return of.course.time_constant_s; }, "its time constant"},
         Field{"steps", [](const AxisCourse& of) { return of.course.steps; }, ""},
         Field{"noise_um", [](const AxisCourse& of) { return of.course.noise_um; }, "of a reading"}}};
@@ -214,7 +215,8 @@ inline constexpr auto kSheetFields =
                Field{"largest", &DriftSheet::largest, "of each axis, and combined"},
                Field{"ranges", &DriftSheet::ranges, "by axis"},
                Field{"ranges_in_motion", &DriftSheet::in_motion, "of the only stretch of one speed or feed"},
-               Field{"stability", &DriftSheet::settling, "when each axis is stable, of a record of one speed, or of its only stretch in motion"},
+               Field{"stability", &DriftSheet::settling,
+                     "when each axis is stable, of a record of one speed, or of its only stretch in motion"},
                Field{"courses", &DriftSheet::courses, "trend and steps, where nothing but the drift was logged"}};
 
 template <>
@@ -223,17 +225,22 @@ inline constexpr auto kResult<DriftSheet> =
 
 // A step of the speed.
 struct StepRange {
-  double from_s = 0.0, to_s = 0.0, speed_rpm = 0.0;
+  double from_s = 0.0, to_s = 0.0, speed = 0.0;
+  std::string unit;  // of the speed: "rpm"
   TableOf<AxisRange> ranges;
   std::vector<AxisSettling> settling;
 };
 
 template <>
-inline constexpr auto kResult<StepRange> =
-    ResultType{"SpeedStep", "A stretch of one speed.",
-               std::tuple{Field{"from_s", &StepRange::from_s, ""}, Field{"to_s", &StepRange::to_s, ""},
-                          Field{"speed_rpm", &StepRange::speed_rpm, ""}, Field{"ranges", &StepRange::ranges, "by axis"},
-                          Field{"stability", &StepRange::settling, "by axis"}}};
+inline constexpr auto kResult<StepRange> = ResultType{
+    "SpeedStep", "A stretch of one speed.",
+    std::tuple{Field{"from_s", &StepRange::from_s, ""}, Field{"to_s", &StepRange::to_s, ""},
+               Field{"speed",
+                     [](const StepRange& of) {
+                       return OfUnit<double>{of.speed, of.unit};
+                     },
+                     ""},
+               Field{"ranges", &StepRange::ranges, "by axis"}, Field{"stability", &StepRange::settling, "by axis"}}};
 
 struct FiveProbeDrift {
   std::string method;

@@ -18,8 +18,8 @@ namespace ballbar {
 // Columns x_um, x_sigma_um, ... as far as the method has them, with gaps where a test lacks a value.
 Series series_of(const DriftSeries& drift);
 
-// What stands on the sheet of a thermal test. signals: what was logged beside the drift; steps: of its speed, empty if it
-// has none; stable_um: settling_of().
+// What stands on the sheet of a thermal test. signals: what was logged beside the drift; steps: of its speed, empty if
+// it has none; stable_um: settling_of().
 DriftSheet sheet_of(const MeasuredDrift& drift, std::span<const Series> signals, const std::vector<SpeedStep>& steps,
                     std::optional<double> stable_um = std::nullopt);
 
@@ -31,6 +31,7 @@ std::string json_text(const MeasuredDrift& drift, const std::vector<SpeedStep>& 
 // other, and for .mat in a build without matio (BALLBAR_MAT=OFF), with what to install.
 void write_drift(const DriftSeries& drift, const std::filesystem::path& path);
 void write_drift(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, const DriftSheet& sheet,
-                 const std::filesystem::path& path);  // of five probes, or a log
+                 const std::filesystem::path& path,
+                 std::optional<double> stable_um = std::nullopt);  // of five probes, or a log
 
 }  // namespace ballbar
