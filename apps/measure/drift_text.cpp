@@ -41,6 +41,11 @@ std::string course_text(const AxisCourse& of) {
   const auto with_unit = [](const Estimate& one, const char* unit) {
     return fmt::format("{} {}", with_sigma(one.value_um, one.sigma_um, decimals_showing(2, one.sigma_um, 4)), unit);
   };
+  if (course.shape == CourseShape::none) {
+    return fmt::format(
+        "{}: wanders; a trend, a curve that settles or steps leave {:.2g} um, the readings scatter by {:.2g} um",
+        of.axis, course.left_um, course.noise_um);
+  }
   std::string text = of.axis + ": ";
   switch (course.shape) {
     case CourseShape::still:
@@ -52,6 +57,8 @@ std::string course_text(const AxisCourse& of) {
     case CourseShape::decay:
       text += fmt::format("settles by {}, time constant about {}", with_unit(course.decay, "um"),
                           span(course.time_constant_s));
+      break;
+    case CourseShape::none:
       break;
   }
   text += fmt::format(" ({})", percent_text(course.probability));

@@ -17,6 +17,7 @@
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/number_text.hpp"
+#include "ballbar/numerics/range.hpp"
 #include "ballbar/series/speed_steps.hpp"
 #include "ballbar/units.hpp"
 #include "measure/drift_text.hpp"
@@ -202,8 +203,15 @@ std::string table_complaint(const Series& series, const std::string& name) {
     if (has(std::array{"up", "Up", "UP", "↑"})) up.push_back(&column);
     if (has(std::array{"down", "Down", "DOWN", "↓"})) down.push_back(&column);
   }
-  if (target == series.columns.end() || up.empty() || down.empty())
-    return found + ". Of rows at equal intervals --every states the interval.";
+  if (target == series.columns.end() || up.empty() || down.empty()) {
+    const bool has_position = std::any_of(series.columns.begin(), series.columns.end(), [](const Column& column) {
+      return unit_of(column.name) == "um" && range_of(column.values) > 1000.0;
+    });
+    return found + (has_position
+                        ? ". A table of positions and approaches, as ISO 230-2 has it, is no drift, and is not "
+                          "evaluated here."
+                        : ". Of rows at equal intervals --every states the interval.");
+  }
   std::vector<std::string> reversals;
   for (std::size_t row = 0; row < target->values.size(); ++row) {
     const auto mean = [&](const std::vector<const Column*>& of) {

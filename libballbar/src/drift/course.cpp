@@ -8,7 +8,9 @@
 #include <limits>
 
 #include "ballbar/numerics/order_statistic.hpp"
+#include "drift/row_scatter.hpp"
 #include "drift/smooth_curve.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
@@ -17,6 +19,8 @@ constexpr Eigen::Index kFewestReadings = 8, kBetweenSteps = 3;
 constexpr std::size_t kMostSteps = 3, kMostReadings = 2000;
 constexpr int kTimeConstants = 24;
 constexpr double kStepCosts = 3.0;  // parameters
+constexpr int kSweeps = 4;
+constexpr double kNoShape = 2.0;  // times the scatter of the rows: what is left then is no noise
 
 struct CourseFit {
   double squares = std::numeric_limits<double>::infinity();
@@ -45,40 +49,65 @@ Eigen::Index best_step(const Eigen::MatrixXd& basis, const Eigen::VectorXd& left
   return best;
 }
 
-// With as many steps as BIC pays for. `shape`: the column beside the constant; none: still.
-CourseFit fit_of(const Eigen::VectorXd& y, const Eigen::VectorXd& shape, double free_of_shape) {
-  const Eigen::Index n = y.size();
-  const double log_n = std::log(static_cast<double>(n));
-  CourseFit best;
-  Eigen::MatrixXd x(n, shape.size() > 0 ? 2 : 1);
+// Constant, shape and steps, by least squares. `shape`: empty for still.
+Eigen::MatrixXd design_of(Eigen::Index n, const Eigen::VectorXd& shape, const std::vector<Eigen::Index>& steps) {
+  const Eigen::Index of_shape = shape.size() > 0 ? 1 : 0;
+  Eigen::MatrixXd x = Eigen::MatrixXd::Zero(n, 1 + of_shape + static_cast<Eigen::Index>(steps.size()));
   x.col(0).setOnes();
-  if (shape.size() > 0) x.col(1) = shape;
+  if (of_shape > 0) x.col(1) = shape;
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    x.col(1 + of_shape + static_cast<Eigen::Index>(k)).tail(n - steps[k]).setOnes();
+  return x;
+}
+
+CourseFit fit_with(const Eigen::VectorXd& y, const Eigen::VectorXd& shape, const std::vector<Eigen::Index>& steps) {
+  const Eigen::Index n = y.size();
+  const Eigen::MatrixXd x = design_of(n, shape, steps);
+  CourseFit fit;
+  fit.gains = x.householderQr().solve(y);
+  const Eigen::VectorXd left = y - x * fit.gains;
+  fit.squares = std::max(left.squaredNorm(), 1e-18);
+  const double r = std::clamp(left.head(n - 1).dot(left.tail(n - 1)) / fit.squares, 0.0, 0.9);
+  fit.independent = static_cast<double>(n) * (1.0 - r) / (1.0 + r);
+  fit.noise_um = std::sqrt(fit.squares / std::max(1.0, static_cast<double>(n - x.cols())));
+  const Eigen::MatrixXd inverse = (x.transpose() * x).ldlt().solve(Eigen::MatrixXd::Identity(x.cols(), x.cols()));
+  fit.sigmas = fit.noise_um * ((1.0 + r) / (1.0 - r) * inverse.diagonal()).cwiseMax(0.0).cwiseSqrt();
+  fit.steps = steps;
+  return fit;
+}
+
+Eigen::Index best_step(const Eigen::VectorXd& y, const Eigen::VectorXd& shape, const std::vector<Eigen::Index>& steps) {
+  const Eigen::MatrixXd x = design_of(y.size(), shape, steps);
+  const Eigen::HouseholderQR<Eigen::MatrixXd> parts(x);
+  return best_step(parts.householderQ() * Eigen::MatrixXd::Identity(x.rows(), x.cols()), y - x * parts.solve(y), steps);
+}
+
+// With as many steps as BIC pays for. After each new step the others are moved to where they are best.
+CourseFit fit_of(const Eigen::VectorXd& y, const Eigen::VectorXd& shape, double free_of_shape) {
+  const double log_n = std::log(static_cast<double>(y.size()));
   std::vector<Eigen::Index> steps;
-  while (true) {
-    const Eigen::HouseholderQR<Eigen::MatrixXd> parts(x);
-    const Eigen::VectorXd gains = parts.solve(y), left = y - x * gains;
-    const double squares = std::max(left.squaredNorm(), 1e-18);
-    const double r = std::clamp(left.head(n - 1).dot(left.tail(n - 1)) / squares, 0.0, 0.9);
-    const double independent = static_cast<double>(n) * (1.0 - r) / (1.0 + r);
-    if (!steps.empty() && independent * std::log(best.squares / squares) <= kStepCosts * log_n) return best;
-    const double freedom = std::max(1.0, static_cast<double>(n - x.cols()));
-    const Eigen::MatrixXd inverse = (x.transpose() * x).ldlt().solve(Eigen::MatrixXd::Identity(x.cols(), x.cols()));
-    best.squares = squares;
-    best.independent = independent;
-    best.penalty = (1.0 + free_of_shape + kStepCosts * static_cast<double>(steps.size())) * log_n;
-    best.noise_um = std::sqrt(squares / freedom);
-    best.gains = gains;
-    best.sigmas = best.noise_um * ((1.0 + r) / (1.0 - r) * inverse.diagonal()).cwiseMax(0.0).cwiseSqrt();
-    best.steps = steps;
-    if (steps.size() == kMostSteps) return best;
-    const Eigen::MatrixXd basis = parts.householderQ() * Eigen::MatrixXd::Identity(n, x.cols());
-    const Eigen::Index row = best_step(basis, left, steps);
-    if (row < 0) return best;
+  CourseFit best = fit_with(y, shape, steps);
+  while (steps.size() < kMostSteps) {
+    const Eigen::Index row = best_step(y, shape, steps);
+    if (row < 0) break;
     steps.push_back(row);
-    x.conservativeResize(Eigen::NoChange, x.cols() + 1);
-    x.col(x.cols() - 1).setZero();
-    x.col(x.cols() - 1).tail(n - row).setOnes();
+    bool is_moving = steps.size() > 1;
+    for (int sweep = 0; sweep < kSweeps && is_moving; ++sweep) {
+      is_moving = false;
+      for (Eigen::Index& step : steps) {
+        std::vector<Eigen::Index> others = steps;
+        others.erase(others.begin() + (&step - steps.data()));
+        const Eigen::Index moved = best_step(y, shape, others);
+        is_moving = is_moving || (moved >= 0 && moved != step);
+        if (moved >= 0) step = moved;
+      }
+    }
+    CourseFit now = fit_with(y, shape, steps);
+    const auto more = static_cast<double>(steps.size() - best.steps.size());
+    if (now.independent * std::log(best.squares / now.squares) > kStepCosts * more * log_n) best = std::move(now);
   }
+  best.penalty = (1.0 + free_of_shape + kStepCosts * static_cast<double>(best.steps.size())) * log_n;
+  return best;
 }
 
 double white_bic(const CourseFit& fit, Eigen::Index n) {
@@ -88,7 +117,7 @@ double white_bic(const CourseFit& fit, Eigen::Index n) {
 }  // namespace
 
 std::string_view name_of(CourseShape shape) {
-  constexpr std::array<std::string_view, 3> kNames{"still", "trend", "decay"};
+  constexpr std::array<std::string_view, 4> kNames{"still", "trend", "decay", "none"};
   return kNames[static_cast<std::size_t>(shape)];
 }
 
@@ -130,6 +159,14 @@ std::optional<Course> course_of(std::span<const double> time_s, std::span<const 
   course.decay = {-fits[2].gains[1], fits[2].sigmas[1]};
   course.time_constant_s = fits[2].tau_s;
   course.noise_um = best->noise_um;
+  const std::optional<double> scatter = row_scatter(times, values);
+  if (scatter && best->noise_um > kNoShape * *scatter) {
+    course.shape = CourseShape::none;
+    course.probability = kUnknown;
+    course.noise_um = *scatter;
+    course.left_um = best->noise_um;
+    return course;
+  }
   const Eigen::Index first = best->gains.size() - static_cast<Eigen::Index>(best->steps.size());
   for (std::size_t k = 0; k < best->steps.size(); ++k) {
     const Eigen::Index of = first + static_cast<Eigen::Index>(k);

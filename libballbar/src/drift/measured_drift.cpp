@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
+#include "ballbar/series/far_readings.hpp"
 #include "ballbar/units.hpp"
 #include "drift/drift_methods.hpp"
 #include "drift/row_scatter.hpp"
@@ -167,6 +168,16 @@ MeasuredDrift since_reference(MeasuredDrift drift, std::optional<double> referen
   say(still, "does not change");
   say(far, "changes by more than 1 mm, as no drift does");
   for (DriftAxis& axis : drift.axes) {
+    const std::vector<std::size_t> away = far_readings(axis.value);
+    for (const std::size_t one : away) axis.value[one] = kUnknown;
+    if (!away.empty()) {
+      std::vector<std::string> times;
+      for (std::size_t k = 0; k < std::min<std::size_t>(away.size(), 5); ++k)
+        times.push_back(fmt::format("{:.4g}", min_from_s(drift.time_s[away[k]])));
+      drift.remarks.push_back(fmt::format("Set aside, far from their neighbours: {} of {}, at {}{} min.",
+                                          away.size() == 1 ? "1 reading" : fmt::format("{} readings", away.size()),
+                                          axis.name, fmt::join(times, ", "), away.size() > 5 ? ", ..." : ""));
+    }
     std::size_t row = reference;
     while (row < axis.value.size() && std::isnan(axis.value[row])) ++row;
     if (row == axis.value.size()) row = reference;

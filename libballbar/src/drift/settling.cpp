@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "drift/row_scatter.hpp"
 #include "drift/smooth_curve.hpp"
 
 namespace ballbar {
@@ -22,6 +23,7 @@ constexpr double kLongest = 3.0;  // time constant, times the stretch
 constexpr double kLeastBand_um = 2.0, kBandOfRange = 0.1;
 constexpr std::size_t kRowsOfFit = 2000;  // means of more
 constexpr double kLeastOfTheWay = 0.75;
+constexpr double kLeastOfTheTime = 2.0 / 3.0;
 constexpr double kMostShare = 0.5;  // sigma of the time, of it
 
 struct SettlingRows {
@@ -85,6 +87,7 @@ struct SettlingCost {
 struct SettlingFit {
   double log_likelihood = 0.0;  // less the penalty of BIC
   double time_s = 0.0, time_variance = 0.0, final_um = 0.0, final_variance = 0.0, share_at_end = 0.0;
+  double left_um = 0.0;  // standard deviation of the residual
 };
 
 // The last time at which the curve is the band away from c; 0: it never is.
@@ -167,6 +170,7 @@ std::optional<SettlingFit> settling_fit(const SettlingRows& rows, const std::vec
   const auto independent = static_cast<double>(n) * (1.0 - r) / (1.0 + r);
   result.log_likelihood = -0.5 * independent * std::log(squares / static_cast<double>(n)) -
                           0.5 * static_cast<double>(kFree) * std::log(static_cast<double>(n));
+  result.left_um = std::sqrt(squares / freedom);
   result.time_s = last_crossing_s<curves>(of, band_um);
   Settling<curves> gradient = Settling<curves>::Zero(), of_final = gradient;
   double slope = 0.0;
@@ -214,6 +218,10 @@ std::optional<StableTime> stable_time(std::span<const double> time_s, std::span<
     const double most_s = one ? std::max(kMostShare * one->time_s, step_s) : 0.0;
     if (one && one->time_variance <= most_s * most_s) fits.push_back(*one);
   }
+  // A curve that leaves more than the scatter of the rows, and much of the band, is not the course of the drift.
+  const std::optional<double> scatter = row_scatter(time_s, drift_um);
+  if (scatter && static_cast<std::size_t>(n) >= kRowsForScatter * 2)
+    std::erase_if(fits, [&](const SettlingFit& fit) { return fit.left_um > std::max(3.0 * *scatter, 0.25 * band_um); });
   if (fits.empty()) return std::nullopt;
   const double most = std::max(fits.front().log_likelihood, fits.back().log_likelihood);
   StableTime stable;
@@ -261,7 +269,10 @@ std::vector<AxisSettling> settling_of(const MeasuredDrift& drift, std::size_t be
     if (!one.is_small && !values.empty()) {
       average_blocks(times, values, kRowsOfFit);
       const std::size_t rows = settling_rows(values, one.band_um);
-      one.stable = stable_time(std::span(times).first(rows), std::span(values).first(rows), one.band_um);
+      // What turns back for more than a third of the time has not settled.
+      const double length_s = times.back() - times.front();
+      if (times[rows - 1] - times.front() >= kLeastOfTheTime * length_s)
+        one.stable = stable_time(std::span(times).first(rows), std::span(values).first(rows), one.band_um);
     }
     all.push_back(std::move(one));
   }

@@ -194,7 +194,7 @@ AxisMotion motion_in(std::span<const Series> signals, double from_s, double to_s
         const bool is_speed = column.role == Role::speed;
         if (*unit == 0 ? !is_speed : unit_of(column.name) != unit) continue;
         AxisMotion motion = motion_in(series, column, from_s, to_s);
-        if (motion.running_s > kShortest_s) return motion;
+        if (motion.running_s > std::min(kShortest_s, 0.1 * (to_s - from_s))) return motion;
         if (is_speed && still.column == nullptr) still = std::move(motion);
       }
     }

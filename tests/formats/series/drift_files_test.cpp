@@ -93,10 +93,16 @@ MeasuredDrift five_probes() {
 
 const std::vector<SpeedStep> kSteps{{0.0, 0, 2}, {8000.0, 2, 4}};
 
+DriftSheet sheet() {
+  DriftSheet of_probes = sheet_of(five_probes(), {}, kSteps);
+  of_probes.test.motion_unit = "rpm";
+  return of_probes;
+}
+
 TEST(drift_files, csv_of_five_probes_is_a_series) {
   const ScratchFolder folder;
   const auto file = folder.path() / "drift.csv";
-  write_drift(five_probes(), kSteps, sheet_of(five_probes(), {}, kSteps), file);
+  write_drift(five_probes(), kSteps, sheet(), file);
   const std::string csv = read_bytes(file, 10000);
   EXPECT_EQ(csv,
             "# format = \"ballbar-series 1\"\n"
@@ -119,9 +125,9 @@ TEST(drift_files, csv_of_five_probes_is_a_series) {
 // Ranges: max - min over the first 60 min (rows 0 to 2), over the rest (row 3 alone), in total; last less first.
 TEST(drift_files, json_of_five_probes) {
   const ScratchFolder folder;
-  write_drift(five_probes(), kSteps, sheet_of(five_probes(), {}, kSteps), folder.path() / "drift.json");
+  write_drift(five_probes(), kSteps, sheet(), folder.path() / "drift.json");
   const std::string text = read_bytes(folder.path() / "drift.json", 10000);
-  EXPECT_EQ(text, json_text(five_probes(), kSteps, sheet_of(five_probes(), {}, kSteps)));
+  EXPECT_EQ(text, json_text(five_probes(), kSteps, sheet()));
   const auto json = nlohmann::ordered_json::parse(text);
   EXPECT_EQ(json["method"], "five_probe");
   EXPECT_EQ(json["reference_s"], 0.0);

@@ -82,6 +82,30 @@ TEST(Course, warming_up_settles) {
   EXPECT_GE(within, 45);
 }
 
+TEST(Course, two_corrections_of_the_offset_are_two_steps) {
+  int found = 0;
+  constexpr int kSeeds = 30;
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    const Course course = course_of(readings_of(80, 360.0, 0.6, seed, [](double t) {
+      return 1.5 * t / 3600.0 - (t >= 11160.0 ? 6.0 : 0.0) - (t >= 20160.0 ? 5.0 : 0.0);
+    }));
+    found += course.shape == CourseShape::trend && course.steps.size() == 2 &&
+                     std::abs(course.trend_um_per_h.value_um - 1.5) < 0.3
+                 ? 1
+                 : 0;
+  }
+  EXPECT_GE(found, 27);
+}
+
+// A day's cycle is no trend, no curve that settles and no step.
+TEST(Course, a_cycle_has_none_of_the_shapes) {
+  const Course course =
+      course_of(readings_of(288, 300.0, 0.3, 1, [](double t) { return 10.0 * std::sin(2.0 * 3.14159 * t / 86400.0); }));
+  EXPECT_EQ(course.shape, CourseShape::none);
+  EXPECT_NEAR(course.noise_um, 0.3, 0.06);
+  EXPECT_GT(course.left_um, 1.0);
+}
+
 TEST(Course, needs_eight_readings) {
   EXPECT_FALSE(ballbar::course_of(std::vector<double>{0, 1, 2, 3, 4, 5, 6}, std::vector<double>{0, 1, 2, 3, 4, 5, 6}));
 }

@@ -104,6 +104,16 @@ TEST(ThermalTest, axes_with_and_without_noise_are_combined_row_by_row) {
   EXPECT_NEAR(last.drift.value_um, std::hypot(5.0, 10.0), 0.01);
 }
 
+TEST(MeasuredDrift, readings_far_from_their_neighbours_are_set_aside_and_said) {
+  Series series =
+      series_of(100, {column_of("d_um", Role::measured, 100, [](double t) { return 0.1 * std::sin(7.0 * t * t); })});
+  series.columns[0].values[40] = 50.0;
+  const MeasuredDrift drift = since_reference(measured(series, "log"), std::nullopt);
+  EXPECT_TRUE(std::isnan(drift.axes[0].value[40]));
+  ASSERT_EQ(drift.remarks.size(), 1U);
+  EXPECT_EQ(drift.remarks[0], "Set aside, far from their neighbours: 1 reading of d, at 40 min.");
+}
+
 TEST(MeasuredDrift, an_axis_that_ends_before_the_reference_has_the_last_value_before_it) {
   const Series series = series_of(
       100, {column_of("x_um", Role::measured, 100, [](double t) { return t > 60.0 ? std::nan("") : 0.1 * t; }),

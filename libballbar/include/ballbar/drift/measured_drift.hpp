@@ -56,8 +56,10 @@ MeasuredDrift measured(const DriftSeries& drift, const Session& session);
 MeasuredDrift measured(const Series& series, std::string what);
 
 // Changes since the value of each axis in the row nearest to reference_s (nullopt: the first), or in the first row
-// after it that has one, else the last before it; mm become um. The stated sigma is that of the difference, the noise
-// of the two rows as independent.
+// after it that has one, else the last before it; mm become um. The sigma is that of the difference, the noise of the
+// two rows as independent: the stated one, else the scatter of the rows, or their rounding if that is larger. Readings
+// far from their neighbours (far_readings.hpp) become gaps, and an axis is left out that has no value, does not change,
+// or changes by more than 1 mm, as a position does and no thermal drift; each with a remark.
 MeasuredDrift since_reference(MeasuredDrift drift, std::optional<double> reference_s);
 
 // Readings that were taken at a few positions in turn (a column of the series in mm or um that changes by more than 1

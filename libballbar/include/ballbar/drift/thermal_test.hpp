@@ -12,8 +12,9 @@
 //
 // Where the column of a speed has the letter of a rotary axis as a word (A, B, C: "n_C_axis"), it is that of the axis.
 //
-// At rest is at most 1 rpm, mm/min or deg/min, or faster for a minute in all. Only values from `from_s` to `to_s`
-// count. Two speeds are one if they differ by at most 2 % of the largest speed (speed_steps.hpp), ramps included.
+// At rest is at most 1 rpm, mm/min or deg/min, or faster for at most a minute (a tenth of a short record) in all. Only
+// values from `from_s` to `to_s` count. Two speeds are one if they differ by at most 2 % of the largest speed
+// (speed_steps.hpp), ramps included.
 #pragma once
 
 #include <span>

@@ -192,8 +192,8 @@ inline constexpr auto kResult<AxisCourse> = ResultType{
     "AxisCourse", "The course of readings without any input.",
     std::tuple{
         Field{"axis", &AxisCourse::axis, ""},
-        Field{"shape", [](const AxisCourse& of) { return of.course.shape; }, "still, trend or decay"},
-        Field{"probability", [](const AxisCourse& of) { return of.course.probability; }, "of that shape"},
+        Field{"shape", [](const AxisCourse& of) { return of.course.shape; }, "still, trend, decay, or none of them"},
+        Field{"probability", [](const AxisCourse& of) { return of.course.probability; }, "of that shape; null: none"},
         Field{"trend_um_per_h", [](const AxisCourse& of) { return of.course.trend_um_per_h.value_um; }, ""},
         Field{"trend_sigma_um_per_h", [](const AxisCourse& of) { return of.course.trend_um_per_h.sigma_um; }, ""},
         Field{"decay_um", [](const AxisCourse& of) { return of.course.decay.value_um; }, "change in the end"},
