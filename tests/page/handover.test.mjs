@@ -88,7 +88,7 @@ test("it is the first page of print, and the only one where its button asks for 
 // What stands on the first screen, and where it comes from.
 for (const [name, words, sheet_words] of [
   ["several-planes", [of_run("machine-history", "2026-01-19")], ["XY is the worst of 3 planes", "ISO 230-4, all 3 tests", "2026-01-19 08:05 – 2026-01-19 09:15", "XY.b5r, YZ.b5r, ZX.b5r", "magnified"]],
-  ["drift", [of_run("two-arcs-he2015")], ["Largest drift: y 31.7", "Drift of the spindle", "00-a.csv", "at the end", "Made by ballbar"]],
+  ["drift", [of_run("two-arcs-he2015")], ["Thermal distortion by a rotating spindle", "Largest drift: combined 32.46", "Drift of the spindle", "00-a.csv", "T_room_degC", "stable after", "Made by ballbar"]],
   ["verdict", [of_run("hidden-effect", "01", "data.csv"), "--model", of_run("hidden-effect", "01", "model.toml"), "--diagnose"], ["Missing from the model of y_um", "Candidates", "data.csv, model.toml", "Signature"]],
 ]) {
   test(`a sheet of ${name}: conclusion, picture, numbers, provenance, on one page`, async () => {

@@ -67,10 +67,11 @@ const draw_sheet = (report: Report, width_px: number): Answer => {
 // One test on a sheet of A4 for `--format pdf`; none where the report is of no test or several. `choices`: "error=NAME".
 const draw_handover = (report: Report, choices: readonly string[]): Answer => {
   const pictures = pictures_of(report);
-  const thermal = thermal_sheet(report, pictures);
-  if (thermal !== null) return { drawn: [{ name: "handover", title: report.title, svg: thermal }] };
   const picture = pictures.find(({ name }) => name === kErrors_picture);
-  if (!picture) return { drawn: [] };
+  if (!picture) {
+    const thermal = thermal_sheet(report, pictures);
+    return { drawn: thermal === null ? [] : [{ name: "handover", title: report.title, svg: thermal }] };
+  }
   const state = state_with(picture, kSheet_px.width, choices);
   if (!("look" in state)) return state;
   const svg = handover_sheet(report, state.chosen["error"]);

@@ -149,7 +149,8 @@ std::optional<SettlingFit> settling_fit(const SettlingRows& rows, const std::vec
   }
   const SettlingCost<curves> cost{rows};
   ceres::TinySolver<SettlingCost<curves>> solver;
-  solver.options.function_tolerance = 1e-14;  // of a flat sum of squares too: every build has one answer
+  solver.options.function_tolerance = 1e-15;  // of a flat sum of squares too: every build has one answer
+  solver.options.parameter_tolerance = 1e-12;
   solver.options.max_num_iterations = 200;
   Settling<curves> of = best.second;
   solver.Solve(cost, &of);
