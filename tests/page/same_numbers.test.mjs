@@ -14,8 +14,9 @@ import { put, put_below, ran, read, tool } from "./tool.mjs";
 const external = process.env.BALLBAR_EXTERNAL_DATA;
 const all = process.env.BALLBAR_ALL_SAME === "1";
 // Where the data hardly tell some of the numbers: of fourteen values, differences of nearly equal ones; a lag that another
-// gain makes up for. What the two mathematical libraries, or two BLAS, round otherwise comes out up to 1.2e-7 apart.
-const kIllConditioned = /^(compare|diagnose|report) sample-runs\/(two-arcs-he2015|compensation\/train\.csv --model \S*lagged\.toml)/;
+// gain makes up for; two settling curves with nearly one time constant. What the two mathematical libraries, or two BLAS,
+// round otherwise comes out up to 1.2e-7 apart.
+const kIllConditioned = /^(compare|diagnose|report) sample-runs\/(two-arcs-he2015|compensation\/train\.csv --model \S*lagged\.toml)|^drift sample-runs\/spindle-46h\//;
 const kOfIllConditioned = 1e-5;
 // Of that lag the left-out cycles are of a search that stops on a flat likelihood: they came out up to 1.6e-3 apart.
 const kFlat = /^(diagnose|report) sample-runs\/compensation\/train\.csv --model \S*lagged\.toml/;

@@ -22,8 +22,10 @@ constexpr int kTaus = 20;         // of the grid from which the fit starts
 constexpr double kLongest = 3.0;  // time constant, times the stretch
 constexpr double kLeastBand_um = 2.0, kBandOfRange = 0.1;
 constexpr std::size_t kRowsOfFit = 2000;  // means of more
+constexpr int kLastSteps = 4;
+constexpr double kCollinearCurves = 1e-8;
 constexpr double kLeastOfTheWay = 0.75;
-constexpr double kLeastOfTheTime = 2.0 / 3.0;
+constexpr double kLeastOfTheTime = 0.5;
 constexpr double kMostShare = 0.5;  // sigma of the time, of it
 
 struct SettlingRows {
@@ -149,13 +151,20 @@ std::optional<SettlingFit> settling_fit(const SettlingRows& rows, const std::vec
   }
   const SettlingCost<curves> cost{rows};
   ceres::TinySolver<SettlingCost<curves>> solver;
-  solver.options.function_tolerance = 1e-15;  // of a flat sum of squares too: every build has one answer
-  solver.options.parameter_tolerance = 1e-12;
+  solver.options.function_tolerance = 1e-14;
   solver.options.max_num_iterations = 200;
   Settling<curves> of = best.second;
   solver.Solve(cost, &of);
   Eigen::VectorXd left(n);
   Eigen::MatrixXd slopes(n, kFree);
+  // The sum of squares tells the values to half of the digits; steps of Gauss and Newton tell the rest, so that every
+  // build has one answer.
+  for (int step = 0; step < kLastSteps; ++step) {
+    if (!cost(of.data(), left.data(), slopes.data())) return std::nullopt;
+    const Settling<curves> by = -slopes.colPivHouseholderQr().solve(left);
+    if (!by.allFinite() || by.norm() > 1e-3 * of.norm()) break;
+    of += by;
+  }
   if (!cost(of.data(), left.data(), slopes.data())) return std::nullopt;
   const double squares = std::max(left.squaredNorm(), 1e-18);
   const double r = std::clamp(left.head(n - 1).dot(left.tail(n - 1)) / squares, 0.0, 0.9);
@@ -163,9 +172,15 @@ std::optional<SettlingFit> settling_fit(const SettlingRows& rows, const std::vec
   const auto freedom = static_cast<double>(n - kFree);
   const double student = freedom > 2.0 ? freedom / (freedom - 2.0) : 3.0;
   const double variance = student * squares / freedom * (1.0 + r) / (1.0 - r);
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> parts(slopes.transpose() * slopes);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> parts;
+  parts.setThreshold(kCollinearCurves);
+  parts.compute(slopes);
   if (parts.rank() < kFree) return std::nullopt;
-  const Eigen::MatrixXd covariance = variance * parts.inverse();
+  const Eigen::MatrixXd inverse = parts.colsPermutation() * parts.matrixR()
+                                                                .topLeftCorner(kFree, kFree)
+                                                                .triangularView<Eigen::Upper>()
+                                                                .solve(Eigen::MatrixXd::Identity(kFree, kFree));
+  const Eigen::MatrixXd covariance = variance * inverse * inverse.transpose();
 
   SettlingFit result;
   const auto independent = static_cast<double>(n) * (1.0 - r) / (1.0 + r);
@@ -270,7 +285,7 @@ std::vector<AxisSettling> settling_of(const MeasuredDrift& drift, std::size_t be
     if (!one.is_small && !values.empty()) {
       average_blocks(times, values, kRowsOfFit);
       const std::size_t rows = settling_rows(values, one.band_um);
-      // What turns back for more than a third of the time has not settled.
+      // What turns back for more than half of the time has not settled.
       const double length_s = times.back() - times.front();
       if (times[rows - 1] - times.front() >= kLeastOfTheTime * length_s)
         one.stable = stable_time(std::span(times).first(rows), std::span(values).first(rows), one.band_um);

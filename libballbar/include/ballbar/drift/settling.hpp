@@ -48,7 +48,7 @@ struct AxisSettling {
 };
 
 // Of each axis in um over the rows [begin, end) of one speed. Without a speed column the stretch ends where the drift
-// leaves the band about its largest value and does not come back, if that is in the last third. band_um: default the
+// leaves the band about its largest value and does not come back, if that is in the second half. band_um: default the
 // larger of 2 um and 10 % of the range of the axis.
 std::vector<AxisSettling> settling_of(const MeasuredDrift& drift, std::size_t begin, std::size_t end,
                                       std::optional<double> band_um = std::nullopt);
