@@ -31,6 +31,7 @@ std::string span(double time_s) {
 std::string speeds_text(const std::vector<double>& speeds) {
   constexpr std::size_t kShown = 5;
   std::vector<std::string> each;
+  each.reserve(speeds.size());
   for (const double speed : speeds) each.push_back(fmt::format("{:.0f}", speed));
   if (each.size() <= kShown) return fmt::format("{} rpm", fmt::join(each, ", "));
   return fmt::format("{} speeds of {} to {} rpm", each.size(), each.front(), each.back());

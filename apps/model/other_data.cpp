@@ -91,6 +91,7 @@ Series with_run(const ModelData& fitted, const std::vector<RunOfFit>& runs, std:
 Series with_rows(const Series& series, const std::vector<std::size_t>& rows) {
   const auto some = [&](const std::vector<double>& values) {
     std::vector<double> kept;
+    kept.reserve(rows.size());
     for (const std::size_t row : rows) kept.push_back(values[row]);
     return kept;
   };

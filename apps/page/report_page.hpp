@@ -33,8 +33,8 @@ struct PictureOptions {
 // known ones.
 std::vector<NamedPicture> pictures_of(const nlohmann::ordered_json& report, const PictureOptions& options);
 
-// One ballbar test, or a thermal test, on an A4 sheet as SVG, drawn by node. `choices`: "error=backlash_a", the error in
-// its picture. Throws Error if the report is of neither.
+// One ballbar test, or a thermal test, on an A4 sheet as SVG, drawn by node. `choices`: "error=backlash_a", the error
+// in its picture. Throws Error if the report is of neither.
 std::string handover_of(const nlohmann::ordered_json& report, const std::vector<std::string>& choices);
 
 // For --plot: all pictures of these parts of a report in one .svg, below each other and below the conclusion, drawn by

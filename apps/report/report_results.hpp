@@ -82,7 +82,7 @@ inline constexpr auto kResult<PageReport> = ResultType{
                    Field{"skipped", &PageReport::skipped, "files that cannot be read, by their names"},
                    Field{"drift", &PageReport::drift, "of a session"}, Field{"five_probe", &PageReport::five_probe, ""},
                    Field{"thermal", &PageReport::thermal, "the sheet of a thermal test, without a model"},
-               Field{"compare", &PageReport::compare, "of two drifts"}},
+                   Field{"compare", &PageReport::compare, "of two drifts"}},
         fields_through(&PageReport::model, kModelPartDrawn),
         std::tuple{Field{"batch", &PageReport::batch, "with a model of train"}})};
 

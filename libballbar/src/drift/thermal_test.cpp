@@ -281,6 +281,7 @@ std::vector<LargestDrift> largest_drifts(const MeasuredDrift& drift) {
   });
   if (rows.empty()) return all;
   std::vector<Changes> each;
+  each.reserve(axes.size());
   for (const DriftAxis* axis : axes) each.push_back(changes_of(*axis, drift, rows));
   std::optional<LargestDrift> largest;
   for (std::size_t i = 0; i < each.front().value.size(); ++i) {
