@@ -97,8 +97,7 @@ std::string common_unit(const Comparison& comparison) {
 }
 
 std::string with_unit(const std::string& value, const AxisComparison& axis, const std::string& common) {
-  return common.empty() && !axis.unit.empty() && value.find(" ± ") != std::string::npos ? value + " " + axis.unit
-                                                                                        : value;
+  return common.empty() && !axis.unit.empty() && value != kNone ? value + " " + axis.unit : value;
 }
 
 Table statistics(const Comparison& comparison, bool all) {
@@ -187,7 +186,7 @@ std::string structure_text(const Comparison& comparison) {
       const std::string value = part ? with_sigma(scale * (part->value - zero), scale * part->sigma, decimals)
                                 : axis.structure ? "not determined"
                                                  : kNone;
-      cells.push_back(is_length ? with_unit(value, axis, unit) : value);
+      cells.push_back(is_length && part ? with_unit(value, axis, unit) : value);
     }
     table.add(cells);
   };

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "ballbar/error.hpp"
+#include "drift/name_words.hpp"
 #include "drift/row_scatter.hpp"
 #include "drift/smooth_curve.hpp"
 #include "numerics/not_finite.hpp"
@@ -16,33 +17,12 @@ namespace ballbar {
 namespace {
 
 constexpr double kHour_s = 3600.0;
-constexpr std::size_t kRowsForCurve = 30;  // of a range
-constexpr std::size_t kMostRows = 3000;    // of the curve
 constexpr const char* kResolution = "probe resolution";
 constexpr const char* kScatter = "probe scatter";
 
 using Columns = std::array<const Column*, 5>;  // as kProbes; nullptr: no such probe
 
 FiveProbe stated(const Series& series) { return series.five_probe.value_or(FiveProbe{}); }
-
-bool is_same_but_for_capitals(std::string_view a, std::string_view b) {
-  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return small(x) == small(y); });
-}
-
-// Whether letters and digits of the name in a row are that word: "CH1_X1_um" has X1.
-bool word_of(std::string_view name, std::string_view word) {
-  const auto is_alnum = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-  };
-  for (std::size_t begin = 0; begin < name.size();) {
-    std::size_t end = begin;
-    while (end < name.size() && is_alnum(name[end])) ++end;
-    if (end > begin && is_same_but_for_capitals(name.substr(begin, end - begin), word)) return true;
-    begin = end + 1;
-  }
-  return false;
-}
 
 // The probe's column, in capitals or not; else the only one in um with that word in its name.
 const Column* find_probe(const Series& series, std::string_view name) {
@@ -51,12 +31,12 @@ const Column* find_probe(const Series& series, std::string_view name) {
                                   [&](const Column& one) { return is_same_but_for_capitals(one.name, name); });
   if (found != series.columns.end()) return &*found;
   const std::string_view word = name.substr(0, name.find('_'));  // X1 of X1_um
-  const auto has_word = [&](const Column& one) {
-    return unit_of(one.name) == "um" && (word_of(one.name, word) || (word == "Z" && word_of(one.name, "Z1")));
+  const auto is_probe = [&](const Column& one) {
+    return unit_of(one.name) == "um" && (has_word(one.name, word) || (word == "Z" && has_word(one.name, "Z1")));
   };
-  const auto with_word = std::find_if(series.columns.begin(), series.columns.end(), has_word);
+  const auto with_word = std::find_if(series.columns.begin(), series.columns.end(), is_probe);
   const bool is_one = with_word != series.columns.end() &&
-                      std::find_if(with_word + 1, series.columns.end(), has_word) == series.columns.end();
+                      std::find_if(with_word + 1, series.columns.end(), is_probe) == series.columns.end();
   return is_one ? &*with_word : nullptr;
 }
 
@@ -359,8 +339,8 @@ DriftRange range_of(const DriftAxis& axis, const std::vector<double>& time_s, st
     if (time_s[row] - time_s[begin] <= kHour_s) ++in_first;
     if (time_s[row] >= last_hour_s) ++in_last;
   }
-  if (values.size() < kRowsForCurve) return range;
-  const std::size_t block = average_blocks(times, values, kMostRows);
+  if (values.size() < kFewestForCurve) return range;
+  const std::size_t block = average_blocks(times, values, kMostOfCurve);
   in_first = std::min(in_first / block, values.size());
   in_last = std::min(in_last / block, values.size());
   // Of the curve through the rows, with what is stated beside the noise.

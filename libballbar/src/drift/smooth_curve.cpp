@@ -9,6 +9,7 @@
 #include <random>
 
 #include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/numerics/range.hpp"
 #include "numerics/random_streams.hpp"
 
 namespace ballbar {
@@ -99,11 +100,6 @@ class Smoother {
   std::vector<Spread> spreads_, predicted_spreads_;
 };
 
-double range_of_curve(std::span<const double> values) {
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return *most - *least;
-}
-
 // The curve; `take(draw, curve)` gets that of each draw of the bootstrap.
 template <class Take>
 std::vector<double> drawn_curves(std::span<const double> time_s, std::span<const double> values, Take take) {
@@ -148,7 +144,7 @@ std::size_t average_blocks(std::vector<double>& time_s, std::vector<double>& val
 std::vector<Estimate> smooth_ranges(std::span<const double> time_s, std::span<const double> values,
                                     std::span<const std::pair<std::size_t, std::size_t>> windows) {
   const auto range_in = [](std::span<const double> curve, const std::pair<std::size_t, std::size_t>& window) {
-    return range_of_curve(curve.subspan(window.first, window.second - window.first));
+    return range_of(curve.subspan(window.first, window.second - window.first));
   };
   Eigen::MatrixXd drawn(kDraws, static_cast<Eigen::Index>(windows.size()));
   const std::vector<double> curve = drawn_curves(time_s, values, [&](int draw, const std::vector<double>& again) {

@@ -15,6 +15,9 @@
 
 namespace ballbar {
 
+inline constexpr std::size_t kFewestForCurve = 30;  // rows of a range or a largest drift by a curve
+inline constexpr std::size_t kMostOfCurve = 3000;   // of more rows the means of neighbours
+
 // Replaces rows by means of as many neighbours as leave at most this many; the last few are left out. Returns how many.
 std::size_t average_blocks(std::vector<double>& time_s, std::vector<double>& values, std::size_t most);
 

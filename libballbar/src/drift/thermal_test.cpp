@@ -13,14 +13,14 @@
 #include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/series/speed_steps.hpp"
 #include "ballbar/units.hpp"
+#include "drift/name_words.hpp"
 #include "drift/smooth_curve.hpp"
 #include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr char kRotaryAxes[] = {'a', 'b', 'c'};
-constexpr std::size_t kFewestForCurve = 30, kMostOfCurve = 3000;
+constexpr const char* kRotaryAxes[] = {"a", "b", "c"};
 constexpr double kDay_s = 23.5 * 3600.0, kShortRest_s = 600.0, kShortest_s = 60.0;
 constexpr double kAtRest = 1.0;         // rpm, mm/min, deg/min
 constexpr double kSameSpeed = 0.02;     // of the largest
@@ -115,29 +115,12 @@ std::vector<TestLack> lacks_of(const ThermalTest& test) {
   return lacks;
 }
 
-// Whether a word of the name, of Latin letters and digits, is the letter, or d and the letter if that is a difference
-// too.
-bool has_word(std::string_view name, char letter, bool with_d = true) {
-  std::string word;
-  const auto is_it = [&] { return word == std::string(1, letter) || (with_d && word == std::string{'d', letter}); };
-  for (const char c : name) {
-    const bool is_large = c >= 'A' && c <= 'Z';
-    if (is_large || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) {
-      word += is_large ? static_cast<char>(c - 'A' + 'a') : c;
-    } else if (is_it()) {
-      return true;
-    } else {
-      word.clear();
-    }
-  }
-  return is_it();
-}
-
 const DriftAxis* axis_along(const MeasuredDrift& drift, char letter) {
   if (const DriftAxis* axis = find_axis(drift, std::string(1, letter))) return axis;
   const DriftAxis* found = nullptr;
   for (const DriftAxis& axis : drift.axes) {
-    if (!has_word(axis.name, letter)) continue;
+    const std::string word(1, letter);
+    if (!has_word(axis.name, word) && !has_word(axis.name, 'd' + word)) continue;
     if (found != nullptr) return nullptr;
     found = &axis;
   }
@@ -181,7 +164,7 @@ ThermalTestKind kind_of(const Column& column) {
   if (column.role != Role::speed)
     return unit_of(column.name) == kFeeds[0] ? ThermalTestKind::linear_axes : ThermalTestKind::rotary_axes;
   const bool is_axis = std::any_of(std::begin(kRotaryAxes), std::end(kRotaryAxes),
-                                   [&](char letter) { return has_word(shown_name(column), letter, false); });
+                                   [&](const char* letter) { return has_word(shown_name(column), letter); });
   return is_axis ? ThermalTestKind::rotary_axes : ThermalTestKind::spindle;
 }
 
