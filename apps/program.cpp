@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "commands.hpp"
 #include "shell/file_command.hpp"
 #include "shell/help.hpp"

@@ -10,7 +10,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "commands.hpp"
 #include "shaft_picture/shaft_picture.hpp"
 #include "terminal/command_line.hpp"

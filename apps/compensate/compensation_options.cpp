@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <limits>
 
-#include "ballbar/fit/held_model.hpp"
 #include "ballbar/formats/models/batch_model_json.hpp"
 #include "ballbar/formats/models/compensation_state.hpp"
 #include "ballbar/formats/models/effect_regression_json.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/fit/held_model.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "predict/predicted_job.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/log_options.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/compensation/compensated_axes.hpp"
+#include "ballbar/compensation/compensation.hpp"
 #include "ballbar/formats/models/compensation_state.hpp"
 #include "ballbar/formats/text/file_lock.hpp"
 #include "model/model_options.hpp"

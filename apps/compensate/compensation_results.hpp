@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/compensation/compensation_replay.hpp"
-#include "ballbar/compensation/linear_compensation.hpp"
+#include "ballbar/compensation/compensation.hpp"
 #include "ballbar/formats/results/result_type.hpp"
 
 namespace ballbar {

@@ -17,8 +17,7 @@
 #include <span>
 #include <string>
 
-#include "ballbar/compensation/compensated_axes.hpp"
-#include "ballbar/compensation/compensation_replay.hpp"
+#include "ballbar/compensation/compensation.hpp"
 
 namespace ballbar {
 

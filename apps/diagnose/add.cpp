@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "ballbar/diagnosis/thresholds.hpp"
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <utility>
 
-#include "ballbar/circle/trace.hpp"
-#include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/circle/recording.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/fit/fit.hpp"
+#include "ballbar/internal/number_text.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
-#include "ballbar/number_text.hpp"
 #include "diagnose/diagnosis_report.hpp"
 #include "diagnose/diagnosis_sentence.hpp"
 #include "diagnose/effect_test_text.hpp"

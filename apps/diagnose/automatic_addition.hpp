@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "ballbar/revision/effect_test.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
+#include "ballbar/revision/revision.hpp"
 #include "diagnose/grown.hpp"
 #include "diagnose/revised_model.hpp"
 #include "model/model_options.hpp"

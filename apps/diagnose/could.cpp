@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis/injection/injection.hpp"
-#include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/nearest_name.hpp"
-#include "ballbar/numerics/range.hpp"
+#include "ballbar/internal/diagnosis/injection/injection.hpp"
+#include "ballbar/internal/nearest_name.hpp"
+#include "ballbar/internal/numerics/range.hpp"
 #include "commands.hpp"
 #include "diagnose/inject_result.hpp"
 #include "model/effect_options.hpp"

@@ -1,4 +1,6 @@
 // `ballbar diagnose DATA --model M`: which physical effect the model lacks, or that the data cannot tell.
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,7 +9,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/test_folder.hpp"
 #include "commands.hpp"

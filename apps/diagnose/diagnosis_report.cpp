@@ -7,12 +7,12 @@
 #include <iterator>
 #include <set>
 
-#include "ballbar/diagnosis/posterior/search_options.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/numerics/range.hpp"
-#include "ballbar/revision/replacement.hpp"
+#include "ballbar/internal/numerics/range.hpp"
+#include "ballbar/revision/revision.hpp"
 #include "diagnose/diagnosis_result.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/next_command.hpp"

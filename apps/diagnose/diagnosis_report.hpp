@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "ballbar/machine_errors/next_measurement.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
+#include "ballbar/machine_errors/machine_errors.hpp"
 #include "ballbar/workbench/workbench.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"

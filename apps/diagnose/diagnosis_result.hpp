@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "ballbar/diagnosis/posterior/search_options.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
 #include "diagnose/diagnosis_report.hpp"
 #include "diagnose/diagnosis_sentence.hpp"

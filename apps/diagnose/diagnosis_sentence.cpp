@@ -7,8 +7,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "ballbar/diagnosis/thresholds.hpp"
-#include "ballbar/number_text.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
+#include "ballbar/internal/number_text.hpp"
 #include "diagnose/doubt_text.hpp"
 
 namespace ballbar {

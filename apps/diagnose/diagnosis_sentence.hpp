@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 
 namespace ballbar {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/number_text.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/candidate.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 
 namespace ballbar {
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/diagnosis/thresholds.hpp"
-#include "ballbar/fit/residual.hpp"
-#include "ballbar/number_text.hpp"
-#include "ballbar/numerics/range.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/internal/number_text.hpp"
+#include "ballbar/internal/numerics/range.hpp"
 #include "diagnose/doubt_text.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
@@ -18,7 +18,7 @@
 namespace ballbar {
 namespace {
 
-constexpr double kNotNoise = 0.01;  // as the sentences of residual.hpp
+constexpr double kNotNoise = 0.01;  // as the sentences of fit.hpp
 
 std::string known(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : "-"; }
 

@@ -1,10 +1,10 @@
-// The test of an effect (effect_test.hpp) for the terminal.
+// The test of an effect (revision.hpp) for the terminal.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "ballbar/revision/effect_test.hpp"
+#include "ballbar/revision/revision.hpp"
 
 namespace ballbar {
 

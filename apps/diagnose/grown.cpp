@@ -8,7 +8,7 @@
 
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
-#include "ballbar/predict/predictability.hpp"
+#include "ballbar/predict/train.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
+#include "ballbar/internal/predict/growth.hpp"
 #include "ballbar/model/model.hpp"
-#include "ballbar/predict/growth.hpp"
-#include "ballbar/revision/ledger.hpp"
+#include "ballbar/revision/revision.hpp"
 #include "diagnose/revision_results.hpp"
 #include "model/model_options.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "ballbar/diagnosis/injection/injection.hpp"
-#include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
+#include "ballbar/internal/diagnosis/injection/injection.hpp"
 
 namespace ballbar {
 

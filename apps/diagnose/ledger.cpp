@@ -1,6 +1,4 @@
 // `ballbar ledger --model M`: the story so far, one row a revision.
-#include "ballbar/revision/ledger.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +10,7 @@
 
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/revision/revision.hpp"
 #include "commands.hpp"
 #include "diagnose/revision_results.hpp"
 #include "terminal/caller.hpp"

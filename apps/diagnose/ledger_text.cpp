@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/number_text.hpp"
 
 namespace ballbar {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "ballbar/revision/ledger.hpp"
+#include "ballbar/revision/revision.hpp"
 
 namespace ballbar {
 

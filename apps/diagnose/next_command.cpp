@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/diagnosis/thresholds.hpp"
-#include "ballbar/model/bound_effect.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
+#include "ballbar/model/model.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

@@ -3,9 +3,8 @@
 
 #include <string>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "ballbar/revision/effect_test.hpp"
-#include "ballbar/revision/replacement.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
+#include "ballbar/revision/revision.hpp"
 #include "model/model_options.hpp"
 
 namespace ballbar {

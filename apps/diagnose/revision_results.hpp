@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "ballbar/formats/results/diagnosis_results.hpp"
-#include "ballbar/predict/growth.hpp"
-#include "ballbar/revision/effect_test.hpp"
-#include "ballbar/revision/ledger.hpp"
+#include "ballbar/internal/predict/growth.hpp"
+#include "ballbar/revision/revision.hpp"
 #include "diagnose/doubt_text.hpp"
 #include "diagnose/effect_test_text.hpp"
 

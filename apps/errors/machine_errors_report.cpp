@@ -10,11 +10,11 @@
 #include <filesystem>
 #include <iterator>
 
-#include "ballbar/circle/circularity.hpp"
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/stored_errors.hpp"
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/number_text.hpp"
 #include "ballbar/units.hpp"
 #include "errors/machine_errors_result.hpp"
 #include "errors/quantity_text.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/number_text.hpp"
 #include "ballbar/units.hpp"
 #include "errors/machine_errors_result.hpp"
 #include "errors/quantity_text.hpp"

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "ballbar/circle/recording.hpp"
-#include "ballbar/machine_errors/next_measurement.hpp"
+#include "ballbar/machine_errors/machine_errors.hpp"
 
 namespace ballbar {
 

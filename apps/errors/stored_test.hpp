@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ballbar/formats/recordings/b5r.hpp"
-#include "ballbar/history/machine_test.hpp"
+#include "ballbar/history/history.hpp"
 
 namespace ballbar {
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "ballbar/history/test_comparison.hpp"
+#include "ballbar/history/errors_change.hpp"
 #include "errors/test_comparison_text.hpp"
 #include "errors/test_result.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/history/test_comparison.hpp"
+#include "ballbar/history/errors_change.hpp"
 
 namespace ballbar {
 

@@ -11,13 +11,13 @@
 #include <thread>
 #include <unordered_map>
 
-#include "ballbar/circle/circularity.hpp"
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/stored_errors.hpp"
 #include "ballbar/formats/recordings/test_folder.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "errors/stored_test.hpp"
 #include "errors/tolerance_check.hpp"
 #include "terminal/stderr_line.hpp"

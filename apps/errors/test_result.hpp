@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "ballbar/formats/results/result_type.hpp"
-#include "ballbar/history/machine_test.hpp"
+#include "ballbar/history/history.hpp"
 #include "errors/quantity_text.hpp"
 #include "errors/test_files.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/compensation/compensated_axes.hpp"
+#include "ballbar/compensation/compensation.hpp"
 
 namespace ballbar::hal {
 

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/compensation/compensated_axes.hpp"
+#include "ballbar/compensation/compensation.hpp"
 #include "ballbar/error.hpp"
 #include "compensate/compensation_options.hpp"
 #include "hal/axis.hpp"

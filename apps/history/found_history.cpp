@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "history/machine_folder.hpp"
 #include "terminal/terminal_table.hpp"
 

@@ -20,7 +20,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "commands.hpp"
 #include "errors/test_files.hpp"
 #include "errors/test_table.hpp"

@@ -8,7 +8,6 @@
 
 #include "ballbar/formats/results/result_type.hpp"
 #include "ballbar/history/history.hpp"
-#include "ballbar/history/machine_geometry.hpp"
 #include "errors/quantity_text.hpp"
 #include "errors/test_files.hpp"
 #include "errors/test_result.hpp"

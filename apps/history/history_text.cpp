@@ -9,8 +9,8 @@
 #include <limits>
 #include <optional>
 
-#include "ballbar/history/trend.hpp"
-#include "ballbar/number_text.hpp"
+#include "ballbar/history/history.hpp"
+#include "ballbar/internal/number_text.hpp"
 #include "errors/quantity_text.hpp"
 #include "errors/test_table.hpp"
 #include "terminal/terminal_table.hpp"

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "ballbar/history/history.hpp"
-#include "ballbar/history/machine_geometry.hpp"
 #include "errors/test_files.hpp"
 
 namespace ballbar {

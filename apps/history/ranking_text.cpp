@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "ballbar/history/trend.hpp"
-#include "ballbar/number_text.hpp"
+#include "ballbar/history/history.hpp"
+#include "ballbar/internal/number_text.hpp"
 #include "errors/quantity_text.hpp"
 #include "history/history_text.hpp"
 #include "terminal/terminal_table.hpp"

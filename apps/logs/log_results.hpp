@@ -9,8 +9,8 @@
 
 #include "ballbar/formats/logs/log.hpp"
 #include "ballbar/formats/results/result_type.hpp"
-#include "ballbar/series/clock_lag.hpp"
-#include "ballbar/series/zone_shift.hpp"
+#include "ballbar/internal/series/clock_lag.hpp"
+#include "ballbar/internal/series/zone_shift.hpp"
 #include "model/column_fault_text.hpp"
 
 namespace ballbar {

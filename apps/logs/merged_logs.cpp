@@ -9,8 +9,8 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
-#include "ballbar/number_text.hpp"
-#include "ballbar/series/merged_series.hpp"
+#include "ballbar/internal/number_text.hpp"
+#include "ballbar/series/series.hpp"
 #include "model/model_options.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"

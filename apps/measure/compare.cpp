@@ -1,4 +1,6 @@
 // `ballbar compare A B`: how well two drift series agree; a session: its ballbar against its five probes.
+#include "ballbar/drift/compare.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,7 +10,6 @@
 #include <limits>
 #include <memory>
 
-#include "ballbar/drift/comparison.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/drift/measured_drift.hpp"
+#include "ballbar/drift/drift.hpp"
 #include "ballbar/formats/text/source.hpp"
 #include "measure/five_probe_drift.hpp"
 

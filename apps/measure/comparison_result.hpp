@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/drift/comparison.hpp"
+#include "ballbar/drift/compare.hpp"
 #include "ballbar/formats/results/result_type.hpp"
 
 namespace ballbar {

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <memory>
 
-#include "ballbar/drift/settling.hpp"
+#include "ballbar/drift/thermal_test.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"

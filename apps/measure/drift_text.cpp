@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/number_text.hpp"
 #include "ballbar/units.hpp"
 #include "terminal/terminal_table.hpp"
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "ballbar/drift/drift.hpp"
-#include "ballbar/drift/settling.hpp"
 #include "ballbar/drift/thermal_test.hpp"
 #include "ballbar/formats/results/drift_results.hpp"
 

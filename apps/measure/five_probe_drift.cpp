@@ -10,15 +10,15 @@
 #include <cstdio>
 #include <iterator>
 
-#include "ballbar/drift/settling.hpp"
+#include "ballbar/drift/thermal_test.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/logs/column_named.hpp"
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
-#include "ballbar/nearest_name.hpp"
-#include "ballbar/number_text.hpp"
-#include "ballbar/numerics/range.hpp"
-#include "ballbar/series/speed_steps.hpp"
+#include "ballbar/internal/nearest_name.hpp"
+#include "ballbar/internal/number_text.hpp"
+#include "ballbar/internal/numerics/range.hpp"
+#include "ballbar/internal/series/speed_steps.hpp"
 #include "ballbar/units.hpp"
 #include "measure/drift_text.hpp"
 #include "terminal/caller.hpp"

@@ -9,8 +9,8 @@
 #include "ballbar/drift/five_probes.hpp"
 #include "ballbar/formats/results/drift_results.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
+#include "ballbar/internal/series/speed_steps.hpp"
 #include "ballbar/series/series.hpp"
-#include "ballbar/series/speed_steps.hpp"
 
 namespace CLI {
 class App;

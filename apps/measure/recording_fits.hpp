@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/circle/axial_length.hpp"
-#include "ballbar/circle/circle_fit.hpp"
-#include "ballbar/circle/circularity.hpp"
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/formats/recordings/b5r.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/test_folder.hpp"

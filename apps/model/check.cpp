@@ -7,8 +7,8 @@
 #include <cmath>
 #include <memory>
 
-#include "ballbar/fit/parameter_correlation.hpp"
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/fit/parameter_correlation.hpp"
+#include "ballbar/internal/number_text.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"

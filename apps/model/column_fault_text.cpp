@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/number_text.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ballbar/formats/results/result_type.hpp"
-#include "ballbar/series/column_faults.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar {
 

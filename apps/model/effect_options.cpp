@@ -9,8 +9,8 @@
 #include <filesystem>
 
 #include "ballbar/error.hpp"
-#include "ballbar/model/effect_argument.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/model/effect_argument.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "model/resolve_columns.hpp"
 #include "shell/command_words.hpp"
 #include "shell/usage_fault.hpp"

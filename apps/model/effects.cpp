@@ -10,8 +10,8 @@
 
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/model/expression.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
+#include "ballbar/model/model.hpp"
 #include "commands.hpp"
 #include "model/effects_result.hpp"
 #include "terminal/caller.hpp"

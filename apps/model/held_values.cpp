@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "terminal/option_checks.hpp"
 
 namespace ballbar {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/internal/nearest_name.hpp"
+#include "ballbar/series/series.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/terminal_table.hpp"
 

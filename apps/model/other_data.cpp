@@ -10,11 +10,10 @@
 #include <utility>
 
 #include "ballbar/formats/logs/log.hpp"
-#include "ballbar/number_text.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/series/continued_run.hpp"
-#include "ballbar/series/merged_series.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/internal/number_text.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/internal/series/continued_run.hpp"
+#include "ballbar/series/series.hpp"
 #include "model/targets_in_um.hpp"
 #include "terminal/stderr_line.hpp"
 

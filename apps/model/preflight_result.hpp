@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/diagnosis/signatures/identifiability.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/formats/results/result_type.hpp"
 #include "model/testability_text.hpp"
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "ballbar/fit/parameter_correlation.hpp"
-#include "ballbar/number_text.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/internal/fit/parameter_correlation.hpp"
+#include "ballbar/internal/number_text.hpp"
+#include "ballbar/series/series.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

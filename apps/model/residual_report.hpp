@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/fit/parameter_correlation.hpp"
-#include "ballbar/fit/residual.hpp"
 #include "ballbar/formats/results/drift_results.hpp"
 #include "ballbar/formats/results/fit_results.hpp"
+#include "ballbar/internal/fit/parameter_correlation.hpp"
 #include "ballbar/workbench/workbench.hpp"
 #include "model/column_fault_text.hpp"
 #include "model/model_options.hpp"

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/logs/column_named.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 
 namespace ballbar {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "ballbar/model/effect_argument.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
+#include "ballbar/internal/model/effect_argument.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/number_text.hpp"
 
 namespace ballbar {
 namespace {

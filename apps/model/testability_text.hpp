@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "ballbar/diagnosis/signatures/identifiability.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 
 namespace ballbar {
 

@@ -15,7 +15,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "page/page_assets.hpp"
 #include "page/report_head.hpp"
 #include "programs/child_process.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/number_text.hpp"
 #include "plan/plan_files.hpp"
 #include "plan/svg.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis/next_test/test_plan.hpp"
+#include "ballbar/diagnosis/next_test/plan.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
 #include "ballbar/units.hpp"
 #include "plan/plan_sentence.hpp"

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/diagnosis/thresholds.hpp"
-#include "ballbar/number_text.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
+#include "ballbar/internal/number_text.hpp"
 
 namespace ballbar {
 namespace {

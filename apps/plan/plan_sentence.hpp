@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "ballbar/diagnosis/next_test/test_plan.hpp"
+#include "ballbar/diagnosis/next_test/plan.hpp"
 
 namespace ballbar {
 

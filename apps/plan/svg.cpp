@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 
 namespace ballbar {
 

@@ -11,7 +11,7 @@
 #include "ballbar/formats/sessions/data_file.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "model/model_options.hpp"
 #include "predict/train.hpp"
 #include "terminal/stderr_line.hpp"

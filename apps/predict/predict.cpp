@@ -8,14 +8,14 @@
 #include <memory>
 
 #include "ballbar/error.hpp"
-#include "ballbar/fit/held_model.hpp"
 #include "ballbar/formats/models/batch_model_json.hpp"
 #include "ballbar/formats/models/effect_regression_json.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/reader.hpp"
-#include "ballbar/number_text.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/internal/fit/held_model.hpp"
+#include "ballbar/internal/number_text.hpp"
+#include "ballbar/series/series.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "model/other_data.hpp"

@@ -8,10 +8,8 @@
 #include <vector>
 
 #include "ballbar/formats/results/result_type.hpp"
-#include "ballbar/predict/effect_regression.hpp"
-#include "ballbar/predict/prediction.hpp"
-#include "ballbar/predict/sensor_choice.hpp"
-#include "ballbar/series/column_faults.hpp"
+#include "ballbar/predict/predict.hpp"
+#include "ballbar/predict/train.hpp"
 #include "ballbar/series/series.hpp"
 #include "model/column_fault_text.hpp"
 #include "predict/train.hpp"

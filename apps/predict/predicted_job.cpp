@@ -16,7 +16,7 @@
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/reader.hpp"
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/number_text.hpp"
 #include "predict/predict_results.hpp"
 #include "predict/train.hpp"
 #include "terminal/caller.hpp"

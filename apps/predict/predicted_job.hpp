@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "ballbar/formats/text/source.hpp"
-#include "ballbar/predict/effect_regression.hpp"
-#include "ballbar/predict/temperature_regression.hpp"
+#include "ballbar/predict/train.hpp"
 #include "ballbar/series/series.hpp"
 #include "model/model_options.hpp"
 

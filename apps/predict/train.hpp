@@ -7,9 +7,7 @@
 #include <vector>
 
 #include "ballbar/formats/text/source.hpp"
-#include "ballbar/predict/held_out.hpp"
-#include "ballbar/predict/sensor_choice.hpp"
-#include "ballbar/predict/temperature_regression.hpp"
+#include "ballbar/predict/train.hpp"
 #include "ballbar/series/series.hpp"
 #include "terminal/terminal_table.hpp"
 

@@ -1,4 +1,4 @@
-// `ballbar train DATA --effects`: a regression on the effects of the catalogue (effect_regression.hpp).
+// `ballbar train DATA --effects`: a regression on the effects of the catalogue (train.hpp).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,10 +10,10 @@
 #include "ballbar/formats/models/effect_regression_json.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/number_text.hpp"
-#include "ballbar/predict/predictability.hpp"
-#include "ballbar/series/far_readings.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/internal/number_text.hpp"
+#include "ballbar/internal/series/far_readings.hpp"
+#include "ballbar/predict/train.hpp"
+#include "ballbar/series/series.hpp"
 #include "model/model_options.hpp"
 #include "predict/predict_results.hpp"
 #include "predict/train.hpp"

@@ -8,7 +8,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/batch_model_json.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/predict/batch_weights.hpp"
+#include "ballbar/internal/predict/batch_weights.hpp"
 #include "model/model_options.hpp"
 #include "predict/predict_results.hpp"
 #include "predict/train.hpp"

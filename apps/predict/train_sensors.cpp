@@ -1,4 +1,4 @@
-// `ballbar train DATA --sensors N`: the temperature sensors that a regression on effects needs (sensor_choice.hpp).
+// `ballbar train DATA --sensors N`: the temperature sensors that a regression on effects needs (train.hpp).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "ballbar/fit/held_model.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/internal/fit/held_model.hpp"
+#include "ballbar/series/series.hpp"
 #include "diagnose/diagnosis_result.hpp"
 #include "diagnose/revision_results.hpp"
 #include "model/model_options.hpp"

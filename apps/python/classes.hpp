@@ -14,7 +14,7 @@
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/formats/text/source.hpp"
-#include "ballbar/numerics/interruption.hpp"
+#include "ballbar/internal/numerics/interruption.hpp"
 #include "ballbar/series/series.hpp"
 #include "terminal/caller.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
-#include "ballbar/model/effect_argument.hpp"
+#include "ballbar/internal/model/effect_argument.hpp"
 #include "ballbar/model/model.hpp"
 #include "python/classes.hpp"
 

@@ -10,7 +10,7 @@
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "ballbar/units.hpp"
 #include "python/arrays.hpp"
 #include "python/classes.hpp"

@@ -17,7 +17,7 @@
 #include "ballbar/formats/logs/log.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "ballbar/series/series.hpp"
 #include "python/arrays.hpp"
 #include "python/classes.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/drift/measured_drift.hpp"
+#include "ballbar/drift/drift.hpp"
 #include "errors/machine_errors_result.hpp"
 #include "errors/quantity_text.hpp"
 #include "measure/fit_result.hpp"

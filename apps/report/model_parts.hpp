@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "ballbar/fit/residual.hpp"
+#include "ballbar/fit/fit.hpp"
 #include "diagnose/diagnosis_result.hpp"
 #include "report/data_parts.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "ballbar/drift/comparison.hpp"
+#include "ballbar/drift/compare.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/batch_model_json.hpp"
 #include "ballbar/formats/recordings/test_folder.hpp"
@@ -14,7 +14,7 @@
 #include "ballbar/formats/sessions/runs_toml.hpp"
 #include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/reader.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/series/series.hpp"
 #include "errors/test_comparison_text.hpp"
 #include "measure/compared_drifts.hpp"
 #include "measure/drift_text.hpp"

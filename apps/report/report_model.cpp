@@ -6,11 +6,11 @@
 #include <span>
 #include <utility>
 
-#include "ballbar/fit/effect_response.hpp"
-#include "ballbar/fit/model_part.hpp"
-#include "ballbar/fit/residual.hpp"
-#include "ballbar/series/folds.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/internal/fit/effect_response.hpp"
+#include "ballbar/internal/fit/model_part.hpp"
+#include "ballbar/internal/series/folds.hpp"
+#include "ballbar/series/series.hpp"
 #include "ballbar/units.hpp"
 #include "model/effects_result.hpp"
 #include "report/report_results.hpp"

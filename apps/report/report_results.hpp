@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "ballbar/drift/drift.hpp"
-#include "ballbar/drift/measured_drift.hpp"
 #include "ballbar/formats/results/drift_results.hpp"
 #include "ballbar/formats/sessions/data_file.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"

@@ -9,7 +9,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/model/effect_argument.hpp"
+#include "ballbar/internal/model/effect_argument.hpp"
 #include "diagnose/diagnosis_sentence.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "model/effect_options.hpp"

@@ -10,7 +10,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/profile_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/temperature/mean_point.hpp"
+#include "ballbar/temperature/temperature.hpp"
 #include "shaft_picture/shaft_result.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"

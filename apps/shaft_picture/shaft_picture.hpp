@@ -6,10 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/temperature/mean_point.hpp"
-#include "ballbar/temperature/picture.hpp"
-#include "ballbar/temperature/temperature_image.hpp"
-#include "ballbar/temperature/three_areas.hpp"
+#include "ballbar/temperature/temperature.hpp"
 
 namespace ballbar {
 

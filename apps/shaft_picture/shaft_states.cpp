@@ -11,7 +11,7 @@
 #include "ballbar/formats/pictures/picture_file.hpp"
 #include "ballbar/formats/series/profile_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "model/model_options.hpp"
 #include "shaft_picture/shaft_picture.hpp"
 

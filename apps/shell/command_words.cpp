@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "ballbar/effects/effect.hpp"
-#include "ballbar/model/expression.hpp"
+#include "ballbar/model/model.hpp"
 #include "shell/usage_fault.hpp"
 
 namespace ballbar {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "shell/command_words.hpp"
 #include "shell/usage_fault.hpp"
 #include "terminal/option_checks.hpp"

@@ -12,7 +12,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/b5r.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "simulate/simulated_files.hpp"
 
 namespace ballbar {

@@ -14,7 +14,7 @@
 #include <string>
 
 #include "ballbar/lab/spindle/finite_volume_spindle.hpp"
-#include "ballbar/temperature/picture.hpp"
+#include "ballbar/temperature/temperature.hpp"
 
 namespace ballbar {
 

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <system_error>
 
-#include "ballbar/circle/circle_fit.hpp"
-#include "ballbar/circle/circularity.hpp"
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/b5r.hpp"
 #include "ballbar/formats/recordings/ballbar_log.hpp"

@@ -12,7 +12,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/logs/recipe_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
 

@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 
 namespace ballbar {
 namespace {

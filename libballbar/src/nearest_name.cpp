@@ -1,4 +1,4 @@
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/number_text.hpp"
 
 #include <fmt/format.h>
 

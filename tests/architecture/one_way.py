@@ -34,7 +34,7 @@ simulate = rooms.index(("apps", "simulate"))
 
 def included(part, file, own):
     """(part, folder) of what an include in quotes names."""
-    public = re.match(r"ballbar/(formats/|lab/)?(?:(.*)/)?[^/]*$", file)
+    public = re.match(r"ballbar/(formats/|lab/)?(?:internal/)?(?:(.*)/)?[^/]*$", file)
     if public:
         return {"formats/": "formats", "lab/": "libballbar/lab", None: "libballbar"}[public[1]], public[2] or ""
     if part == "libballbar/lab" and room_of(part, file.rpartition("/")[0]) is None:
@@ -48,7 +48,7 @@ for part in parts:
     for path in sorted(source.glob(f"{part}/**/*.[ch]pp")):
         if part == "libballbar" and path.is_relative_to(source / "libballbar/lab"):
             continue
-        inside = re.sub(r"^(src|include/ballbar(/formats|/lab)?)/?", "", path.parent.relative_to(source / part).as_posix())
+        inside = re.sub(r"^(src|include/ballbar(/formats|/lab)?(/internal)?)/?", "", path.parent.relative_to(source / part).as_posix())
         own = room_of(part, "" if inside == "." else inside)
         if own is None:
             wrong.append(f"{path.relative_to(source)}: its folder is no room of {part}/CMakeLists.txt")
@@ -56,6 +56,9 @@ for part in parts:
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             include = re.match(r'#include "(.+)"', line)
             other = room_of(*included(part, include[1], own)) if include else own
+            if include and include[1].startswith("ballbar/internal/") and path.is_relative_to(source / "libballbar/include") \
+                    and "internal" not in path.parts:
+                wrong.append(f"{path.relative_to(source)}:{number}: a public header may not include {include[1]}")
             for begin, users in only.items():
                 if include and include[1].startswith(begin) and not f"{'/'.join(rooms[own])}/".startswith(tuple(f"{user}/" for user in users)):
                     wrong.append(f"{path.relative_to(source)}:{number}: {'/'.join(rooms[own]).strip('/')} may not include "

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "ballbar/circle/circle_fit.hpp"
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "bench_data.hpp"

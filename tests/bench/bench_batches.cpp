@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/predict/batch_weights.hpp"
+#include "ballbar/internal/predict/batch_weights.hpp"
 #include "bench_data.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "ballbar/circle/circle_fit.hpp"
+#include "ballbar/circle/circle.hpp"
 #include "bench_data.hpp"
 #include "heap_peak.hpp"
 

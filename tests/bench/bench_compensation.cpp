@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include "ballbar/compensation/compensated_axes.hpp"
+#include "ballbar/compensation/compensation.hpp"
 #include "ballbar/formats/series/live_rows.hpp"
 #include "compensate/offset_text.hpp"
 

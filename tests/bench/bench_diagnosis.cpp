@@ -6,10 +6,10 @@
 #include <random>
 #include <string>
 
-#include "ballbar/diagnosis/next_test/test_plan.hpp"
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "ballbar/model/run_terms.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/diagnosis/next_test/plan.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
+#include "ballbar/internal/model/run_terms.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace {
 

@@ -9,7 +9,6 @@
 
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/history/history.hpp"
-#include "ballbar/history/machine_geometry.hpp"
 #include "bench_data.hpp"
 #include "errors/test_files.hpp"
 #include "history/history_text.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ballbar/predict/effect_regression.hpp"
+#include "ballbar/predict/train.hpp"
 #include "bench_data.hpp"
 
 namespace {

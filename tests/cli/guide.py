@@ -49,7 +49,7 @@ def faults_of_help(*command):
 
 
 helped = help_of()
-header = page("libballbar/include/ballbar/diagnosis/verdict/diagnosis.hpp")
+header = page("libballbar/include/ballbar/diagnosis/verdict/diagnose.hpp")
 guide = page("apps/README.md")
 of_diagnose = re.search(r"(?ms)^\| verdict \| .*?\n\n", page("apps/diagnose/README.md"))[0]
 commands = set(commands_in(helped)) - {"help"}

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/stored_errors.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"

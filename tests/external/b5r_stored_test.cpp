@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "ballbar/circle/circularity.hpp"
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/units.hpp"
 #include "external_data.hpp"

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "ballbar/formats/recordings/recording_file.hpp"
-#include "ballbar/history/machine_geometry.hpp"
 #include "errors/stored_test.hpp"
 #include "errors/test_files.hpp"
 #include "external_data.hpp"

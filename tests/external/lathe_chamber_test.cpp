@@ -5,7 +5,7 @@
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/predict/temperature_regression.hpp"
+#include "ballbar/predict/train.hpp"
 #include "external_data.hpp"
 
 namespace ballbar {

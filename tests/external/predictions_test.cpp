@@ -4,8 +4,8 @@
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/predict/effect_regression.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/predict/train.hpp"
+#include "ballbar/series/series.hpp"
 #include "external_data.hpp"
 
 namespace ballbar {

@@ -12,10 +12,10 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/compensation/compensated_axes.hpp"
+#include "ballbar/compensation/compensation.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/live_rows.hpp"
-#include "ballbar/model/expression.hpp"
+#include "ballbar/model/model.hpp"
 
 namespace {
 

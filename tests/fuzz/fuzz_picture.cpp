@@ -6,8 +6,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/pictures/picture_file.hpp"
-#include "ballbar/temperature/temperature_image.hpp"
-#include "ballbar/temperature/three_areas.hpp"
+#include "ballbar/temperature/temperature.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

@@ -1,5 +1,5 @@
 // Numbers as people write them.
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/number_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ballbar/effects/effect.hpp"
-#include "ballbar/temperature/mean_point.hpp"
+#include "ballbar/temperature/temperature.hpp"
 
 namespace ballbar {
 namespace {

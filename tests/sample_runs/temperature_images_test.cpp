@@ -11,7 +11,7 @@
 #include "ballbar/formats/pictures/picture_file.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/temperature/mean_point.hpp"
+#include "ballbar/temperature/temperature.hpp"
 #include "simulate/machine_toml.hpp"
 #include "simulate/shaft_images.hpp"
 

@@ -16,7 +16,7 @@
 #include <random>
 #include <vector>
 
-#include "ballbar/circle/circle_fit.hpp"
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/units.hpp"
 
 namespace {

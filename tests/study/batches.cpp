@@ -17,7 +17,7 @@
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/predict/batch_weights.hpp"
+#include "ballbar/internal/predict/batch_weights.hpp"
 
 namespace {
 

@@ -6,6 +6,8 @@
 // resolution off. The path of an arc has no oval, and the circle is fitted alone; arcs with one: arc.cpp. Fails (exit
 // 1) where a figure leaves the range stated in its row. At 2000 seeds the standard deviation of a coverage of 95 % is
 // 0.5 %, of the mean of a centre 0.0002 um.
+#include "ballbar/circle/circle.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +16,6 @@
 #include <cstdlib>
 #include <vector>
 
-#include "ballbar/circle/circle_fit.hpp"
 #include "ballbar/lab/simulation/simulate.hpp"
 #include "ballbar/units.hpp"
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "../libballbar/effects/example_rows.hpp"
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/fit/fit.hpp"
 
 namespace {

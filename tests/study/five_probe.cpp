@@ -14,7 +14,7 @@
 #include <random>
 #include <string>
 
-#include "ballbar/drift/comparison.hpp"
+#include "ballbar/drift/compare.hpp"
 #include "ballbar/drift/five_probes.hpp"
 #include "ballbar/lab/simulation/simulate.hpp"
 

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "../libballbar/diagnosis/made_recordings.hpp"
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "diagnose/diagnosis_sentence.hpp"
 
 namespace {

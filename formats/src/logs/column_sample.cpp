@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "logs/log_cells.hpp"
 #include "logs/text_fold.hpp"
 #include "logs/time_stamp.hpp"

@@ -15,8 +15,8 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/nearest_name.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/nearest_name.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 #include "logs/log_channels.hpp"
 #include "logs/log_clock.hpp"
 #include "logs/log_columns.hpp"

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/nearest_name.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 #include "logs/log_cells.hpp"
 #include "logs/log_header.hpp"
 #include "logs/log_units.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 #include "logs/time_stamp.hpp"
 
 namespace ballbar {

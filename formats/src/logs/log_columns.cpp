@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "logs/log_join.hpp"
 #include "logs/log_roles.hpp"
 #include "logs/log_table.hpp"

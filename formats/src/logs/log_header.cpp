@@ -8,8 +8,8 @@
 #include <set>
 #include <tuple>
 
-#include "ballbar/nearest_name.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/nearest_name.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 #include "logs/log_cells.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/number_text.hpp"
 #include "logs/log_plan.hpp"
 #include "logs/log_units.hpp"
 

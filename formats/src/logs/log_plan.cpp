@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "logs/column_sample.hpp"
 #include "logs/log_cells.hpp"
 #include "logs/log_channels.hpp"

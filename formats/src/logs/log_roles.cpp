@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "logs/text_fold.hpp"
 
 namespace ballbar {

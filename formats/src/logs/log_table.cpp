@@ -11,7 +11,7 @@
 #include <span>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "logs/log_cells.hpp"
 #include "logs/log_header.hpp"
 #include "logs/time_stamp.hpp"

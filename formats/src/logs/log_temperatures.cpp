@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 #include "logs/log_roles.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
-#include "ballbar/numerics/interruption.hpp"
+#include "ballbar/internal/nearest_name.hpp"
+#include "ballbar/internal/numerics/interruption.hpp"
 
 namespace ballbar {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "logs/text_fold.hpp"
 #include "text/cells.hpp"
 

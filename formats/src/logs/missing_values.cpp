@@ -8,8 +8,8 @@
 #include <limits>
 #include <utility>
 
-#include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/series/signal_kind.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/internal/series/signal_kind.hpp"
 #include "logs/log_roles.hpp"
 #include "logs/log_table.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 
 namespace ballbar {
 namespace {

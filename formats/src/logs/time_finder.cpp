@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "logs/log_interval.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"

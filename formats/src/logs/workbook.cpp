@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "logs/log_sources.hpp"
 #include "logs/number_format.hpp"
 #include "text/zip_part.hpp"

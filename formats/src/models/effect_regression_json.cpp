@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "text/json_source.hpp"
 #include "text/json_text.hpp"
 

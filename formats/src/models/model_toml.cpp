@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/model/expression.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
+#include "ballbar/model/model.hpp"
 #include "models/model_text.hpp"
 #include "text/head.hpp"
 #include "text/located_text.hpp"

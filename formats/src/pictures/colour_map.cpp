@@ -10,7 +10,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/pictures/picture_file.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 
 namespace ballbar {
 namespace {

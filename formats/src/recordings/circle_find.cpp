@@ -7,9 +7,9 @@
 #include <iterator>
 #include <utility>
 
-#include "ballbar/circle/circle_fit.hpp"
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 #include "ballbar/units.hpp"
 #include "logs/log_roles.hpp"
 #include "logs/log_units.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 #include "ballbar/units.hpp"
 #include "logs/log_sources.hpp"
 #include "recordings/circle_find.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ballbar/formats/schedules/schedule_csv.hpp"
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/number_text.hpp"
 
 namespace ballbar {
 namespace {

@@ -8,7 +8,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/schedules/check_list.hpp"
 #include "ballbar/formats/schedules/schedule_csv.hpp"
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/number_text.hpp"
 
 namespace ballbar {
 namespace {

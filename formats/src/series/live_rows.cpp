@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "text/cells.hpp"
 
 namespace ballbar {

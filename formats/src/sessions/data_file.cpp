@@ -12,7 +12,7 @@
 #include <span>
 #include <system_error>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/logs/log.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
@@ -20,8 +20,7 @@
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/sessions/runs_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/series/merged_series.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar {
 namespace {

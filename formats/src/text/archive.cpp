@@ -8,7 +8,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "text/zip_part.hpp"
 
 namespace ballbar {

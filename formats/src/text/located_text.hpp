@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "ballbar/nearest_name.hpp"  // in_quotes too
+#include "ballbar/internal/nearest_name.hpp"  // in_quotes too
 
 namespace ballbar {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "ballbar/numerics/interruption.hpp"
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/interruption.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "text/cells.hpp"
 
 namespace ballbar {

@@ -1,4 +1,18 @@
-// Conversions between the units ballbar uses: mm for set-up lengths, um for deviations, rad, s, degC.
+// Units and signs of all ballbar headers, and the conversions between them.
+//
+//   length, set-up      mm        radius, length of the bar, height, distance of probes; names end in _mm
+//   deviation, drift    um        readings less a reference, residuals, sigmas; _um
+//   angle               rad       inside; deg where a person reads it (_deg); slopes and squareness um/m = urad
+//   time                s         from the start of a series; _s; a date is s since 1970-01-01T00:00:00 on the
+//                                 machine's own clock, without a zone
+//   temperature         degC      a temperature; K a difference of two, and the unit of gains: um/K
+//   speed, feed         rpm, mm/min
+//   probability, share  0 to 1
+//
+// Axes are those of the machine, right-handed (ISO 841). A drift is that of the tool's side relative to the table. A
+// residual is measured less predicted. Every sigma is a standard uncertainty (GUM); intervals say that they have 95 %.
+// NaN is "not known" or a gap, infinity "not determined".
+//
 // Convert once, where a number enters or leaves, so that equal units touch everywhere else.
 #pragma once
 

@@ -8,7 +8,7 @@
 #include <Eigen/SVD>
 #include <cmath>
 
-#include "ballbar/circle/circle_fit.hpp"
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/error.hpp"
 
 namespace ballbar {

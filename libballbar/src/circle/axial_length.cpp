@@ -1,7 +1,6 @@
-#include "ballbar/circle/axial_length.hpp"
-
 #include <cmath>
 
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
 #include "numerics/autocorrelation.hpp"

@@ -1,5 +1,3 @@
-#include "ballbar/circle/circle_fit.hpp"
-
 #include <ceres/loss_function.h>
 #include <fmt/core.h>
 
@@ -7,8 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/interruption.hpp"
+#include "ballbar/internal/numerics/interruption.hpp"
 #include "ballbar/units.hpp"
 #include "circle/arc_estimate.hpp"
 #include "circle/circle_residuals.hpp"

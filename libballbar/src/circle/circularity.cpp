@@ -1,5 +1,3 @@
-#include "ballbar/circle/circularity.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
 

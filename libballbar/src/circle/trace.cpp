@@ -1,5 +1,3 @@
-#include "ballbar/circle/trace.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
 #include "numerics/not_finite.hpp"

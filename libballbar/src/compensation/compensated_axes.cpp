@@ -1,10 +1,9 @@
-#include "ballbar/compensation/compensated_axes.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
 
+#include "ballbar/compensation/compensation.hpp"
 #include "ballbar/error.hpp"
 
 namespace ballbar {

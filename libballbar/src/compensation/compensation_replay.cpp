@@ -1,5 +1,3 @@
-#include "ballbar/compensation/compensation_replay.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +6,9 @@
 #include <limits>
 #include <vector>
 
+#include "ballbar/compensation/compensation.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "numerics/not_finite.hpp"
 
 namespace ballbar {

@@ -1,5 +1,3 @@
-#include "ballbar/compensation/linear_compensation.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Core>
@@ -9,11 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "ballbar/compensation/compensation.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/fit/held_model.hpp"
-#include "ballbar/nearest_name.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/internal/fit/held_model.hpp"
+#include "ballbar/internal/nearest_name.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar {
 namespace {

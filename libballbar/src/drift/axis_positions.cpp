@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "ballbar/drift/measured_drift.hpp"
+#include "ballbar/drift/drift.hpp"
 #include "ballbar/units.hpp"
 #include "drift/row_scatter.hpp"
 #include "numerics/not_finite.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 #include "numerics/interpolation.hpp"
 #include "numerics/not_finite.hpp"
 

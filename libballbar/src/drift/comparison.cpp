@@ -1,5 +1,3 @@
-#include "ballbar/drift/comparison.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,8 +8,9 @@
 #include <tuple>
 #include <utility>
 
+#include "ballbar/drift/compare.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 #include "ballbar/units.hpp"
 #include "drift/clock_shift.hpp"
 #include "drift/drift_methods.hpp"

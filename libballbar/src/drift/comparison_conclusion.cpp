@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/drift/comparison.hpp"
-#include "ballbar/number_text.hpp"
+#include "ballbar/drift/compare.hpp"
+#include "ballbar/internal/number_text.hpp"
 #include "ballbar/units.hpp"
 
 namespace ballbar {

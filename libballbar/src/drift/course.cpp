@@ -1,5 +1,3 @@
-#include "ballbar/drift/course.hpp"
-
 #include <Eigen/Core>
 #include <Eigen/QR>
 #include <algorithm>
@@ -7,7 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/drift/thermal_test.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 #include "drift/row_scatter.hpp"
 #include "drift/smooth_curve.hpp"
 #include "numerics/not_finite.hpp"

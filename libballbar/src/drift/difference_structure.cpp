@@ -1,10 +1,9 @@
-#include "ballbar/drift/difference_structure.hpp"
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/numerics/range.hpp"
+#include "ballbar/drift/compare.hpp"
+#include "ballbar/internal/numerics/range.hpp"
 #include "ballbar/units.hpp"
 #include "drift/slope_of_rows.hpp"
 #include "numerics/autocorrelation.hpp"

@@ -1,6 +1,6 @@
 // Drift from the spindle-rotation test and the axial gauge (Huang, Li, Zhao 2022).
 
-#include "ballbar/circle/axial_length.hpp"
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/units.hpp"
 #include "drift/drift_methods.hpp"
 #include "numerics/not_finite.hpp"

@@ -222,7 +222,7 @@ TwoArcs fit_two_arcs(const Recording& c_arc, const Recording& a_arc, const Drift
 }
 
 // Covariance of now.p - reference.p, from the difference of the residuals where the angles are the same, as
-// covariance_of_change_um2 of circle_fit.hpp; else the sum of the two covariances.
+// covariance_of_change_um2 of circle.hpp; else the sum of the two covariances.
 Matrix5d covariance_of_change_um2(const SessionTest& now, const TwoArcs& now_fit, const SessionTest& reference,
                                   const TwoArcs& reference_fit, const DriftOptions& options) {
   Matrix5d independent = now_fit.covariance_um2 + reference_fit.covariance_um2;

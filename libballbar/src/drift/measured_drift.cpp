@@ -1,5 +1,3 @@
-#include "ballbar/drift/measured_drift.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,8 +6,9 @@
 #include <limits>
 #include <utility>
 
+#include "ballbar/drift/drift.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/series/far_readings.hpp"
+#include "ballbar/internal/series/far_readings.hpp"
 #include "ballbar/units.hpp"
 #include "drift/drift_methods.hpp"
 #include "drift/row_scatter.hpp"

@@ -1,7 +1,7 @@
 // The agreement of the samples of an axis, one by one.
 #pragma once
 
-#include "ballbar/drift/comparison.hpp"
+#include "ballbar/drift/compare.hpp"
 
 namespace ballbar {
 

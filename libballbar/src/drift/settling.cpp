@@ -1,5 +1,3 @@
-#include "ballbar/drift/settling.hpp"
-
 #include <ceres/tiny_solver.h>
 
 #include <Eigen/Cholesky>
@@ -11,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "ballbar/drift/thermal_test.hpp"
 #include "drift/row_scatter.hpp"
 #include "drift/smooth_curve.hpp"
 

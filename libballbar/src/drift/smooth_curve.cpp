@@ -8,8 +8,8 @@
 #include <numeric>
 #include <random>
 
-#include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/numerics/range.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/range.hpp"
 #include "numerics/random_streams.hpp"
 
 namespace ballbar {

@@ -10,8 +10,8 @@
 #include <optional>
 #include <utility>
 
-#include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/series/speed_steps.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/internal/series/speed_steps.hpp"
 #include "ballbar/units.hpp"
 #include "drift/name_words.hpp"
 #include "drift/smooth_curve.hpp"

@@ -2,8 +2,8 @@
 
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/interruption.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/internal/numerics/interruption.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar {
 

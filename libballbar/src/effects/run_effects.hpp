@@ -1,4 +1,4 @@
-// Effects outside the catalogue, for several runs (runs.hpp).
+// Effects outside the catalogue, for several runs (series.hpp).
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ const std::shared_ptr<const Effect>& offset_of_run();
 const std::shared_ptr<const Effect>& start_of_run();
 
 // The part of an error that depends on the temperature at the start of a run. For one run it is a constant; with
-// several runs a regression needs it (effect_regression.hpp).
+// several runs a regression needs it (train.hpp).
 const std::shared_ptr<const Effect>& temperature_at_start();
 
 }  // namespace ballbar

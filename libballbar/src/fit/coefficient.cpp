@@ -1,10 +1,9 @@
-#include "ballbar/fit/coefficient.hpp"
-
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/numerics/range.hpp"
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/internal/numerics/range.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/not_finite.hpp"
 

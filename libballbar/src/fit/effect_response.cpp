@@ -1,11 +1,11 @@
-#include "ballbar/fit/effect_response.hpp"
+#include "ballbar/internal/fit/effect_response.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 
 namespace ballbar {
 namespace {

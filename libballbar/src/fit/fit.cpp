@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
-#include "ballbar/series/far_readings.hpp"
+#include "ballbar/internal/series/far_readings.hpp"
 #include "fit/fit_uncertainty.hpp"
 #include "fit/inlier_rows.hpp"
 #include "fit/irls_and_gls.hpp"

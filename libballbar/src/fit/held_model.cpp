@@ -1,4 +1,4 @@
-#include "ballbar/fit/held_model.hpp"
+#include "ballbar/internal/fit/held_model.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 
 namespace ballbar {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/range.hpp"
+#include "ballbar/internal/numerics/range.hpp"
 #include "fit/inlier_rows.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/median.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "model/model_rows.hpp"
 
 namespace ballbar {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/fit/residual.hpp"
-#include "ballbar/series/speed_steps.hpp"
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/internal/series/speed_steps.hpp"
 #include "series/standstill.hpp"
 
 namespace ballbar {

@@ -1,13 +1,12 @@
-#include "ballbar/fit/residual.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "ballbar/number_text.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/internal/number_text.hpp"
+#include "ballbar/series/series.hpp"
 #include "ballbar/units.hpp"
 #include "fit/inlier_rows.hpp"
 

@@ -3,7 +3,7 @@
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
-#include "ballbar/fit/residual.hpp"
+#include "ballbar/fit/fit.hpp"
 #include "fit/inlier_rows.hpp"
 #include "noise/whitening.hpp"
 

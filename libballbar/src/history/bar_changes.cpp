@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "ballbar/history/trend.hpp"
+#include "ballbar/history/history.hpp"
 #include "history/event_texts.hpp"
 #include "history/quantity_series.hpp"
 #include "history/robust_fit.hpp"

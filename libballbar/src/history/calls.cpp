@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "ballbar/units.hpp"
 #include "history/robust_fit.hpp"
 

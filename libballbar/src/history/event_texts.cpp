@@ -8,7 +8,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "ballbar/number_text.hpp"
+#include "ballbar/internal/number_text.hpp"
 #include "history/quantity_series.hpp"
 
 namespace ballbar {

@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "ballbar/history/trend.hpp"
+#include "ballbar/history/history.hpp"
 #include "history/quantity_series.hpp"
 
 namespace ballbar {

@@ -10,8 +10,7 @@
 #include <tuple>
 
 #include "ballbar/error.hpp"
-#include "ballbar/history/trend.hpp"
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "history/bar_changes.hpp"
 #include "history/calls.hpp"
 #include "history/event_texts.hpp"

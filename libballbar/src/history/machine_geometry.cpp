@@ -1,12 +1,10 @@
-#include "ballbar/history/machine_geometry.hpp"
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
 
-#include "ballbar/history/trend.hpp"
+#include "ballbar/history/history.hpp"
 #include "numerics/not_finite.hpp"
 #include "numerics/root.hpp"
 #include "numerics/tails.hpp"

@@ -1,5 +1,3 @@
-#include "ballbar/history/machine_test.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "ballbar/history/history.hpp"
 #include "ballbar/units.hpp"
 #include "numerics/not_finite.hpp"
 

@@ -7,9 +7,8 @@
 #include <string>
 #include <unordered_map>
 
-#include "ballbar/history/machine_test.hpp"
-#include "ballbar/history/trend.hpp"
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/history/history.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "history/series_judgement.hpp"
 
 namespace ballbar {

@@ -10,7 +10,7 @@
 
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/effects/effect.hpp"
-#include "ballbar/history/machine_test.hpp"
+#include "ballbar/history/history.hpp"
 
 namespace ballbar {
 

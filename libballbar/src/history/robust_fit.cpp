@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "ballbar/history/trend.hpp"
+#include "ballbar/history/history.hpp"
 #include "ballbar/units.hpp"
 
 namespace ballbar {

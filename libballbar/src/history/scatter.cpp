@@ -5,8 +5,8 @@
 #include <boost/math/special_functions/trigamma.hpp>
 #include <cmath>
 
-#include "ballbar/history/trend.hpp"
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/history/history.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "history/robust_fit.hpp"
 #include "history/tail_table.hpp"
 #include "numerics/median.hpp"

@@ -4,7 +4,7 @@
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 
-#include "ballbar/history/trend.hpp"
+#include "ballbar/history/history.hpp"
 #include "history/robust_fit.hpp"
 #include "numerics/tails.hpp"
 

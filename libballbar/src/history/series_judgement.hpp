@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "ballbar/history/history.hpp"
-#include "ballbar/history/trend.hpp"
 #include "history/quantity_series.hpp"
 #include "history/scatter.hpp"
 

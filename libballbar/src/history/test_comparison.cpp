@@ -1,5 +1,3 @@
-#include "ballbar/history/test_comparison.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +7,8 @@
 #include <tuple>
 
 #include "ballbar/error.hpp"
-#include "ballbar/history/trend.hpp"
+#include "ballbar/history/errors_change.hpp"
+#include "ballbar/history/history.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,8 +1,7 @@
-#include "ballbar/history/trend.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/history/history.hpp"
 #include "history/quantity_series.hpp"
 #include "numerics/median.hpp"
 #include "numerics/root.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/units.hpp"
 #include "numerics/not_finite.hpp"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/units.hpp"
 
 namespace ballbar {

@@ -7,7 +7,7 @@
 #include <random>
 #include <utility>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/units.hpp"
 #include "numerics/not_finite.hpp"
 

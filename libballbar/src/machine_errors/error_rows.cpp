@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/units.hpp"
 
 namespace ballbar {

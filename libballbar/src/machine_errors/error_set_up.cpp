@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "ballbar/circle/recording.hpp"
-#include "ballbar/circle/trace.hpp"
 
 namespace ballbar {
 namespace {

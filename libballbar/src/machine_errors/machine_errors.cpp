@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
 #include "machine_errors/as_instrument.hpp"

@@ -1,12 +1,11 @@
-#include "ballbar/machine_errors/next_measurement.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
+#include "ballbar/machine_errors/machine_errors.hpp"
 #include "machine_errors/error_design.hpp"
 
 namespace ballbar {

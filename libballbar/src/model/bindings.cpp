@@ -5,7 +5,7 @@
 #include <functional>
 #include <map>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 
 namespace ballbar {
 namespace {

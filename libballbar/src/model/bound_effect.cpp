@@ -1,7 +1,7 @@
-#include "ballbar/model/bound_effect.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "ballbar/model/model.hpp"
 
 namespace ballbar {
 

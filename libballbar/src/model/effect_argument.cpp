@@ -1,4 +1,4 @@
-#include "ballbar/model/effect_argument.hpp"
+#include "ballbar/internal/model/effect_argument.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "ballbar/model/bound_effect.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
+#include "ballbar/model/model.hpp"
 #include "model/bindings.hpp"
 
 namespace ballbar {

@@ -1,5 +1,3 @@
-#include "ballbar/model/expression.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <muParser.h>
@@ -11,11 +9,12 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "ballbar/model/measured_input.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
+#include "ballbar/model/model.hpp"
 #include "effects/low_pass.hpp"
 #include "model/expression_linearity.hpp"
 #include "model/formula.hpp"
+#include "model/measured_input.hpp"
 
 namespace ballbar {
 namespace {

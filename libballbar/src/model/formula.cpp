@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 
 namespace ballbar {
 namespace {

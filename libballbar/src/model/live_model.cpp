@@ -1,5 +1,3 @@
-#include "ballbar/model/live_model.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +6,8 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
+#include "ballbar/model/model.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,9 +1,9 @@
-#include "ballbar/model/measured_input.hpp"
+#include "model/measured_input.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/series/runs.hpp"
+#include "ballbar/series/series.hpp"
 #include "numerics/interpolation.hpp"
 
 namespace ballbar {

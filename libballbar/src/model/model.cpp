@@ -7,10 +7,9 @@
 #include <cassert>
 #include <cmath>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/model/expression.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 
 namespace ballbar {
 namespace {

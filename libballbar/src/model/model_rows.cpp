@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "ballbar/model/measured_input.hpp"
 #include "effects/effect_at.hpp"
+#include "model/measured_input.hpp"
 
 namespace ballbar {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 
 namespace ballbar {
 

@@ -1,9 +1,9 @@
-#include "ballbar/model/run_terms.hpp"
+#include "ballbar/internal/model/run_terms.hpp"
 
 #include <algorithm>
 #include <vector>
 
-#include "ballbar/series/runs.hpp"
+#include "ballbar/series/series.hpp"
 #include "effects/run_effects.hpp"
 
 namespace ballbar {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 
 namespace ballbar {
 namespace {

@@ -18,8 +18,8 @@
 #include <span>
 #include <vector>
 
+#include "ballbar/internal/numerics/interruption.hpp"
 #include "ballbar/noise/noise.hpp"
-#include "ballbar/numerics/interruption.hpp"
 
 namespace ballbar {
 

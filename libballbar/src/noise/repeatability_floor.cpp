@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "ballbar/internal/series/speed_steps.hpp"
 #include "ballbar/noise/noise.hpp"
-#include "ballbar/series/speed_steps.hpp"
 #include "ballbar/units.hpp"
 #include "noise/linear_filter.hpp"
 #include "numerics/interpolation.hpp"

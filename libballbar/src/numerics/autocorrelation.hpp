@@ -1,4 +1,4 @@
-// Covariance of a least-squares solution under an autocorrelated residual: what H and S of circle_fit.hpp need.
+// Covariance of a least-squares solution under an autocorrelated residual: what H and S of circle.hpp need.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-#include "ballbar/numerics/interruption.hpp"
+#include "ballbar/internal/numerics/interruption.hpp"
 
 #include <utility>
 

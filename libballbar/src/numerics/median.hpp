@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 
 namespace ballbar {
 

@@ -1,4 +1,4 @@
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "ballbar/numerics/interruption.hpp"
+#include "ballbar/internal/numerics/interruption.hpp"
 
 namespace ballbar {
 namespace {

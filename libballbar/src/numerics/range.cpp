@@ -1,4 +1,4 @@
-#include "ballbar/numerics/range.hpp"
+#include "ballbar/internal/numerics/range.hpp"
 
 #include <algorithm>
 

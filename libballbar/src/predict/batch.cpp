@@ -1,5 +1,3 @@
-#include "ballbar/predict/batch.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,8 +11,9 @@
 #include <random>
 
 #include "ballbar/error.hpp"
-#include "ballbar/nearest_name.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/nearest_name.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/predict/train.hpp"
 #include "numerics/median.hpp"
 
 namespace ballbar {

@@ -1,4 +1,4 @@
-#include "ballbar/predict/batch_weights.hpp"
+#include "ballbar/internal/predict/batch_weights.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 
 namespace ballbar {
 namespace {

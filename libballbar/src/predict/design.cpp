@@ -11,11 +11,10 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/fit/held_model.hpp"
+#include "ballbar/internal/fit/held_model.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "ballbar/model/model.hpp"
-#include "ballbar/numerics/parallel.hpp"
-#include "ballbar/predict/effect_regression.hpp"
-#include "ballbar/predict/held_out.hpp"
+#include "ballbar/predict/train.hpp"
 #include "effects/run_effects.hpp"
 #include "model/bindings.hpp"
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <map>
 
-#include "ballbar/numerics/parallel.hpp"
-#include "ballbar/numerics/range.hpp"
-#include "ballbar/series/folds.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/range.hpp"
+#include "ballbar/internal/series/folds.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,7 +1,7 @@
 // DriverReport of a regression as it was trained.
 #pragma once
 
-#include "ballbar/predict/effect_regression.hpp"
+#include "ballbar/predict/train.hpp"
 #include "predict/ridge.hpp"
 
 namespace ballbar {

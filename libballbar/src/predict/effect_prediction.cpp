@@ -2,9 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/numerics/parallel.hpp"
-#include "ballbar/predict/batch.hpp"
-#include "ballbar/predict/effect_regression.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
+#include "ballbar/predict/train.hpp"
 #include "numerics/not_finite.hpp"
 #include "predict/driver_report.hpp"
 #include "predict/ridge.hpp"

@@ -1,5 +1,3 @@
-#include "ballbar/predict/effect_regression.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,8 +6,9 @@
 #include <numeric>
 
 #include "ballbar/error.hpp"
-#include "ballbar/fit/held_model.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/fit/held_model.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/predict/train.hpp"
 #include "predict/driver_report.hpp"
 #include "predict/forecasts.hpp"
 

@@ -8,9 +8,9 @@
 #include <numeric>
 #include <utility>
 
-#include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/series/runs.hpp"
-#include "ballbar/series/speed_steps.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/internal/series/speed_steps.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/predict/effect_regression.hpp"
+#include "ballbar/predict/train.hpp"
 #include "predict/ridge.hpp"
 
 namespace ballbar {

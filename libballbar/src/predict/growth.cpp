@@ -1,4 +1,4 @@
-#include "ballbar/predict/growth.hpp"
+#include "ballbar/internal/predict/growth.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include <numeric>
 
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/fit/held_model.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/internal/fit/held_model.hpp"
+#include "ballbar/series/series.hpp"
 #include "numerics/tails.hpp"
 #include "predict/forecasts.hpp"
 

@@ -1,5 +1,3 @@
-#include "ballbar/predict/held_out.hpp"
-
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
@@ -7,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/predict/temperature_regression.hpp"
+#include "ballbar/predict/train.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,12 +1,11 @@
-#include "ballbar/predict/predictability.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/predict/train.hpp"
+#include "ballbar/series/series.hpp"
 #include "predict/forecasts.hpp"
 
 namespace ballbar {

@@ -1,7 +1,7 @@
-#include "ballbar/predict/prediction.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "ballbar/predict/predict.hpp"
 
 namespace ballbar {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "predict/likelihood_along_variance.hpp"
 
 namespace ballbar {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "predict/ridge.hpp"
 
 namespace ballbar {

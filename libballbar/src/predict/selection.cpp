@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "predict/ridge.hpp"
 
 namespace ballbar {

@@ -1,5 +1,3 @@
-#include "ballbar/predict/sensor_choice.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +6,8 @@
 #include <map>
 
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/parallel.hpp"
-#include "ballbar/predict/batch.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
+#include "ballbar/predict/train.hpp"
 #include "predict/forecasts.hpp"
 
 namespace ballbar {

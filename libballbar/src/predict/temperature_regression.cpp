@@ -1,5 +1,3 @@
-#include "ballbar/predict/temperature_regression.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
@@ -8,7 +6,8 @@
 #include <limits>
 
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
+#include "ballbar/predict/train.hpp"
 #include "numerics/not_finite.hpp"
 #include "numerics/root.hpp"
 

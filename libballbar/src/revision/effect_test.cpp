@@ -1,5 +1,3 @@
-#include "ballbar/revision/effect_test.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,8 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/error.hpp"
+#include "ballbar/revision/revision.hpp"
 #include "diagnosis/posterior/inference.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"

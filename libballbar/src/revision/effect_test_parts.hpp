@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ballbar/revision/effect_test.hpp"
+#include "ballbar/revision/revision.hpp"
 #include "diagnosis/posterior/inference.hpp"
 
 namespace ballbar {

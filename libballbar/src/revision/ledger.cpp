@@ -1,9 +1,8 @@
-#include "ballbar/revision/ledger.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
+#include "ballbar/revision/revision.hpp"
 #include "diagnosis/verdict/member_tests.hpp"
 #include "fit/machine_error_fit.hpp"
 #include "revision/effect_test_parts.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "diagnosis/verdict/start_values.hpp"
 #include "fit/machine_error_fit.hpp"
 #include "machine_errors/error_ranks.hpp"

@@ -1,8 +1,7 @@
-#include "ballbar/revision/replacement.hpp"
-
 #include <algorithm>
 #include <utility>
 
+#include "ballbar/revision/revision.hpp"
 #include "diagnosis/verdict/start_values.hpp"
 
 namespace ballbar {

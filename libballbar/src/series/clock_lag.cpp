@@ -1,4 +1,4 @@
-#include "ballbar/series/clock_lag.hpp"
+#include "ballbar/internal/series/clock_lag.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 
 namespace ballbar {
 namespace {

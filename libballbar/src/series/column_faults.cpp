@@ -1,13 +1,12 @@
-#include "ballbar/series/column_faults.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/series/far_readings.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/internal/series/far_readings.hpp"
+#include "ballbar/series/series.hpp"
 #include "numerics/median.hpp"
 #include "series/saturated_rows.hpp"
 

@@ -1,10 +1,10 @@
-#include "ballbar/series/continued_run.hpp"
+#include "ballbar/internal/series/continued_run.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 #include "numerics/interpolation.hpp"
 #include "numerics/not_finite.hpp"
 

@@ -1,4 +1,4 @@
-#include "ballbar/series/far_readings.hpp"
+#include "ballbar/internal/series/far_readings.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "ballbar/series/runs.hpp"
-#include "ballbar/series/speed_steps.hpp"
+#include "ballbar/internal/series/speed_steps.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar {
 namespace {

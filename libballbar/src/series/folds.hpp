@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ballbar/series/folds.hpp"
+#include "ballbar/internal/series/folds.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {

@@ -1,5 +1,3 @@
-#include "ballbar/series/merged_series.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,8 +12,9 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/series/signal_kind.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/internal/series/signal_kind.hpp"
+#include "ballbar/series/series.hpp"
 #include "ballbar/units.hpp"
 #include "numerics/interpolation.hpp"
 #include "numerics/not_finite.hpp"

@@ -1,5 +1,3 @@
-#include "ballbar/series/runs.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,6 +6,7 @@
 #include <optional>
 
 #include "ballbar/error.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,10 +1,10 @@
-#include "ballbar/series/speed_steps.hpp"
+#include "ballbar/internal/series/speed_steps.hpp"
 
 #include <cmath>
 #include <utility>
 
-#include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/series/series.hpp"
 #include "numerics/not_finite.hpp"
 #include "series/standstill.hpp"
 

@@ -1,4 +1,4 @@
-#include "ballbar/series/zone_shift.hpp"
+#include "ballbar/internal/series/zone_shift.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 
 namespace ballbar {
 namespace {

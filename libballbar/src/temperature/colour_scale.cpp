@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 
 namespace ballbar {
 namespace {

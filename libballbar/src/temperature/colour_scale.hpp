@@ -1,10 +1,10 @@
-// Parts of temperature_image.hpp: the place on a scale that is nearest to a colour.
+// Parts of temperature.hpp: the place on a scale that is nearest to a colour.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "ballbar/temperature/temperature_image.hpp"
+#include "ballbar/temperature/temperature.hpp"
 
 namespace ballbar {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
-#include "ballbar/temperature/temperature_image.hpp"
+#include "ballbar/temperature/temperature.hpp"
 
 namespace ballbar {
 namespace {

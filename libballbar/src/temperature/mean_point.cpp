@@ -1,5 +1,3 @@
-#include "ballbar/temperature/mean_point.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <limits>
 
 #include "ballbar/error.hpp"
+#include "ballbar/temperature/temperature.hpp"
 #include "numerics/interpolation.hpp"
 #include "numerics/not_finite.hpp"
 

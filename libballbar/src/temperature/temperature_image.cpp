@@ -1,5 +1,3 @@
-#include "ballbar/temperature/temperature_image.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +5,8 @@
 #include <unordered_map>
 
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/temperature/temperature.hpp"
 #include "numerics/not_finite.hpp"
 #include "temperature/colour_scale.hpp"
 

@@ -1,7 +1,7 @@
-#include "ballbar/temperature/three_areas.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "ballbar/temperature/temperature.hpp"
 
 namespace ballbar {
 namespace {

@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "ballbar/model/measured_input.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/start_values.hpp"
+#include "model/measured_input.hpp"
 #include "revision/effect_test_parts.hpp"
 
 namespace ballbar {

@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "ballbar/error.hpp"
-#include "ballbar/model/expression.hpp"
+#include "ballbar/model/model.hpp"
 
 namespace ballbar {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_history.hpp"
-#include "ballbar/model/expression.hpp"
+#include "ballbar/model/model.hpp"
 
 namespace ballbar {
 namespace {

@@ -8,8 +8,7 @@
 #include <random>
 
 #include "ballbar/formats/pictures/picture_file.hpp"
-#include "ballbar/temperature/temperature_image.hpp"
-#include "ballbar/temperature/three_areas.hpp"
+#include "ballbar/temperature/temperature.hpp"
 #include "painted_shaft.hpp"
 
 namespace ballbar {

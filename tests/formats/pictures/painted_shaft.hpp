@@ -6,8 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "ballbar/temperature/mean_point.hpp"
-#include "ballbar/temperature/picture.hpp"
+#include "ballbar/temperature/temperature.hpp"
 
 namespace ballbar {
 

@@ -1,11 +1,10 @@
-#include "ballbar/circle/circle_fit.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 #include <random>
 
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
 #include "numerics/autocorrelation.hpp"

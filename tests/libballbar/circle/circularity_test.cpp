@@ -1,9 +1,8 @@
-#include "ballbar/circle/circularity.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
 

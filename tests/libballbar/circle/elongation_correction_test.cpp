@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "ballbar/circle/axial_length.hpp"
+#include "ballbar/circle/circle.hpp"
 
 namespace ballbar {
 namespace {

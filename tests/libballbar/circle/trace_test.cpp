@@ -1,10 +1,9 @@
-#include "ballbar/circle/trace.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"

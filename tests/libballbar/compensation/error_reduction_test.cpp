@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "ballbar/compensation/compensation_replay.hpp"
+#include "ballbar/compensation/compensation.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,10 +1,9 @@
-#include "ballbar/compensation/linear_compensation.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "ballbar/compensation/compensation.hpp"
 #include "ballbar/error.hpp"
 
 namespace ballbar {

@@ -7,11 +7,11 @@
 #include <random>
 #include <string>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "ballbar/error.hpp"
 #include "diagnosis/made_drift.hpp"
 #include "diagnosis/outcome.hpp"
-#include "diagnosis/thresholds.hpp"
+#include "diagnosis/signatures/thresholds.hpp"
 #include "revision/effect_test_of.hpp"
 
 namespace ballbar {

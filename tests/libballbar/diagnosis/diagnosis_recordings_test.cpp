@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "ballbar/machine_errors/next_measurement.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
+#include "ballbar/machine_errors/machine_errors.hpp"
 #include "diagnosis/outcome.hpp"
 #include "made_recordings.hpp"
 

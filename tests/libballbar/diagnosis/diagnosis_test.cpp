@@ -1,6 +1,4 @@
 // What a diagnosis says of its data, its model and what it searches.
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,9 +7,10 @@
 #include <regex>
 #include <string>
 
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "diagnosis/made_drift.hpp"
 #include "diagnosis/outcome.hpp"
-#include "diagnosis/thresholds.hpp"
+#include "diagnosis/signatures/thresholds.hpp"
 
 namespace ballbar {
 namespace {

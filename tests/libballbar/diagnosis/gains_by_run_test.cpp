@@ -3,8 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "ballbar/model/run_terms.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
+#include "ballbar/internal/model/run_terms.hpp"
 #include "diagnosis/outcome.hpp"
 
 namespace ballbar {

@@ -1,11 +1,11 @@
-#include "ballbar/diagnosis/signatures/identifiability.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
+
+#include "ballbar/diagnosis/signatures/search.hpp"
 
 namespace ballbar {
 namespace {

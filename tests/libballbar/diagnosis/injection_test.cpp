@@ -1,11 +1,11 @@
-#include "ballbar/diagnosis/injection/injection.hpp"
+#include "ballbar/internal/diagnosis/injection/injection.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/range.hpp"
+#include "ballbar/internal/numerics/range.hpp"
 
 namespace ballbar {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "../made_series.hpp"
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 
 namespace ballbar::made {
 

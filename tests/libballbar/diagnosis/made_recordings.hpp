@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/model/recording_base_model.hpp"
+#include "ballbar/internal/model/recording_base_model.hpp"
 
 namespace ballbar::made {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "diagnosis/made_drift.hpp"
 #include "diagnosis/outcome.hpp"
 #include "revision/effect_test_of.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis/thresholds.hpp"
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "diagnosis/outcome.hpp"
 #include "effects/low_pass.hpp"
 

@@ -1,11 +1,10 @@
-#include "ballbar/diagnosis/next_test/test_plan.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "ballbar/diagnosis/next_test/plan.hpp"
 #include "ballbar/error.hpp"
 #include "diagnosis/next_test/distinct_columns.hpp"
 #include "diagnosis/next_test/menu.hpp"

@@ -1,5 +1,3 @@
-#include "ballbar/drift/comparison.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <stdexcept>
 
 #include "../made_series.hpp"
+#include "ballbar/drift/compare.hpp"
 #include "numerics/random_streams.hpp"
 
 namespace ballbar {

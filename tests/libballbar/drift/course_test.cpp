@@ -1,10 +1,10 @@
-#include "ballbar/drift/course.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 #include <vector>
+
+#include "ballbar/drift/thermal_test.hpp"
 
 namespace ballbar {
 namespace {

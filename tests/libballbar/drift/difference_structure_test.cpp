@@ -1,11 +1,9 @@
-#include "ballbar/drift/difference_structure.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "ballbar/drift/comparison.hpp"
+#include "ballbar/drift/compare.hpp"
 #include "drift/slope_of_rows.hpp"
 #include "numerics/random_streams.hpp"
 

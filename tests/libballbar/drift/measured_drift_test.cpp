@@ -1,10 +1,9 @@
-#include "ballbar/drift/measured_drift.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "ballbar/drift/drift.hpp"
 #include "ballbar/error.hpp"
 namespace ballbar {
 namespace {

@@ -1,11 +1,10 @@
-#include "ballbar/drift/settling.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 #include <vector>
 
+#include "ballbar/drift/thermal_test.hpp"
 #include "drift/smooth_curve.hpp"
 
 namespace ballbar {

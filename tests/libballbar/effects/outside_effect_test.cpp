@@ -5,16 +5,16 @@
 #include <cmath>
 #include <random>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/compensation/compensation.hpp"
-#include "ballbar/diagnosis/injection/injection.hpp"
-#include "ballbar/diagnosis/signatures/identifiability.hpp"
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/model/effect_argument.hpp"
-#include "ballbar/model/live_model.hpp"
-#include "ballbar/model/recording_base_model.hpp"
+#include "ballbar/internal/diagnosis/injection/injection.hpp"
+#include "ballbar/internal/model/effect_argument.hpp"
+#include "ballbar/internal/model/recording_base_model.hpp"
+#include "ballbar/model/model.hpp"
 #include "diagnosis/outcome.hpp"
 
 namespace ballbar {

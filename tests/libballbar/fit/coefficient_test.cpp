@@ -1,10 +1,10 @@
-#include "ballbar/fit/coefficient.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 #include <vector>
+
+#include "ballbar/fit/fit.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,4 +1,4 @@
-#include "ballbar/fit/effect_response.hpp"
+#include "ballbar/internal/fit/effect_response.hpp"
 
 #include <gtest/gtest.h>
 

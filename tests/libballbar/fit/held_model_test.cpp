@@ -1,4 +1,4 @@
-#include "ballbar/fit/held_model.hpp"
+#include "ballbar/internal/fit/held_model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ballbar/fit/model_part.hpp"
+#include "ballbar/internal/fit/model_part.hpp"
 
 #include <gtest/gtest.h>
 

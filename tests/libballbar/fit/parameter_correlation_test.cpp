@@ -1,4 +1,4 @@
-#include "ballbar/fit/parameter_correlation.hpp"
+#include "ballbar/internal/fit/parameter_correlation.hpp"
 
 #include <gtest/gtest.h>
 

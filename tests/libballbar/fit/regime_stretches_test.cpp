@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ballbar/fit/residual.hpp"
+#include "ballbar/fit/fit.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,12 +1,11 @@
 // Regimes, where a model fails, whether what is left is noise, and the three sentences.
-#include "ballbar/fit/residual.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
 
+#include "ballbar/fit/fit.hpp"
 #include "ballbar/units.hpp"
 
 namespace ballbar {

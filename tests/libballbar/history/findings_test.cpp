@@ -8,7 +8,6 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/history/history.hpp"
-#include "ballbar/history/trend.hpp"
 #include "history/calls.hpp"
 #include "history/robust_fit.hpp"
 #include "numerics/not_finite.hpp"

@@ -1,10 +1,8 @@
-#include "ballbar/history/machine_geometry.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "ballbar/history/trend.hpp"
+#include "ballbar/history/history.hpp"
 #include "numerics/not_finite.hpp"
 #include "numerics/tails.hpp"
 

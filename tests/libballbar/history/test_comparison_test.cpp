@@ -1,5 +1,3 @@
-#include "ballbar/history/test_comparison.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
+#include "ballbar/history/errors_change.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,10 +1,9 @@
-#include "ballbar/history/trend.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "ballbar/history/history.hpp"
 #include "numerics/not_finite.hpp"
 
 namespace ballbar {

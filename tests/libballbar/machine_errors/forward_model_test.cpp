@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
 #include "made_errors.hpp"
 

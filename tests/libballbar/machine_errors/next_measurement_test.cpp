@@ -1,13 +1,11 @@
 // Which measurement separates errors that the recordings do not tell apart.
-#include "ballbar/machine_errors/next_measurement.hpp"
-
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
 #include <vector>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
 #include "made_errors.hpp"
 

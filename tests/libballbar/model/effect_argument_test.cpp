@@ -1,5 +1,5 @@
 // Effects as the command line names them.
-#include "ballbar/model/effect_argument.hpp"
+#include "ballbar/internal/model/effect_argument.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

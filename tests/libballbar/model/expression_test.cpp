@@ -1,11 +1,10 @@
-#include "ballbar/model/expression.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
 #include "ballbar/error.hpp"
+#include "ballbar/model/model.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,5 +1,3 @@
-#include "ballbar/model/live_model.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +5,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/model/expression.hpp"
+#include "ballbar/model/model.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,5 +1,5 @@
 // A drift that is the input of an effect, between its tests.
-#include "ballbar/model/measured_input.hpp"
+#include "model/measured_input.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/model/expression.hpp"
-#include "ballbar/series/merged_series.hpp"
+#include "ballbar/model/model.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar {
 namespace {

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "ballbar/error.hpp"
-#include "ballbar/model/expression.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,4 +1,4 @@
-#include "ballbar/model/recording_base_model.hpp"
+#include "ballbar/internal/model/recording_base_model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ballbar/diagnosis/signatures/identifiability.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/fit/fit.hpp"
 
 namespace ballbar {

@@ -1,5 +1,5 @@
 // Work that is ended from outside.
-#include "ballbar/numerics/interruption.hpp"
+#include "ballbar/internal/numerics/interruption.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 
 namespace ballbar {
 namespace {

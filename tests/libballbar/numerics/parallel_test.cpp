@@ -1,5 +1,5 @@
 // Parts of work on several threads.
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,4 @@
 // What a regression over many batches needs of each.
-#include "ballbar/predict/batch.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <limits>
 
 #include "ballbar/error.hpp"
+#include "ballbar/predict/train.hpp"
 #include "made_batches.hpp"
 
 namespace ballbar {

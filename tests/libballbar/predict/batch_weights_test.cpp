@@ -1,5 +1,5 @@
 // How much each batch counts for a job.
-#include "ballbar/predict/batch_weights.hpp"
+#include "ballbar/internal/predict/batch_weights.hpp"
 
 #include <gtest/gtest.h>
 

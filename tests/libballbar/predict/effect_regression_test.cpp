@@ -1,12 +1,11 @@
 // How well a known system is predicted, what the prediction is made of, and what is refused.
-#include "ballbar/predict/effect_regression.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 
+#include "ballbar/predict/train.hpp"
 #include "made_runs.hpp"
 
 namespace ballbar {

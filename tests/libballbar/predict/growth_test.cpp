@@ -1,9 +1,9 @@
-#include "ballbar/predict/growth.hpp"
+#include "ballbar/internal/predict/growth.hpp"
 
 #include <gtest/gtest.h>
 
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/predict/predictability.hpp"
+#include "ballbar/predict/train.hpp"
 #include "made_runs.hpp"
 
 namespace ballbar {

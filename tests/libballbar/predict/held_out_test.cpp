@@ -1,10 +1,9 @@
-#include "ballbar/predict/held_out.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "ballbar/error.hpp"
+#include "ballbar/predict/train.hpp"
 
 namespace ballbar {
 namespace {

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "allocations.hpp"
-#include "ballbar/predict/effect_regression.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/predict/train.hpp"
+#include "ballbar/series/series.hpp"
 #include "made_runs.hpp"
 
 // The linker sends malloc and calloc of the program and of the library here, so that what Eigen takes is seen.

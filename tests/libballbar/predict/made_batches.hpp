@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "../made_series.hpp"
-#include "ballbar/predict/batch.hpp"
+#include "ballbar/predict/train.hpp"
 
 namespace ballbar::made {
 

@@ -1,8 +1,8 @@
-#include "ballbar/predict/prediction.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "ballbar/predict/predict.hpp"
 
 namespace ballbar {
 namespace {

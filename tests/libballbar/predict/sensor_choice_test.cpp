@@ -1,12 +1,11 @@
 // Sensors of a known system: which are found, what each buys, and what is refused.
-#include "ballbar/predict/sensor_choice.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <random>
 
+#include "ballbar/predict/train.hpp"
 #include "made_runs.hpp"
 
 namespace ballbar {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "ballbar/error.hpp"
-#include "ballbar/predict/effect_regression.hpp"
+#include "ballbar/predict/train.hpp"
 #include "made_runs.hpp"
 
 namespace ballbar {

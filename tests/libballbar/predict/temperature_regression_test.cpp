@@ -1,6 +1,4 @@
 // Regressions from merged moments, against the same by dense decompositions of the stacked rows.
-#include "ballbar/predict/temperature_regression.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -12,6 +10,7 @@
 #include <numeric>
 
 #include "ballbar/error.hpp"
+#include "ballbar/predict/train.hpp"
 #include "made_batches.hpp"
 
 namespace ballbar {

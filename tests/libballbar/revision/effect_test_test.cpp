@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "diagnosis/thresholds.hpp"
+#include "diagnosis/signatures/thresholds.hpp"
 #include "effect_test_of.hpp"
 
 namespace ballbar {

@@ -1,9 +1,9 @@
 // Rows of the ledger.
-#include "ballbar/revision/ledger.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "ballbar/revision/revision.hpp"
 
 namespace ballbar {
 namespace {

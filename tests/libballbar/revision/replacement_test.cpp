@@ -1,8 +1,7 @@
 // An effect that stood in for others is asked again.
-#include "ballbar/revision/replacement.hpp"
-
 #include <gtest/gtest.h>
 
+#include "ballbar/revision/revision.hpp"
 #include "diagnosis/made_drift.hpp"
 
 namespace ballbar {

@@ -1,12 +1,12 @@
-#include "ballbar/series/clock_lag.hpp"
+#include "ballbar/internal/series/clock_lag.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "ballbar/series/column_faults.hpp"
-#include "ballbar/series/zone_shift.hpp"
+#include "ballbar/internal/series/zone_shift.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,4 +1,4 @@
-#include "ballbar/series/continued_run.hpp"
+#include "ballbar/internal/series/continued_run.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,11 @@
 // A drift and its signals on their own clocks become one series.
-#include "ballbar/series/merged_series.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "ballbar/error.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar {
 namespace {

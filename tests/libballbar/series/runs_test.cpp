@@ -1,12 +1,11 @@
-#include "ballbar/series/runs.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/model/run_terms.hpp"
+#include "ballbar/internal/model/run_terms.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar {
 namespace {

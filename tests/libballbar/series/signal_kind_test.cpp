@@ -1,4 +1,4 @@
-#include "ballbar/series/signal_kind.hpp"
+#include "ballbar/internal/series/signal_kind.hpp"
 
 #include <gtest/gtest.h>
 

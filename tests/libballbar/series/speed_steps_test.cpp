@@ -1,4 +1,4 @@
-#include "ballbar/series/speed_steps.hpp"
+#include "ballbar/internal/series/speed_steps.hpp"
 
 #include <gtest/gtest.h>
 

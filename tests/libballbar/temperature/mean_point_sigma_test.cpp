@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ballbar/temperature/mean_point.hpp"
+#include "ballbar/temperature/temperature.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,10 +1,9 @@
-#include "ballbar/temperature/mean_point.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "ballbar/error.hpp"
+#include "ballbar/temperature/temperature.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,12 +1,10 @@
-#include "ballbar/temperature/temperature_image.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "ballbar/error.hpp"
-#include "ballbar/temperature/three_areas.hpp"
+#include "ballbar/temperature/temperature.hpp"
 
 namespace ballbar {
 namespace {

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "cases.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
-#include "ballbar/numerics/parallel.hpp"
 
 namespace ballbar::study {
 namespace {

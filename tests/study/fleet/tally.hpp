@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "ballbar/history/history.hpp"
-#include "ballbar/history/machine_test.hpp"
 
 namespace ballbar::study {
 

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "ballbar/diagnosis/next_test/test_plan.hpp"
-#include "ballbar/model/run_terms.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/diagnosis/next_test/plan.hpp"
+#include "ballbar/internal/model/run_terms.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar::next_test {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "ballbar/diagnosis/next_test/schedule.hpp"
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/next_test/plan.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/series/series.hpp"
 

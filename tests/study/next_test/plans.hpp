@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis/next_test/schedule.hpp"
+#include "ballbar/diagnosis/next_test/plan.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar::next_test {

@@ -22,7 +22,7 @@
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/predict/effect_regression.hpp"
+#include "ballbar/predict/train.hpp"
 #include "made.hpp"
 
 namespace {

@@ -20,7 +20,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "ballbar/predict/effect_regression.hpp"
+#include "ballbar/predict/train.hpp"
 #include "made.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ballbar/diagnosis/next_test/schedule.hpp"
+#include "ballbar/diagnosis/next_test/plan.hpp"
 #include "chance.hpp"
 
 namespace ballbar::verdicts {

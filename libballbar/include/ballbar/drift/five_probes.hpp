@@ -27,7 +27,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/drift/measured_drift.hpp"
+#include "ballbar/drift/drift.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {

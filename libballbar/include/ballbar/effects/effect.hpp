@@ -3,8 +3,8 @@
 // An effect is one constant value in one file of src/effects. That file holds everything about it: fits, searches and
 // tests read the value, and no other code refers to an effect or a parameter by name. The same type serves a drift
 // series (inputs: speed, temperatures ...) and a ballbar recording turned into a series (inputs: angle, direction, feed
-// ...; see trace.hpp). A model is a sum of effects and a constant (model.hpp). A catalogue is a list of effects: the
-// built-in one, or a user's own list, which may extend it.
+// ...; see recording.hpp). A model is a sum of effects and a constant (model.hpp). A catalogue is a list of effects:
+// the built-in one, or a user's own list, which may extend it.
 //
 // An effect returns one value in um per row of the data. It is evaluated over the whole series at once, so that an
 // effect with memory is one recursion, O(n). A `gain` enters linearly and starts at 0, where the effect is off. A
@@ -30,7 +30,7 @@ enum class ParameterKind { gain, shape };
 
 // The rows on which an effect is evaluated: n times and, in the order of Effect::inputs, n values of each input.
 struct EffectRows {
-  std::span<const double> time_s;  // rising; with several runs (runs.hpp), rising within each
+  std::span<const double> time_s;  // rising; with several runs (series.hpp), rising within each
   std::vector<std::span<const double>> inputs;
   std::size_t run = 0;         // index of the run that these rows belong to
   std::vector<double> zero{};  // with several runs: each input in the first row of the first run; else empty
@@ -187,7 +187,7 @@ struct Damping {
 };
 
 // The group of predictors to which an effect belongs in a regression that predicts without naming causes
-// (effect_regression.hpp).
+// (train.hpp).
 enum class PredictorKind {
   source,       // of heat: speed, load
   temperature,  // an effect of one temperature

@@ -1,8 +1,25 @@
-// One model, one data set, and the results computed from both: the fit, where it fails, which effect is missing, what
-// an added effect changed. A result is computed on first request and kept with its model; undo() brings back the
-// previous model together with its results. The workbench reads, writes and prints nothing.
+// One model beside one data set, and the results computed from both: the fit, where it fails, which effect is missing,
+// what an added effect changed.
 //
-// Use one workbench from one thread at a time. Two workbenches in two threads share no state.
+// The loop of ballbar in five calls:
+//
+//   Workbench bench(data, model);
+//   bench.check();                            the fit and the rows where it fails
+//   bench.diagnosis();                        the effect that is missing, or that the data cannot tell
+//   bench.add({term_of("lagged_expansion", {"T_front_degC"})});
+//   bench.added();                            RMSE before and after, evidence, effects still needed
+//   bench.undo();
+//
+// A result is computed on first request and kept with its model. undo() brings back the previous model with its
+// results. All figures of one model are those of one posterior, so that the numbers of diagnosis(), effect_test() and
+// added() agree.
+//
+// The workbench reads, writes and prints nothing. Use one workbench from one thread at a time; two workbenches in two
+// threads share no state. A long call is ended by an Interruption (internal/numerics), and the workbench stays as it
+// was.
+//
+// Cost: check() is a fit, O(rows). diagnosis() is seconds for thousands of rows and tens of columns, because at most
+// 1000 values of the target are used. effect_test() costs about a diagnosis, once for a model.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +27,11 @@
 #include <optional>
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "ballbar/fit/coefficient.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/fit/residual.hpp"
 #include "ballbar/model/model.hpp"
-#include "ballbar/predict/predictability.hpp"
-#include "ballbar/revision/effect_test.hpp"
-#include "ballbar/series/column_faults.hpp"
+#include "ballbar/predict/train.hpp"
+#include "ballbar/revision/revision.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -43,6 +57,7 @@ struct WorkbenchOptions {
   DiagnosisOptions diagnosis;  // `where` is ignored: the workbench fills it in
 };
 
+// The results are references that stay valid until the model changes: until add(), replace() or undo().
 class Workbench {
  public:
   // Works on the model's first target.

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ballbar/effects/effect.hpp"
-#include "ballbar/numerics/range.hpp"
+#include "ballbar/internal/numerics/range.hpp"
 #include "challenge/blind_parts.hpp"
 
 namespace ballbar {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ballbar/numerics/range.hpp"
+#include "ballbar/internal/numerics/range.hpp"
 #include "challenge/blind_parts.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "model/bindings.hpp"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/diagnosis/injection/injection.hpp"
+#include "ballbar/internal/diagnosis/injection/injection.hpp"
 #include "ballbar/lab/challenge/blind.hpp"
 #include "ballbar/lab/simulation/virtual_spindle.hpp"
 #include "numerics/random_streams.hpp"

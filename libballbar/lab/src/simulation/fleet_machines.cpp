@@ -7,11 +7,11 @@
 #include <cctype>
 #include <cmath>
 
-#include "ballbar/circle/trace.hpp"
+#include "ballbar/circle/recording.hpp"
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/history/trend.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/history/history.hpp"
+#include "ballbar/internal/nearest_name.hpp"
 #include "ballbar/units.hpp"
 #include "machine_errors/error_rows.hpp"
 #include "numerics/random_streams.hpp"

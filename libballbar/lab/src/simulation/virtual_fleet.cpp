@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "ballbar/history/trend.hpp"
+#include "ballbar/history/history.hpp"
 #include "ballbar/units.hpp"
 #include "numerics/random_streams.hpp"
 #include "simulation/fleet_machines.hpp"

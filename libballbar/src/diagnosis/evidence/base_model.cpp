@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "ballbar/series/runs.hpp"
+#include "ballbar/series/series.hpp"
 #include "effects/effect_at.hpp"
 
 namespace ballbar {

@@ -8,10 +8,10 @@
 #include <optional>
 #include <set>
 
-#include "ballbar/numerics/interruption.hpp"
-#include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/series/runs.hpp"
-#include "ballbar/series/signal_kind.hpp"
+#include "ballbar/internal/numerics/interruption.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/internal/series/signal_kind.hpp"
+#include "ballbar/series/series.hpp"
 #include "noise/linear_filter.hpp"
 #include "series/resolution.hpp"
 #include "series/saturated_rows.hpp"

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis/tuning.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {

@@ -1,4 +1,4 @@
-#include "ballbar/diagnosis/injection/injection.hpp"
+#include "ballbar/internal/diagnosis/injection/injection.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
-#include "ballbar/numerics/range.hpp"
+#include "ballbar/internal/numerics/range.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
-#include "diagnosis/thresholds.hpp"
+#include "diagnosis/signatures/thresholds.hpp"
 #include "fit/model_columns.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"

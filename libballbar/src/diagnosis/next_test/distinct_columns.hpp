@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/series/series.hpp"
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 #include "diagnosis/next_test/planned_inputs.hpp"
 #include "numerics/random_streams.hpp"
 #include "series/standstill.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis/next_test/test_plan.hpp"
+#include "ballbar/diagnosis/next_test/plan.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {

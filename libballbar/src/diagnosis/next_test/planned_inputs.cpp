@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "ballbar/model/measured_input.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/series/series.hpp"
+#include "model/measured_input.hpp"
 #include "numerics/interpolation.hpp"
 #include "numerics/random_streams.hpp"
 #include "series/resolution.hpp"

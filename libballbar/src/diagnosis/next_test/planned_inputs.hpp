@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/diagnosis/next_test/schedule.hpp"
+#include "ballbar/diagnosis/next_test/plan.hpp"
 #include "ballbar/series/series.hpp"
 #include "diagnosis/next_test/thermal_forecast.hpp"
 

@@ -6,10 +6,10 @@
 #include <thread>
 #include <utility>
 
-#include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/model/run_terms.hpp"
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/model/run_terms.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "noise/discrepancy_grid.hpp"
 #include "numerics/random_streams.hpp"

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "ballbar/diagnosis/next_test/test_plan.hpp"
+#include "ballbar/diagnosis/next_test/plan.hpp"
 #include "diagnosis/next_test/planned_inputs.hpp"
 #include "diagnosis/next_test/truths.hpp"
 

@@ -1,5 +1,3 @@
-#include "ballbar/diagnosis/next_test/test_plan.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,9 +6,10 @@
 #include <string_view>
 #include <utility>
 
-#include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/diagnosis/next_test/plan.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/model/run_terms.hpp"
+#include "ballbar/internal/model/run_terms.hpp"
 #include "diagnosis/next_test/distinct_columns.hpp"
 #include "diagnosis/next_test/menu.hpp"
 #include "diagnosis/next_test/simulated_tests.hpp"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "ballbar/series/runs.hpp"
+#include "ballbar/series/series.hpp"
 #include "effects/low_pass.hpp"
 
 namespace ballbar {

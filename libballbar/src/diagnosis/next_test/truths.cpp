@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
-#include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/series/series.hpp"
 #include "diagnosis/next_test/planned_inputs.hpp"
 #include "diagnosis/posterior/set_regression.hpp"
 #include "model/model_rows.hpp"

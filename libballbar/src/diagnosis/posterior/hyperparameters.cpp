@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "diagnosis/evidence/linear_model.hpp"
 #include "noise/discrepancy_grid.hpp"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "ballbar/model/bound_effect.hpp"
+#include "ballbar/model/model.hpp"
 #include "diagnosis/posterior/posterior.hpp"
 
 namespace ballbar {

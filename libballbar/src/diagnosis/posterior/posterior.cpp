@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "diagnosis/posterior/hyperparameters.hpp"
 #include "diagnosis/posterior/ibss.hpp"
 #include "diagnosis/posterior/search.hpp"

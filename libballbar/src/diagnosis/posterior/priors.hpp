@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ballbar/diagnosis/tuning.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "diagnosis/evidence/logged_inputs.hpp"
 #include "diagnosis/posterior/problem.hpp"
 #include "diagnosis/signatures/signature_library.hpp"

@@ -8,7 +8,7 @@
 
 #include "diagnosis/posterior/priors.hpp"
 #include "diagnosis/signatures/any_form.hpp"
-#include "diagnosis/thresholds.hpp"
+#include "diagnosis/signatures/thresholds.hpp"
 #include "effects/effect_at.hpp"
 #include "model/resolved_periods.hpp"
 #include "series/subsampled.hpp"

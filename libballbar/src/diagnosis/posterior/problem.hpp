@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis/posterior/search_options.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/series/series.hpp"

@@ -13,7 +13,7 @@
 
 #include "diagnosis/evidence/linear_model.hpp"
 #include "diagnosis/posterior/identities.hpp"
-#include "diagnosis/thresholds.hpp"
+#include "diagnosis/signatures/thresholds.hpp"
 #include "noise/whitening.hpp"
 
 namespace ballbar {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "ballbar/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
 #include "diagnosis/posterior/hyperparameters.hpp"
 #include "diagnosis/posterior/linearisation.hpp"
 #include "noise/whitening.hpp"

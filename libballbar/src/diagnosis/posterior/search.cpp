@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "diagnosis/evidence/shape_fit.hpp"
 #include "diagnosis/posterior/conditional_fit.hpp"
 #include "diagnosis/posterior/hyperparameters.hpp"

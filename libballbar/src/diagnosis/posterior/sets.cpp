@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "diagnosis/evidence/linear_model.hpp"
 #include "diagnosis/posterior/conditional_fit.hpp"
 #include "diagnosis/posterior/hyperparameters.hpp"

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "diagnosis/thresholds.hpp"
+#include "diagnosis/signatures/thresholds.hpp"
 
 namespace ballbar {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/model/measured_input.hpp"
-#include "ballbar/series/runs.hpp"
+#include "ballbar/series/series.hpp"
 #include "effects/low_pass.hpp"
+#include "model/measured_input.hpp"
 
 namespace ballbar {
 namespace {

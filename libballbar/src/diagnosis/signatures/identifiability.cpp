@@ -1,15 +1,14 @@
-#include "ballbar/diagnosis/signatures/identifiability.hpp"
-
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
-#include "diagnosis/thresholds.hpp"
+#include "diagnosis/signatures/thresholds.hpp"
 #include "fit/model_columns.hpp"
 #include "model/bindings.hpp"
 #include "model/resolved_periods.hpp"

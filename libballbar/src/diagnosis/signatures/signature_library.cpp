@@ -6,11 +6,11 @@
 #include <numeric>
 #include <utility>
 
-#include "ballbar/model/measured_input.hpp"
-#include "ballbar/numerics/parallel.hpp"
-#include "diagnosis/thresholds.hpp"
+#include "ballbar/internal/numerics/parallel.hpp"
+#include "diagnosis/signatures/thresholds.hpp"
 #include "effects/effect_at.hpp"
 #include "model/bindings.hpp"
+#include "model/measured_input.hpp"
 #include "model/resolved_periods.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"

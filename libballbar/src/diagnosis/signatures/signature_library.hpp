@@ -12,9 +12,8 @@
 #include <vector>
 
 #include "ballbar/circle/recording.hpp"
-#include "ballbar/diagnosis/signatures/identifiability.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/model/bound_effect.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/series/series.hpp"
 #include "noise/whitening.hpp"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "diagnosis/posterior/posterior.hpp"
 
 namespace ballbar {

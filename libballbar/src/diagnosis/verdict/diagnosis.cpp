@@ -1,5 +1,3 @@
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,13 +6,14 @@
 #include <set>
 #include <utility>
 
-#include "ballbar/numerics/order_statistic.hpp"
-#include "ballbar/numerics/range.hpp"
-#include "ballbar/series/far_readings.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/range.hpp"
+#include "ballbar/internal/series/far_readings.hpp"
 #include "diagnosis/posterior/inference.hpp"
 #include "diagnosis/posterior/set_regression.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
-#include "diagnosis/thresholds.hpp"
+#include "diagnosis/signatures/thresholds.hpp"
 #include "diagnosis/verdict/credible_set.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/discrepancy.hpp"

@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "ballbar/numerics/range.hpp"
+#include "ballbar/internal/numerics/range.hpp"
 #include "diagnosis/evidence/shape_fit.hpp"
 #include "model/model_rows.hpp"
 

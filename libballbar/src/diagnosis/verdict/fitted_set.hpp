@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/candidate.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "ballbar/model/model.hpp"
 #include "diagnosis/posterior/posterior.hpp"
 

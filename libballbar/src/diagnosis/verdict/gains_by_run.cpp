@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ballbar/series/runs.hpp"
+#include "ballbar/series/series.hpp"
 #include "diagnosis/posterior/hyperparameters.hpp"
 #include "diagnosis/posterior/linearisation.hpp"
 #include "numerics/tails.hpp"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "diagnosis/posterior/posterior.hpp"
 
 namespace ballbar {

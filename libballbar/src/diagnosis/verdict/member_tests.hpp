@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/candidate.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "diagnosis/posterior/inference.hpp"
 #include "diagnosis/posterior/set_regression.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"

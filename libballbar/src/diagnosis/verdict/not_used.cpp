@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "ballbar/series/signal_kind.hpp"
+#include "ballbar/internal/series/signal_kind.hpp"
 
 namespace ballbar {
 

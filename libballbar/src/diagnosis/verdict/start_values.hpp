@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "ballbar/model/bound_effect.hpp"
 #include "ballbar/model/model.hpp"
 #include "diagnosis/posterior/inference.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/diagnosis/signatures/search.hpp"
 
 namespace ballbar {
 namespace {

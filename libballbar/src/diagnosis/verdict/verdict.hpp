@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 
 namespace ballbar {
 

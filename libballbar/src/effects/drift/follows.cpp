@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "ballbar/series/signal_kind.hpp"
+#include "ballbar/internal/series/signal_kind.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/low_pass.hpp"
 

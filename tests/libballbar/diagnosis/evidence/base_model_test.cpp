@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "diagnosis/evidence/shape_fit.hpp"
-#include "diagnosis/thresholds.hpp"
+#include "diagnosis/signatures/thresholds.hpp"
 
 namespace ballbar {
 namespace {

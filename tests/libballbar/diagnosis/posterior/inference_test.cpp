@@ -9,7 +9,7 @@
 
 #include "diagnosis/made_drift.hpp"
 #include "diagnosis/outcome.hpp"
-#include "diagnosis/thresholds.hpp"
+#include "diagnosis/signatures/thresholds.hpp"
 
 namespace ballbar {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "diagnosis/made_drift.hpp"
-#include "diagnosis/thresholds.hpp"
+#include "diagnosis/signatures/thresholds.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"
 
 namespace ballbar {

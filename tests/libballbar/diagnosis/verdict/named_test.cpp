@@ -7,10 +7,10 @@
 #include <string>
 #include <tuple>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "diagnosis/made_drift.hpp"
 #include "diagnosis/outcome.hpp"
-#include "diagnosis/thresholds.hpp"
+#include "diagnosis/signatures/thresholds.hpp"
 
 namespace ballbar {
 namespace {

@@ -25,7 +25,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/compensation/linear_compensation.hpp"
+#include "ballbar/compensation/compensation.hpp"
 
 namespace ballbar {
 

@@ -19,7 +19,7 @@
 #include <string>
 #include <string_view>
 
-#include "ballbar/predict/temperature_regression.hpp"
+#include "ballbar/predict/train.hpp"
 
 namespace ballbar {
 

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/compensation/compensated_axes.hpp"
+#include "ballbar/compensation/compensation.hpp"
 
 namespace ballbar {
 

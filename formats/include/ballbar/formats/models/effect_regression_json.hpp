@@ -22,7 +22,7 @@
 #include <string>
 #include <string_view>
 
-#include "ballbar/predict/effect_regression.hpp"
+#include "ballbar/predict/train.hpp"
 
 namespace ballbar {
 

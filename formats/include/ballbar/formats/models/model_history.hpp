@@ -1,4 +1,4 @@
-// The [[history]] of a model `.toml`: the ledger (ledger.hpp), with the text that is needed to undo a revision.
+// The [[history]] of a model `.toml`: the ledger (revision.hpp), with the text that is needed to undo a revision.
 //
 //   [[history]]
 //   revision = 0                             # the model as it started
@@ -33,7 +33,7 @@
 #include <vector>
 
 #include "ballbar/model/model.hpp"
-#include "ballbar/revision/ledger.hpp"
+#include "ballbar/revision/revision.hpp"
 
 namespace ballbar {
 

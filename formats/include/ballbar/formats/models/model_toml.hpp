@@ -10,7 +10,7 @@
 //   gain_um_per_K = 2.2                      # a plain number is held
 //   time_constant_s = { start = 600, lower = 60, upper = 7200 }  # free; default: values of the catalogue
 //   [[effect]]
-//   name = "expression"                      # see expression.hpp
+//   name = "expression"                      # see model.hpp
 //   formula = "k * lag(T_oil_degC - T_air_degC, tau)"
 //   k = { start = 0.0, unit = "um/K" }       # bounds are infinite by default; held = true holds it
 //   tau = { start = 600.0, lower = 10.0, upper = 20000.0, unit = "s" }

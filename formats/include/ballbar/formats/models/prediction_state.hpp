@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "ballbar/model/live_model.hpp"
+#include "ballbar/model/model.hpp"
 
 namespace ballbar {
 

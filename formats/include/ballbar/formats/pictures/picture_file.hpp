@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/temperature/picture.hpp"
+#include "ballbar/temperature/temperature.hpp"
 
 namespace ballbar {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/circle/circle_fit.hpp"
+#include "ballbar/circle/circle.hpp"
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/formats/recordings/b5r.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"

@@ -1,7 +1,7 @@
 // What a model may lack, as results.
 #pragma once
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "ballbar/formats/results/fit_results.hpp"
 
 namespace ballbar {

@@ -5,10 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/drift/course.hpp"
 #include "ballbar/drift/drift.hpp"
 #include "ballbar/drift/five_probes.hpp"
-#include "ballbar/drift/settling.hpp"
 #include "ballbar/drift/thermal_test.hpp"
 #include "ballbar/formats/results/schema.hpp"
 #include "ballbar/series/series.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/fit/residual.hpp"
 #include "ballbar/formats/results/result_type.hpp"
 
 namespace ballbar {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/diagnosis/next_test/schedule.hpp"
+#include "ballbar/diagnosis/next_test/plan.hpp"
 
 namespace ballbar {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "ballbar/diagnosis/next_test/schedule.hpp"
+#include "ballbar/diagnosis/next_test/plan.hpp"
 
 namespace ballbar {
 

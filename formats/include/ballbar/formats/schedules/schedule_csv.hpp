@@ -10,7 +10,7 @@
 
 #include <string>
 
-#include "ballbar/diagnosis/next_test/schedule.hpp"
+#include "ballbar/diagnosis/next_test/plan.hpp"
 
 namespace ballbar {
 

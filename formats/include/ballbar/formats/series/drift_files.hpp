@@ -8,10 +8,9 @@
 #include <vector>
 
 #include "ballbar/drift/drift.hpp"
-#include "ballbar/drift/measured_drift.hpp"
 #include "ballbar/formats/results/drift_results.hpp"
+#include "ballbar/internal/series/speed_steps.hpp"
 #include "ballbar/series/series.hpp"
-#include "ballbar/series/speed_steps.hpp"
 
 namespace ballbar {
 

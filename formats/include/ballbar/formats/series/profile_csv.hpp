@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/temperature/mean_point.hpp"
+#include "ballbar/temperature/temperature.hpp"
 
 namespace ballbar {
 

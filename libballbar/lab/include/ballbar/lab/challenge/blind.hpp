@@ -35,7 +35,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/noise/noise.hpp"
 #include "ballbar/series/series.hpp"

@@ -42,7 +42,7 @@
 #include <vector>
 
 #include "ballbar/series/series.hpp"
-#include "ballbar/temperature/mean_point.hpp"
+#include "ballbar/temperature/temperature.hpp"
 
 namespace ballbar {
 
