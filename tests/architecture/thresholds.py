@@ -20,7 +20,7 @@ def values_of(room):
             text = path.read_text(encoding="utf-8")
             for name, value in re.findall(r"constexpr (?:double|std::size_t) (k\w+) = ([-\d.e]+);", text):
                 values.setdefault(name, set()).add(float(value))
-            if path.name == "tuning.hpp":
+            if "struct Tuning" in text:
                 for name, value in re.findall(r"^  (?:double|int|std::size_t) (\w+) = ([-\d.e]+);", text, re.M):
                     values.setdefault(name, set()).add(float(value))
     return values

@@ -54,7 +54,7 @@ const EffectSet& set_with(const Posterior& posterior, const EffectSet& alone) {
   const EffectSet& best = posterior.sets[posterior.best];
   if (has_them(best)) return best;
   const auto listed = std::find_if(posterior.sets.begin(), posterior.sets.end(),
-                                   [&](const EffectSet& set) { return set.held == 0 && has_them(set); });
+                                   [&](const EffectSet& set) { return !set.freed && has_them(set); });
   return listed == posterior.sets.end() ? alone : *listed;
 }
 
@@ -62,6 +62,12 @@ const EffectSet& set_with(const Posterior& posterior, const EffectSet& alone) {
 void test_added(Inference& found, const std::vector<Term>& terms, const Series& data, std::size_t target,
                 EffectTest& result) {
   const std::vector<BoundEffect> bounds = bounds_of(terms);
+  for (std::size_t t = 1; t < terms.size(); ++t) {
+    const auto twice = std::find(bounds.begin(), bounds.begin() + static_cast<std::ptrdiff_t>(t), bounds[t]);
+    if (*twice == bounds[t] && twice - bounds.begin() < static_cast<std::ptrdiff_t>(t))
+      throw Error(fmt::format("{} and {}: expected an effect once in a revision; add one, then the other",
+                              label_of(terms[static_cast<std::size_t>(twice - bounds.begin())]), label_of(terms[t])));
+  }
   const EffectSet* alone = set_of_all(found, bounds);
   if (alone == nullptr) {
     for (const BoundEffect& bound : bounds) result.added.push_back(untestable_candidate(bound));
@@ -76,9 +82,9 @@ void test_added(Inference& found, const std::vector<Term>& terms, const Series& 
     result.beside.push_back(label_of(found.problem->library.families[family].bound));
   result.after.likelihood_ratio = std::max(0.0, log_bayes_factor_beside(found, set, others));
   const FittedSet fitted = fitted_set(*found.problem, found.posterior, set, true);
-  if (others.empty() && set.held == 0) result.parameters = fitted.parameters;
-  if (set.held > 0) {
-    const FittedParameter& freed = fitted.parameters[found.problem->held[set.held - 1].parameter];
+  if (others.empty() && !set.freed) result.parameters = fitted.parameters;
+  if (set.freed) {
+    const FittedParameter& freed = fitted.parameters[found.problem->held[*set.freed].parameter];
     result.freed = FreedParameter{freed.effect, freed.name};
   }
   const SetRegression at = set_regression(*found.problem, found.posterior, set);

@@ -9,7 +9,7 @@
 
 namespace ballbar {
 
-inline constexpr std::size_t kMostTested = 1500;  // values of the target, as diagnose() searches
+inline constexpr std::size_t kMostTested = 1500;  // values of the target in a preflight
 
 // The same rows with every k-th value of the target, so that at most `most` remain, and gaps elsewhere. In addition 3 k
 // values, at most 120, are kept on either side of each moment in `whole_about_s`. Inputs stay complete, so that effects

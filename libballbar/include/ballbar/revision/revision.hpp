@@ -44,7 +44,7 @@ struct LedgerRow {
 };
 
 // The row of a model fitted to all rows. held_out_um leaves out the stretches between changes of speed, or fifths of
-// the time without a speed, with the noise of the model itself. Series with more than 1500 values of the target use
+// the time without a speed, with the noise of the model itself. Series with more than 1000 values of the target use
 // every second, third ... value for it. The other members have their default values.
 LedgerRow row_of(const Model& model, const Series& data, std::size_t target = 0);
 

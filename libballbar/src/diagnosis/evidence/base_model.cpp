@@ -7,14 +7,10 @@
 
 #include "ballbar/series/series.hpp"
 #include "effects/effect_at.hpp"
+#include "numerics/standard_deviation.hpp"
 
 namespace ballbar {
 namespace {
-
-double deviation_of(const Eigen::VectorXd& column) {
-  const double mean = column.mean();
-  return std::sqrt((column.array() - mean).square().mean());
-}
 
 // The column shifted in time, linear between the rows and constant beyond them.
 std::vector<double> shifted(const std::vector<double>& time_s, const std::vector<double>& values, double by_s) {
@@ -66,8 +62,8 @@ BaseColumns BaseModel::at(const std::vector<double>& parameters, const std::vect
   } else if (model_.constant_um) {
     result.y.array() -= *model_.constant_um;
   }
-  std::size_t place = 1;
   for (std::size_t t = 0; t < model_.terms.size(); ++t) {
+    const std::size_t place = rows_.offset(t);
     Eigen::MatrixXd slopes;
     Eigen::VectorXd values = rows_.term(t, parameters.data() + place, &slopes);
     const std::size_t count = model_.terms[t].settings.size();
@@ -78,7 +74,7 @@ BaseColumns BaseModel::at(const std::vector<double>& parameters, const std::vect
       const bool forced = std::find(free.begin(), free.end(), index) != free.end();
       const bool is_gain = parameters_[index]->kind == ParameterKind::gain;
       if ((setting.held && !forced) || index == fixed) continue;
-      const double deviation = deviation_of(slope);
+      const double deviation = standard_deviation(slope);
       if (!slope.allFinite() || !(deviation > 1e-12)) continue;
       if (is_gain) {
         // What remains is linear in it.
@@ -92,7 +88,6 @@ BaseColumns BaseModel::at(const std::vector<double>& parameters, const std::vect
       }
     }
     result.y -= values;
-    place += count;
   }
   result.values.resize(n, static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k) result.values.col(static_cast<Eigen::Index>(k)) = columns[k];

@@ -38,7 +38,6 @@ class BaseModel {
   BaseModel(const Model& model, const LoggedInputs& logged, const Eigen::VectorXd& y,
             const std::vector<std::size_t>& rows);
 
-  const Model& model() const { return model_; }
   const Eigen::VectorXd& y() const { return y_; }
   const ModelRows& rows() const { return rows_; }
   bool is_constant_free() const { return model_.level == Level::series && !model_.constant_um; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -28,24 +29,17 @@ double range_within(const std::vector<double>& values) {
   return *high - *low;
 }
 
-// Rows for which a logger holds a value: all changes are so many rows apart or a multiple of it; 1: none.
-std::size_t held_rows(const std::vector<double>& values, const Tuning& tuning) {
+// Rows for which a logger holds a value: all changes are so many rows apart or a multiple of it; 1: it does not.
+// nullopt: the column changes too seldom to tell.
+std::optional<std::size_t> held_rows(const std::vector<double>& values, const Tuning& tuning) {
   std::vector<std::size_t> changes;
   for (std::size_t i = 1; i < values.size(); ++i) {
     if (values[i] != values[i - 1]) changes.push_back(i);
   }
-  if (changes.size() < tuning.fewest_changes) return 1;
+  if (changes.size() < tuning.fewest_changes) return std::nullopt;
   std::size_t common = 0;
-  for (std::size_t k = 1; k < changes.size(); ++k) {
-    std::size_t a = common, b = changes[k] - changes[k - 1];
-    while (b != 0) {
-      const std::size_t rest = a % b;
-      a = b;
-      b = rest;
-    }
-    common = a;
-    if (common == 1) return 1;
-  }
+  for (std::size_t k = 1; k < changes.size() && common != 1; ++k)
+    common = std::gcd(common, changes[k] - changes[k - 1]);
   return common;
 }
 
@@ -306,9 +300,10 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
   std::size_t held = 0, ramped = 0;
   for (const Column& column : data.columns) {
     if (!is_temperature(column) || !is_whole(column.values) || !even) continue;
-    const std::size_t rows = held_rows(column.values, tuning);
-    if (held == 0 || rows < held) held = rows;
-    const std::size_t lines = rows > 1 ? 1 : ramped_rows(column.values, tuning);
+    const std::optional<std::size_t> rows = held_rows(column.values, tuning);
+    if (!rows) continue;
+    if (held == 0 || *rows < held) held = *rows;
+    const std::size_t lines = *rows > 1 ? 1 : ramped_rows(column.values, tuning);
     ramped = std::max(ramped, lines);
   }
   held = std::max<std::size_t>(1, held);
@@ -319,7 +314,7 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
     LoggedInput input;
     input.column = column.name;
     if (column.role == Role::speed || column.role == Role::load) {
-      const std::size_t own = even ? held_rows(column.values, tuning) : 1;
+      const std::size_t own = even ? held_rows(column.values, tuning).value_or(1) : 1;
       const std::size_t rows = held > 1 || ramped > 1
                                    ? std::max(held, ramped)
                                    : (static_cast<double>(own) * step_s <= tuning.longest_sample_s ? own : 1);
@@ -333,7 +328,7 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
     } else if (is_temperature(column) || (kind == SignalKind::smooth && column.role != Role::measured)) {
       input.at_end = saturated_rows(
           column.values, {tuning.fewest_at_end, tuning.least_at_end, tuning.small_step, tuning.fewest_changes});
-      const std::size_t rows = even ? held_rows(column.values, tuning) : 1;
+      const std::size_t rows = even ? held_rows(column.values, tuning).value_or(1) : 1;
       const std::size_t sample = std::max(rows, even ? ramped_rows(column.values, tuning) : 1);
       input.sample_s = static_cast<double>(sample) * step_s;
       // Rows far apart are read one by one, each within a short time.

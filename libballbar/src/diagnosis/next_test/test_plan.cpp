@@ -133,7 +133,7 @@ void add_inseparable_by_model(const TestDesign& design, const Diagnosis& now, co
   const std::vector<EffectSet>& sets = design.found.posterior.sets;
   for (std::size_t s = 0; s < sets.size(); ++s) {
     const BoundEffect* effect = only_effect(design.found, sets[s]);
-    if (effect == nullptr || sets[s].held != 0 || effect->effect->time_only) continue;
+    if (effect == nullptr || sets[s].freed || effect->effect->time_only) continue;
     const bool is_in_question = std::any_of(now.effects.begin(), now.effects.end(), [&](const EffectProbability& one) {
       return one.bound == *effect && one.p >= kInQuestion;
     });

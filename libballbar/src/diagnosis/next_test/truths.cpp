@@ -52,7 +52,7 @@ const PossibleSet& PossibleSets::at(std::size_t set) {
   const EffectSet& one = posterior.sets[set];
   result.problem = inference_.problem.get();
   for (const std::size_t f : one.families) result.effects.push_back(result.problem->library.families[f].bound);
-  result.has_other_value = one.held > 0;
+  result.has_other_value = one.freed.has_value();
   result.fitted = fitted_set(*result.problem, posterior, one, false);
   result.noise = result.slow = posterior.filters[one.filter].covariance;
   result.variance = set_regression(*result.problem, posterior, one).solution.variance;
@@ -133,7 +133,10 @@ std::vector<double> readings_um(const Truth& truth, const Series& run, double re
   const double sigma = std::sqrt(truth.set->variance);
   for (double& value : values) value += sigma * std::sqrt(noise.white) * simulation::normal(random);
   add_memory(sigma * std::sqrt(noise.correlated), noise.time_s, run.time_s, random, values);
-  if (truth.slow) add_slow(sigma * std::sqrt(noise.slow), noise.slow_time_s, run.time_s, random, values);
+  if (truth.slow) {
+    const auto add_discrepancy = noise.slow_is_rough ? add_memory : add_slow;
+    add_discrepancy(sigma * std::sqrt(noise.slow), noise.slow_time_s, run.time_s, random, values);
+  }
   for (double& value : values) value = simulation::rounded(value, resolution_um);
   return values;
 }

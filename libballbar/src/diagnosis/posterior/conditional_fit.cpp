@@ -30,8 +30,10 @@ std::pair<Model, std::vector<double>> with_effects(const Problem& problem, const
 }
 
 // The prior of a shape reaches as far as its grid: beyond it, a lag of nearly 0 would stand for the effect without one.
-double within_grid(const Parameter& parameter, double value) {
-  if (parameter.grid.size() < 2) return value;
+// A range that the user states is the prior.
+double within_prior(const Parameter& parameter, const Setting* given, double value) {
+  const bool is_stated = given != nullptr && (given->lower != parameter.lower || given->upper != parameter.upper);
+  if (parameter.grid.size() < 2 || is_stated) return value;
   const auto [low, high] = std::minmax_element(parameter.grid.begin(), parameter.grid.end());
   return std::clamp(value, *low, *high);
 }
@@ -49,7 +51,7 @@ ShapeFit fit_together(const Problem& problem, const Linearisation& linearisation
       term.settings[k].held = term.settings[k].held || term.effect->parameters[k].kind != ParameterKind::gain;
   }
   const BaseModel with(model, problem.logged, problem.y, problem.base.row);
-  return shape_fit(with, start, free_of(problem, linearisation.held), linearisation.open, filter.whitening,
+  return shape_fit(with, start, free_of(problem, linearisation.freed), linearisation.open, filter.whitening,
                    problem.known, kSearched);
 }
 
@@ -66,11 +68,12 @@ std::vector<std::size_t> signatures_at(Problem& problem, std::vector<std::size_t
   for (std::size_t& i : signatures) {
     const std::size_t family = problem.library.signatures[i].family;
     const std::vector<Parameter>& parameters = problem.library.families[family].bound.effect->parameters;
+    const Term* given = given_term(problem, problem.library.families[family].bound);
     std::vector<double> shape = problem.library.signatures[i].point;
     bool moved = false;
     for (std::size_t k = 0; k < shape.size(); ++k, ++place) {
       if (parameters[k].kind == ParameterKind::gain) continue;
-      const double value = within_grid(parameters[k], fitted[place]);
+      const double value = within_prior(parameters[k], given != nullptr ? &given->settings[k] : nullptr, fitted[place]);
       moved = moved || std::abs(value - shape[k]) > problem.tuning.same_shape * std::abs(shape[k]);
       shape[k] = value;
     }

@@ -137,8 +137,7 @@ IbssOptions ibss_options(const Problem& problem, const Identities& identities, s
   IbssOptions options;
   SinglePrior prior{std::log(problem.tuning.none), identities.log_prior};
   for (double& one : prior.log_identity) one += std::log1p(-problem.tuning.none);
-  for (std::size_t i = problem.effects;
-       i < identities.families && (forms == Forms::no || !(problem.tuning.forms > 0.0)); ++i)
+  for (std::size_t i = problem.effects; i < identities.families && forms == Forms::no; ++i)
     prior.log_identity[i] = kLogZero;
   options.priors = {std::move(prior)};
   options.largest = largest;

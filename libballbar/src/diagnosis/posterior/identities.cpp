@@ -7,18 +7,18 @@
 #include <utility>
 
 #include "diagnosis/evidence/linear_model.hpp"
+#include "numerics/standard_deviation.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr std::size_t kRowsAtEnds = 2;  // at either end of the rows no jump is looked for
 
-// The values of a held parameter to try.
-std::vector<double> other_values(const HeldParameter& held, const Parameter& parameter) {
-  if (parameter.kind == ParameterKind::gain)
-    return {std::isfinite(held.fitted) ? held.fitted : held.value + 1.0};  // all alike
+// The values of a held parameter to try. fitted: that of a fit.
+std::vector<double> other_values(const HeldParameter& held, double fitted, const Parameter& parameter) {
+  if (parameter.kind == ParameterKind::gain) return {std::isfinite(fitted) ? fitted : held.value + 1.0};  // all alike
   std::vector<double> values;
-  if (std::isfinite(held.fitted)) values.push_back(held.fitted);
+  if (std::isfinite(fitted)) values.push_back(fitted);
   if (parameter.unit != "s") {
     std::copy_if(parameter.grid.begin(), parameter.grid.end(), std::back_inserter(values),
                  [&](double value) { return std::abs(value - held.value) > 1e-9; });
@@ -44,12 +44,13 @@ struct HeldColumn {
   Eigen::VectorXd values;
 };
 
-std::vector<HeldColumn> held_columns(const Problem& problem, const Linearisation& linearisation, std::size_t k) {
+std::vector<HeldColumn> held_columns(const Problem& problem, const Linearisation& linearisation, std::size_t k,
+                                     double fitted) {
   const std::size_t place = problem.held[k].parameter;
   std::vector<HeldColumn> found;
-  for (const double value : other_values(problem.held[k], problem.base_model->parameter(place))) {
+  for (const double value : other_values(problem.held[k], fitted, problem.base_model->parameter(place))) {
     Eigen::VectorXd column = difference(problem, linearisation, place, value);
-    const double mean = column.mean(), deviation = std::sqrt((column.array() - mean).square().mean());
+    const double deviation = standard_deviation(column);
     if (!column.allFinite() || !(deviation > 1e-9)) continue;
     found.push_back({{problem.library.families.size() + k, 0, 1, 0.0, kNoSignature, value}, column / deviation});
   }
@@ -111,7 +112,8 @@ bool jumps(const Problem& problem, std::size_t family) {
   return std::is_sorted(problem.time_s.begin(), problem.time_s.end());
 }
 
-Identities identities_of(const Problem& problem, const Linearisation& linearisation) {
+Identities identities_of(const Problem& problem, const Linearisation& linearisation,
+                         const std::vector<double>& fitted_values) {
   Identities result;
   const SignatureLibrary& library = problem.library;
   const Eigen::Index n = problem.signatures.rows();
@@ -132,7 +134,7 @@ Identities identities_of(const Problem& problem, const Linearisation& linearisat
   }
   std::vector<HeldColumn> held;
   for (std::size_t k = 0; k < problem.held.size(); ++k) {
-    std::vector<HeldColumn> columns = held_columns(problem, linearisation, k);
+    std::vector<HeldColumn> columns = held_columns(problem, linearisation, k, fitted_values[k]);
     std::move(columns.begin(), columns.end(), std::back_inserter(held));
   }
   const Eigen::Index behind = problem.signatures.cols();

@@ -45,8 +45,10 @@ Eigen::VectorXd combination_of(const Identities& identities,
 // Whether this effect has only a gain and a moment, and the times of the rows rise.
 bool jumps(const Problem& problem, std::size_t family);
 
-// With held values evaluated at the parameters of the linearisation.
-Identities identities_of(const Problem& problem, const Linearisation& linearisation);
+// With held values evaluated at the parameters of the linearisation. fitted_values: of each held value the one that a
+// fit finds in its place.
+Identities identities_of(const Problem& problem, const Linearisation& linearisation,
+                         const std::vector<double>& fitted_values);
 
 // Keeps only these identities; the others keep their indices but have no shapes.
 Identities restricted(const Identities& all, const std::vector<std::size_t>& identities);

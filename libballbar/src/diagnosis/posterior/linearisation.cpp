@@ -9,20 +9,21 @@
 
 namespace ballbar {
 
-Linearisation linearisation_at(const Problem& problem, std::size_t held, std::vector<double> parameters) {
+Linearisation linearisation_at(const Problem& problem, std::optional<std::size_t> freed,
+                               std::vector<double> parameters) {
   Eigen::MatrixXd open = problem.base_model->delays_at(parameters, problem.tuning);
-  return linearisation_at(problem, held, std::move(parameters), with_levels(problem, std::move(open)));
+  return linearisation_at(problem, freed, std::move(parameters), with_levels(problem, std::move(open)));
 }
 
-Linearisation linearisation_at(const Problem& problem, std::size_t held, std::vector<double> parameters,
+Linearisation linearisation_at(const Problem& problem, std::optional<std::size_t> freed, std::vector<double> parameters,
                                Eigen::MatrixXd open) {
-  LinearModel linear = linear_model_of(problem.base_model->at(parameters, free_of(problem, held)), open);
-  return {held, std::move(parameters), std::move(open), std::move(linear)};
+  LinearModel linear = linear_model_of(problem.base_model->at(parameters, free_of(problem, freed)), open);
+  return {freed, std::move(parameters), std::move(open), std::move(linear)};
 }
 
-std::vector<std::size_t> free_of(const Problem& problem, std::size_t held) {
-  if (held == 0) return {};
-  return {problem.held[held - 1].parameter};
+std::vector<std::size_t> free_of(const Problem& problem, std::optional<std::size_t> freed) {
+  if (!freed) return {};
+  return {problem.held[*freed].parameter};
 }
 
 LinearModel with_any_forms(const Problem& problem, LinearModel linear) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "diagnosis/posterior/problem.hpp"
@@ -10,19 +11,20 @@
 namespace ballbar {
 
 struct Linearisation {
-  std::size_t held = 0;  // 0: the unchanged model; else HeldParameter held - 1 is free
+  std::optional<std::size_t> freed;  // index into Problem::held; nullopt: the unchanged model
   std::vector<double> parameters;
   Eigen::MatrixXd open;  // n by k: delays of inputs, levels of the target
   LinearModel linear;    // with the readings, and the open columns last
 };
 
 // open: by default those at the parameters.
-Linearisation linearisation_at(const Problem& problem, std::size_t held, std::vector<double> parameters);
-Linearisation linearisation_at(const Problem& problem, std::size_t held, std::vector<double> parameters,
+Linearisation linearisation_at(const Problem& problem, std::optional<std::size_t> freed,
+                               std::vector<double> parameters);
+Linearisation linearisation_at(const Problem& problem, std::optional<std::size_t> freed, std::vector<double> parameters,
                                Eigen::MatrixXd open);
 
-// The index of the held parameter that is set free, for BaseModel::at(); none for held = 0.
-std::vector<std::size_t> free_of(const Problem& problem, std::size_t held);
+// The index of the parameter that is set free, for BaseModel::at(); empty: none.
+std::vector<std::size_t> free_of(const Problem& problem, std::optional<std::size_t> freed);
 
 // Each input in any form as open columns.
 LinearModel with_any_forms(const Problem& problem, LinearModel linear);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "diagnosis/posterior/identities.hpp"
@@ -21,7 +22,7 @@ struct SinglePosterior {
 // parameter free.
 struct EffectSet {
   std::vector<std::size_t> families;  // rising
-  std::size_t held = 0;               // as Linearisation::held
+  std::optional<std::size_t> freed;   // as Linearisation::freed
   double log_weight = 0.0;            // ln of its probability
   // Where it is likeliest:
   std::vector<std::size_t> signatures;

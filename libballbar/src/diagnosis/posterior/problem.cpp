@@ -11,6 +11,7 @@
 #include "diagnosis/signatures/thresholds.hpp"
 #include "effects/effect_at.hpp"
 #include "model/resolved_periods.hpp"
+#include "numerics/standard_deviation.hpp"
 #include "series/subsampled.hpp"
 
 namespace ballbar {
@@ -50,17 +51,25 @@ std::vector<HeldParameter> held_parameters_of(const Model& model) {
   return held;
 }
 
-// Rows in whose sample an input changed tell nothing.
-void set_aside_rows_in_jumps(Problem& problem) {
-  std::set<std::size_t> rows;
-  for (const LoggedInput& input : problem.logged.inputs) {
+// The variance of each reading that is known beforehand. Rows in whose sample an input changed tell nothing, nor those
+// in which a sensor stands at the end of its range, if at least a third remains.
+std::vector<double> stated_variance_of(const LoggedInputs& logged, const std::vector<std::size_t>& rows, Level level,
+                                       const Tuning& tuning) {
+  std::set<std::size_t> in_jumps, saturated;
+  for (const LoggedInput& input : logged.inputs) {
     for (const Jump& jump : input.jumps) {
-      for (std::size_t row = jump.first + 1; row < jump.last; ++row) rows.insert(row);
+      for (std::size_t row = jump.first + 1; row < jump.last && tuning.rows_at_jumps; ++row) in_jumps.insert(row);
     }
+    saturated.insert(input.at_end.begin(), input.at_end.end());
   }
-  for (std::size_t i = 0; i < problem.base.row.size(); ++i) {
-    if (rows.contains(problem.base.row[i])) problem.stated_variance[i] = kUnknownVariance;
-  }
+  const auto count = std::count_if(rows.begin(), rows.end(), [&](std::size_t row) { return saturated.contains(row); });
+  if (level != Level::series || static_cast<double>(count) > tuning.most_saturated * static_cast<double>(rows.size()))
+    saturated.clear();
+  std::vector<double> variance;
+  variance.reserve(rows.size());
+  for (const std::size_t row : rows)
+    variance.push_back(in_jumps.contains(row) || saturated.contains(row) ? kUnknownVariance : 0.0);
+  return variance;
 }
 
 // Rows near jumps of a temperature: a jump there may be that of the temperature, which is smoothed.
@@ -92,19 +101,6 @@ std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vecto
     }
   }
   return found;
-}
-
-// Rows in which a sensor stands at the end of its range tell nothing of it, if at least a third remains.
-void set_aside_saturated(Problem& problem) {
-  std::set<std::size_t> rows;
-  for (const LoggedInput& input : problem.logged.inputs) rows.insert(input.at_end.begin(), input.at_end.end());
-  std::vector<std::size_t> known;
-  for (std::size_t i = 0; i < problem.base.row.size(); ++i) {
-    if (rows.contains(problem.base.row[i])) known.push_back(i);
-  }
-  if (static_cast<double>(known.size()) > problem.tuning.most_saturated * static_cast<double>(problem.base.row.size()))
-    return;
-  for (const std::size_t i : known) problem.stated_variance[i] = kUnknownVariance;
 }
 
 }  // namespace
@@ -158,8 +154,7 @@ std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, c
   Eigen::MatrixXd unit = gains;
   Eigen::VectorXd deviation(gains.cols());
   for (Eigen::Index k = 0; k < gains.cols(); ++k) {
-    const double mean = gains.col(k).mean();
-    deviation[k] = std::sqrt((gains.col(k).array() - mean).square().mean());
+    deviation[k] = standard_deviation(gains.col(k));
     if (!(deviation[k] > 1e-12)) return std::nullopt;
     unit.col(k) /= deviation[k];
   }
@@ -206,7 +201,7 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
     problem->centre_um = problem->y.mean();
     problem->y.array() -= problem->centre_um;
   }
-  problem->stated_variance.assign(base.row.size(), 0.0);
+  problem->stated_variance = stated_variance_of(problem->logged, base.row, model.level, tuning);
   problem->relative_variance.assign(base.row.size(), 1.0);
   if (!base.sigma_um.empty()) {
     double mean = 0.0;
@@ -215,13 +210,8 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
       problem->relative_variance[i] = base.sigma_um[i] * base.sigma_um[i] / mean;
     problem->known = {4.0, mean};
   }
-  if (tuning.rows_at_jumps) set_aside_rows_in_jumps(*problem);
-  problem->longest_memory_s = options.search.longest_memory_s;
-  if (model.level == Level::series) {
-    set_aside_saturated(*problem);
-  } else {
-    problem->longest_memory_s = std::numeric_limits<double>::infinity();
-  }
+  problem->longest_memory_s =
+      model.level == Level::series ? options.search.longest_memory_s : std::numeric_limits<double>::infinity();
   problem->base_model = std::make_unique<BaseModel>(problem->model, problem->logged, problem->y, base.row);
   SignatureOptions signatures;
   signatures.terms = options.terms;
@@ -236,8 +226,7 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   problem->deviation = Eigen::VectorXd::Ones(problem->signatures.cols());
   for (Eigen::Index k = 0; k < problem->signatures.cols(); ++k) {
     auto column = problem->signatures.col(k);
-    const double mean = column.mean();
-    const double deviation = std::sqrt((column.array() - mean).square().mean());
+    const double deviation = standard_deviation(column);
     if (!(deviation > 0.0)) continue;
     column /= deviation;
     problem->deviation[k] = deviation;

@@ -24,11 +24,10 @@ namespace ballbar {
 
 inline constexpr double kLogZero = -std::numeric_limits<double>::infinity();  // of a weight: none
 
-// A held parameter of the model, set free.
+// A held parameter of the model.
 struct HeldParameter {
-  std::size_t parameter = 0;                                 // index, the constant first
-  double value = 0.0;                                        // held
-  double fitted = std::numeric_limits<double>::quiet_NaN();  // another value that a fit finds
+  std::size_t parameter = 0;  // index, the constant first
+  double value = 0.0;
 };
 
 // A likely covariance of the readings.
@@ -63,7 +62,7 @@ struct Problem {
   Eigen::MatrixXd signatures;              // n by all columns of the library, each with standard deviation 1
   Eigen::VectorXd deviation;               // standard deviations of the columns before scaling
   std::size_t effects = 0;                 // number of families of effects; inputs of any form follow
-  std::vector<double> log_prior;           // of each family: effects alike, columns of an effect alike
+  std::vector<double> log_prior;           // of each family (priors.hpp)
   std::vector<double> log_prior_of_shape;  // per signature in its family
   std::vector<HeldParameter> held;
   std::vector<Covariance> covariances;

@@ -114,7 +114,7 @@ void note_outliers(Problem& problem) {
   if (!problem.covariances.empty() || problem.model.level != Level::series) return;
   const bool has_forms = problem.library.families.size() > problem.effects;  // else the jumps may be those of an effect
   const auto rich = [&] {
-    return with_any_forms(problem, linearisation_at(problem, 0, fitted_parameters(problem)).linear);
+    return with_any_forms(problem, linearisation_at(problem, std::nullopt, fitted_parameters(problem)).linear);
   };
   LinearModel linear = rich();
   NoiseFilter filter = noise_filter_at(problem, likeliest_covariance(problem, linear, Discrepancy::none));

@@ -14,15 +14,18 @@
 namespace ballbar {
 namespace {
 
-// Other values of held parameters that a fit finds.
-void find_other_values(Problem& problem, const std::vector<double>& fit, const Linearisation& linearisation,
-                       const Covariance& covariance) {
+// The values that a fit finds for the held parameters, one by one.
+std::vector<double> fitted_values_of(const Problem& problem, const Linearisation& linearisation,
+                                     const Covariance& covariance) {
   const NoiseFilter filter = noise_filter_at(problem, covariance);
-  for (HeldParameter& one : problem.held) {
-    one.fitted = shape_fit(*problem.base_model, fit, {one.parameter}, linearisation.open, filter.whitening,
-                           problem.known, kSearched)
-                     .parameters[one.parameter];
+  std::vector<double> values;
+  values.reserve(problem.held.size());
+  for (const HeldParameter& one : problem.held) {
+    values.push_back(shape_fit(*problem.base_model, linearisation.parameters, {one.parameter}, linearisation.open,
+                               filter.whitening, problem.known, kSearched)
+                         .parameters[one.parameter]);
   }
+  return values;
 }
 
 // Of one single effect the likely effects, the strongest first.
@@ -82,7 +85,7 @@ SetWithRivals set_with_rivals(Problem& problem, const SearchResult& found) {
 
 // The parameters of the model beside the effects of the sum. The most likely shapes of these, and of their rivals,
 // become signatures.
-std::vector<double> sharpened_model(Problem& problem, const SearchResult& found) {
+std::vector<double> sharpened_model(Problem& problem, SearchResult& found) {
   const NoiseFilter filter = noise_filter_at(problem, found.covariances.front());
   const auto [set, rivals] = set_with_rivals(problem, found);
   // Beside a held value that is another one, at that one.
@@ -90,8 +93,8 @@ std::vector<double> sharpened_model(Problem& problem, const SearchResult& found)
   const std::optional<std::size_t> held = likeliest_held(found);
   if (held) {
     std::vector<double> parameters = about.parameters;
-    parameters[problem.held[*held].parameter] = problem.held[*held].fitted;
-    about = linearisation_at(problem, *held + 1, std::move(parameters));
+    parameters[problem.held[*held].parameter] = found.fitted_values[*held];
+    about = linearisation_at(problem, *held, std::move(parameters));
   }
   // Without the effects the fit may have driven a time constant to its bound, from where no step leads back.
   std::vector<std::vector<double>> starts{about.parameters};
@@ -109,8 +112,8 @@ std::vector<double> sharpened_model(Problem& problem, const SearchResult& found)
   }
   if (!held) return best.parameters;
   // The gains beside the held value: what is open of times is in units of the gains.
-  HeldParameter& parameter = problem.held[*held];
-  parameter.fitted = best.parameters[parameter.parameter];
+  const HeldParameter& parameter = problem.held[*held];
+  found.fitted_values[*held] = best.parameters[parameter.parameter];
   best.parameters[parameter.parameter] = parameter.value;
   return shape_fit(*problem.base_model, std::move(best.parameters), {}, found.linearisation.open, filter.whitening,
                    problem.known, {0})
@@ -173,11 +176,11 @@ void converge(Problem& problem, std::size_t largest, SearchResult& found) {
   for (int round = 0; round < problem.tuning.most_refined; ++round) {
     const double before = log_weight_of(found);
     const std::size_t shapes = problem.library.signatures.size();
-    Linearisation next = linearisation_at(problem, 0, sharpened_model(problem, found));
+    Linearisation next = linearisation_at(problem, std::nullopt, sharpened_model(problem, found));
     const bool is_new =
         problem.library.signatures.size() > shapes || is_elsewhere(problem, found.linearisation, next.parameters);
     found.linearisation = std::move(next);
-    found.identities = identities_of(problem, found.linearisation);
+    found.identities = identities_of(problem, found.linearisation, found.fitted_values);
     found.sum = sum_from(problem, found, found.covariances.front(), largest, likeliest_set(found.sum));
     settle(problem, found, largest, found.covariances.front(), found.sum);
     if (!is_new && log_weight_of(found) < before + problem.tuning.better) break;
@@ -189,19 +192,24 @@ void converge(Problem& problem, std::size_t largest, SearchResult& found) {
 SearchResult search_result(Problem& problem, std::size_t largest) {
   const std::vector<double> fit = fitted_parameters(problem);
   SearchResult found;
-  found.linearisation = linearisation_at(problem, 0, fit);
+  found.linearisation = linearisation_at(problem, std::nullopt, fit);
   found.covariances = likeliest_covariances(problem, with_any_forms(problem, found.linearisation.linear));
-  find_other_values(problem, fit, found.linearisation, found.covariances.front());
-  found.identities = identities_of(problem, found.linearisation);
+  found.fitted_values = fitted_values_of(problem, found.linearisation, found.covariances.front());
+  found.identities = identities_of(problem, found.linearisation, found.fitted_values);
   settle_all(problem, largest, found);
   converge(problem, largest, found);
   if (!problem.tuning.refine) return found;
   for (const std::size_t without : likeliest_set(found.sum)) {
     if (found.identities.is_held_value(without)) continue;
+    const std::vector<Family> families = problem.library.families;
     SearchResult other = found;
     other.sum = sum_without(problem, found, largest, without);
     converge(problem, largest, other);
-    if (log_weight_of(other) > log_weight_of(found) + problem.tuning.better) found = std::move(other);
+    if (log_weight_of(other) > log_weight_of(found) + problem.tuning.better) {
+      found = std::move(other);
+    } else {  // its shapes do not stand for their points of the grid
+      problem.library.families = families;
+    }
   }
   return found;
 }

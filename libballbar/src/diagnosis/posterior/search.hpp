@@ -12,6 +12,7 @@ namespace ballbar {
 struct SearchResult {
   std::vector<Covariance> covariances;  // the likeliest of each kind of discrepancy
   Linearisation linearisation;          // the model about its likeliest parameters
+  std::vector<double> fitted_values;    // of each held value the one that a fit finds in its place
   Identities identities;
   SumOfEffects sum;  // at the first covariance
 };

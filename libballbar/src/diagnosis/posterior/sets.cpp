@@ -68,12 +68,12 @@ std::vector<IdentityChoice> drawn(const std::vector<std::vector<Choice>>& choice
 // The model with a held value at another one.
 std::size_t linearisation_with_held(const Problem& problem, Posterior& posterior, std::size_t held, double value) {
   for (std::size_t v = 1; v < posterior.linearisations.size(); ++v) {
-    if (posterior.linearisations[v].held == held + 1) return v;
+    if (posterior.linearisations[v].freed == held) return v;
   }
   std::vector<double> parameters = posterior.linearisations.front().parameters;
   parameters[problem.held[held].parameter] = value;
   Linearisation linearisation =
-      linearisation_at(problem, held + 1, std::move(parameters), posterior.linearisations.front().open);
+      linearisation_at(problem, held, std::move(parameters), posterior.linearisations.front().open);
   posterior.linearisations.push_back(std::move(linearisation));
   return posterior.linearisations.size() - 1;
 }
@@ -81,10 +81,10 @@ std::size_t linearisation_with_held(const Problem& problem, Posterior& posterior
 // Linearises a model with a held value at another one about its most likely parameters beside the effects of the set:
 // the value that the search found lies on a coarse grid.
 void relinearise_held(const Problem& problem, Posterior& posterior, EffectSet& set) {
-  if (set.held == 0) return;
+  if (!set.freed) return;
   const Linearisation& linearisation = posterior.linearisations[set.linearisation];
   ConditionalFit conditional = conditional_fit(problem, linearisation, set.signatures, posterior.filters[set.filter]);
-  Linearisation about = linearisation_at(problem, set.held, std::move(conditional.parameters), linearisation.open);
+  Linearisation about = linearisation_at(problem, set.freed, std::move(conditional.parameters), linearisation.open);
   posterior.linearisations.push_back(std::move(about));
   set.linearisation = posterior.linearisations.size() - 1;
 }
@@ -110,7 +110,7 @@ GivenEffects given_effects(const Problem& problem, const Posterior& posterior,
   std::optional<Linearisation> alone;
   std::vector<const Linearisation*> linearisations{&linearisation};
   if (families.empty())
-    linearisations.push_back(&alone.emplace(linearisation_at(problem, 0, fitted_parameters(problem))));
+    linearisations.push_back(&alone.emplace(linearisation_at(problem, std::nullopt, fitted_parameters(problem))));
   result.sums.resize(result.covariances.size());
   result.log_weight.assign(result.covariances.size(), kLogZero);
   in_parallel(result.covariances.size(), [&](std::size_t g) {
@@ -145,7 +145,7 @@ std::optional<std::size_t> signature_of(Problem& problem, const Identities& iden
 
 void add_sets(Problem& problem, const Identities& identities, const SumOfEffects& likeliest, Posterior& posterior) {
   const std::size_t families = identities.families;
-  std::map<std::pair<std::vector<std::size_t>, std::size_t>, std::size_t> place;
+  std::map<std::pair<std::vector<std::size_t>, std::optional<std::size_t>>, std::size_t> place;
   // The best set first: the most likely identity of each single effect that is more likely present than absent.
   std::vector<IdentityChoice> all{{}};
   all.front().identities.reserve(posterior.effects.size());
@@ -163,7 +163,9 @@ void add_sets(Problem& problem, const Identities& identities, const SumOfEffects
   all.push_back({posterior.none, std::vector<std::size_t>(posterior.effects.size(), kNoSignature)});
   for (IdentityChoice& one : drawn(choices_of(posterior, problem.effects, families, problem.tuning), problem.tuning))
     all.push_back(std::move(one));
+  std::size_t by_themselves = 0;  // sets of the first two choices, whose P is theirs
   for (std::size_t d = 0; d < all.size(); ++d) {
+    if (d <= 2) by_themselves = posterior.sets.size();
     EffectSet set;
     std::vector<std::array<std::size_t, 3>> members;  // family, signature, single effect
     bool is_whole = true;
@@ -173,9 +175,9 @@ void add_sets(Problem& problem, const Identities& identities, const SumOfEffects
       std::size_t shape = l < likeliest.effects.size() ? likeliest.effects[l].likeliest[identity] : kNoSignature;
       if (shape == kNoSignature) shape = identities.first[identity];
       if (identities.is_held_value(identity)) {
-        if (set.held > 0) continue;
-        set.held = identity - families + 1;
-        set.linearisation = linearisation_with_held(problem, posterior, set.held - 1, identities.shapes[shape].value);
+        if (set.freed) continue;
+        set.freed = identity - families;
+        set.linearisation = linearisation_with_held(problem, posterior, *set.freed, identities.shapes[shape].value);
         continue;
       }
       if (std::any_of(members.begin(), members.end(), [&](const auto& one) { return one[0] == identity; })) continue;
@@ -190,11 +192,10 @@ void add_sets(Problem& problem, const Identities& identities, const SumOfEffects
       set.signatures.push_back(signature);
       set.single.push_back(single);
     }
-    const auto [known, is_new] = place.try_emplace({set.families, set.held}, posterior.sets.size());
+    const auto [known, is_new] = place.try_emplace({set.families, set.freed}, posterior.sets.size());
     const double p = std::max(1e-300, all[d].p);
     if (!is_new) {
-      // The first two stand there already, by themselves.
-      if (d < 2 || known->second < 2) continue;
+      if (d < 2 || known->second < by_themselves) continue;
       posterior.sets[known->second].log_weight = std::log(std::exp(posterior.sets[known->second].log_weight) + p);
       continue;
     }
@@ -207,7 +208,7 @@ void add_sets(Problem& problem, const Identities& identities, const SumOfEffects
   std::vector<double> weights;
   for (std::size_t s = 0; s < posterior.sets.size(); ++s) {
     weights.push_back(posterior.sets[s].log_weight);
-    if (posterior.sets[s].families == best.families && posterior.sets[s].held == best.held) posterior.best = s;
+    if (posterior.sets[s].families == best.families && posterior.sets[s].freed == best.freed) posterior.best = s;
   }
   posterior.log_total = log_sum(weights);
   relinearise_held(problem, posterior, posterior.sets[posterior.best]);
@@ -216,7 +217,7 @@ void add_sets(Problem& problem, const Identities& identities, const SumOfEffects
 std::size_t set_of(Problem& problem, Posterior& posterior, std::vector<std::size_t> families) {
   std::sort(families.begin(), families.end());
   for (std::size_t s = 0; s < posterior.sets.size(); ++s) {
-    if (posterior.sets[s].held == 0 && posterior.sets[s].families == families) return s;
+    if (!posterior.sets[s].freed && posterior.sets[s].families == families) return s;
   }
   const GivenEffects given = given_effects(problem, posterior, families);
   const auto g = static_cast<std::size_t>(std::max_element(given.log_weight.begin(), given.log_weight.end()) -
@@ -240,7 +241,7 @@ std::size_t set_of(Problem& problem, Posterior& posterior, std::vector<std::size
   ConditionalFit conditional =
       sharpened(problem, first, set.signatures, {first.parameters}, posterior.filters[set.filter]);
   set.signatures = conditional.signatures;
-  posterior.linearisations.push_back(linearisation_at(problem, 0, std::move(conditional.parameters)));
+  posterior.linearisations.push_back(linearisation_at(problem, std::nullopt, std::move(conditional.parameters)));
   set.linearisation = posterior.linearisations.size() - 1;
   posterior.sets.push_back(std::move(set));
   return posterior.sets.size() - 1;

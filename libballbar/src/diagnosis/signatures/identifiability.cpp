@@ -188,10 +188,8 @@ Preflight preflight(const Model& model, const Series& data, std::size_t target, 
   SignatureOptions options;
   options.motion = motion;
   const SignatureLibrary library = signature_library_of(catalogue, model, rows, fitted, options);
-  const Eigen::VectorXd residual =
-      Eigen::VectorXd::Map(fitted.residual_um.data(), static_cast<Eigen::Index>(fitted.residual_um.size()));
-  const SignatureProjection projection = signature_projection(library, residual, model_columns(fitted),
-                                                              Whitening(fitted.noise, fitted.time_s, fitted.sigma_um));
+  const SignatureProjection projection =
+      signature_projection(library, model_columns(fitted), Whitening(fitted.noise, fitted.time_s, fitted.sigma_um));
   result.detectability = detectability_of(catalogue, library, projection, model, rows, motion, fitted.time_s);
   return result;
 }

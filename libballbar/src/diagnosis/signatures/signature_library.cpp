@@ -108,19 +108,20 @@ BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& name
 
 namespace {
 
-// The points of the grid of an effect's shapes on these rows, including held shapes that have a grid.
-std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows,
-                                           const SignatureOptions& options) {
+// The points of the grid of a term's shapes on these rows, within its bounds, including held shapes that have a grid.
+std::vector<std::vector<double>> shapes_of(const Effect& effect, const std::vector<Setting>& settings,
+                                           const EffectRows& rows, const SignatureOptions& options) {
   std::vector<double> first;
-  for (const Parameter& parameter : effect.parameters) {
-    first.push_back(parameter.kind == ParameterKind::gain ? 0.0 : parameter.start);
+  for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
+    const bool is_gain = effect.parameters[k].kind == ParameterKind::gain;
+    first.push_back(is_gain ? 0.0 : std::clamp(effect.parameters[k].start, settings[k].lower, settings[k].upper));
   }
   std::vector<std::vector<double>> points{first};
   for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
     const Parameter& parameter = effect.parameters[k];
     if (parameter.kind == ParameterKind::gain || (parameter.held && parameter.grid.empty())) continue;
     const std::size_t most = effect.level == Level::series ? kMostPeriods : kMostWaves;
-    std::vector<double> grid = grid_of(parameter, rows, parameter.lower, parameter.upper, most);
+    std::vector<double> grid = grid_of(parameter, rows, settings[k].lower, settings[k].upper, most);
     if (parameter.shape_of == ShapeOf::onset) grid = onsets(rows);
     if (grid.empty()) continue;
     std::erase_if(grid, [&](double value) { return frequency_Hz(parameter, value) > options.highest_Hz; });
@@ -164,7 +165,7 @@ std::vector<EffectShapes> effect_shapes_of(const Catalogue& catalogue, const Mod
     BoundInputs bound = inputs_of(*term.effect, term.columns, data);
     if (!bound.usable && !bound.is_half) continue;
     EffectShapes one{{{term.effect.get(), term.columns}, 0, 0}, std::move(bound), {}, {}};
-    one.points = as_held(shapes_of(*term.effect, one.bound.rows, options), term);
+    one.points = as_held(shapes_of(*term.effect, term.settings, one.bound.rows, options), term);
     one.gains.resize(one.points.size());
     result.push_back(std::move(one));
   }
@@ -179,13 +180,14 @@ std::vector<EffectShapes> effect_shapes_of(const Catalogue& catalogue, const Mod
     if (!is_resolved(*effect, options.highest_Hz)) continue;
     if (options.causes_only && describes_drift(*effect)) continue;
     if (std::find(options.without.begin(), options.without.end(), effect->name) != options.without.end()) continue;
+    const std::vector<Setting> usual = term_of(*effect, {}).settings;
     for (std::vector<std::string>& names : bindings_of(*effect, model, data)) {
       if (has_term(model, *effect, names) && !effect->rules.may_repeat) continue;
       if (is_given(*effect, names)) continue;
       BoundInputs bound = inputs_of(*effect, names, data);
       if (!bound.usable && !bound.is_half) continue;
       EffectShapes one{{{effect.get(), std::move(names)}, 0, 0}, std::move(bound), {}, {}};
-      one.points = shapes_of(*effect, one.bound.rows, options);
+      one.points = shapes_of(*effect, usual, one.bound.rows, options);
       one.gains.resize(one.points.size());
       result.push_back(std::move(one));
     }
@@ -235,12 +237,11 @@ SignatureLibrary signature_library_of(const Catalogue& catalogue, const Model& m
   return library;
 }
 
-SignatureProjection signature_projection(const SignatureLibrary& library, const Eigen::VectorXd& residual_um,
-                                         const Eigen::MatrixXd& basis, const Whitening& whitening) {
+SignatureProjection signature_projection(const SignatureLibrary& library, const Eigen::MatrixXd& basis,
+                                         const Whitening& whitening) {
   constexpr std::size_t kTogether = 64;  // signatures
   SignatureProjection result;
-  result.model = orthonormal(whitened(whitening, basis));
-  result.residual = orthogonal_part(Eigen::VectorXd(whitened(whitening, residual_um)), result.model);
+  const Eigen::MatrixXd model = orthonormal(whitened(whitening, basis));
   result.columns.resize(library.columns.rows(), library.columns.cols());
   const std::size_t count = library.signatures.size();
   result.share.resize(count);
@@ -250,7 +251,7 @@ SignatureProjection signature_projection(const SignatureLibrary& library, const 
     const Signature &front = library.signatures[begin], &back = library.signatures[end - 1];
     const Eigen::Index first = front.first, width = back.first + back.width - first;
     const Eigen::MatrixXd all = whitened(whitening, library.columns.middleCols(first, width));
-    result.columns.middleCols(first, width) = orthogonal_part(all, result.model);
+    result.columns.middleCols(first, width) = orthogonal_part(all, model);
     for (std::size_t k = begin; k < end; ++k) {
       const Signature& signature = library.signatures[k];
       const Eigen::MatrixXd own = all.middleCols(signature.first - first, signature.width);

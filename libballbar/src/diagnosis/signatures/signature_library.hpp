@@ -78,16 +78,14 @@ struct BoundInputs {
 BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& names, const Series& data);
 
 struct SignatureProjection {
-  Eigen::VectorXd residual;   // r, n
   Eigen::MatrixXd columns;    // U, as SignatureLibrary::columns; 0 where nothing survives
   std::vector<double> share;  // per signature: |P W g|^2 / |W g|^2 of its weakest direction
   std::vector<double> norm;   // |P W g| of its first column
-  Eigen::MatrixXd model;      // orthonormal basis of W J, n by p
 };
 
 // basis: the columns of the model, n by p, unweighted.
-SignatureProjection signature_projection(const SignatureLibrary& library, const Eigen::VectorXd& residual_um,
-                                         const Eigen::MatrixXd& basis, const Whitening& whitening);
+SignatureProjection signature_projection(const SignatureLibrary& library, const Eigen::MatrixXd& basis,
+                                         const Whitening& whitening);
 
 // The range in um of one signature with this d; infinite if the model absorbs it.
 double detectable_um(const SignatureLibrary& library, const SignatureProjection& projected, std::size_t signature,

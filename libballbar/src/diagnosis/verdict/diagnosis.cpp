@@ -26,6 +26,7 @@
 #include "fit/model_columns.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
+#include "numerics/standard_deviation.hpp"
 
 namespace ballbar {
 namespace {
@@ -47,9 +48,10 @@ std::vector<Detectability> detectability_but(const SearchOptions& options, std::
   return detectability;
 }
 
-Noise noise_of(const Covariance& covariance, double variance) {
+// As that of a fit: what is stated of the readings is beside it, here the mean of its variance.
+Noise noise_of(const Covariance& covariance, double variance, double stated_variance) {
   Noise noise;
-  noise.white_um = std::sqrt(variance * covariance.white);
+  noise.white_um = std::sqrt(std::max(0.0, variance * covariance.white - stated_variance));
   noise.correlated_um = std::sqrt(variance * covariance.correlated);
   noise.correlation_time_s = covariance.time_s;
   return noise;
@@ -83,10 +85,8 @@ Hidden hidden_of(const Problem& problem, const SignatureProjection& projection) 
 void tell_detectability(const Problem& problem, const Model& model, const DiagnosisOptions& options, const Noise& noise,
                         Diagnosis& result) {
   const Fit& base = problem.base;
-  const Eigen::VectorXd residual =
-      Eigen::VectorXd::Map(base.residual_um.data(), static_cast<Eigen::Index>(base.residual_um.size()));
-  const SignatureProjection projection = signature_projection(problem.library, residual, model_columns(base),
-                                                              Whitening(noise, base.time_s, base.sigma_um));
+  const SignatureProjection projection =
+      signature_projection(problem.library, model_columns(base), Whitening(noise, base.time_s, base.sigma_um));
   const Hidden hidden = hidden_of(problem, projection);
   result.hidden = hidden.effect;
   result.hidden_um = std::min(hidden.amplitude_um, range_of(base.measured_um));
@@ -111,7 +111,7 @@ std::vector<OwnValue> held_values_of(const Problem& problem, const Posterior& po
   for (std::size_t k = 0; k < problem.held.size(); ++k) {
     if (posterior.held[k] < kLeastHeldShown) continue;
     const auto set = std::find_if(posterior.sets.begin(), posterior.sets.end(),
-                                  [&](const EffectSet& one) { return one.held == k + 1; });
+                                  [&](const EffectSet& one) { return one.freed == k; });
     if (set == posterior.sets.end()) continue;
     const FittedSet fitted = fitted_set(problem, posterior, *set, false);
     const std::size_t place = problem.held[k].parameter;
@@ -214,7 +214,7 @@ void describe_discrepancy(const Inference& inference, const EffectSet& best, con
                           Diagnosis& result) {
   const Eigen::VectorXd mean_um = discrepancy_mean(*inference.problem, inference.posterior, best);
   result.p_discrepancy = inference.posterior.discrepancy;
-  result.discrepancy_um = std::sqrt((mean_um.array() - mean_um.mean()).square().mean());
+  result.discrepancy_um = standard_deviation(mean_um);
   if (result.p_discrepancy < kDiscrepancy || !(result.discrepancy_um > 0.0)) return;
   const Description like = description_of(catalogue, *inference.problem, mean_um);
   result.discrepancy_like = like.effect;
@@ -289,7 +289,7 @@ Diagnosis diagnosis_of(Inference& inference, const Model& model, const Series& d
   result.effects = probabilities_of(problem, posterior);
   result.own = held_values_of(problem, posterior);
   result.gains_by_run = gains_by_run(problem, posterior, best);
-  result.noise = noise_of(posterior.filters[best.filter].covariance, at.solution.variance);
+  result.noise = noise_of(posterior.filters[best.filter].covariance, at.solution.variance, problem.known.variance);
   describe_discrepancy(inference, best, options.search.catalogue, result);
   tell_what_was_not_used(problem, model, data, result);
   const bool is_all_searched = !tuning.columns_not_searched || result.columns_not_searched.empty();
@@ -301,15 +301,14 @@ Diagnosis diagnosis_of(Inference& inference, const Model& model, const Series& d
   const bool is_drift_beside =
       tuning.beside_discrepancy && result.p_discrepancy >= kDiscrepancy && result.discrepancy_um > 0.0;
   if (best.families.empty()) {
-    result.rmse_after_um = best.held > 0 ? fit(fitted_set(problem, posterior, best, false).model, data, target).rmse_um
-                                         : problem.base.rmse_um;
+    result.rmse_after_um = best.freed ? fit(fitted_set(problem, posterior, best, false).model, data, target).rmse_um
+                                      : problem.base.rmse_um;
   } else {
     tell(fmt::format("testing {} effects", best.families.size()));
     const FittedSet fitted = fitted_set(problem, posterior, best, true);
     result.rmse_after_um = fit(fitted.model, data, target).rmse_um;
     result.explained_um = std::min(fitted.together_um, range_of(problem.base.measured_um));
     result.candidates = members_of(inference, best, fitted, at, options.tolerance_um);
-    if (is_drift_beside) doubt_beside(result.discrepancy_um, at, result.candidates, result.drivers);
     if (options.leave_out && model.level == Level::series) {
       tell("leaving cycles out");
       std::vector<std::size_t> terms(result.candidates.size());
@@ -317,6 +316,7 @@ Diagnosis diagnosis_of(Inference& inference, const Model& model, const Series& d
       leave_cycles_out(fitted.model, terms, data, target, result.candidates);
     }
   }
+  if (is_drift_beside) doubt_beside(result.discrepancy_um, at, result.candidates, result.drivers);
 
   const double stated_um = std::sqrt(problem.known.variance);
   Statement said = statement_of({result.candidates, alternatives_of(inference, best), result.drivers, result.own,

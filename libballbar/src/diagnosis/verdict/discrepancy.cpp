@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/diagnosis/signatures/search.hpp"
 #include "diagnosis/posterior/linearisation.hpp"
 #include "numerics/orthonormal.hpp"
 
@@ -32,7 +33,11 @@ void add_sums(const std::vector<double>& time_s, double rate, bool is_rough, con
 }  // namespace
 
 Eigen::VectorXd discrepancy_mean(const Problem& problem, const Posterior& posterior, const EffectSet& set) {
-  const NoiseFilter& filter = posterior.filters[set.filter];
+  const auto slow = std::find_if(posterior.filters.begin(), posterior.filters.end(),
+                                 [](const NoiseFilter& one) { return one.covariance.slow > 0.0; });
+  const bool is_elsewhere = posterior.discrepancy >= kDiscrepancy && slow != posterior.filters.end() &&
+                            !(posterior.filters[set.filter].covariance.slow > 0.0);
+  const NoiseFilter& filter = is_elsewhere ? *slow : posterior.filters[set.filter];
   const Covariance& covariance = filter.covariance;
   const Eigen::Index n = problem.y.size();
   if (!(covariance.slow > 0.0)) return Eigen::VectorXd::Zero(n);

@@ -21,12 +21,10 @@ constexpr int kMostTries = 6;              // for an end
 
 Model with_set(const Problem& problem, const EffectSet& set) {
   Model model = problem.model;
-  if (set.held > 0) {
-    const std::size_t parameter = problem.held[set.held - 1].parameter;
+  if (set.freed) {
+    const std::size_t parameter = problem.held[*set.freed].parameter;
     const std::size_t t = problem.base_model->term_of(parameter);
-    std::size_t first = 1;
-    for (std::size_t k = 0; k < t; ++k) first += model.terms[k].settings.size();
-    model.terms[t].settings[parameter - first].held = false;
+    model.terms[t].settings[parameter - problem.base_model->rows().offset(t)].held = false;
   }
   for (const std::size_t i : set.signatures) {
     const Signature& one = problem.library.signatures[i];
@@ -170,36 +168,29 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     if (after != time_s.end()) interval.high = std::max(interval.high, *after);
   }
   // The amplitude of each effect: its largest difference, with sigma from the covariance of its columns there.
-  const ModelRows rows(result.model, problem.logged.series, problem.base.row);
+  const ModelRows& rows = model.rows();
   Eigen::VectorXd together = Eigen::VectorXd::Zero(problem.y.size());
-  std::size_t place = 1;
-  for (std::size_t t = 0; t < result.model.terms.size(); ++t) {
-    const Eigen::VectorXd added = rows.term(t, best.parameters.data() + place, nullptr);
-    if (t >= problem.model.terms.size()) {
-      together += added;
-      Eigen::Index low = 0, high = 0;
-      added.minCoeff(&low);
-      added.maxCoeff(&high);
-      Eigen::VectorXd slope = Eigen::VectorXd::Zero(covariance.rows());
-      for (std::size_t k = 0; k < columns.columns.size(); ++k) {
-        const std::size_t parameter = columns.columns[k].parameter;
-        if (columns.columns[k].kind == BaseColumn::Kind::constant || parameter < place ||
-            parameter >= place + result.model.terms[t].settings.size())
-          continue;
-        const auto at = static_cast<Eigen::Index>(k);
-        slope[at] = columns.values(high, at) - columns.values(low, at);
-      }
-      result.amplitude_um.push_back(added[high] - added[low]);
-      result.amplitude_sigma_um.push_back(std::sqrt(std::max(0.0, slope.dot(covariance * slope))));
+  for (std::size_t t = problem.model.terms.size(); t < result.model.terms.size(); ++t) {
+    const Eigen::VectorXd added = rows.term(t, best.parameters.data() + rows.offset(t), nullptr);
+    together += added;
+    Eigen::Index low = 0, high = 0;
+    added.minCoeff(&low);
+    added.maxCoeff(&high);
+    Eigen::VectorXd slope = Eigen::VectorXd::Zero(covariance.rows());
+    for (std::size_t k = 0; k < columns.columns.size(); ++k) {
+      const BaseColumn& column = columns.columns[k];
+      if (column.kind == BaseColumn::Kind::constant || model.term_of(column.parameter) != t) continue;
+      const auto at = static_cast<Eigen::Index>(k);
+      slope[at] = columns.values(high, at) - columns.values(low, at);
     }
-    place += result.model.terms[t].settings.size();
+    result.amplitude_um.push_back(added[high] - added[low]);
+    result.amplitude_sigma_um.push_back(std::sqrt(std::max(0.0, slope.dot(covariance * slope))));
   }
-  // A fit of this model starts at these shapes.
-  place = first_added;
+  // A fit of this model starts at these shapes. `model` refers to the terms, so that they change last.
   for (std::size_t t = problem.model.terms.size(); t < result.model.terms.size(); ++t) {
     Term& term = result.model.terms[t];
-    begin_beside(term, {result.model.terms.data(), t}, std::span(best.parameters).subspan(place, term.settings.size()));
-    place += term.settings.size();
+    begin_beside(term, {result.model.terms.data(), t},
+                 std::span(best.parameters).subspan(rows.offset(t), term.settings.size()));
   }
   result.together_um = together.maxCoeff() - together.minCoeff();
   return result;

@@ -22,7 +22,7 @@ struct GainColumn {
 std::vector<GainColumn> gain_columns(const Problem& problem, const Posterior& posterior, const EffectSet& set) {
   std::vector<GainColumn> gains;
   const Linearisation& linearisation = posterior.linearisations[set.linearisation];
-  const BaseColumns base = problem.base_model->at(linearisation.parameters, free_of(problem, linearisation.held));
+  const BaseColumns base = problem.base_model->at(linearisation.parameters, free_of(problem, linearisation.freed));
   for (std::size_t k = 0; k < base.columns.size(); ++k) {
     const BaseColumn& column = base.columns[k];
     if (column.kind != BaseColumn::Kind::gain) continue;
@@ -76,7 +76,8 @@ NoiseFilter filter_by_run(const Problem& problem, const LinearModel& model) {
   std::vector<double> log_weight;
   for (const Covariance& covariance : likeliest_covariances(problem, model)) {
     filters.push_back(noise_filter_at(problem, covariance));
-    log_weight.push_back(linear_solution(filters.back().whitening, model, problem.known).log_evidence);
+    log_weight.push_back(linear_solution(filters.back().whitening, model, problem.known).log_evidence +
+                         covariance.log_prior);
   }
   return filters[static_cast<std::size_t>(std::max_element(log_weight.begin(), log_weight.end()) - log_weight.begin())];
 }

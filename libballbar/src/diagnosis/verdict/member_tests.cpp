@@ -221,7 +221,7 @@ double held_out_um(const Model& model, const Series& data, std::size_t target) {
   if (found.posterior.sets.empty()) return std::numeric_limits<double>::quiet_NaN();
   const Problem& problem = *found.problem;
   const auto none = std::find_if(found.posterior.sets.begin(), found.posterior.sets.end(),
-                                 [](const EffectSet& set) { return set.families.empty() && set.held == 0; });
+                                 [](const EffectSet& set) { return set.families.empty() && !set.freed; });
   const SetRegression at = set_regression(problem, found.posterior, *none);
   return left_out(at, all_of(at), rows_by_fold(folds_of(problem.logged.series, problem.base.row))).rmse_um;
 }

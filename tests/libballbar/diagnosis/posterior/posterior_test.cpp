@@ -68,8 +68,8 @@ struct OfOne {
     options.search.catalogue = catalogue;
     for (const auto& effect : catalogue) options.terms.push_back(term_of(*effect, {}));  // by hand
     problem = problem_of(constant(), settling(), 0, options);
-    const Linearisation linearisation = linearisation_at(*problem, 0, {0.0});
-    identities = identities_of(*problem, linearisation);
+    const Linearisation linearisation = linearisation_at(*problem, std::nullopt, {0.0});
+    identities = identities_of(*problem, linearisation, {});
     const NoiseFilter filter = noise_filter_at(*problem, covariance);
     ProjectedColumns at(*problem, identities, linearisation.linear, filter);
     IbssOptions how;
@@ -200,7 +200,8 @@ TEST(Prior, sums_to_one) {
   const Inference found = weighed_by(made::by_speed(), made::drift({0.0, 1, 200}));
   const Problem& problem = *found.problem;
   ASSERT_FALSE(problem.held.empty());
-  const Identities identities = identities_of(problem, found.posterior.linearisations.front());
+  const Identities identities =
+      identities_of(problem, found.posterior.linearisations.front(), std::vector<double>(problem.held.size(), 2.0));
   double sum = 0.0;
   for (const double one : identities.log_prior) sum += std::exp(one);
   EXPECT_NEAR(sum, 1.0, 1e-9);

@@ -22,8 +22,8 @@ TEST(SignatureLibrary, score_is_the_fall_of_chi2) {
   const std::vector<double> time_s{0.0, 60.0, 120.0, 180.0};
   const Noise noise{2.0, 0.0, 0.0, 0.0};
   const SignatureProjection seen =
-      signature_projection(library, residual, Eigen::MatrixXd::Ones(4, 1), Whitening(noise, time_s, {}));
-  const Eigen::VectorXd found = (seen.columns.transpose() * seen.residual).cwiseAbs2();  // one column each
+      signature_projection(library, Eigen::MatrixXd::Ones(4, 1), Whitening(noise, time_s, {}));
+  const Eigen::VectorXd found = (seen.columns.transpose() * residual / noise.white_um).cwiseAbs2();  // one column each
   EXPECT_NEAR(found[0], 36.0 / 4.0, 1e-12);
   EXPECT_NEAR(found[1], 0.0, 1e-12);
   EXPECT_NEAR(seen.share[0], 1.0, 1e-12);
