@@ -56,7 +56,7 @@ std::string held_sentence(const ReplayedAxis& axis, std::size_t rows) {
   return fmt::format(" It was held in {} of {} rows, most of them for {}{}.", held, rows, name_of(why), column);
 }
 
-// "each value", "stretches of 40 values": as long as what is left stays alike.
+// "each value", "stretches of 40 values": as long as the errors after it stay correlated.
 std::string stretches_text(const Replay& replay) {
   std::size_t longest = 1;
   for (const ReplayedAxis& axis : replay.axes) longest = std::max(longest, axis.reduction.stretch);

@@ -121,7 +121,7 @@ std::optional<PredictedByColumns> predicted_by_of(const Diagnosis& found, const 
   return by;
 }
 
-// That separates effects of which the diagnosis does not tell which it is.
+// The measurement that separates effects which the diagnosis cannot separate.
 std::optional<NextMeasurement> next_measurement_of(const Diagnosis& found, const Series& recordings) {
   for (const std::vector<BoundEffect>& group : found.equivalent) {
     std::vector<ShapedEffect> effects;

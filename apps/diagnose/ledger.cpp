@@ -1,4 +1,4 @@
-// `ballbar ledger --model M`: the story so far, one row a revision.
+// `ballbar ledger --model M`: the revisions of a model, one per row.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

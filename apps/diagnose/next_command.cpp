@@ -91,7 +91,7 @@ std::string command_of(const std::string& verb, const std::vector<std::string>& 
   return shortened(command, command.size()) == command ? command : "";  // a name that a terminal would obey
 }
 
-// Whether each column that the effect reads drives something for all that is known.
+// Whether each column that the effect reads is a probable driver.
 bool reads_drivers(const Diagnosis& found, const BoundEffect& bound) {
   return std::all_of(bound.columns.begin(), bound.columns.end(), [&](const std::string& column) {
     return std::any_of(found.drivers.begin(), found.drivers.end(), [&](const Driver& driver) {

@@ -1,5 +1,5 @@
-// `ballbar errors FILE...`: the errors of the axes in ballbar tests: ranked of one test, a row a test of many, what
-// changed between two.
+// `ballbar errors FILE...`: the errors of the axes in ballbar tests: ranked for one test, one row per test for many,
+// what changed between two.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

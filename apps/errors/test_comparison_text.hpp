@@ -8,7 +8,7 @@
 
 namespace ballbar {
 
-// "backlash_a fell from 8.10 to 1.20 um, circularity from 9.32 to 5.20 um; nothing else differs clearly."
+// "backlash_a fell from 8.10 to 1.20 um, circularity from 9.32 to 5.20 um. No other significant change."
 std::string conclusion(const TestComparison& comparison);
 
 // One sentence for each condition in which the tests differ.

@@ -83,7 +83,7 @@ std::string columns_text(const Log& log, bool details) {
   return table.text();
 }
 
-// What a role was told by, where it is not plain from the unit.
+// The evidence for a role, where the unit does not show it.
 std::vector<std::string> guesses(const Log& log) {
   std::vector<std::string> lines;
   for (const LogColumn& column : log.columns) {

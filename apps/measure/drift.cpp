@@ -1,4 +1,4 @@
-// `ballbar drift SESSION`: the error time series, one row a test.
+// `ballbar drift SESSION`: the drift over time, one row per test.
 #include "ballbar/drift/drift.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// `ballbar effects [NAME]`: the catalogue, one effect's page, or the words of statistics. Printed from the code.
+// `ballbar effects [NAME]`: the catalogue, one effect's page, or the glossary. Printed from the code.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

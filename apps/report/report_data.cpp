@@ -236,7 +236,7 @@ std::string file_name(const fs::path& path) {
                                                      : name.string();
 }
 
-// Recordings are told from a session and a series by what open_model_data() makes of them.
+// open_model_data() distinguishes recordings, a session and a series.
 ReportData report_data(ReportRequest& options) {
   ReportData result;
   Report& made = result.report;

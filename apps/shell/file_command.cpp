@@ -29,7 +29,7 @@ std::string_view name_of(FileKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-// Told by content. A file of no known format is taken for a series, whose reader says what is wrong with it.
+// The content decides. A file of no known format is read as a series, whose reader says what is wrong with it.
 FileKind kind_of(const std::string& path) {
   std::error_code absent;
   if (std::filesystem::is_directory(path, absent) && stands_for_runs(path)) return FileKind::series;

@@ -22,7 +22,7 @@ std::string fleet_day(std::int64_t time_s) {
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(time_s)));
 }
 
-// Two tests of a machine and plane on one day are told apart by a number.
+// A number distinguishes two tests of a machine and plane on one day.
 std::vector<std::filesystem::path> names_of(const std::vector<FleetTest>& tests) {
   std::vector<std::filesystem::path> names;
   std::set<std::filesystem::path> taken;

@@ -139,7 +139,7 @@ void expect_room(const std::set<fs::path>& names, const fs::path& folder, const 
                     "of the same names.",
                     folder.string()));
   }
-  const bool below = std::any_of(names.begin(), names.end(), [](const fs::path& name) {  // a folder a machine
+  const bool below = std::any_of(names.begin(), names.end(), [](const fs::path& name) {  // one folder per machine
     return name.has_parent_path() && name.extension() == ".b5r";
   });
   std::error_code unread;  // a folder that cannot be looked into is not written to either

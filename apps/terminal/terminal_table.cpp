@@ -219,7 +219,7 @@ void add_details(CLI::App& command, bool& details) {
 
 std::string on_a_screen(const std::vector<ScreenPart>& parts, bool details) {
   std::string whole;
-  std::size_t lines = 2;  // with those of the last paragraph, which says what is left out
+  std::size_t lines = 2;  // with those of the last paragraph, on columns that are left out
   const auto append = [](std::string& text, const std::string& part) {
     if (!part.empty()) text += (text.empty() ? "" : "\n") + part;
   };

@@ -2,7 +2,7 @@
 
     python3 plain_words.py SOURCE_FOLDER
 
-Read are the literals of the sources, the pages of text, and the transcripts of the terminal. Each entry is a pattern, an
+Read are the literals and the comments of the sources, the pages of text, and the transcripts of the terminal. Each entry is a pattern, an
 example that it finds, and the better wording.
 """
 import pathlib
@@ -73,6 +73,8 @@ WORDS = [
 BAD = re.compile("|".join(f"(?:{pattern})" for pattern, _, _ in WORDS))
 LITERALS = re.compile(r"""(?:"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|`[^`]*`)(?:\s*"(?:[^"\\\n]|\\.)*")*""")
 COMMENT = re.compile(r"(?m)(?:^|(?<=\s))(?://|#(?!include)).*$")
+# Lines of a comment that follow each other are one text.
+COMMENTS = re.compile(r"(?m)(?:^[ \t]*//.*\n)+|(?<=\s)//.*$")
 SOURCES = {".cpp", ".hpp", ".ts", ".py"}
 
 
@@ -86,6 +88,9 @@ def texts(path, text):
     else:
         for found in LITERALS.finditer(COMMENT.sub(lambda comment: " " * len(comment[0]), text)):
             yield found.start(), re.sub(r'"\s*"', "", found[0])
+        if path.suffix in (".cpp", ".hpp"):
+            for found in COMMENTS.finditer(text):
+                yield found.start(), re.sub(r"\s*\n\s*// ?", " ", found[0])
 
 
 def files(source):

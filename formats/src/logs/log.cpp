@@ -91,7 +91,7 @@ void say_lines(const LogTable& table, Log& log) {
   say(table.cut_lines, "cut off within a number, read as a gap");
 }
 
-// What a user should state, where the file does not tell it.
+// What a user should state, because the file does not.
 std::vector<std::string> unclear_parts(const Log& log) {
   std::vector<std::string> parts;
   if (!log.series.has_clock)

@@ -185,7 +185,7 @@ std::vector<double> clock_s(LogTable& table, const LogPlan& plan, const std::str
   } else {
     time_s = std::move(table.time_s);
     clock.run_on(time_s);
-    // A clock counts from the first row; what is told since a start stays as it is.
+    // A clock starts at the first row; times since a start stay as they are.
     const double first_s = table.elapsed && !table.first_day ? 0.0 : time_s.front();
     if (table.first_day) started_s = static_cast<double>(*table.first_day) * kDay_s + first_s;
     for (double& value : time_s) value = to_decimals(value - first_s, 1e-9);

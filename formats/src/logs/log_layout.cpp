@@ -15,7 +15,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kRowsOfNames = 400;  // that a layout is told by
+constexpr std::size_t kRowsOfNames = 400;  // that shows a layout
 
 bool is_number(const ColumnSample& sample) { return sample.mostly(sample.numbers); }
 

@@ -116,7 +116,7 @@ bool runs_as_the_time(const std::vector<ColumnSample>& samples, const LogPlan& p
   return runs_as_long(samples[i], *time_unit_s(plan.columns[i].unit), time);
 }
 
-// What is left of the columns after the time: numbers, or why not.
+// The columns other than the time: numbers, or why not.
 void plan_values(const std::vector<bool>& is_label, const std::vector<ColumnSample>& samples, const LogRecipe& recipe,
                  LogPlan& plan) {
   const bool counted = plan.time.kind != TimePlan::Kind::rows || recipe.every_s || plan.time.numbered;

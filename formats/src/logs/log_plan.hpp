@@ -38,7 +38,7 @@ struct TimePlan {
   std::size_t column = 0;               // number: which; stamps: the first
   double unit_s = 1.0;                  // number
   double resolution_s = 0.0;            // to which a number is rounded when it became seconds; 0: kept as it is
-  std::optional<double> zero_s;         // number: seconds from 1970 to its zero, where it counts from a date
+  std::optional<double> zero_s;         // number: seconds from 1970 to its zero, where it starts at a date
   double every_s = 0.0;                 // rows
   bool numbered = false;                // rows without a clock
   std::optional<DateOrder> order;       // stamps; empty: not known yet

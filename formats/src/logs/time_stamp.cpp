@@ -26,7 +26,7 @@ constexpr std::pair<std::string_view, unsigned> kMonths[] = {
     {"set", 9}, {"okt", 10}, {"oct", 10}, {"ott", 10}, {"nov", 11}, {"dez", 12}, {"dec", 12}, {"dic", 12},
 };
 
-// What is left of a cell; takes from its front.
+// The rest of a cell, read from its front.
 class Cursor {
  public:
   explicit Cursor(std::string_view text) : text_(text) {}

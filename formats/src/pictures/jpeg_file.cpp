@@ -148,7 +148,7 @@ std::string encoded_jpeg(const Picture& picture, int quality) {
     }
     jpeg_finish_compress(&jpeg);
   });
-  // What is left for it to complain of is want of memory; `bytes` then may have been freed already.
+  // The only remaining error is want of memory; `bytes` may have been freed then.
   if (!encoded) {
     throw Error(fmt::format("a JPEG of {} by {} pixels: {}.", picture.width, picture.height, text_of(codec.complaint)));
   }

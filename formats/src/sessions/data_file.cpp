@@ -27,7 +27,7 @@ namespace {
 
 // An empty file and one of another kind, told here with all that would do.
 void expect_data(const Source& source, std::span<const Reader> readers) {
-  if (!source.is_file() || source.is_archive()) return;  // a folder, or nothing: told by open_drift_data
+  if (!source.is_file() || source.is_archive()) return;  // a folder, or nothing: open_drift_data says so
   const Reader* const reader = source.reader(readers);
   if (reads_series(reader) || read_of<ReadSession>(reader) != nullptr) return;
   throw Error(

@@ -15,7 +15,7 @@ namespace ballbar {
 
 namespace {
 
-// Read once: what a log was taken for stands in the remarks.
+// Read once: the remarks say how a log was read.
 OpenedSeries opened_by(const Reader* reader, const Source& source) {
   if (const auto read = read_of<ReadLog>(reader)) {
     Log log = read(source);

@@ -28,7 +28,7 @@ void expect_nominal_length(const Recording& recording, const fs::path& path, dou
                           nominal_length_mm, recording.nominal_length_mm));
 }
 
-// Of a file with results alone, the circles that it stores. Returns the remarks on a circle in a table.
+// The circles that a file with only results stores. Returns the remarks on a circle in a table.
 std::vector<std::string> add_circles(SessionTest& test, const fs::path& path, Readers readers,
                                      const StatedCircle& stated = {}) {
   RecordingFile file = open_recording(path, readers, stated);

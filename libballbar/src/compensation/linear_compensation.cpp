@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kFifths = 5, kFirstTestedFifth = 3;
 constexpr double kIndependent = 1e-6;  // share of a sensor's square that the others of its set do not draw
 
-// Of a record: what counts from the zeros of its runs.
+// A record relative to the zeros of its runs.
 struct LineData {
   std::vector<std::size_t> row, zero;  // of the series: each row, and the zero of its run
   std::vector<std::size_t> part;       // each row: run, or fifth of the only one

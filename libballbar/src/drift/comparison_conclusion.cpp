@@ -72,7 +72,7 @@ std::string sentence_of(DifferenceKind kind, const DifferencePart& part, const A
 
 constexpr const char* kNames[] = {"an offset", "a scale error", "a clock error", "a steady drift"};
 
-// Empty where nothing stands out. Largest first.
+// The significant parts, the largest first.
 std::string sentences_of_structure(const AxisComparison& axis) {
   if (!axis.structure || !axis.structure->stands_out) return {};
   const DifferenceStructure& structure = *axis.structure;

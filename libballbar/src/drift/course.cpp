@@ -19,7 +19,7 @@ constexpr std::size_t kMostSteps = 3, kMostReadings = 2000;
 constexpr int kTimeConstants = 24;
 constexpr double kStepCosts = 3.0;  // parameters
 constexpr int kSweeps = 4;
-constexpr double kNoShape = 2.0;  // times the scatter of the rows: what is left then is no noise
+constexpr double kNoShape = 2.0;  // times the scatter of the rows: a larger residual is no noise
 
 struct CourseFit {
   double squares = std::numeric_limits<double>::infinity();

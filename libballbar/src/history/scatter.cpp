@@ -224,7 +224,7 @@ Scatter scatter_of(const AllSeries& all) {
 
 double FamilyScatter::memory(double j) const { return memory_at(memory_of, j); }
 
-// A line that is taken away takes some of what has a memory with it; worked out from autoregressive scatter and from
+// Subtracting a line removes some of the correlated scatter as well; worked out from autoregressive scatter and from
 // scatter that stays for 3 to 8 tests.
 double FamilyScatter::memory_beyond(double j) const {
   constexpr double kGoesOn = 2.5;
@@ -232,7 +232,7 @@ double FamilyScatter::memory_beyond(double j) const {
 }
 
 double FamilyScatter::chance_of_mean(std::size_t j, double mean) const {
-  // j values with a memory are worth fewer.
+  // j correlated values are worth fewer.
   const double worth = static_cast<double>(j) / memory(static_cast<double>(j));
   const auto values = static_cast<std::size_t>(std::clamp(std::floor(worth + 0.5), 1.0, static_cast<double>(j)));
   return chance_of_sum(tail[values - 1], std::abs(mean) * static_cast<double>(values));

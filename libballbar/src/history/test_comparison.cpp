@@ -69,7 +69,7 @@ std::size_t judge(std::vector<QuantityDifference>& quantities) {
 }
 
 bool is_scale_of_axis(std::string_view name) { return name.starts_with("scale_") && name.size() == 7; }
-// The others follow from these: the size of the circle, what is left, the scales of the axes.
+// The others follow from these: the size of the circle, the residual, the scales of the axes.
 bool is_error(std::string_view name) {
   return name != "circularity" && name != "residual_rms" && !is_scale_of_axis(name);
 }

@@ -86,7 +86,7 @@ Eigen::MatrixXd inverse_of(Eigen::MatrixXd normal);
 // Whether the columns of one effect are relevant in the rows with these weights: not the far tail of a distant spike.
 ErrorColumns present(const ErrorColumns& all, const Eigen::VectorXd& weight);
 
-// The shape of the effect, of those given, whose columns lower what is left of the data most. `beside`: orthogonal to
+// The shape of the effect, of those given, whose columns lower the residual of the data most. `beside`: orthogonal to
 // the columns of this estimate (nullptr: of none).
 double best_shape(const Effect& effect, const std::vector<double>& shapes, const ErrorRows& rows,
                   const Eigen::VectorXd& left, const Eigen::VectorXd& weight, const ErrorDesign* design = nullptr,

@@ -182,8 +182,8 @@ std::vector<std::string> undetermined(const ErrorDesign& design) {
   return phrases;
 }
 
-// All gains with their covariance. prior: on an arc, where curves are drawn with it, since two errors that the arc
-// hardly tells apart would be large ones against each other; an error must be significant with it, too.
+// All gains with their covariance. prior: on an arc, where curves are drawn with it, because two errors that the arc
+// hardly separates would become large with opposite signs; an error must be significant with it, too.
 void fit_all(JointErrorFit& fitted, const Eigen::MatrixXd& prior) {
   ErrorDesign& design = fitted.design;
   const ErrorRows& rows = fitted.rows;

@@ -49,7 +49,7 @@ std::array<double, kMemories> memories_s(const ErrorRows& rows) {
   return memories;
 }
 
-// Of the part with a memory, for q = 1, in a mean over a row: what it shares with others (k), and its variance.
+// The correlated part, for q = 1, in a mean over a row: what it shares with others (k), and its variance.
 struct MeanOfRow {
   double with_others = 1.0, variance = 1.0;
 };

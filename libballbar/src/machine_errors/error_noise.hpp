@@ -1,6 +1,6 @@
 // The residual noise of the full model of a ballbar test, and the variance of sums of readings.
 //
-// White (w^2 a reading) and with a memory (Ornstein-Uhlenbeck: q^2, theta). A row is a mean of c readings dt apart;
+// White (w^2 per reading) and correlated (Ornstein-Uhlenbeck: q^2, theta). A row is a mean of c readings dt apart;
 // with h = dt / (2 theta), k = sinh(c h) / (c sinh h):
 //
 //   cov of two rows   q^2 k_i k_j exp(-|t_i - t_j| / theta)
@@ -31,7 +31,7 @@ struct WeightedNoise {
 std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::MatrixXd& columns);
 
 // Rows beyond the reach of a reversal, two of a recording joined to one, with the means of columns: what the noise is
-// learnt from. Near a reversal the form of a spike is never quite that of the model, and what is left there is no
+// learnt from. Near a reversal the form of a spike is never quite that of the model, and the residual there is no
 // noise.
 struct QuietRows {
   ErrorRows rows;

@@ -233,7 +233,7 @@ std::vector<RankedError> ranked_errors(const JointErrorFit& fitted, const ErrorT
         chi2_exceeded(kFalseErrors / (effect.looked_at * effect.searched), static_cast<std::size_t>(values.size()));
     one.p_value = std::min(1.0, effect.searched * std::max(effect.p_with_prior, p_of(values, covariance)));
     if (directions.both()) {
-      // Its gains from one direction alone, all else as fitted: do they lower what is left in the other?
+      // Its gains from one direction alone, all else as fitted: do they lower the residual of the other?
       const Eigen::VectorXd data = residual + fitted_curve(fitted, {effect.effect});
       const double left =
           squares_left(shared_columns(fitted, {effect.effect}), data, directions, Eigen::VectorXd::Zero(data.size()));

@@ -45,7 +45,7 @@ std::vector<Wave> waves_of(const ErrorRows& all, const Eigen::VectorXd& residual
     }
   }
   const Eigen::MatrixXd weighted = rows.count.asDiagonal() * columns;
-  // A line in the spectrum stands out of the likeliest noise or of none.
+  // A line in the spectrum exceeds the likeliest noise, or none does.
   const Eigen::MatrixXd spread = spread_of(weighted, rows, {{1.0, noises.front().noise}});
   const Eigen::VectorXd right = weighted.transpose() * residual(own);
   std::vector<Wave> waves;

@@ -2,7 +2,7 @@
 //
 // muParser evaluates a formula row by row, but lag(x, tau) needs the whole series: so each lag becomes a variable of
 // its own, filled before the formula around it is evaluated. Names become short variables too, so that any column's
-// name will do. What is left for muParser is a text that it takes; its own messages are not for users.
+// name will do. muParser then reads a text that it accepts; its own messages are not for users.
 #pragma once
 
 #include <cstddef>

@@ -93,7 +93,7 @@ Covariance white(Likelihood& likelihood) {
   return {std::exp(best.x[0]), 0.0, 0.0};
 }
 
-// Minus the likelihood of a noise with a memory in the unknowns x, y and, where sigma is stated, z.
+// Minus the likelihood of correlated noise in the unknowns x, y and, where sigma is stated, z.
 struct Cost {
   static constexpr double kLeastWhite = -8.0, kMostWhite = 10.0;  // y
   Likelihood& likelihood;

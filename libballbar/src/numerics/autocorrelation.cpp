@@ -16,7 +16,8 @@ Autocorrelation autocorrelation_of(const Eigen::ArrayXd& residual) {
   r /= variance;
   if (r[0] < 3.0 / std::sqrt(static_cast<double>(n))) return {};
   const double slope = (r.head<kLags - 1>() * r.tail<kLags - 1>()).sum() / r.head<kLags - 1>().square().sum();
-  const double slowest = 1.0 - 1.0 / static_cast<double>(n);  // slower than the sweep cannot be told from a constant
+  const double slowest =
+      1.0 - 1.0 / static_cast<double>(n);  // slower than the sweep cannot be separated from a constant
   const double phi = std::clamp(slope, std::min(r[0], slowest), slowest);
   return {phi, std::min(1.0, r[0] / phi)};
 }

@@ -174,8 +174,8 @@ Unknowns<P> unknowns_at(const Rows& rows, const Eigen::Vector<double, P>& p0, Ba
 }
 
 // Ceres stops where the cost no longer changes in double precision; that leaves the root of that precision in
-// the unknowns. Gauss-Newton steps on the gradient take out the rest, as long as they shrink. Whether what is left
-// is nothing: 1e-6 of what the residual's norm amounts to.
+// the unknowns. Gauss-Newton steps on the gradient take out the rest, as long as they shrink. Whether the residual
+// is 0: 1e-6 of what the residual's norm amounts to.
 template <int P, class Cost>
 bool take_out_the_rest(const Cost& cost, Eigen::Vector<double, P>& s) {
   double last = std::numeric_limits<double>::infinity();

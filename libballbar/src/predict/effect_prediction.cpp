@@ -128,7 +128,7 @@ LivePrediction::LivePrediction(const EffectRegression& regression)
   }
 }
 
-// What is left of the discrepancy at the end of training: 1 to 0.
+// The remaining share of the discrepancy at the end of training: 1 to 0.
 double LivePrediction::forgotten(double time_s) const {
   const bool is_after = goes_on_ && of_.length_s > 0.0 && time_s > of_.end_s;
   return is_after ? std::exp(-(time_s - of_.end_s) / of_.length_s) : 0.0;

@@ -23,7 +23,7 @@ struct ForecastFold {
 // several each run.
 std::vector<ForecastFold> forecast_folds(const Design& design, const Series& first_run);
 
-// Of a row that is predicted; held, mean: what is left where the last value, or the mean, of the rows before is taken.
+// Of a row that is predicted; held, mean: the error where the last value, or the mean, of the rows before is taken.
 struct ForecastError {
   double error_um = 0.0, held_um = 0.0, mean_um = 0.0, sigma_um = 0.0, weight = 1.0;
 };

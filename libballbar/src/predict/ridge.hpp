@@ -18,8 +18,8 @@
 //
 //   ln L = -(n-1)/2 ln(S/(n-1)) - (ln|K| + ln q)/2,   S = (y - b)'K^-1 (y - b),   s^2 = S/(n-1)
 //
-// and of five or more runs those that predict a run best from the others: with Q = K^-1 - K^-1 1 1'K^-1 / q what is
-// left of run R when it is left out is Q_RR^-1 (Q y)_R.
+// and of five or more runs those that predict a run best from the others: with Q = K^-1 - K^-1 1 1'K^-1 / q the
+// error of run R when it is left out is Q_RR^-1 (Q y)_R.
 #pragma once
 
 #include <Eigen/Core>
@@ -110,14 +110,14 @@ double prior_trace(const RidgeProblem& problem, const RidgeSetting& setting);
 double log_likelihood_without(const RidgeProblem& problem, const RidgeSetting& setting,
                               const std::vector<std::size_t>& predictors);
 
-// What is left of every row when its run is left out, and the sigma that is expected of it.
+// The error of every row when its run is left out, and the sigma that is expected of it.
 struct LeftOutRuns {
   Eigen::VectorXd error_um, sigma_um;  // n
   std::vector<double> rmse_um;         // of each run that has rows in the problem
 };
 LeftOutRuns left_out_runs(const RidgeProblem& problem, const RidgeSetting& setting);
 
-// Runs r by runs s of the design: the mean square of what is left of run s when r and s are left out together, on the
+// Runs r by runs s of the design: the mean square of the error of run s when r and s are left out together, on the
 // diagonal when s alone is; 0 where the problem has no row of s, infinite where K is singular.
 Eigen::MatrixXd left_out_pairs_um2(const RidgeProblem& problem, const RidgeSetting& setting, std::size_t runs);
 

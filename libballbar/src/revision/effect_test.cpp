@@ -27,7 +27,7 @@ std::size_t free_parameters(const Term& term) {
       std::count_if(term.settings.begin(), term.settings.end(), [](const Setting& setting) { return !setting.held; }));
 }
 
-// What cannot be told from the model: it adds nothing of its own.
+// An effect that the model can produce: it adds nothing of its own.
 Candidate untestable_candidate(const BoundEffect& bound) {
   Candidate one;
   one.bound = bound;
@@ -183,7 +183,7 @@ Pruned pruned(EffectTest effect_test, const Series& data, std::size_t target) {
   Pruned result{std::move(effect_test), {}};
   EffectTest& now = result.effect_test;
   std::size_t earlier = now.model.terms.size() - now.added.size();
-  std::vector<std::size_t> place(earlier);  // in the model before, of what is left of it
+  std::vector<std::size_t> place(earlier);  // in the model before, of those that remain
   for (std::size_t t = 0; t < earlier; ++t) place[t] = t;
   while (true) {
     const auto least = std::max_element(now.earlier.begin(), now.earlier.end(),

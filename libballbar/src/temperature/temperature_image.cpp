@@ -152,7 +152,7 @@ void leave_out_edges(Field& field, std::size_t reach) {
   }
 }
 
-// The bounding box of what is left, and the edge that was taken off it.
+// The bounding box of the remaining pixels, and the edge that was removed.
 PixelBox bounds(const Field& field, std::size_t edge_px) {
   const std::size_t width = field.box.width, height = field.box.height;
   std::size_t left = width, right = 0, top = height, bottom = 0;

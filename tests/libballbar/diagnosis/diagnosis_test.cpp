@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <regex>
 #include <string>
 
@@ -85,6 +86,21 @@ TEST(Diagnosis, says_nothing_of_an_effect_that_is_not_searched) {
   for (const EffectProbability& one : found.effects) EXPECT_FALSE(is_it(one.bound));
   EXPECT_NE(found.verdict, Verdict::nothing);
   EXPECT_NE(found.verdict, Verdict::named);
+}
+
+// The stated sigma of the readings is not a part of the noise that is beside it, as in a fit: what could be hidden is
+// the same with and without it.
+TEST(Diagnosis, a_stated_sigma_counts_once) {
+  Series data = made::drift({0.0, 5, 300, 0.05});
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  for (double& value : data.columns.back().values) value += 0.5 * normal(random);
+  const Diagnosis without = diagnose(made::by_speed(), data);
+  data.columns.push_back({"z_sigma_um", Role::measured, std::vector<double>(data.time_s.size(), 0.5)});
+  const Diagnosis with = diagnose(made::by_speed(), data);
+  EXPECT_NEAR(without.noise.white_um, 0.5, 0.06);
+  EXPECT_LT(with.noise.white_um, 0.15);
+  EXPECT_NEAR(with.hidden_um, without.hidden_um, 0.1 * without.hidden_um);
 }
 
 TEST(Diagnosis, tells_what_it_does) {

@@ -1,9 +1,11 @@
 // Effects added for a try, and earlier ones tested anew.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "ballbar/error.hpp"
 #include "diagnosis/signatures/thresholds.hpp"
 #include "effect_test_of.hpp"
 
@@ -150,6 +152,35 @@ TEST(EffectTest, of_what_is_not) {
   const EffectTest found = effect_test(model, {term_of("expansion", {"T_oil_degC"})}, warm_up());
   EXPECT_EQ(found.after.verdict, "not supported");
   EXPECT_EQ(found.after.still_needed, std::vector<std::string>{"expansion(T_room_degC)"});
+}
+
+// Both jumps would have the figures of one.
+TEST(EffectTest, an_effect_once) {
+  Term first = term_of("step", {}), second = first;
+  first.settings[1].start = 3600.0;
+  second.settings[1].start = 9000.0;
+  first.settings[1].stated = second.settings[1].stated = true;
+  EXPECT_THROW(effect_test(constant(), {first, second}, warm_up()), Error);
+}
+
+// The user's range is the prior of a shape, also where the grid of the catalogue ends.
+TEST(EffectTest, a_stated_range_holds_the_shape) {
+  Series data = warm_up();
+  double slow = data.columns[1].values.front();
+  for (std::size_t i = 0; i < data.time_s.size(); ++i) {
+    slow += (data.columns[1].values[i] - slow) * (1.0 - std::exp(-60.0 / 7200.0));
+    data.columns[3].values[i] += 40.0 * slow - 4.0 * data.columns[1].values[i];
+  }
+  Term lagged = term_of("lagged_expansion", {"T_room_degC"});
+  const auto time =
+      static_cast<std::size_t>(std::find_if(lagged.effect->parameters.begin(), lagged.effect->parameters.end(),
+                                            [](const Parameter& parameter) { return parameter.unit == "s"; }) -
+                               lagged.effect->parameters.begin());
+  lagged.settings[time].lower = 400.0;
+  lagged.settings[time].upper = 900.0;
+  const EffectTest found = effect_test(constant(), {lagged}, data);
+  EXPECT_LE(found.added[0].parameters[time].value, 900.0);
+  EXPECT_GE(found.added[0].parameters[time].value, 400.0);
 }
 
 // Beside a jump of 8 um that is not in the model either, 1 um with the room is noise. The diagnosis names both, and

@@ -75,7 +75,7 @@ double elongation_correction_um(ElongationForm form, double radius_mm, double he
 //   - cos 2 theta and sin 2 theta, each 0 +- s. s = 2.1 um at 100 mm is usual: 20 um/m, and 0.5 um whatever the radius.
 //     Half of it, once, twice and four times are averaged by their likelihood.
 //   - a third harmonic, which is most likely 0
-//   - white noise, and noise with a memory of up to a quarter of the arc, averaged likewise
+//   - white noise, and noise that is correlated over up to a quarter of the arc, averaged likewise
 //
 // The polar circle keeps the values of the instrument's software, and its covariance is about these. On a full circle
 // the form of the path does not move the centre; there, for rotary axes and for spindles the circle is fitted alone.

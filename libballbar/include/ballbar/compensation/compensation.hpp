@@ -147,9 +147,9 @@ class Compensator {
 // ---- The compensators of all axes of a machine. All read the same row of signals.
 //
 // A model may read the prediction of another one, as bearing clearance depends on axial growth. If a column is not a
-// signal but the target of an earlier axis, it takes the predicted error of that axis. This value counts from the first
-// row of that axis, so that the trained range of the measured column is not checked. While that axis is held, this one
-// is held too (no_value).
+// signal but the target of an earlier axis, it takes the predicted error of that axis. This value is relative to the
+// first row of that axis, so that the trained range of the measured column is not checked. While that axis is held,
+// this one is held too (no_value).
 
 struct CompensatedAxis {
   std::string name;  // "z"

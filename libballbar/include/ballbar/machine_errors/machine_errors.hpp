@@ -124,7 +124,7 @@ struct RankedError {
   std::optional<std::size_t> group = {};  // index into MachineErrors::groups; then not significant by itself
 };
 
-// Errors that the readings show together and cannot separate: one direction does not tell squareness from servo
+// Errors that the readings show together and cannot separate: one direction does not separate squareness and servo
 // mismatch. It is found from the covariance of the joint fit: no member is significant beside the others, and each one
 // is significant without them.
 struct ErrorGroup {

@@ -18,8 +18,9 @@
 // Units: columns as their names say; values in um; settings in the unit of their parameter. Signs: a contribution adds
 // to the target, so that a positive gain of a temperature is a target that grows as it warms.
 //
-// Accuracy: effects with a memory use the exact response to inputs that are linear between rows, so that rows of uneven
-// steps cause no error of their own. Rows on which an effect's 95 % interval is checked: tests/study, effects.cpp.
+// Accuracy: effects with a time constant use the exact response to inputs that are linear between rows, so that rows of
+// uneven steps cause no error of their own. Rows on which an effect's 95 % interval is checked: tests/study,
+// effects.cpp.
 #pragma once
 
 #include <array>

@@ -185,7 +185,7 @@ Series joined_batches(std::span<const Series> batches, const Model& model);
 // mean absolute error 1.0, 1.2, 2.1, 1.8, 1.8 um of its five channels, 94 % within the interval of 95 %.
 //
 // Source of the method: ridge regression as the posterior mean of a Gaussian process with restricted likelihood,
-// Rasmussen, Williams 2006, chapter 2 and 5; no paper's equations.
+// Rasmussen, Williams 2006, chapter 2 and 5.
 
 // Errors of forecasts of rows outside the training data, averaged over all these rows.
 struct Forecasts {

@@ -69,8 +69,9 @@ struct LinearSolution {
   // Of the coefficients, um^2.
   Eigen::MatrixXd covariance() const { return variance * factor.inverse(); }
 };
+// s^2 is estimated.
 LinearSolution linear_solution(const Gram& gram, const std::vector<char>& is_flat, const KnownScatter& known);
-// With this s^2; without ln of the evidence.
+// s^2 is given; log_evidence stays 0.
 LinearSolution solution_at(const Gram& gram, const std::vector<char>& is_flat, double variance);
 LinearSolution linear_solution(const Whitening& whitening, const LinearModel& model, const KnownScatter& known);
 

@@ -14,13 +14,13 @@ struct ConditionalFit {
   std::vector<double> parameters;       // of the model, in their own units
 };
 
-// From the parameters of the linearisation, the shapes of the set held.
+// Fits the model beside the set from the parameters of the linearisation. The shapes of the set are held.
 ConditionalFit conditional_fit(const Problem& problem, const Linearisation& linearisation,
                                const std::vector<std::size_t>& signatures, const NoiseFilter& filter);
 
-// With the shapes of the set free, from the best of several parameters of the model. Adds these shapes to the library,
-// and replaces the signatures of the set by them. Without this, another effect would explain the residual of a strong
-// effect whose true shape lies between two points of the grid.
+// Fits the model and the shapes of the set together, from each of these parameters of the model, and keeps the best
+// fit. The fitted shapes are added to the library and replace the signatures of the set. Without this, another effect
+// would explain the residual of a strong effect whose true shape lies between two points of the grid.
 ConditionalFit sharpened(Problem& problem, const Linearisation& linearisation, std::vector<std::size_t> signatures,
                          const std::vector<std::vector<double>>& starts, const NoiseFilter& filter);
 

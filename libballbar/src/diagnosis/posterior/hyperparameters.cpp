@@ -13,8 +13,9 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kLengths = 4;                 // of the first look
-constexpr double kFirstSizes[] = {1.0, 4.0, 16.0};  // likewise, of the noise
+// The grid from whose best point the search starts: memories, and sizes of a discrepancy over those of the noise.
+constexpr std::size_t kLengths = 4;
+constexpr double kFirstSizes[] = {1.0, 4.0, 16.0};
 
 // A compass search between bounds: ln of white over what is new of the memory in a step, ln of the memory, ln of the
 // discrepancy's standard deviation over the noise's, ln of its memory. Those that are not searched have equal bounds.

@@ -1,9 +1,9 @@
 // The most likely covariance of the readings beside a linear model, for each kind of discrepancy.
 //
-// Noise is white and remembers for at most `longest_memory_s`. A slower change has a cause, even if nobody logged it:
-// it is the discrepancy (Kennedy and O'Hagan 2001, J. R. Stat. Soc. B 63, 425). Its size is at least 0.3 times the
-// noise, so that it cannot shrink to noise; its memory lies between 25 min and three times the record. The
-// hyperparameters are at the maximum of the evidence within these bounds. Each costs two nats, for its volume.
+// Noise is white, and correlated over at most `longest_memory_s`. A slower change has a cause, logged or not: it is the
+// discrepancy (Kennedy and O'Hagan 2001, J. R. Stat. Soc. B 63, 425). Its size is at least 0.3 times the noise, so that
+// it cannot shrink to noise; its memory lies between 25 min and three times the record. The hyperparameters are at the
+// maximum of the evidence within these bounds. Each costs two nats, for its volume.
 #pragma once
 
 #include <vector>

@@ -9,7 +9,7 @@
 namespace ballbar {
 namespace {
 
-// Of all but one of them; of all where `without` is none of them.
+// The mean curve of all single effects but one. All are summed if `without` is the index of none.
 ProjectedColumns::Curve sum_of(const std::vector<SingleEffect>& effects, const ProjectedColumns& at,
                                std::size_t without) {
   ProjectedColumns::Curve sum = at.curve_of({});

@@ -41,10 +41,9 @@ struct Posterior {
   double nothing = 1.0;              // P of no effect, wrong held value and discrepancy
   double none = 1.0;                 // P of no effect and no wrong held value
   double discrepancy = 0.0;          // P of a slow discrepancy
-  std::vector<EffectSet> sets;  // the most probable first; that of the likeliest identity of each single effect that is
-                                // likely to be there is `best`; the first of no effects is always there
-  std::size_t best = 0;
-  double log_total = 0.0;                                           // of the sets
+  std::vector<EffectSet> sets;       // the most probable first; the empty set is among them
+  std::size_t best = 0;              // index of the set of the likeliest identities of the likely single effects
+  double log_total = 0.0;            // of the sets
   mutable std::map<std::vector<std::size_t>, double> log_evidence;  // of requested sets (log_bayes_factor)
 
   double p(const EffectSet& set) const;

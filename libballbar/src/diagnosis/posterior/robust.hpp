@@ -15,15 +15,15 @@
 
 namespace ballbar {
 
-// Makes the variances of readings larger that are far from the others, given the covariance and the model.
-// False: there are none.
+// Enlarges the variances of the readings that are far from the others, given the covariance and the model. Returns
+// false if there are none.
 bool weigh_down_outliers(Problem& problem, const LinearModel& linear, const NoiseFilter& filter);
 
-// Where the residual has another level; fewer than three: none.
+// The rows from which the residual has another level; empty if there are fewer than three.
 std::vector<LevelJump> level_jumps(const Problem& problem, const Eigen::VectorXd& residual_um);
 
-// Both, for the readings of a series, beside the richest model, inputs in any form: a missing effect would make its own
-// readings outliers.
+// Finds level jumps and outliers of a series beside the richest model, inputs in any form. Beside a poorer model a
+// missing effect would make its own readings outliers.
 void note_outliers(Problem& problem);
 
 }  // namespace ballbar

@@ -28,7 +28,7 @@ std::vector<double> fitted_values_of(const Problem& problem, const Linearisation
   return values;
 }
 
-// Of one single effect the likely effects, the strongest first.
+// The effects that a single effect may be, the strongest first.
 std::vector<std::size_t> effects_of(const Problem& problem, const SingleEffect& one) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < problem.effects; ++i) {
@@ -160,7 +160,7 @@ void settle(const Problem& problem, const SearchResult& of, std::size_t largest,
 
 double log_weight_of(const SearchResult& of) { return of.sum.elbo + of.covariances.front().log_prior; }
 
-// Of each kind of discrepancy; the most likely first.
+// Settles the covariance of each kind of discrepancy. The most likely kind becomes the first, and its sum is kept.
 void settle_all(const Problem& problem, std::size_t largest, SearchResult& of) {
   std::vector<SumOfEffects> sums(of.covariances.size(), of.sum);
   in_parallel(sums.size(), [&](std::size_t k) { settle(problem, of, largest, of.covariances[k], sums[k]); });

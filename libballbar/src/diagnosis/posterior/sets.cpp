@@ -89,7 +89,7 @@ void relinearise_held(const Problem& problem, Posterior& posterior, EffectSet& s
   set.linearisation = posterior.linearisations.size() - 1;
 }
 
-// Exactly these effects with the model, at the likeliest covariance of each kind.
+// The model with exactly these effects, at the likeliest covariance of each kind of discrepancy.
 struct GivenEffects {
   std::vector<Covariance> covariances;
   std::vector<SumOfEffects> sums;

@@ -10,7 +10,8 @@
 namespace ballbar {
 namespace {
 
-// Adds sums over earlier rows of k(t_i - t_j) z_j in this order of rows; k = e^-d, or (1 + d) e^-d, d = rate |dt|.
+// Adds to each row i the sum of k(t_i - t_j) z_j over the rows j before it in this order. The kernel k is e^-d of a
+// rough discrepancy, (1 + d) e^-d of a smooth one, d = rate |dt|.
 template <class Row>
 void add_sums(const std::vector<double>& time_s, double rate, bool is_rough, const Eigen::VectorXd& z, Row&& row,
               Eigen::VectorXd& sums) {

@@ -59,8 +59,9 @@ NormalFactor factor_of(const SetRegression& at, const std::vector<Eigen::Index>&
   return NormalFactor(products.bottomRightCorner(p, p), precision_at(at, columns));
 }
 
-// The test of equal gains: the member's columns, split by fold, beside the set. With L the products of what is left of
-// them and b those with y, chi^2 = b' L^+ b / s^2. Its degrees of freedom are the directions in which they differ.
+// The test of equal gains: the member's columns, split by fold, beside the set. With L the products of their parts
+// orthogonal to it and b those with y, chi^2 = b' L^+ b / s^2. Its degrees of freedom are the directions in which they
+// differ.
 double p_same_gain(const SetRegression& at, std::size_t member, const std::vector<std::vector<Eigen::Index>>& rows) {
   const Eigen::Index w = at.width[member], p = at.size();
   const NormalFactor factor = factor_of(at, all_of(at));

@@ -120,6 +120,16 @@ TEST(LoggedInputs, a_held_temperature_is_drawn_through_its_samples) {
 }
 
 // A straight line of four rows between a speed and another one: a step in its middle.
+// A thermometer that hardly ever changes says nothing of how often the others are asked.
+TEST(LoggedInputs, a_dead_thermometer_does_not_tell_the_sampling) {
+  Series data = rows_of(400, 15.0);
+  data.columns.push_back({"T_room_degC", Role::ambient, held(read(data, degC_at), 4, 1)});
+  data.columns.push_back({"T_dead_degC", Role::structure, std::vector<double>(400, 20.0)});
+  data.columns.back().values.back() = 20.1;
+  data.columns.push_back({"speed_rpm", Role::speed, held(read(data, rpm_at), 4, 1)});
+  EXPECT_EQ(input(logged_inputs(data, {}), "speed_rpm").sample_s, 60.0);
+}
+
 TEST(LoggedInputs, a_ramped_speed_is_a_step) {
   Series data = rows_of(400, 15.0);
   const std::vector<double> exact = read(data, rpm_at);

@@ -22,9 +22,9 @@ struct ComparableName {
 };
 std::vector<ComparableName> comparables_of(const Headers& headers);  // of the first names
 
-// The places of the columns that are meant. What is equal letter by letter goes before what is comparable with the same
-// unit, and that before what is comparable without a unit or with another. More than one: the same header several
-// times, or a name that does not tell them apart. O(n); `comparables`: of the headers.
+// The places of the columns that are meant. An equal name is preferred to a comparable one with the same unit,
+// and that to a comparable one without a unit or with another. More than one: the same header several times, or a name
+// that fits several columns. O(n); `comparables`: of the headers.
 std::vector<std::size_t> columns_named(std::string_view typed, const Headers& headers,
                                        const std::vector<ComparableName>& comparables);
 

@@ -141,7 +141,7 @@ struct Tuning {
   double moves = 0.05;               // share of the square of a cycle, of the largest: an effect stands still with less
   double credible = 0.95;            // P of a credible set, of that of its single effect
   double rest = 3.0;                 // stated sigmas of the readings: a larger remaining error is unexplained
-  double follows = 0.9;              // R^2 from which a drift is said to be like an effect of time
+  double follows = 0.9;              // R^2 from which a drift is described by an effect of time
   bool beside_discrepancy = true;    // beside a larger drift no cause is named
   bool jump_that_stays = true;       // a jump explains more than a change that the noise forgets
   bool columns_not_searched = true;  // beside a column that was not searched nothing is certain

@@ -113,7 +113,7 @@ struct EffectProbability {
   double p = 0.0;
 };
 
-// The probability that this column drives something that is missing, in whatever form.
+// The probability that this column drives the missing part, in whatever form.
 struct Driver {
   std::string column;
   double p = 0.0;

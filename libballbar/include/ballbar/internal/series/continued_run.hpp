@@ -1,7 +1,7 @@
 // Rows that belong to the run of a fit, or follow it: the effects run on from the rows of the fit.
 //
-// Temperatures count from the first row of a run, and effects with a memory start there at rest. A part of the run, or
-// what follows it, is therefore predicted together with the run.
+// Temperatures are relative to the first row of a run, and effects with a time constant start there at rest. A part of
+// the run, or what follows it, is therefore predicted together with the run.
 #pragma once
 
 #include <optional>

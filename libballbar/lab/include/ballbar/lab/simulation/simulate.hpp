@@ -140,7 +140,7 @@ struct SimulatedSession {
   Series five_probe;  // no columns where absent
   double ball_from_plane_1_mm = 0.0;
   Series series;  // of a spindle alone: its sensors, then x_um, y_um, z_um, z_um positive towards the table
-  Series truth;   // one row a test: what drift_of would give without noise, changes since the first test:
+  Series truth;   // one row per test: what drift_of would give without noise, changes since the first test:
                   // x_um, y_um, z_um; spindle_rotation: radial_um, axial_um, shift_a_um, shift_b_um,
                   // radius_change_um. Of a spindle also the causes; of a spindle alone ThermalRun::truth
   std::vector<ShaftProfile> profiles;  // of a spindle, at the times that its clock asks for

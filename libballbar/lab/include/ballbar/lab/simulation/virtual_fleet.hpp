@@ -7,7 +7,7 @@
 //   constant of the machine + what its story adds + scatter of the test
 //
 // where the scatter is Student's t, larger altogether in tests that were set up badly. Scales of all axes follow the
-// temperature of the day, and their sum the length of the bar that is used. Readings have noise with a memory and are
+// temperature of the day, and their sum the length of the bar that is used. Readings have autocorrelated noise and are
 // rounded.
 #pragma once
 
