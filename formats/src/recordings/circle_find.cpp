@@ -18,11 +18,11 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kFewest = 12;        // readings
-constexpr std::size_t kMostColumns = 8;    // that are tried without names
-constexpr std::size_t kMostPoints = 4000;  // that a circle is looked for with
-constexpr double kOff = 0.02;              // of the radius: not on the circle
-constexpr double kOn = 0.01;               // of the radius: rms of what is
+constexpr std::size_t kFewestReadings = 12;  // of a circle
+constexpr std::size_t kMostColumns = 8;      // that are tried without names
+constexpr std::size_t kMostPoints = 4000;    // that a circle is looked for with
+constexpr double kOff = 0.02;                // of the radius: not on the circle
+constexpr double kOn = 0.01;                 // of the radius: rms of what is
 constexpr double kLeastArc_rad = 150.0 * kPi / 180.0;
 constexpr double kLeastArcCutOff_rad = 30.0 * kPi / 180.0;
 // Shorter arcs that are swept steadily, in tables of lengths, angles and times alone. The curve of a slow log is bent
@@ -124,7 +124,7 @@ std::vector<std::size_t> order_of_angles(const ColumnTable& table, const std::ve
   const bool has_time = table.dated || std::any_of(table.columns.begin(), table.columns.end(), [](const auto& column) {
                           return word_of(column) == ColumnWord::time;
                         });
-  if (has_time || n < kFewest || is_swept(unwrapped_rad, 0.0)) return {};
+  if (has_time || n < kFewestReadings || is_swept(unwrapped_rad, 0.0)) return {};
   std::vector<double> turned_rad(n);
   std::vector<std::size_t> order(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -209,7 +209,7 @@ std::optional<CoordinateCircle> circle_of(const ColumnTable& table, std::size_t 
       circle.rows.push_back(row);
       sum += left * left;
     }
-    if (circle.rows.size() < kFewest || 5 * circle.rows.size() < 3 * all) return std::nullopt;
+    if (circle.rows.size() < kFewestReadings || 5 * circle.rows.size() < 3 * all) return std::nullopt;
     rms = std::sqrt(sum / static_cast<double>(circle.rows.size()));
   }
   if (rms > kOn * circle.radius) return std::nullopt;
@@ -428,7 +428,8 @@ std::vector<CircleRun> runs_of(const std::vector<double>& unwrapped_rad) {
 }
 
 std::optional<CoordinateCircle> coordinate_circle(const ColumnTable& table, bool cut_off) {
-  if (table.columns.size() < 2 || table.columns.front().values.size() < kFewest || is_log(table)) return std::nullopt;
+  if (table.columns.size() < 2 || table.columns.front().values.size() < kFewestReadings || is_log(table))
+    return std::nullopt;
   std::optional<CoordinateCircle> circle = named_circle(table, false, cut_off);
   if (!circle && !cut_off) circle = nameless_circle(table);
   if (!circle) return std::nullopt;
@@ -437,7 +438,8 @@ std::optional<CoordinateCircle> coordinate_circle(const ColumnTable& table, bool
 }
 
 std::optional<PolarCircle> polar_circle(const ColumnTable& table, bool cut_off) {
-  if (table.columns.size() < 2 || table.columns.front().values.size() < kFewest || is_log(table)) return std::nullopt;
+  if (table.columns.size() < 2 || table.columns.front().values.size() < kFewestReadings || is_log(table))
+    return std::nullopt;
   PolarCircle circle;
   const std::optional<std::size_t> named = column_called(table, ColumnWord::angle);
   const std::optional<double> turn = named ? std::nullopt : unit_of_a_turn(table.columns.front().values);

@@ -13,7 +13,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kFewest = 3;
+constexpr std::size_t kSmallestGroup = 3;
 constexpr std::size_t kParts = 5;  // of a signal's values
 
 // Rows of the fit that belong together.
@@ -30,7 +30,7 @@ class Groups {
     for (std::size_t i = 0; i < fit_.row.size(); ++i) {
       if (is_in(i)) rows.push_back(i);
     }
-    if (rows.size() < kFewest) return;
+    if (rows.size() < kSmallestGroup) return;
     Misfit misfit{what, from, to, rows.size()};
     std::vector<double> time_s, sigma_um;
     double squares = 0.0;

@@ -97,8 +97,8 @@ struct Scores {
 Scores scores_of(const QuantitySeries& series, double s) {
   Scores scores;
   const std::size_t n = series.value.size();
-  constexpr std::size_t kFewest = 5;
-  if (n < kFewest || s <= 0.0) return scores;
+  constexpr std::size_t kFewestTests = 5;
+  if (n < kFewestTests || s <= 0.0) return scores;
   const RobustFit line = robust_fit(trend_columns(series.time_s), series.value, scatters_of(series, s));
   const double kept = std::sqrt(static_cast<double>(n) / static_cast<double>(n - 2));
   std::vector<double> sum{0.0};

@@ -15,7 +15,7 @@
 namespace ballbar {
 namespace {
 
-constexpr double kFewest = 8.0;
+constexpr double kFewestDegrees = 8.0;
 constexpr double kWorthIt = 2.0;  // gain of ln L by two parameters
 const double kLogTwoPi = std::log(2.0 * kPi);
 
@@ -169,7 +169,7 @@ Noise noise_of(std::span<const double> time_s, std::span<const double> residual_
   Likelihood likelihood(filter, time_s, left_um, !sigma_um.empty(), columns);
   Covariance noise = white(likelihood);
   const bool enough =
-      likelihood.degrees >= kFewest && filter.usual_step_s() > 0.0 && likelihood.mean_square > kLeastVariance_um2;
+      likelihood.degrees >= kFewestDegrees && filter.usual_step_s() > 0.0 && likelihood.mean_square > kLeastVariance_um2;
   if (enough) {
     Likelihood plain(filter, time_s, left_um, !sigma_um.empty(), RowMajorMatrix(0, 0));
     const Covariance other = likeliest_memory(likelihood, plain);

@@ -243,12 +243,12 @@ Moments merged(const Moments& a, const Moments& b) {
 }
 
 Batch batch_of(const std::string& name, const Series& series, const BatchColumns& columns) {
-  constexpr std::size_t kFewest = 3;
+  constexpr std::size_t kShortestBatch = 3;
   Batch batch;
   batch.name = name;
   batch.rows = series.time_s.size();
-  if (batch.rows < kFewest) {
-    throw Error(fmt::format("expected a batch of at least {} rows, found {}.", kFewest, batch.rows));
+  if (batch.rows < kShortestBatch) {
+    throw Error(fmt::format("expected a batch of at least {} rows, found {}.", kShortestBatch, batch.rows));
   }
   const std::vector<double>& target = without_gaps(series, columns.target);
   const Eigen::MatrixXd temperatures = temperatures_of(series, columns);

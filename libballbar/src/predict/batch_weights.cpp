@@ -80,9 +80,10 @@ std::vector<std::size_t> like_the_job(std::span<const Batch> batches, const Batc
 }  // namespace
 
 BatchWeights batch_weights(std::span<const Batch> batches, const BatchStart& job, RegressionMethod method) {
-  constexpr std::size_t kFewest = 3;
-  if (batches.size() < kFewest) {
-    throw Error(fmt::format("expected at least {} batches to choose from, found {}.", kFewest, batches.size()));
+  constexpr std::size_t kFewestToChooseFrom = 3;
+  if (batches.size() < kFewestToChooseFrom) {
+    throw Error(
+        fmt::format("expected at least {} batches to choose from, found {}.", kFewestToChooseFrom, batches.size()));
   }
   const Eigen::Vector4d scales = scales_of(batches);
   const auto m = static_cast<std::size_t>(batches.front().moments.mean.size() - 1);

@@ -18,7 +18,7 @@ constexpr std::array kOfRoom_s{0.0, 1800.0, 7200.0, 21600.0};
 constexpr std::array kOfCoolant_s{0.0, 600.0, 3600.0};
 constexpr std::array kDecays_s{1800.0, 5400.0};
 constexpr std::size_t kMostRows = 400;  // that the gains are learned from
-constexpr Eigen::Index kFewest = 8;
+constexpr Eigen::Index kFewestReadings = 8;
 constexpr double kDamping = 1e-5;  // of a column's own square
 constexpr double kClearly = 0.9;
 constexpr int kMostSweeps = 2000;
@@ -120,7 +120,7 @@ std::vector<Forecast> forecasts_of(const Drives& drives, const std::vector<std::
     if (y.size() > 0) best.gains[0] = y.mean();
     if (y.size() > 0 && y.maxCoeff() - y.minCoeff() < 1e-9) {
       best.r2 = 1.0;
-    } else if (y.size() >= kFewest) {
+    } else if (y.size() >= kFewestReadings) {
       const Eigen::MatrixXd free = resting(rows, Eigen::all);
       const double alone = solved(free, y, free.cols()).square;
       for (std::size_t e = 0; e < bases.size(); ++e) {
