@@ -99,7 +99,7 @@ TEST(Diagnosis, a_stated_sigma_counts_once) {
   data.columns.push_back({"z_sigma_um", Role::measured, std::vector<double>(data.time_s.size(), 0.5)});
   const Diagnosis with = diagnose(made::by_speed(), data);
   EXPECT_NEAR(without.noise.white_um, 0.5, 0.06);
-  EXPECT_LT(with.noise.white_um, 0.15);
+  EXPECT_LT(with.noise.white_um, 0.25);  // sigma of the variance of 300 readings is 0.02 um^2, and 0.05 um are made
   EXPECT_NEAR(with.hidden_um, without.hidden_um, 0.1 * without.hidden_um);
 }
 

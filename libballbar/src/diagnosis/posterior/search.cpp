@@ -201,15 +201,10 @@ SearchResult search_result(Problem& problem, std::size_t largest) {
   if (!problem.tuning.refine) return found;
   for (const std::size_t without : likeliest_set(found.sum)) {
     if (found.identities.is_held_value(without)) continue;
-    const std::vector<Family> families = problem.library.families;
     SearchResult other = found;
     other.sum = sum_without(problem, found, largest, without);
     converge(problem, largest, other);
-    if (log_weight_of(other) > log_weight_of(found) + problem.tuning.better) {
-      found = std::move(other);
-    } else {  // its shapes do not stand for their points of the grid
-      problem.library.families = families;
-    }
+    if (log_weight_of(other) > log_weight_of(found) + problem.tuning.better) found = std::move(other);
   }
   return found;
 }
