@@ -10,6 +10,7 @@
 #include "ballbar/diagnosis/posterior/search_options.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/numerics/range.hpp"
 #include "ballbar/revision/replacement.hpp"
@@ -176,12 +177,11 @@ const std::vector<BoundEffect>& best_of(const Diagnosis& found) {
   return found.verdict == Verdict::named ? found.named : found.verdict == Verdict::probable ? found.probable : kNone;
 }
 
-std::string next_text(const DiagnosisReport& diagnosis_report) {
+Paragraph next_test(const DiagnosisReport& diagnosis_report) {
   const Diagnosis& found = diagnosis_report.diagnosis;
-  if (found.verdict == Verdict::named && found.equivalent.empty()) return "";  // nothing is left to tell
-  if (diagnosis_report.next_measurement) return measurement_text(*diagnosis_report.next_measurement);
-  if (!diagnosis_report.is_for_plan) return "";
-  return "another run of the machine. `ballbar plan` designs it and says how likely it is to decide.";
+  if (found.verdict == Verdict::named && found.equivalent.empty()) return {};  // nothing is left to tell
+  if (diagnosis_report.next_measurement) return message_of(*diagnosis_report.next_measurement);
+  return diagnosis_report.is_for_plan ? Paragraph(messages::decide_by_run()) : Paragraph();
 }
 
 std::string predicted_text(const DiagnosisReport& report) {
@@ -191,7 +191,7 @@ std::string predicted_text(const DiagnosisReport& report) {
     const std::string model =
         by.model_left_out_um ? fmt::format(", to {:.2f} {} by the model", *by.model_left_out_um, unit) : "";
     return fmt::format("Left-out cycles are predicted to {:.2f} {} RMSE by {}{}.", by.left_out_um, unit,
-                       enumeration(by.columns), model);
+                       text_of(enumerated({by.columns.begin(), by.columns.end()})), model);
   }
   if (!report.predicted) return "";
   const Predictability& of = *report.predicted;
@@ -214,7 +214,7 @@ std::string unsupported_text(const DiagnosisReport& report) {
   const bool is_one = report.unsupported.size() == 1;
   return fmt::format(
       "The model contains {}, which the data did not support when {} added. The verdict is valid only if {} real.",
-      enumeration(report.unsupported), is_one ? "it was" : "they were", is_one ? "it is" : "they are");
+      text_of(enumerated(effects_of(report.unsupported))), is_one ? "it was" : "they were", is_one ? "it is" : "they are");
 }
 
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {
@@ -271,7 +271,7 @@ std::vector<Untestable> untestable_of(const Diagnosis& found) {
   std::vector<Untestable> untestable;
   for (const Detectability& one : found.detectability) {
     if (one.testability == Testability::testable || one.testability == Testability::in_the_model) continue;
-    untestable.push_back({one.effect->name, reason_text(one)});
+    untestable.push_back({one.effect->name, reason_of(one)});
   }
   return untestable;
 }
@@ -279,10 +279,10 @@ std::vector<Untestable> untestable_of(const Diagnosis& found) {
 std::optional<DecidingTest> deciding_test(const DiagnosisReport& report) {
   if (report.is_for_plan) {
     const std::string& command = report.plan_command;
-    return DecidingTest{next_text(report), {command.empty() ? std::nullopt : std::optional(command)}};
+    return DecidingTest{next_test(report), {command.empty() ? std::nullopt : std::optional(command)}};
   }
   if (!report.next_measurement) return std::nullopt;
-  return DecidingTest{measurement_text(*report.next_measurement), {}};
+  return DecidingTest{message_of(*report.next_measurement), {}};
 }
 
 }  // namespace ballbar

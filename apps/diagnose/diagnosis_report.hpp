@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/message.hpp"
 #include "ballbar/machine_errors/next_measurement.hpp"
 #include "ballbar/workbench/workbench.hpp"
 #include "model/model_options.hpp"
@@ -44,7 +45,7 @@ struct DiagnosisReport {
   std::optional<Predictability> predicted;          // if a part remains unexplained
   std::optional<PredictedByColumns> predicted_by;   // likewise, and the columns predict better than the regression
   std::string train_command;                        // trains a predictor; empty: not better, or the data have no name
-  std::string hint;                                 // a sentence, if the next step is not a command; or empty
+  Paragraph hint;                                   // a sentence, if the next step is not a command; or empty
   std::vector<StandIn> stand_ins;
   std::vector<std::string> unsupported;  // labels of effects of the model that no data
                                          // supported
@@ -68,7 +69,7 @@ Term as_diagnosed(const BoundEffect& bound, const Diagnosis& found);
 const std::vector<BoundEffect>& best_of(const Diagnosis& found);
 
 // Whole sentences: the test that could decide the open question; empty: no open question.
-std::string next_text(const DiagnosisReport& diagnosis_report);
+Paragraph next_test(const DiagnosisReport& diagnosis_report);
 
 // One sentence: the effects of the model that are not supported; empty: none.
 std::string unsupported_text(const DiagnosisReport& report);

@@ -31,7 +31,7 @@ inline constexpr auto kResult<Candidate> = ResultType{
             Field{"p_same_gain", &Candidate::p_same_gain, "of gains as different from cycle to cycle, by chance"},
             Field{"in_best_set", &Candidate::in_best_set, "whether it is of the likeliest set"},
             Field{"minor", &Candidate::minor, "whether it is too small to matter"},
-            Field{"doubts", &doubt_texts, "why it is not named"},
+            Field{"doubts", &doubts_of, "why it is not named"},
             Field{"inseparable_from", &Candidate::inseparable_from, "effects that these data do not tell from it"},
             Field{"parameters", &parameters_of, ""}})};
 
@@ -42,7 +42,8 @@ inline constexpr auto kResult<ColumnNotSearched> =
 
 // An effect that these data cannot show.
 struct Untestable {
-  std::string effect, why;
+  std::string effect;
+  Paragraph why;
 };
 std::vector<Untestable> untestable_of(const Diagnosis& found);
 
@@ -59,7 +60,7 @@ inline constexpr auto kResult<StandIn> =
 
 // The test that would decide.
 struct DecidingTest {
-  std::string text;
+  Paragraph text;
   MayLack<std::string> command;
 };
 std::optional<DecidingTest> deciding_test(const DiagnosisReport& report);

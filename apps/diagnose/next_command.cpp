@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/model/bound_effect.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -205,15 +206,15 @@ std::string add_command(const ModelOptions& options, const EffectTest& tried) {
   return command_of("add", words, options, tried.after.target);
 }
 
-std::string next_hint(const ModelOptions& options, const Diagnosis& found) {
-  if (!says_a_name(found)) return "";
-  std::string text;
+Paragraph next_hint(const ModelOptions& options, const Diagnosis& found) {
+  Paragraph hint;
+  if (!says_a_name(found)) return hint;
   for (const OwnValue& own : found.own) {
     if (!is_own_named(own, found)) continue;
-    text += fmt::format("{}In {}, free the {} of {}: {} = {{ start = {:.4g} }}.", text.empty() ? "" : " ",
-                        options.model.name(), own.parameter, own.effect, own.parameter, own.fitted);
+    hint += messages::hint_free(options.model.name(), own.parameter, EffectLabel{own.effect},
+                                fmt::format("{} = {{ start = {:.4g} }}", own.parameter, own.fitted));
   }
-  return text;
+  return hint;
 }
 
 }  // namespace ballbar

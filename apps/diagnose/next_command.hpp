@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/message.hpp"
 #include "ballbar/revision/effect_test.hpp"
 #include "ballbar/revision/replacement.hpp"
 #include "model/model_options.hpp"
@@ -41,6 +42,6 @@ std::string add_command(const ModelOptions& options, const EffectTest& tried);
 std::string model_file(const ModelOptions& options);
 
 // Whole sentences: what the user has to do by hand about a wrong held value.
-std::string next_hint(const ModelOptions& options, const Diagnosis& found);
+Paragraph next_hint(const ModelOptions& options, const Diagnosis& found);
 
 }  // namespace ballbar

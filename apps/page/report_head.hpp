@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/formats/results/result_type.hpp"
+#include "ballbar/formats/results/message.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -38,8 +38,11 @@ inline constexpr auto kResult<SignalsPart> =
                           Field{"rows", &SignalsPart::rows, "of the file, where not all are here"}}};
 
 struct ReportHead {
-  std::string format, title, made_by, made_on;
-  std::vector<std::string> files, summary;
+  std::string format;
+  Paragraph title;
+  std::string made_by, made_on;
+  std::vector<std::string> files;
+  std::vector<Paragraph> summary;
   std::vector<SignalsPart> signals;
 };
 // Of today and of this program, without files yet.

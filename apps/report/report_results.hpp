@@ -24,7 +24,8 @@ namespace ballbar {
 
 // The parts of a report that change with the model.
 struct ModelPart {
-  std::vector<std::string> files, summary;
+  std::vector<std::string> files;
+  std::vector<Paragraph> summary;
   MayLack<FitPart> fit;
   MayLack<CheckParts> check;
   MayLack<DiagnosisParts> diagnose;
@@ -105,7 +106,7 @@ inline constexpr auto kResult<WithPart> =
                std::tuple{Field{"rmse_um", &WithPart::rmse_um, "that `add` leaves"}}};
 
 struct RevisedPart {
-  std::string sentence;
+  Paragraph sentence;
   bool supported = false, kept = false;
   Ledger ledger;
 };

@@ -13,7 +13,7 @@ import { shown } from "../drawing/theme";
 import { said_of, verdict_of } from "./verdict";
 import { waterfall } from "./waterfall";
 import { with_without_picture } from "./with_without";
-import { english, english_after, named, type Sentence, t } from "../texts/texts";
+import { english, named, said, said_after, type Sentence, t } from "../texts/texts";
 
 const predicted_text = ({ predicted, predicted_by }: Diagnosed): Sentence[] => {
   if (predicted_by) {
@@ -34,22 +34,18 @@ const sentences_of = (found: Diagnosed, checked: Checked | undefined): Sentence[
   return [
     verdict_of(found, checked),
     t.diagnosis_verdict({ verdict: named(t.verdicts, found.verdict) }),
-    ...(found.hint === "" ? [] : [english(found.hint)]),
-    ...(found.next_test_text === "" ? [] : [english_after(t.diagnosis_to_decide, found.next_test_text)]),
+    ...(found.hint === "" ? [] : [said(found.hint, found.hint_message)]),
+    ...(found.next_test_text === "" ? [] : [said_after(t.diagnosis_to_decide, found.next_test_text, found.next_test_text_message)]),
     ...predicted_text(found),
-    ...(reasons ? [t.diagnosis_why, ...found.reasons.map((reason) => english(`– ${reason}`))] : []),
+    ...(reasons ? [t.diagnosis_why, ...found.reasons.map((reason, k) => said_after("–", reason, found.reasons_message?.[k]))] : []),
   ];
 };
 
 // Effects with one reason together, as on the terminal.
 const by_reason = (untestable: Diagnosed["untestable"]): Sentence[] => {
-  const effects_of = new Map<string, string[]>();
-  for (const { effect, why } of untestable) effects_of.set(why, [...(effects_of.get(why) ?? []), effect]);
-  return [...effects_of].map(([why, effects]) => {
-    const said = english(why);
-    if (typeof said !== "string") return english(`${effects.join(", ")}: ${why}`);
-    return `${effects.map((effect) => plain_name(effect, 60)).join(", ")}: ${said}`;
-  });
+  const of_reason = new Map<string, Diagnosed["untestable"]>();
+  for (const one of untestable) of_reason.set(one.why, [...(of_reason.get(one.why) ?? []), one]);
+  return [...of_reason].map(([why, all]) => said_after(`${all.map(({ effect }) => plain_name(effect, 60)).join(", ")}:`, why, all[0]?.why_message));
 };
 
 const lists_of = (found: Diagnosed): NonNullable<Section["lists"]> =>
@@ -143,12 +139,12 @@ const says_of = (found: Diagnosed): number => {
 const next_of = (report: Report, found: Diagnosed): Next => {
   if (found.command !== "") {
     const tried = found.command.endsWith(" --dry-run");
-    return { label: tried ? t.diagnosis_next_try : t.diagnosis_next_add, text: english(found.hint), command: found.command };
+    return { label: tried ? t.diagnosis_next_try : t.diagnosis_next_add, text: said(found.hint, found.hint_message), command: found.command };
   }
   const options = [...model_options(report), "--target", found.target];
   return found.verdict === "nothing"
     ? { label: t.diagnosis_next_where, command: command_of("check", data_files(report), options) }
-    : { label: t.diagnosis_next_plan, text: english(found.hint), command: command_of("plan", data_files(report), options) };
+    : { label: t.diagnosis_next_plan, text: said(found.hint, found.hint_message), command: command_of("plan", data_files(report), options) };
 };
 
 const section_of = (report: Report, found: Diagnosed, checked: Checked | undefined, number: string): Section => {

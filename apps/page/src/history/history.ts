@@ -5,7 +5,7 @@ import type { Next, Section } from "../picture";
 import type { DrawnTest, HistoryGroup, Report } from "../report";
 import { capital, plain } from "../drawing/text";
 import { shown, with_sigma } from "../drawing/theme";
-import { english, named, t, with_decimal_sign } from "../texts/texts";
+import { all_said, english, named, t, with_decimal_sign } from "../texts/texts";
 import { error_name, typed_name, unit_shown } from "../machine_errors/error_names";
 import { quantity_name } from "../change/quantities";
 
@@ -96,7 +96,7 @@ const tests_section = (tests: readonly DrawnTest[]): Section[] =>
 
 export const history_sections = ({ history }: Report): Section[] => {
   if (!history) return [];
-  const { groups, geometry, geometry_rows, skipped, tests } = history;
+  const { groups, geometry, geometry_message, geometry_rows, skipped, tests } = history;
   return [
     ...groups.map((group, k) => group_section(group, k, tests)),
     ...tests_section(tests),
@@ -106,7 +106,7 @@ export const history_sections = ({ history }: Report): Section[] => {
             id: "geometry",
             heading: t.history_geometry,
             result: geometry_rows.slice(0, 3).map(([what, value]) => `${table_text(what ?? "")} ${table_text(value ?? "")}`).join(", "),
-            sentences: geometry.map(english),
+            sentences: all_said(geometry, geometry_message),
             tables: [{ title: t.history_geometry, heading: ["", "µm/m", t.history_from], rows: geometry_rows.map((row) => row.map(table_text)) }],
           },
         ]

@@ -14,7 +14,7 @@ import { next_test, type NextTestOf } from "./next_test";
 import type { PageState } from "../figure/view";
 import type { Candidate, Checked, Diagnosed, Report } from "../report";
 import { micrometres, plain } from "../drawing/text";
-import { english, language, type Sentence, sentence_text, t } from "../texts/texts";
+import { language, said, type Sentence, sentence_text, t } from "../texts/texts";
 import { plain_name } from "../machine_errors/error_names";
 import { verdict_of } from "../diagnosis/verdict";
 import { verdict_of as verdict_of_check } from "../model/model";
@@ -333,7 +333,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const tried = (effect: string): Promise<void> =>
     attempt(async () => {
       say(t.live_searching);
-      say(english(await runs.try(subject, effect)));
+      say(await runs.try(subject, effect));
     });
 
   // One change after the other: of two at once the second would stop the first between the file and its fit.
@@ -480,13 +480,13 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         const folder = (subject.data[0] ?? "").replace(/\/[^/]*$/, "");
         const model = subject.model || runs.free_name(folder, "model.toml");
         const was = await step_now();
-        let sentence_of_it = "";
+        let sentence_of_it: Sentence = "";
         try {
           await change_model(
             () => runs.add(subject, effects),
             async () => {
-              const { sentence, kept, ledger } = await runs.revise(subject, model, keep);
-              sentence_of_it = sentence;
+              const { sentence, message, kept, ledger } = await runs.revise(subject, model, keep);
+              sentence_of_it = said(sentence, message);
               if (!kept) throw new Unsupported();
               subject = { ...subject, model };
               return ledger ? { ledger } : {};
@@ -494,29 +494,29 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
           );
         } catch (error) {
           if (!(error instanceof Unsupported)) throw error;
-          return refuse(english(sentence_of_it), effects);
+          return refuse(sentence_of_it, effects);
         }
         steps.record({ ...was, state: { left_out: subject.left_out, text: null, ...was.state, model } });
         update();
         undo.focus({ preventScroll: true }); // the button that was pressed is gone
-        say(english(sentence_of_it));
+        say(sentence_of_it);
       });
     },
     change: (change) =>
       changing(async () => {
         const was = await step_now();
-        let sentence_of_it = "";
+        let sentence_of_it: Sentence = "";
         await change_model(
           () => runs.change(subject, change),
           async () => {
-            const { sentence, ledger } = await runs.revise(subject, subject.model, true);
-            sentence_of_it = sentence;
+            const { sentence, message, ledger } = await runs.revise(subject, subject.model, true);
+            sentence_of_it = said(sentence, message);
             return ledger ? { ledger } : {};
           },
         );
         steps.record(was);
         update();
-        say(english(sentence_of_it));
+        say(sentence_of_it);
       }),
     leave_out: (left_out) =>
       changing(async () => {

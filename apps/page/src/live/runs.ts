@@ -3,7 +3,8 @@
 import { type Engine, Failed, type Ran, Stopped, type Watch } from "../engine";
 import { button, element } from "../elements/elements";
 import { duration_spoken } from "./spoken";
-import { t } from "../texts/texts";
+import type { Message } from "../texts/messages";
+import { said, type Sentence, t } from "../texts/texts";
 import type { Group } from "./files";
 import { answer_without_advice, type LogWords, without_advice } from "./log_words";
 import type { HypothesesPart, Report, TestHead } from "../report";
@@ -244,6 +245,11 @@ export const added_by = (line: string, { data }: Subject): string[] => {
 // What the program said why it did not.
 export class Refused extends Error {}
 
+interface Said {
+  sentence: string;
+  message?: Message[];
+}
+
 const sentence_of = ({ err, status }: Ran): string => {
   const lines = err.trim().split("\n");
   const fault = lines.filter((line) => line.startsWith("ballbar: ")).at(-1) ?? lines.at(-1) ?? "";
@@ -266,13 +272,13 @@ export interface Runs {
   set(subject: Subject, settings: readonly Setting[]): Promise<Part>;
   add(subject: Subject, effects: readonly string[]): Promise<Part>; // the fit alone: no file is written
   // Into the file, if the data support it, or keep is true.
-  revise(subject: Subject, model: string, keep: boolean): Promise<Part & { sentence: string; kept: boolean }>;
+  revise(subject: Subject, model: string, keep: boolean): Promise<Part & Said & { kept: boolean }>;
   rmse_with(subject: Subject, effects: readonly string[]): Promise<number>; // that add would leave, um
   change(subject: Subject, change: HandChange): Promise<Part>; // the fit alone, as add
   take_back(subject: Subject): Promise<void>; // what was added or changed, and is in no file
   choices(subject: Subject): Promise<readonly EffectChoice[]>;
   compare(subject: Subject, hypotheses: readonly (readonly string[])[]): Promise<HypothesesPart>;
-  try(subject: Subject, effect: string): Promise<string>; // what it would change
+  try(subject: Subject, effect: string): Promise<Sentence>; // what it would change
   undo(model: string): Promise<void>;
   model_text(subject: Subject): Promise<string>; // its file, beginning with the values that are fitted
   free_name(folder: string, name: string): string;
@@ -302,8 +308,10 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
       (await call<{ effects: EffectChoice[] }>("choices", model_words(subject), { what: t.live_reading })).effects,
     compare: (subject, hypotheses) => call("compare", model_words(subject), { what: t.hands_comparing }, { hypotheses }),
     take_back: (subject) => call("take_back", model_words(subject), { what: t.live_undoing }),
-    try: async (subject, effect) =>
-      answer_of<{ sentence: string }>(await work.run(try_words(subject, effect), { what: t.live_trying({ effect }) })).sentence,
+    try: async (subject, effect) => {
+      const { sentence, message } = answer_of<Said>(await work.run(try_words(subject, effect), { what: t.live_trying({ effect }) }));
+      return said(sentence, message);
+    },
     model_text: async (subject) => (await call<{ text: string }>("text", model_words(subject), { what: t.live_reading })).text,
     async undo(model) {
       const ran = await work.run(["undo", "--model", model], { what: t.live_undoing });

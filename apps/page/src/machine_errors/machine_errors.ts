@@ -10,13 +10,13 @@ import { capital } from "../drawing/text";
 import type { Section, Notes, Conclusion } from "../picture";
 import type { Report } from "../report";
 import { decimals_for, range_text, shown } from "../drawing/theme";
-import { english, english_after, language, type Sentence, t } from "../texts/texts";
+import { all_said, english, explained_by, language, said, said_after, type Sentence, t } from "../texts/texts";
 
 const kRemedies = 3;
 
-const remedy_sentence = (error: string, remedy: string): Sentence => {
-  const text = english(remedy);
-  return typeof text === "string" ? t.errors_remedy({ error, remedy: text }) : english_after(`${error}:`, text.english);
+const remedy_sentence = (error: string, { effect, remedy = "" }: { effect?: string; remedy?: string }): Sentence => {
+  const text = explained_by("recording", effect ?? "", "remedy", remedy);
+  return typeof text === "string" ? t.errors_remedy({ error, remedy: text }) : { before: `${error}:`, english: text.english };
 };
 
 // In English the program's own sentences.
@@ -39,14 +39,15 @@ export const verdict_of = ({ part, recordings }: ErrorTest): Sentence => {
 // What the errors leave, one added after the other; in English the program's own sentences.
 const residual_of = ({ part, recordings }: ErrorTest): Sentence => {
   const steps = part.one_by_one ?? []; // a report of an older program has none
-  if (language === "en" || steps.length === 0) return english(part.left_text);
+  const messages = part.left_text_message;
+  if (language === "en" || steps.length === 0) return said(part.left_text, messages);
   const plane = recordings[0]?.plane;
   const added = steps.map(({ effect, group, rms_um }) => {
     const of_group = part.error_groups?.[group ?? -1];
     return `+ ${of_group ? group_name(of_group, plane) : error_name(effect, plane)} ${shown(rms_um, 2)}`;
   });
   const first = t.errors_one_by_one({ circle: shown(part.circle_rms_um, 2), added: added.join(", ") });
-  return english_after(first, part.left_text.slice(part.left_text.indexOf(". ") + 2));
+  return said_after(first, part.left_text.slice(part.left_text.indexOf(". ") + 2), messages?.slice(1));
 };
 
 // What is concluded from the only test stands at the head of the page.
@@ -56,7 +57,7 @@ const notes_of = (test: ErrorTest, alone: boolean): Notes => {
   const remedies = ranked_errors(part)
     .filter(({ first }) => first.rank !== null && first.remedy)
     .slice(0, kRemedies)
-    .map(({ effect, first }) => remedy_sentence(error_name(effect, plane), first.remedy ?? ""));
+    .map(({ effect, first }) => remedy_sentence(error_name(effect, plane), first));
   return {
     table: gains_table(test),
     sentences: [
@@ -66,7 +67,7 @@ const notes_of = (test: ErrorTest, alone: boolean): Notes => {
     ],
     lists: [
       { title: t.errors_remedies, items: remedies },
-      { title: t.errors_tolerances, items: part.tolerances.map(english) },
+      { title: t.errors_tolerances, items: all_said(part.tolerances, part.tolerances_message) },
       { title: t.errors_undetermined, items: part.undetermined.map((names) => error_name(names, plane, 300)) },
       {
         title: t.errors_prior,
@@ -97,7 +98,7 @@ const conclusion_of = (report: Report, tests: readonly ErrorTest[], test: ErrorT
     next: {
       label: t.errors_next,
       text: largest
-        ? remedy_sentence(capital(error_name(largest.effect, recordings[0]?.plane)), largest.first.remedy ?? "")
+        ? remedy_sentence(capital(error_name(largest.effect, recordings[0]?.plane)), largest.first)
         : "",
       command: command_of("errors", [...part.files.slice(0, 1), "again.b5r"], ["--show", "change"]),
     },

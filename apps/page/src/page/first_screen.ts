@@ -6,7 +6,8 @@ import { folded } from "./folded";
 import type { First, Next, Section } from "../picture";
 import type { Shared } from "./shared";
 import { clamped, first_sentence } from "../drawing/text";
-import { english, language, type Sentence, sentence_text, t, together } from "../texts/texts";
+import type { Message } from "../texts/messages";
+import { english, language, said, type Sentence, sentence_text, t, together } from "../texts/texts";
 
 export interface Proved {
   first: First;
@@ -14,26 +15,32 @@ export interface Proved {
   proof: readonly HTMLElement[]; // the picture with what stands beside it
 }
 
+// A sentence of the summary.
+export interface Concluded {
+  text: string;
+  messages: readonly Message[] | undefined;
+}
+
 // What the program concludes, "y_um: Missing from the model of y_um: ...", in the page's language: as the section says it
 // that shows it, else as a sentence of the program.
-const said_of = (text: string, sections: readonly Section[]): Sentence => {
+const said_of = ({ text, messages }: Concluded, sections: readonly Section[]): Sentence => {
   if (language === "en") return english(text);
   for (const { first } of sections) {
     const { before = [], verdict, concluded = "" } = first?.conclusion({}) ?? { verdict: "" };
     if (concluded === "" || typeof verdict !== "string") continue;
-    const said = together([...before.map(sentence_text), verdict]);
-    if (text === concluded) return said;
-    if (text.endsWith(`: ${concluded}`)) return text.slice(0, -concluded.length) + said;
+    const whole = together([...before.map(sentence_text), verdict]);
+    if (text === concluded) return whole;
+    if (text.endsWith(`: ${concluded}`)) return text.slice(0, -concluded.length) + whole;
   }
-  return english(text);
+  return said(text, messages);
 };
 
 // The rest of what the program concludes; the verdict itself may be told with its target before it.
-const rest_of = (summary: readonly string[], concluded: string, sections: readonly Section[]): HTMLElement[] => {
-  const rest = summary.filter((one) => one !== concluded && !one.endsWith(`: ${concluded}`));
+const rest_of = (summary: readonly Concluded[], concluded: string, sections: readonly Section[]): HTMLElement[] => {
+  const rest = summary.filter(({ text }) => text !== concluded && !text.endsWith(`: ${concluded}`));
   if (rest.length === 0) return [];
   const head = rest.length === 1 ? t.page_one_more : t.page_more({ n: rest.length });
-  return [folded("summary", [head], rest.map((text) => text_in("p", said_of(text, sections))))];
+  return [folded("summary", [head], rest.map((one) => text_in("p", said_of(one, sections))))];
 };
 
 const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: HTMLElement; concluded: () => string } => {
@@ -77,7 +84,7 @@ const chooser = (all: readonly Proved[], panels: readonly HTMLElement[]): HTMLEl
 
 export const first_screen = (
   proved: readonly Proved[],
-  summary: readonly string[],
+  summary: readonly Concluded[],
   sections: readonly Section[],
   shared: Shared,
 ): HTMLElement[] => {
@@ -85,7 +92,7 @@ export const first_screen = (
   if (!one) {
     return summary.length === 0
       ? []
-      : [element("section", { class: "first", "aria-label": t.page_verdict }, ...summary.map((text) => text_in("p", said_of(text, sections))))];
+      : [element("section", { class: "first", "aria-label": t.page_verdict }, ...summary.map((one) => text_in("p", said_of(one, sections))))];
   }
   const panels = proved.map((each) => panel_of(each, shared));
   panels.forEach((panel, k) => (panel.element.hidden = k > 0));

@@ -1109,6 +1109,14 @@ export const de: Texts = {
   live_choose_folder: "Ordner wählen",
   live_private:
     "Nichts verlässt diese Seite: Sie hat kein Netz. Dieser Browser behält, was Sie ablegen, bis Sie es löschen, damit ein Neuladen nichts verliert.",
+  live_sample_titles: {
+    "A model that lacks something: find it, add it": "Ein Modell, dem etwas fehlt: finden und aufnehmen",
+    "Six ballbar tests of a warm-up: which error is largest": "Sechs Kreisformtests beim Warmlaufen: welcher Fehler der größte ist",
+    "A session of two arcs: drift of the spindle, with five probes beside": "Eine Messreihe aus zwei Bögen: Drift der Spindel, daneben fünf Taster",
+    "A session with the spindle turning: it grows by 60 um": "Eine Messreihe bei drehender Spindel: Sie wächst um 60 µm",
+    "A German logger's file, as it was written": "Die Datei eines deutschen Loggers, wie sie geschrieben wurde",
+    "A run of ten hours and a model that fits it": "Ein Lauf von zehn Stunden und ein Modell dazu",
+  },
   live_samples: "Oder eines davon ausprobieren",
   live_tour: "Rundgang von einer Minute",
   live_continue_with: ({ files, ago }: { files: number; ago: string }) => `Weiter, wo Sie waren: ${files === 1 ? "1 Datei" : `${files} Dateien`}, ${ago}`,

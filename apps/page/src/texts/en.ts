@@ -951,6 +951,14 @@ export const en = {
   live_choose_folder: "Choose a folder",
   live_private:
     "Nothing leaves this page: it has no network. This browser keeps what you drop until you delete it, so that a reload loses nothing.",
+  live_sample_titles: {
+    "A model that lacks something: find it, add it": "A model that lacks something: find it, add it",
+    "Six ballbar tests of a warm-up: which error is largest": "Six ballbar tests of a warm-up: which error is largest",
+    "A session of two arcs: drift of the spindle, with five probes beside": "A session of two arcs: drift of the spindle, with five probes beside",
+    "A session with the spindle turning: it grows by 60 um": "A session with the spindle turning: it grows by 60 um",
+    "A German logger's file, as it was written": "A German logger's file, as it was written",
+    "A run of ten hours and a model that fits it": "A run of ten hours and a model that fits it",
+  } as Record<string, string>,
   live_samples: "Or try one of these",
   live_tour: "A tour of one minute",
   live_continue_with: ({ files, ago }: { files: number; ago: string }) => `Continue where you were: ${files === 1 ? "1 file" : `${files} files`}, ${ago}`,

@@ -86,14 +86,19 @@ struct Comparison {
   std::size_t samples = 0;   // common times
   std::size_t left_out = 0;  // times within both series that fall into a gap of the interpolated one
   std::vector<AxisComparison> axes;
-  std::vector<std::string> remarks;
+  std::vector<Paragraph> remarks;
 };
 
 // Compares axes of the same name. Throws Error: no common axis, an axis in different units, time ranges that do not
 // overlap, a series without rows, fewer than 3 common times.
 Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const ComparisonOptions& options = {});
 
-// Whole sentences: whether the series agree, which axis does not, since when and by how much.
-std::string conclusion(const Comparison& comparison);
+// One clock that is late: the lags of best agreement of two axes or more, which are the same within 3 sigma and not 0,
+// where some axis disagrees. An axis that a scale explains better has no lag.
+struct CommonLag {
+  double lag_s = 0.0, sigma_s = 0.0;  // positive: A is late
+  std::vector<std::string> axes;      // that have a lag
+};
+std::optional<CommonLag> common_lag(const Comparison& comparison);
 
 }  // namespace ballbar

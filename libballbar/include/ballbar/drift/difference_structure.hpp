@@ -79,4 +79,7 @@ DifferenceStructure judged(DifferenceStructure structure, std::size_t axes);
 // The kinds each of which explains the difference by itself: the other three add nothing significant (p > 1 %).
 std::vector<DifferenceKind> sufficient_alone(const DifferenceStructure& structure);
 
+// Those named beside all others, by how much they explain, the largest first.
+std::vector<DifferenceKind> named_differences(const DifferenceStructure& structure);
+
 }  // namespace ballbar

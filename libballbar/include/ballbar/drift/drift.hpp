@@ -39,6 +39,7 @@
 
 #include "ballbar/circle/circle_fit.hpp"
 #include "ballbar/circle/recording.hpp"
+#include "ballbar/message.hpp"
 
 namespace ballbar {
 
@@ -120,7 +121,7 @@ struct DriftSeries {
   double reference_s = 0.0;
   std::vector<DriftPoint> points;   // one a test, in the order of time
   std::vector<Position> positions;  // same order
-  std::string not_cancelled;        // a sentence for the report: what does not cancel
+  Paragraph not_cancelled;          // a sentence for the report: what does not cancel
 };
 
 // Throws Error where a test lacks a recording its method needs, or a recording cannot be fitted; the

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ballbar/drift/drift.hpp"
+#include "ballbar/message.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -33,7 +34,7 @@ struct MeasuredDrift {
   double reference_s = 0.0;
   std::vector<double> time_s;  // n rows, strictly rising
   std::vector<DriftAxis> axes;
-  std::vector<std::string> remarks;  // whole sentences: what is not known, what was assumed
+  std::vector<Paragraph> remarks;  // whole sentences: what is not known, what was assumed
 };
 
 // Root of the sum of squares of the known contributions in this row; NaN if none is known.

@@ -24,6 +24,7 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/message.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/noise/noise.hpp"
 #include "ballbar/series/series.hpp"
@@ -70,7 +71,7 @@ struct Fit {
   double n_effective = 0.0;             // effective number of independent samples, without discounted rows
   double rmse_um = 0.0;
   bool converged = false;
-  std::vector<std::string> remarks;  // whole sentences: more parameters than samples, a parameter on a bound ...
+  std::vector<Paragraph> remarks;  // whole sentences: more parameters than samples, a parameter on a bound ...
 };
 
 // target: index into model.targets. Throws Error where the model does not suit the data (expect_suits), or the target

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,12 +69,15 @@ Whiteness whiteness(const Fit& fit);
 // True if the RMSE is at most 1.2 times the floor and the residual is white (p >= 0.01).
 bool is_adequate(const Fit& fit, const Whiteness& whiteness);
 
-// Three sentences: the RMSE against the noise, the worst group, and the nature of the residual. The worst group is the
-// one whose share of the sum of squares exceeds its share of the rows most. The residual is not noise if p < 0.01.
-std::vector<std::string> sentences(const Fit& fit, const std::vector<Misfit>& where, const Whiteness& whiteness);
+// The group whose share of the sum of squares exceeds its share of the rows most, if by more than a tenth.
+std::optional<Misfit> worst_place(const Fit& fit, const std::vector<Misfit>& where);
 
-// A phrase for the worst group: "while warming", "where T_air_degC is from 21 to 22 degC"; empty if no group is worse
-// than the others.
-std::string worst_place(const Fit& fit, const std::vector<Misfit>& where);
+// What the residual is. It is not noise if p < 0.01; it is slow if a tenth of its variance is correlated.
+enum class ResidualKind { too_few, not_noise, slow_not_noise, slow, noise };
+struct ResidualNature {
+  ResidualKind kind = ResidualKind::noise;
+  double correlation_time_s = 0.0;  // of a slow one
+};
+ResidualNature residual_nature(const Fit& fit, const Whiteness& whiteness);
 
 }  // namespace ballbar

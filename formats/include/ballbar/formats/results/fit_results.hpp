@@ -3,7 +3,7 @@
 
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/fit/residual.hpp"
-#include "ballbar/formats/results/result_type.hpp"
+#include "ballbar/formats/results/message.hpp"
 
 namespace ballbar {
 
