@@ -10,8 +10,8 @@
 #include "ballbar/diagnosis/posterior/search_options.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
-#include "ballbar/message_catalogue.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/numerics/range.hpp"
 #include "ballbar/revision/replacement.hpp"
 #include "diagnose/diagnosis_result.hpp"
@@ -214,7 +214,8 @@ std::string unsupported_text(const DiagnosisReport& report) {
   const bool is_one = report.unsupported.size() == 1;
   return fmt::format(
       "The model contains {}, which the data did not support when {} added. The verdict is valid only if {} real.",
-      text_of(enumerated(effects_of(report.unsupported))), is_one ? "it was" : "they were", is_one ? "it is" : "they are");
+      text_of(enumerated(effects_of(report.unsupported))), is_one ? "it was" : "they were",
+      is_one ? "it is" : "they are");
 }
 
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {

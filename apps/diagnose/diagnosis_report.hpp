@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "ballbar/message.hpp"
 #include "ballbar/machine_errors/next_measurement.hpp"
+#include "ballbar/message.hpp"
 #include "ballbar/workbench/workbench.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"

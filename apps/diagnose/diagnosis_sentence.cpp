@@ -90,7 +90,8 @@ Paragraph effect_of(const Diagnosis& d, const BoundEffect& bound) {
     if (Paragraph jump = jump_of(d, *one); !jump.empty()) return jump;
   }
   const EffectLabel label{label_of(bound)};
-  const Message what = effect_text(name_of(bound.effect->level), bound.effect->name, "summary", in_words(*bound.effect));
+  const Message what =
+      effect_text(name_of(bound.effect->level), bound.effect->name, "summary", in_words(*bound.effect));
   const double p = p_of(d, bound);
   if (one == nullptr) return messages::effect_found_unsized(label, what, sure(p), Paragraph());
   const Message how_sure = one->minor ? messages::sure_minor(percent(p)) : sure(p);
@@ -144,8 +145,7 @@ Paragraph slow_drift_of(const Diagnosis& d) {
   if (!d.discrepancy_parameter.empty()) time = time_message(d.discrepancy_parameter, d.discrepancy_time_s);
   if (!d.discrepancy_like.empty()) like = messages::slow_drift_like(EffectLabel{d.discrepancy_like}, time);
   const std::string size = size_text(d.discrepancy_um);
-  Paragraph text =
-      d.target.empty() ? messages::slow_drift(size, like) : messages::slow_drift_of(size, d.target, like);
+  Paragraph text = d.target.empty() ? messages::slow_drift(size, like) : messages::slow_drift_of(size, d.target, like);
   text += messages::log_more();
   return text;
 }
@@ -260,8 +260,8 @@ Paragraph not_used_of(const Diagnosis& d) {
   if (d.set_aside == 1) text += messages::reading_set_aside();
   if (d.set_aside > 1) text += messages::readings_set_aside(d.set_aside);
   if (d.level_jumps > 0) {
-    text += messages::target_jumps(target_of(d, messages::the_target_first()), d.level_jumps,
-                                   size_text(d.level_jump_um));
+    text +=
+        messages::target_jumps(target_of(d, messages::the_target_first()), d.level_jumps, size_text(d.level_jump_um));
   }
   return text;
 }

@@ -199,7 +199,8 @@ inline constexpr auto kResult<NextMeasurement> = ResultType{
     "NextMeasurement", "The measurement that would tell errors apart.",
     std::tuple{Field{"measurement", &NextMeasurement::measurement, "other_direction, full_circle, another_feed"},
                Field{"error", &NextMeasurement::error, "that it separates best"},
-               Field{"other", &NextMeasurement::other, "from which"}, Field{"text", [](const NextMeasurement& of) { return message_of(of); }, "what to do"}}};
+               Field{"other", &NextMeasurement::other, "from which"},
+               Field{"text", [](const NextMeasurement& of) { return message_of(of); }, "what to do"}}};
 
 template <>
 inline constexpr auto kResult<PriorOfError> = ResultType{

@@ -151,11 +151,11 @@ std::vector<Paragraph> conclusion(const History& history) {
       history.machines.begin(), history.machines.end(), [](const MachineHistory& one) { return one.judged == 0; }));
   if (nothing == all && untested == all) return {messages::machines_untested(all)};
   const Message first =
-      nothing < all ? messages::machines_with_findings(all - nothing, all, count_of(history, Need::beyond),
-                                                       count_of(history, Need::expected),
-                                                       count_of(history, Need::finding))
-                    : messages::machines_unchanged(
-                          all, untested == 0 ? messages::full_stop() : messages::machines_too_few(untested));
+      nothing < all
+          ? messages::machines_with_findings(all - nothing, all, count_of(history, Need::beyond),
+                                             count_of(history, Need::expected), count_of(history, Need::finding))
+          : messages::machines_unchanged(all,
+                                         untested == 0 ? messages::full_stop() : messages::machines_too_few(untested));
   return {first, quantities_tested(history)};
 }
 

@@ -78,7 +78,8 @@ int decimals_of(double rmse_um) { return std::max(2, decimals_showing(2, rmse_um
 
 Paragraph floor_sentences(const Fit& fit) {
   const int decimals = decimals_of(fit.rmse_um) + 1;
-  const MessageValue rmse = fit.rmse_um < 1e-6 ? MessageValue(messages::below("0.000001")) : fixed(fit.rmse_um, decimals);
+  const MessageValue rmse =
+      fit.rmse_um < 1e-6 ? MessageValue(messages::below("0.000001")) : fixed(fit.rmse_um, decimals);
   Paragraph text = has_floor(fit) ? messages::fit_error_times(rmse, fixed(fit.rmse_um / fit.floor.rms_um, 2),
                                                               fixed(fit.floor.rms_um, decimals), fit.floor.source)
                                   : messages::fit_error(rmse);

@@ -31,7 +31,8 @@ Message missing_inputs(const Detectability& untestable) {
     inputs.emplace_back(messages::untestable_input(role_message(input.role), units_message(input.units)));
   if (!inputs.empty()) return messages::untestable_no_column(listed(inputs));
   if (deficiency.none_accepted.empty()) return messages::untestable_too_few_columns();
-  return effect_text(name_of(untestable.effect->level), untestable.effect->name, "none_accepted", deficiency.none_accepted);
+  return effect_text(name_of(untestable.effect->level), untestable.effect->name, "none_accepted",
+                     deficiency.none_accepted);
 }
 
 }  // namespace

@@ -106,8 +106,7 @@ void add_recordings(Report& made, const ReportRequest& options) {
   } else if (!test_name.empty()) {
     made.page.head.title = as_it_is(test_name);
   } else if (options.model.data.size() > 1) {
-    made.page.head.title =
-        messages::recordings_of_files(fitted.recordings.size(), options.model.data.size());
+    made.page.head.title = messages::recordings_of_files(fitted.recordings.size(), options.model.data.size());
   } else {
     made.page.head.title = as_it_is(file_name(options.model.data.front().path()));
   }
@@ -183,8 +182,7 @@ void add_batch(Report& made, const ReportRequest& options) {
       batch_job(options.model.data.front(), options.model.model, options.model.max_gap_s, options.anyway);
   const BatchJob& batch = *made.page.batch.value;
   if (options.model.model.is_path()) made.files.push_back(options.model.model.path());
-  made.conclude(
-      messages::batch_by(batch.job.target, label_of(batch.model.settings), batch.model.batches.size()));
+  made.conclude(messages::batch_by(batch.job.target, label_of(batch.model.settings), batch.model.batches.size()));
   for (const std::string& warning : batch.job.warnings) made.conclude(as_it_is(warning));
 }
 

@@ -149,7 +149,8 @@ void ReportSubject::add_model(ModelPart& made, Parts parts) {
     }
     if (why.empty()) continue;
     const bool fitted = parts == Parts::fitted;
-    made.summary.emplace_back(fitted ? messages::not_fitted(targets_[k], why) : messages::not_diagnosed(targets_[k], why));
+    made.summary.emplace_back(fitted ? messages::not_fitted(targets_[k], why)
+                                     : messages::not_diagnosed(targets_[k], why));
     if (!fitted) value_of(made.diagnose).targets.emplace_back(NotDiagnosed{targets_[k], why});
   }
   if (request_.model.model.empty()) return;

@@ -10,7 +10,8 @@ namespace {
 
 std::string text_of(const MessageValue& value) {
   if (const auto* const text = std::get_if<std::string>(&value.value)) return *text;
-  if (const auto* const label = std::get_if<EffectLabel>(&value.value)) return label->english.empty() ? label->effect : label->english;
+  if (const auto* const label = std::get_if<EffectLabel>(&value.value))
+    return label->english.empty() ? label->effect : label->english;
   return text_of(std::get<Paragraph>(value.value));
 }
 
@@ -49,8 +50,8 @@ std::string text_of(const Message& message) {
     if (begin == std::string_view::npos) break;
     const std::size_t end = rest.find('}', begin), colon = std::min(rest.find(':', begin), end);
     const std::string_view name = rest.substr(begin + 1, colon - begin - 1);
-    const auto place = std::find_if(message.values.begin(), message.values.end(),
-                                    [&](const auto& one) { return one.first == name; });
+    const auto place =
+        std::find_if(message.values.begin(), message.values.end(), [&](const auto& one) { return one.first == name; });
     if (place != message.values.end()) {
       const std::string value = text_of(place->second);
       text += colon == end ? value : word_of(rest.substr(colon + 1, end - colon - 1), value == "1");

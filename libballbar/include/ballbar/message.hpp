@@ -1,5 +1,5 @@
-// Sentences by name. What a result says is the name of a sentence of formats/messages and the values of its places, from
-// which each language makes its text. text_of() makes the English one.
+// Sentences by name. What a result says is the name of a sentence of formats/messages and the values of its places,
+// from which each language makes its text. text_of() makes the English one.
 //
 // message_catalogue.hpp, which is made of formats/messages/en.toml, has a function for each sentence:
 //
@@ -65,8 +65,8 @@ Paragraph semicolon_list(const std::vector<MessageValue>& parts);
 std::vector<MessageValue> effects_of(const std::vector<std::string>& labels);
 
 // What an effect says of itself in English: its summary, cause and so on. Other languages have it as LEVEL_EFFECT_KEY,
-// "series_expansion_summary"; all but the summary without the axis, "recording_backlash_remedy". The places {a} and {b} of
-// the summary are the axes.
+// "series_expansion_summary"; all but the summary without the axis, "recording_backlash_remedy". The places {a} and {b}
+// of the summary are the axes.
 Message effect_text(std::string_view level, std::string_view effect, std::string_view key, std::string english);
 
 // A text that no catalogue has, such as the error of a reader: a message without a name.

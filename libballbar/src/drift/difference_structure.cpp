@@ -303,9 +303,8 @@ std::vector<DifferenceKind> named_differences(const DifferenceStructure& structu
   for (const DifferenceKind kind : kDifferenceKinds) {
     if (part_of(kind) && part_of(kind)->named) named.push_back(kind);
   }
-  std::stable_sort(named.begin(), named.end(), [&](DifferenceKind a, DifferenceKind b) {
-    return part_of(a)->explains > part_of(b)->explains;
-  });
+  std::stable_sort(named.begin(), named.end(),
+                   [&](DifferenceKind a, DifferenceKind b) { return part_of(a)->explains > part_of(b)->explains; });
   return named;
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kFewest = 3;
 constexpr double kNotNoise = 0.01;  // p of a white residual
-constexpr std::size_t kParts = 5;  // of a signal's values
+constexpr std::size_t kParts = 5;   // of a signal's values
 
 // Rows of the fit that belong together.
 class Groups {

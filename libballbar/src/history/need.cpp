@@ -84,9 +84,9 @@ void say_need(MachineHistory& machine) {
     machine.need = Need::expected;
     const MessageValue latest =
         first->date.latest_s ? MessageValue(day_text(*first->date.latest_s)) : MessageValue(messages::open());
-    machine.reason = messages::need_expected(quantity_of(first->name, first->plane),
-                                             fmt::format("{:g}", *first->date.limit), first->unit,
-                                             day_text(*first->date.at_s), day_text(*first->date.earliest_s), latest);
+    machine.reason =
+        messages::need_expected(quantity_of(first->name, first->plane), fmt::format("{:g}", *first->date.limit),
+                                first->unit, day_text(*first->date.at_s), day_text(*first->date.earliest_s), latest);
     return;
   }
   if (!machine.findings.empty()) {
@@ -103,8 +103,7 @@ void say_need(MachineHistory& machine) {
     machine.reason = messages::need_last_alone(quantity_of(one.name, one.plane));
     return;
   }
-  machine.reason =
-      machine.judged == 0 ? messages::need_too_few_tests() : messages::need_nothing();
+  machine.reason = machine.judged == 0 ? messages::need_too_few_tests() : messages::need_nothing();
 }
 
 void rank(std::vector<MachineHistory>& machines) {

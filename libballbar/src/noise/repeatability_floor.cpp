@@ -113,11 +113,10 @@ std::optional<Floor> of_standstill(const std::vector<SpeedStep>& steps, double l
     }
   }
   if (end == 0) return std::nullopt;
-  return Floor{
-      std::sqrt(squares_about_line(time_s.subspan(begin, end - begin), target_um.subspan(begin, end - begin)) /
-                degrees_about_line(end - begin)),
-      messages::noise_of_standstill(fmt::format("{:.0f}", min_from_s(time_s[begin])),
-                                    fmt::format("{:.0f}", min_from_s(time_s[end - 1])))};
+  return Floor{std::sqrt(squares_about_line(time_s.subspan(begin, end - begin), target_um.subspan(begin, end - begin)) /
+                         degrees_about_line(end - begin)),
+               messages::noise_of_standstill(fmt::format("{:.0f}", min_from_s(time_s[begin])),
+                                             fmt::format("{:.0f}", min_from_s(time_s[end - 1])))};
 }
 
 std::optional<Floor> of_innovations(const Noise& noise, std::span<const double> time_s,

@@ -183,12 +183,14 @@ TEST(Sentence, says_first_what_was_not_used) {
   found.set_aside = 8;
   found.level_jumps = 18;
   found.level_jump_um = 2.1;
-  EXPECT_TRUE(text_of(sentence_of(found)).starts_with(
-      "door was not searched: it has gaps. pallet was not searched: no effect reads it. T1_degC stands at the end of "
-      "its range for 42 % of the rows, as a saturated "
-      "sensor does. These rows are set aside. 8 readings far from the others are set aside. z_um jumps 18 times, by "
-      "2.1 "
-      "um: corrections of the control or of the probe, no drift. About ±2.5 um of slow drift"))
+  EXPECT_TRUE(text_of(sentence_of(found))
+                  .starts_with("door was not searched: it has gaps. pallet was not searched: no effect reads it. "
+                               "T1_degC stands at the end of "
+                               "its range for 42 % of the rows, as a saturated "
+                               "sensor does. These rows are set aside. 8 readings far from the others are set aside. "
+                               "z_um jumps 18 times, by "
+                               "2.1 "
+                               "um: corrections of the control or of the probe, no drift. About ±2.5 um of slow drift"))
       << text_of(sentence_of(found));
 }
 
@@ -218,16 +220,17 @@ TEST(Sentence, of_what_no_effect_explains) {
   add(found, expansion("T1_degC"), 0.31, 3.0);
   EXPECT_TRUE(text_of(sentence_of(found)).ends_with(" The best candidate, expansion(T1_degC) (31 %), is not proven."));
   found.own = {{"speed_heating(n_rpm)", "exponent", "1", 5.0 / 3.0, 1.0, {0.9, 1.1}, 0.45}};
-  EXPECT_TRUE(text_of(sentence_of(found)).ends_with(
-      " The best candidate, another exponent of speed_heating(n_rpm) (45 %), is not proven."));
+  EXPECT_TRUE(text_of(sentence_of(found))
+                  .ends_with(" The best candidate, another exponent of speed_heating(n_rpm) (45 %), is not proven."));
 }
 
 TEST(Sentence, of_an_error_above_the_stated_sigma) {
   Diagnosis found = with_verdict(Verdict::unexplained);
   found.p_nothing = 0.9;
-  EXPECT_TRUE(text_of(sentence_of(found)).starts_with(
-      "The remaining error of z_um is more than three times the stated sigma of its readings, and no logged column "
-      "explains it."))
+  EXPECT_TRUE(text_of(sentence_of(found))
+                  .starts_with("The remaining error of z_um is more than three times the stated sigma of its readings, "
+                               "and no logged column "
+                               "explains it."))
       << text_of(sentence_of(found));
 }
 
@@ -261,7 +264,8 @@ TEST(Reasons, of_what_is_untestable) {
   found.obstacle = Obstacle::too_few_values;
   EXPECT_EQ(texts_of(reasons_of(found)), std::vector<std::string>{"There are too few values to test anything more."});
   found.obstacle = Obstacle::no_effect;
-  EXPECT_EQ(texts_of(reasons_of(found)), std::vector<std::string>{"No effect of the catalogue can be tested on these data."});
+  EXPECT_EQ(texts_of(reasons_of(found)),
+            std::vector<std::string>{"No effect of the catalogue can be tested on these data."});
 }
 
 // Of each member of the best set in turn: its form, its gains by run, its doubts.

@@ -18,8 +18,8 @@ Values minutes(const Values& time_min) {
 }
 
 // One axis with the same sigma in every row but the first, the reference; sigma 0: none is stated.
-MeasuredDrift drift(std::string what, Values time_s, Values value, double sigma,
-                    std::string name = "x", std::string unit = "um") {
+MeasuredDrift drift(std::string what, Values time_s, Values value, double sigma, std::string name = "x",
+                    std::string unit = "um") {
   MeasuredDrift one;
   one.what = std::move(what);
   one.time_s = std::move(time_s);
@@ -98,13 +98,16 @@ TEST(comparison_conclusion, of_each_kind) {
     double value, sigma;
     const char* sentence;
   } const cases[] = {
-      {DifferenceKind::offset, -1.0, 0.1, "z of B is 1.00 ± 0.10 um below A from the first sample on. Check the "
-                                          "reference point."},
-      {DifferenceKind::gain, 1.04, 0.01, "z of B is 4.0 ± 1.0 % larger than A. Check the scale, the bar length and the "
-                                         "place along the spindle."},
+      {DifferenceKind::offset, -1.0, 0.1,
+       "z of B is 1.00 ± 0.10 um below A from the first sample on. Check the "
+       "reference point."},
+      {DifferenceKind::gain, 1.04, 0.01,
+       "z of B is 4.0 ± 1.0 % larger than A. Check the scale, the bar length and the "
+       "place along the spindle."},
       {DifferenceKind::lag, -300.0, 60.0, "z of B is 5.0 ± 1.0 min late. Check the clocks."},
-      {DifferenceKind::drift, 0.4, 0.1, "z of B drifts up from A by 0.40 ± 0.10 um/h. Check the stand and the fixture "
-                                        "for creep."},
+      {DifferenceKind::drift, 0.4, 0.1,
+       "z of B drifts up from A by 0.40 ± 0.10 um/h. Check the stand and the fixture "
+       "for creep."},
   };
   for (const auto& [kind, value, sigma, sentence] : cases) {
     Comparison comparison;

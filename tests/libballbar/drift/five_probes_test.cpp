@@ -345,8 +345,9 @@ TEST(five_point, place_of_the_ball_in_a_plane_of_the_probes) {
   options.from_plane_1_mm = 0.0;
   const FivePoint found = five_point(without(probes(), {"X2_um"}), options);
   EXPECT_TRUE(std::isnan(sigma(found, "x", "place of the ball", 1)));
-  EXPECT_EQ(texts_of(found.drift.remarks), (Texts{"The place of the ball is not in the uncertainty of x: tilt B is not known.",
-                                        "Tilt B is not known: there is no X2.", kFewRows}));
+  EXPECT_EQ(texts_of(found.drift.remarks),
+            (Texts{"The place of the ball is not in the uncertainty of x: tilt B is not known.",
+                   "Tilt B is not known: there is no X2.", kFewRows}));
 }
 
 Series one_probe(std::vector<double> time_s, std::vector<double> z_um) {

@@ -111,8 +111,9 @@ TEST(measured_drift, growth_that_is_not_stated_is_said) {
   Session silent = session(Method::spindle_rotation);
   silent.bar_expansion_ppm_per_K.reset();
   MeasuredDrift drift = measured(rotation_series(), silent);
-  EXPECT_EQ(texts_of(drift.remarks), Texts{"The bar's thermal growth is not in the uncertainty: the session does not state its "
-                                 "expansion (expansion_ppm_per_K under [bar])."});
+  EXPECT_EQ(texts_of(drift.remarks),
+            Texts{"The bar's thermal growth is not in the uncertainty: the session does not state its "
+                  "expansion (expansion_ppm_per_K under [bar])."});
   EXPECT_EQ(contribution(drift, "axial", "bar's thermal growth"), nullptr);
   EXPECT_EQ(contribution(drift, "radial", "bar's thermal growth"), nullptr);
 

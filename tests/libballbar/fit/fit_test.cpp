@@ -125,7 +125,8 @@ TEST(fit, undetermined_parameters_are_said) {
   EXPECT_EQ(found.parameters[1].state, ParameterState::undetermined);
   EXPECT_TRUE(std::isinf(found.parameters[1].sigma));
   ASSERT_FALSE(found.remarks.empty());
-  EXPECT_EQ(text_of(found.remarks.front()), "The data do not determine gain_um_per_krpm_a of speed_heating(speed_rpm).");
+  EXPECT_EQ(text_of(found.remarks.front()),
+            "The data do not determine gain_um_per_krpm_a of speed_heating(speed_rpm).");
 }
 
 TEST(fit, two_effects_that_are_the_same_here_are_undetermined) {
@@ -306,7 +307,8 @@ TEST(fit, sigma_of_a_saturated_fit_is_not_known) {
     EXPECT_TRUE(std::isnan(parameter.sigma)) << parameter.name;
   }
   ASSERT_FALSE(found.remarks.empty());
-  EXPECT_EQ(text_of(found.remarks[0]), "3 values for 2 free parameters leave too little to tell sigma: it is not known.");
+  EXPECT_EQ(text_of(found.remarks[0]),
+            "3 values for 2 free parameters leave too little to tell sigma: it is not known.");
   data.columns.push_back({"z_sigma_um", Role::measured, {0.1, 0.1, 0.1}});
   // var(slope) = 0.01 / sum (T - mean T)^2 = 0.01 / (1.1667^2 + 0.1667^2 + 1.3333^2) = 0.01 / 3.1667
   EXPECT_NEAR(fit(model, data).parameters[1].sigma, std::sqrt(0.01 / (19.0 / 6.0)), 1e-8);

@@ -12,17 +12,18 @@
 namespace ballbar {
 
 template <>
-inline constexpr auto kResult<EffectLabel> = ResultType{
-    "EffectLabel", "An effect within a sentence.", std::tuple{Field{"effect", &EffectLabel::effect, "with its columns"}}};
+inline constexpr auto kResult<EffectLabel> =
+    ResultType{"EffectLabel", "An effect within a sentence.",
+               std::tuple{Field{"effect", &EffectLabel::effect, "with its columns"}}};
 
 using MessageValues = TableOf<std::variant<std::string, EffectLabel, std::vector<Message>>>;
 MessageValues values_of(const Message& message);
 
 template <>
-inline constexpr auto kResult<Message> = ResultType{
-    "Message", "A sentence by its name, from which each language makes its text.",
-    std::tuple{Field{"name", &Message::name, "of formats/messages"},
-               Field{"values", &values_of, "of its places: a text, an effect, or sentences within it"}}};
+inline constexpr auto kResult<Message> =
+    ResultType{"Message", "A sentence by its name, from which each language makes its text.",
+               std::tuple{Field{"name", &Message::name, "of formats/messages"},
+                          Field{"values", &values_of, "of its places: a text, an effect, or sentences within it"}}};
 
 // A field of sentences has two keys: the English text, and the messages that it is made of where there are any.
 // "sentence": "message", "sentences": "messages", "hint": "hint_message".
