@@ -48,7 +48,7 @@ Message sure(double p) { return messages::sure(percent(p)); }
 
 // "The model fails most while warming."
 Paragraph where_sentence(const Diagnosis& d) {
-  return d.where ? Paragraph(messages::fails_most(place_of(*d.where))) : Paragraph();
+  return d.where ? Paragraph(messages::fails_most(misfit_place(*d.where))) : Paragraph();
 }
 
 Message time_message(const std::string& parameter, double time_s) {

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "ballbar/formats/results/result_type.hpp"
+#include "ballbar/formats/results/message.hpp"
 #include "ballbar/history/history.hpp"
 #include "errors/test_result.hpp"
 #include "history/found_history.hpp"

@@ -47,7 +47,7 @@ Message where_worst(const Fit& fit, const std::vector<Misfit>& where) {
   const std::optional<Misfit> worst = worst_place(fit, where);
   if (!worst) return messages::fails_evenly();
   const auto n = static_cast<double>(fit.residual_um.size() - fit.discounted.size());
-  return messages::fails_most_share(place_of(*worst), fmt::format("{:.0f}", 100.0 * worst->share),
+  return messages::fails_most_share(misfit_place(*worst), fmt::format("{:.0f}", 100.0 * worst->share),
                                     fmt::format("{:.0f}", 100.0 * static_cast<double>(worst->n) / n),
                                     bias_text(worst->bias_um, worst->bias_sigma_um));
 }
@@ -79,7 +79,7 @@ Message residual_sentence(const Fit& fit, const Whiteness& whiteness) {
 
 }  // namespace
 
-Message place_of(const Misfit& group) {
+Message misfit_place(const Misfit& group) {
   if (group.what == "regime") {
     if (group.from == name_of(Regime::after_change)) return messages::place_after_change();
     if (group.from == name_of(Regime::standstill)) return messages::place_standstill();

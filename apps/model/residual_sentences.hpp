@@ -12,6 +12,6 @@ namespace ballbar {
 std::vector<Paragraph> sentences(const Fit& fit, const std::vector<Misfit>& where, const Whiteness& whiteness);
 
 // A phrase: "while warming", "where T_air_degC is from 21 to 22 degC".
-Message place_of(const Misfit& group);
+Message misfit_place(const Misfit& group);
 
 }  // namespace ballbar

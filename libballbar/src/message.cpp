@@ -1,6 +1,7 @@
 #include "ballbar/message.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "ballbar/message_catalogue.hpp"
@@ -21,13 +22,31 @@ std::string_view word_of(std::string_view words, bool is_one) {
   return is_one ? words.substr(0, bar) : words.substr(bar + 1);
 }
 
-template <class Join>
-Paragraph joined(const std::vector<MessageValue>& parts, Join join) {
+// Parts of a list, each joined to those before it.
+struct List {
+  std::string_view name;
+  Message (*next)(MessageValue, MessageValue);
+  Message (*last)(MessageValue, MessageValue);
+};
+constexpr std::array kLists{List{"enumeration", messages::list_next, messages::list_last},
+                            List{"list", messages::list_next, messages::list_next},
+                            List{"semicolon_list", messages::list_semicolon, messages::list_semicolon}};
+
+std::string text_of(const List& list, const Message& message) {
+  std::string text;
+  for (std::size_t k = 0; k < message.values.size(); ++k) {
+    std::string part = text_of(message.values[k].second);
+    const auto join = k + 1 == message.values.size() ? list.last : list.next;
+    text = k == 0 ? std::move(part) : ballbar::text_of(join(std::move(text), std::move(part)));
+  }
+  return text;
+}
+
+Paragraph list_of(std::string_view name, const std::vector<MessageValue>& parts) {
   if (parts.empty()) return {};
-  MessageValue all = parts.front();
-  for (std::size_t k = 1; k < parts.size(); ++k) all = join(std::move(all), parts[k], k + 1 == parts.size());
-  const auto* const phrase = std::get_if<Paragraph>(&all.value);
-  return phrase != nullptr ? *phrase : Paragraph(messages::one(std::move(all)));
+  Message list{std::string(name), "", {}};
+  for (const MessageValue& part : parts) list.values.emplace_back(std::to_string(list.values.size() + 1), part);
+  return list;
 }
 
 }  // namespace
@@ -42,6 +61,9 @@ Paragraph& Paragraph::operator+=(Paragraph other) {
 MessageValue::MessageValue(Message phrase) : value(Paragraph(std::move(phrase))) {}
 
 std::string text_of(const Message& message) {
+  for (const List& list : kLists) {
+    if (list.name == message.name) return text_of(list, message);
+  }
   std::string text;
   std::string_view rest = message.english;
   while (!rest.empty()) {
@@ -74,23 +96,9 @@ std::vector<std::string> texts_of(const std::vector<Paragraph>& paragraphs) {
   return texts;
 }
 
-Paragraph enumerated(const std::vector<MessageValue>& parts) {
-  return joined(parts, [](MessageValue first, const MessageValue& next, bool is_last) {
-    return is_last ? messages::list_last(std::move(first), next) : messages::list_next(std::move(first), next);
-  });
-}
-
-Paragraph listed(const std::vector<MessageValue>& parts) {
-  return joined(parts, [](MessageValue first, const MessageValue& next, bool) {
-    return messages::list_next(std::move(first), next);
-  });
-}
-
-Paragraph semicolon_list(const std::vector<MessageValue>& parts) {
-  return joined(parts, [](MessageValue first, const MessageValue& next, bool) {
-    return messages::list_semicolon(std::move(first), next);
-  });
-}
+Paragraph enumerated(const std::vector<MessageValue>& parts) { return list_of("enumeration", parts); }
+Paragraph listed(const std::vector<MessageValue>& parts) { return list_of("list", parts); }
+Paragraph semicolon_list(const std::vector<MessageValue>& parts) { return list_of("semicolon_list", parts); }
 
 std::vector<MessageValue> effects_of(const std::vector<std::string>& labels) {
   std::vector<MessageValue> effects;

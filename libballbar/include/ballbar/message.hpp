@@ -58,7 +58,7 @@ std::string text_of(const Message& message);
 std::string text_of(const Paragraph& paragraph);
 std::vector<std::string> texts_of(const std::vector<Paragraph>& paragraphs);
 
-// "A, B and C"; "A, B, C"; "A; B; C": as one phrase.
+// "A, B and C"; "A, B, C"; "A; B; C": a message enumeration, list or semicolon_list with the places 1, 2, 3 ...
 Paragraph enumerated(const std::vector<MessageValue>& parts);
 Paragraph listed(const std::vector<MessageValue>& parts);
 Paragraph semicolon_list(const std::vector<MessageValue>& parts);

@@ -58,7 +58,7 @@ TEST(ResidualSentences, of_slow_noise_and_of_few_readings) {
 
 TEST(ResidualSentences, name_the_place) {
   const auto place = [](const std::string& what, const std::string& from, const std::string& to) {
-    return text_of(place_of({what, from, to}));
+    return text_of(misfit_place({what, from, to}));
   };
   EXPECT_EQ(place("time", "0 min", "60 min"), "from 0 to 60 min");
   EXPECT_EQ(place("T_air_degC", "20 degC", "22.5 degC"), "where T_air_degC is from 20 to 22.5 degC");

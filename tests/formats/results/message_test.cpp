@@ -49,7 +49,7 @@ TEST(Message, keys_of_a_result) {
   EXPECT_EQ(json_of(said).dump(),
             R"({"sentence":"That is negligible. The data support step and settling.",)"
             R"("message":[{"name":"negligible","values":{}},{"name":"data_support","values":{"effects":)"
-            R"([{"name":"list_last","values":{"first":{"effect":"step"},"last":{"effect":"settling"}}}]}}],)"
+            R"([{"name":"enumeration","values":{"1":{"effect":"step"},"2":{"effect":"settling"}}}]}}],)"
             R"("remarks":["read as metres","The fit did not converge; its parameters are the best it found."],)"
             R"("remarks_message":[[{"name":"","values":{"text":"read as metres"}}],)"
             R"([{"name":"fit_not_converged","values":{}}]]})");

@@ -37,7 +37,26 @@ const value_text = (value: MessageValue, words: Words): string | null => {
   return "effect" in value ? effect_text(value.effect, words) : messages_text(value, words);
 };
 
+// Parts of a list, each joined to those before it.
+const lists: Readonly<Record<string, { next: string; last: string }>> = {
+  enumeration: { next: "list_next", last: "list_last" },
+  list: { next: "list_next", last: "list_next" },
+  semicolon_list: { next: "list_semicolon", last: "list_semicolon" },
+};
+
+const list_text = ({ next, last }: { next: string; last: string }, parts: readonly MessageValue[], words: Words): string | null => {
+  const join = (before: string | null, part: MessageValue, k: number): string | null => {
+    const text = value_text(part, words);
+    if (before === null || text === null || k === 0) return text;
+    const catalogue = catalogues[words.language];
+    return (catalogue?.get(k + 1 === parts.length ? last : next) ?? "").replace(/\{(\w+)\}/g, (_, place: string) => (place === "first" ? before : text));
+  };
+  return parts.reduce<string | null>(join, "");
+};
+
 const message_text = ({ name, values }: Message, words: Words): string | null => {
+  const list = lists[name];
+  if (list) return list_text(list, Object.values(values), words);
   const text = name === "" ? "{text}" : catalogues[words.language]?.get(name);
   if (text === undefined) return null;
   let known = true;
