@@ -4,6 +4,7 @@
 # A line of a catalogue:  name = "Text with a {place}, {n:word|words} of them."
 # {n:word|words} is the first word where the place n is 1; a language that has no plural leaves it out. Names that begin with
 # series_ or recording_ are what an effect says of itself, which in English stands with the effect.
+cmake_policy(VERSION 3.25)  # as a script, in a test
 set(messages ${CMAKE_CURRENT_LIST_DIR})
 
 # In the caller's scope: PREFIX.names, and for each name PREFIX.NAME, the text as TOML quotes it, PREFIX.NAME.places, and
@@ -105,4 +106,6 @@ endif()
 if(NOT old STREQUAL header)
   file(WRITE ${made} "${header}")
 endif()
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${messages}/en.toml ${messages}/de.toml ${messages}/zh.toml)
+if(NOT CMAKE_SCRIPT_MODE_FILE)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${messages}/en.toml ${messages}/de.toml ${messages}/zh.toml)
+endif()

@@ -10,7 +10,7 @@ import { capital } from "../drawing/text";
 import type { Section, Notes, Conclusion } from "../picture";
 import type { Report } from "../report";
 import { decimals_for, range_text, shown } from "../drawing/theme";
-import { all_said, english, explained_by, language, said, said_after, type Sentence, t } from "../texts/texts";
+import { all_said, english, explained_by, language, said, type Sentence, t } from "../texts/texts";
 
 const kRemedies = 3;
 
@@ -36,20 +36,6 @@ export const verdict_of = ({ part, recordings }: ErrorTest): Sentence => {
   return t.errors_conclusion({ circularity, error, without: shown(most.first.circularity_without_um, 1) });
 };
 
-// What the errors leave, one added after the other; in English the program's own sentences.
-const residual_of = ({ part, recordings }: ErrorTest): Sentence => {
-  const steps = part.one_by_one ?? []; // a report of an older program has none
-  const messages = part.left_text_message;
-  if (language === "en" || steps.length === 0) return said(part.left_text, messages);
-  const plane = recordings[0]?.plane;
-  const added = steps.map(({ effect, group, rms_um }) => {
-    const of_group = part.error_groups?.[group ?? -1];
-    return `+ ${of_group ? group_name(of_group, plane) : error_name(effect, plane)} ${shown(rms_um, 2)}`;
-  });
-  const first = t.errors_one_by_one({ circle: shown(part.circle_rms_um, 2), added: added.join(", ") });
-  return said_after(first, part.left_text.slice(part.left_text.indexOf(". ") + 2), messages?.slice(1));
-};
-
 // What is concluded from the only test stands at the head of the page.
 const notes_of = (test: ErrorTest, alone: boolean): Notes => {
   const { part, recordings } = test;
@@ -62,7 +48,7 @@ const notes_of = (test: ErrorTest, alone: boolean): Notes => {
     table: gains_table(test),
     sentences: [
       ...(alone || part.conclusion === "" ? [] : [verdict_of(test)]),
-      ...(part.left_text === "" ? [] : [residual_of(test)]),
+      ...(part.left_text === "" ? [] : [said(part.left_text, part.left_text_message)]),
       t.errors_explained,
     ],
     lists: [

@@ -182,8 +182,6 @@ export const de: Texts = {
   errors_g_without: "G ohne ihn µm",
   errors_not_determined: "nicht bestimmt",
   errors_not_significant: "nicht signifikant",
-  errors_one_by_one:
-    ({ circle, added }) => `Restfehler, ein Fehler nach dem anderen hinzugenommen: Kreis allein ${circle} µm RMS, ${added}.`,
   errors_table_title: "Fehler nach Gewinn",
   errors_set_up: "Aufbau und Maßstab, ohne Rang",
   errors_stated: "Angaben der Datei",

@@ -189,8 +189,6 @@ export const en = {
   errors_g_without: "G without µm",
   errors_not_determined: "not determined",
   errors_not_significant: "not significant",
-  errors_one_by_one:
-    ({ circle, added }: { circle: string; added: string }) => `Remaining error, one error added at a time: circle alone ${circle} µm RMS, ${added}.`,
   errors_table_title: "Errors by gain",
   errors_set_up: "Set-up and scale, not ranked",
   errors_stated: "What the file states",

@@ -174,7 +174,6 @@ export const zh: Texts = {
   errors_g_without: "去除后 G µm",
   errors_not_determined: "无法确定",
   errors_not_significant: "不显著",
-  errors_one_by_one: ({ circle, added }) => `逐个加入误差后的剩余误差：仅圆 ${circle} µm（均方根），${added}。`,
   errors_table_title: "按改善量排序的误差",
   errors_set_up: "装调与比例，不参与排名",
   errors_stated: "文件所载信息",
