@@ -135,7 +135,7 @@ void print_text(const Additions& additions, const std::string& stopped, const st
   fmt::print("{}\n\n", title);
   for (const EffectTest& tried : additions.effect_tests) {
     if (details || &tried == &additions.effect_tests.back()) fmt::print("{}", wrapped(conclusion(tried)));
-    fmt::print("{}", wrapped(sentence_of(tried.after, &tried.before) + unneeded_text(tried)));
+    fmt::print("{}", wrapped(text_of(sentence_of(tried.after, &tried.before)) + unneeded_text(tried)));
   }
   if (additions.grown) {
     fmt::print("{}{}\n{}\n{}", additions.effect_tests.empty() ? "" : "\n",

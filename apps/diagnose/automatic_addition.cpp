@@ -26,7 +26,7 @@ constexpr std::size_t kMostAdditions = 6;
 std::string labels_of_added(const EffectTest& tried) {
   std::vector<std::string> names;
   for (const Candidate& one : tried.added) names.push_back(one.label);
-  return enumeration(names);
+  return text_of(enumerated(effects_of(names)));
 }
 
 std::string either_text(const std::vector<std::vector<BoundEffect>>& groups) {
@@ -40,9 +40,9 @@ std::string either_text(const std::vector<std::vector<BoundEffect>>& groups) {
 
 // Why the search goes no further.
 std::string stop_text(const AutomaticAddition& how, const Diagnosis& diagnosis) {
-  const std::vector<std::string> reasons = reasons_of(diagnosis);
+  const std::vector<std::string> reasons = texts_of(reasons_of(diagnosis));
   const std::string why = reasons.empty() ? "" : fmt::format(" {}", fmt::join(reasons, " "));
-  const std::string hint = next_hint(how.written, diagnosis);
+  const std::string hint = text_of(next_hint(how.written, diagnosis));
   switch (diagnosis.verdict) {
     case Verdict::nothing:
       return diagnosis.hidden_um > 0.0
@@ -51,9 +51,9 @@ std::string stop_text(const AutomaticAddition& how, const Diagnosis& diagnosis) 
                  : fmt::format("Stopped: no further effect is found.{}", why);
     case Verdict::named:
     case Verdict::probable:
-      return fmt::format("Stopped. {}{}{}{}", sentence_of(diagnosis), hint.empty() ? "" : " ", hint, why);
+      return fmt::format("Stopped. {}{}{}{}", text_of(sentence_of(diagnosis)), hint.empty() ? "" : " ", hint, why);
     case Verdict::driver:
-      return fmt::format("Stopped. {}{}", sentence_of(diagnosis), why);
+      return fmt::format("Stopped. {}{}", text_of(sentence_of(diagnosis)), why);
     case Verdict::equivalent:
       return fmt::format("Stopped: an effect is missing, but the data do not tell which: {}.{}",
                          either_text(diagnosis.equivalent), why);
@@ -127,7 +127,7 @@ std::string add_supported(std::vector<Term> terms, RevisedModel& model) {
     model.add(terms);
     const EffectTest& tried = model.bench().added();
     if (tried.after.verdict != kNotSupported) return "";
-    if (why.empty()) why = conclusion(tried);
+    if (why.empty()) why = text_of(conclusion(tried));
     std::vector<Term> supported;
     for (std::size_t k = 0; k < terms.size(); ++k) {
       if (tried.added[k].doubts.empty()) supported.push_back(terms[k]);
@@ -176,7 +176,7 @@ std::string take_back_assumed(Additions& additions, std::vector<std::string> tex
   while (!additions.effect_tests.empty() && !additions.effect_tests.back().beside.empty()) {
     const EffectTest& last = additions.effect_tests.back();
     why = fmt::format("Not added: {}, whose test assumes that {} {} missing as well.", labels_of_added(last),
-                      enumeration(last.beside), last.beside.size() == 1 ? "is" : "are");
+                      text_of(enumerated(effects_of(last.beside))), last.beside.size() == 1 ? "is" : "are");
     additions.model.go_back_to(texts.back());
     texts.pop_back();
     additions.effect_tests.pop_back();

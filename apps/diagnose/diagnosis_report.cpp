@@ -8,15 +8,19 @@
 #include <set>
 
 #include "ballbar/diagnosis/signatures/search.hpp"
+#include "ballbar/fit/fit.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/internal/model/effect_argument.hpp"
 #include "ballbar/internal/numerics/range.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/revision/revision.hpp"
 #include "diagnose/diagnosis_result.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/next_command.hpp"
 #include "errors/quantity_text.hpp"
+#include "model/held_values.hpp"
 #include "model/testability_text.hpp"
 #include "terminal/stderr_line.hpp"
 
@@ -139,6 +143,27 @@ std::optional<NextMeasurement> next_measurement_of(const Diagnosis& found, const
   return std::nullopt;
 }
 
+// nullopt: of another test, or where the fit cannot be made.
+std::optional<double> promised_rmse_um(const ModelOptions& options, const NextAction& next, Workbench& bench) {
+  try {
+    if (next.action == Action::free) {
+      std::vector<std::string> settings;
+      for (const ParameterStart& one : next.parameters)
+        settings.push_back(fmt::format("{}.{}={:.17g}", one.effect, one.parameter, one.start));
+      return fit(with_free_values(bench.model(), settings), bench.data(), 0, {}).rmse_um;
+    }
+    std::vector<Term> terms;
+    Model model = bench.model();
+    for (const std::string& effect : next.effects) {
+      terms.push_back(term_from_text(effect, model, bench.data(), options.catalogue));
+      model.terms.push_back(terms.back());
+    }
+    if (!terms.empty()) return bench.rmse_um_with(terms);
+  } catch (const Error&) {  // the verdict is worth telling without
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<StandIn> stand_ins_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
@@ -176,12 +201,11 @@ const std::vector<BoundEffect>& best_of(const Diagnosis& found) {
   return found.verdict == Verdict::named ? found.named : found.verdict == Verdict::probable ? found.probable : kNone;
 }
 
-std::string next_text(const DiagnosisReport& diagnosis_report) {
+Paragraph next_test(const DiagnosisReport& diagnosis_report) {
   const Diagnosis& found = diagnosis_report.diagnosis;
-  if (found.verdict == Verdict::named && found.equivalent.empty()) return "";  // nothing is left to tell
-  if (diagnosis_report.next_measurement) return measurement_text(*diagnosis_report.next_measurement);
-  if (!diagnosis_report.is_for_plan) return "";
-  return "another run of the machine. `ballbar plan` designs it and says how likely it is to decide.";
+  if (found.verdict == Verdict::named && found.equivalent.empty()) return {};  // nothing is left to tell
+  if (diagnosis_report.next_measurement) return message_of(*diagnosis_report.next_measurement);
+  return diagnosis_report.is_for_plan ? Paragraph(messages::decide_by_run()) : Paragraph();
 }
 
 std::string predicted_text(const DiagnosisReport& report) {
@@ -191,7 +215,7 @@ std::string predicted_text(const DiagnosisReport& report) {
     const std::string model =
         by.model_left_out_um ? fmt::format(", to {:.2f} {} by the model", *by.model_left_out_um, unit) : "";
     return fmt::format("Left-out cycles are predicted to {:.2f} {} RMSE by {}{}.", by.left_out_um, unit,
-                       enumeration(by.columns), model);
+                       text_of(enumerated({by.columns.begin(), by.columns.end()})), model);
   }
   if (!report.predicted) return "";
   const Predictability& of = *report.predicted;
@@ -214,7 +238,8 @@ std::string unsupported_text(const DiagnosisReport& report) {
   const bool is_one = report.unsupported.size() == 1;
   return fmt::format(
       "The model contains {}, which the data did not support when {} added. The verdict is valid only if {} real.",
-      enumeration(report.unsupported), is_one ? "it was" : "they were", is_one ? "it is" : "they are");
+      text_of(enumerated(effects_of(report.unsupported))), is_one ? "it was" : "they were",
+      is_one ? "it is" : "they are");
 }
 
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {
@@ -253,6 +278,9 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& benc
     if (report.is_for_plan) report.plan_command = plan_command(options, found);
     if (bench.model().level == Level::recording) report.next_measurement = next_measurement_of(found, bench.data());
     report.command = next_command(options, found);
+    report.next_action = next_action(options, found);
+    if (report.next_action)
+      report.next_action->promised_rmse_um = promised_rmse_um(options, *report.next_action, bench);
     report.hint = next_hint(options, found);
     report.unsupported = unsupported_of(options, bench.model());
     if (bench.model().level == Level::series && is_left(found.verdict)) {
@@ -271,7 +299,7 @@ std::vector<Untestable> untestable_of(const Diagnosis& found) {
   std::vector<Untestable> untestable;
   for (const Detectability& one : found.detectability) {
     if (one.testability == Testability::testable || one.testability == Testability::in_the_model) continue;
-    untestable.push_back({one.effect->name, reason_text(one)});
+    untestable.push_back({one.effect->name, reason_of(one)});
   }
   return untestable;
 }
@@ -279,10 +307,10 @@ std::vector<Untestable> untestable_of(const Diagnosis& found) {
 std::optional<DecidingTest> deciding_test(const DiagnosisReport& report) {
   if (report.is_for_plan) {
     const std::string& command = report.plan_command;
-    return DecidingTest{next_text(report), {command.empty() ? std::nullopt : std::optional(command)}};
+    return DecidingTest{next_test(report), {command.empty() ? std::nullopt : std::optional(command)}};
   }
   if (!report.next_measurement) return std::nullopt;
-  return DecidingTest{measurement_text(*report.next_measurement), {}};
+  return DecidingTest{message_of(*report.next_measurement), {}};
 }
 
 }  // namespace ballbar

@@ -8,7 +8,9 @@
 
 #include "ballbar/diagnosis/verdict/diagnose.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
+#include "ballbar/message.hpp"
 #include "ballbar/workbench/workbench.hpp"
+#include "diagnose/next_command.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 
@@ -39,12 +41,13 @@ struct DiagnosisReport {
   Diagnosis diagnosis;
   std::optional<NextMeasurement> next_measurement;  // of recordings: that would separate the effects in question
   std::string command;                              // the next command; empty: none
+  std::optional<NextAction> next_action;            // what it does, or what else is to do; nullopt: nothing
   bool is_for_plan = false;                         // whether another test of the series could decide more
   std::string plan_command;                         // plans such a test; empty: none, or the data have no name
   std::optional<Predictability> predicted;          // if a part remains unexplained
   std::optional<PredictedByColumns> predicted_by;   // likewise, and the columns predict better than the regression
   std::string train_command;                        // trains a predictor; empty: not better, or the data have no name
-  std::string hint;                                 // a sentence, if the next step is not a command; or empty
+  Paragraph hint;                                   // a sentence, if the next step is not a command; or empty
   std::vector<StandIn> stand_ins;
   std::vector<std::string> unsupported;  // labels of effects of the model that no data
                                          // supported
@@ -68,7 +71,7 @@ Term as_diagnosed(const BoundEffect& bound, const Diagnosis& found);
 const std::vector<BoundEffect>& best_of(const Diagnosis& found);
 
 // Whole sentences: the test that could decide the open question; empty: no open question.
-std::string next_text(const DiagnosisReport& diagnosis_report);
+Paragraph next_test(const DiagnosisReport& diagnosis_report);
 
 // One sentence: the effects of the model that are not supported; empty: none.
 std::string unsupported_text(const DiagnosisReport& report);

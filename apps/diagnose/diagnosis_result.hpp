@@ -31,7 +31,7 @@ inline constexpr auto kResult<Candidate> = ResultType{
             Field{"p_same_gain", &Candidate::p_same_gain, "of gains as different from cycle to cycle, by chance"},
             Field{"in_best_set", &Candidate::in_best_set, "whether it is of the likeliest set"},
             Field{"minor", &Candidate::minor, "whether it is too small to matter"},
-            Field{"doubts", &doubt_texts, "why it is not named"},
+            Field{"doubts", &doubts_of, "why it is not named"},
             Field{"inseparable_from", &Candidate::inseparable_from, "effects that these data do not tell from it"},
             Field{"parameters", &parameters_of, ""}})};
 
@@ -42,7 +42,8 @@ inline constexpr auto kResult<ColumnNotSearched> =
 
 // An effect that these data cannot show.
 struct Untestable {
-  std::string effect, why;
+  std::string effect;
+  Paragraph why;
 };
 std::vector<Untestable> untestable_of(const Diagnosis& found);
 
@@ -59,7 +60,7 @@ inline constexpr auto kResult<StandIn> =
 
 // The test that would decide.
 struct DecidingTest {
-  std::string text;
+  Paragraph text;
   MayLack<std::string> command;
 };
 std::optional<DecidingTest> deciding_test(const DiagnosisReport& report);
@@ -87,6 +88,22 @@ inline constexpr auto kResult<PredictedByColumns> = ResultType{
                Field{"left_out_um", &PredictedByColumns::left_out_um, "RMSE in left-out cycles, with the set"},
                Field{"model_left_out_um", &PredictedByColumns::model_left_out_um,
                      "RMSE there, of the model; null: more than the range of the readings"}}};
+
+template <>
+inline constexpr auto kResult<ParameterStart> = ResultType{
+    "ParameterStart", "A parameter that is freed.",
+    std::tuple{Field{"effect", &ParameterStart::effect, ""}, Field{"parameter", &ParameterStart::parameter, ""},
+               Field{"start", &ParameterStart::start, "of its fit"}}};
+
+template <>
+inline constexpr auto kResult<NextAction> =
+    ResultType{"NextAction", "What to do next.",
+               std::tuple{Field{"action", &NextAction::action, "add, try, free, plan"},
+                          Field{"effects", &NextAction::effects, "to add, or to try, as `add` takes them"},
+                          Field{"labels", &NextAction::labels, "of these effects, as the candidates have them"},
+                          Field{"parameters", &NextAction::parameters, "to free"},
+                          Field{"promised_rmse_um", &NextAction::promised_rmse_um,
+                                "that the model leaves then; null: not known"}}};
 
 inline constexpr std::string_view kDiagnosisReportEffects = "from p = 0.01 on";
 inline constexpr std::string_view kDiagnosisReportCandidates = "the likeliest set, then others by probability";
@@ -125,8 +142,10 @@ inline constexpr auto kDiagnosisReportVerdictFields =
                    std::tuple{Field{"command", &DiagnosisReport::command, "to type next; empty: none"}},
                    fields_through(&DiagnosisReport::diagnosis, kDiagnosisReportFound));
 inline constexpr auto kDiagnosisReportOpen = std::tuple_cat(
-    std::tuple{Field{"stand_ins", &DiagnosisReport::stand_ins, "effects added earlier that others explain better"},
-               Field{"unsupported", &DiagnosisReport::unsupported, "effects of the model that no data supported"}},
+    std::tuple{
+        Field{"next_action", &DiagnosisReport::next_action, "what the command does, or else is to do; null: nothing"},
+        Field{"stand_ins", &DiagnosisReport::stand_ins, "effects added earlier that others explain better"},
+        Field{"unsupported", &DiagnosisReport::unsupported, "effects of the model that no data supported"}},
     fields_through(&DiagnosisReport::diagnosis, kDiagnosisReportHidden),
     std::tuple{Field{"next_test", &deciding_test, "that would decide; null: nothing is open"},
                Field{"predicted", &DiagnosisReport::predicted,

@@ -1,7 +1,6 @@
 #include "diagnose/diagnosis_sentence.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -9,7 +8,9 @@
 
 #include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/internal/number_text.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "diagnose/doubt_text.hpp"
+#include "model/residual_sentences.hpp"
 
 namespace ballbar {
 namespace {
@@ -27,11 +28,6 @@ double said_um(const Diagnosis& d, double amplitude_um) {
   return d.explained_um > 0.0 ? std::min(amplitude_um, d.explained_um) : amplitude_um;
 }
 
-// " The model fails most while warming."
-std::string where_text(const Diagnosis& d) {
-  return d.where.empty() ? "" : fmt::format(" The model fails most {}.", d.where);
-}
-
 // "Free expansion with one temperature." within a sentence
 std::string in_words(const Effect& effect) {
   std::string words = effect.explanation.summary;
@@ -42,8 +38,28 @@ std::string in_words(const Effect& effect) {
   return words;
 }
 
+Message percent(double p) {
+  if (p >= 0.995) return messages::percent_over();
+  if (p < 0.005) return messages::percent_under();
+  return messages::percent(fmt::format("{:.0f}", 100.0 * p));
+}
+
+Message sure(double p) { return messages::sure(percent(p)); }
+
+// "The model fails most while warming."
+Paragraph where_sentence(const Diagnosis& d) {
+  return d.where ? Paragraph(messages::fails_most(misfit_place(*d.where))) : Paragraph();
+}
+
+Message time_message(const std::string& parameter, double time_s) {
+  const Message name = parameter == "time constant" ? messages::parameter_time_constant()
+                       : parameter == "period"      ? messages::parameter_period()
+                                                    : as_it_is(parameter);
+  return messages::effect_time(name, duration_text(time_s));
+}
+
 // ", time constant 51 min 39 s": the first fitted shape that is a time; else empty
-std::string time_text(const Candidate& one) {
+Paragraph time_of(const Candidate& one) {
   constexpr std::string_view kUnit = "_s";
   for (const FittedParameter& parameter : one.parameters) {
     const bool found = parameter.state == ParameterState::free && std::isfinite(parameter.sigma);
@@ -52,112 +68,105 @@ std::string time_text(const Candidate& one) {
     }
     std::string words = parameter.name.substr(0, parameter.name.size() - kUnit.size());
     std::replace(words.begin(), words.end(), '_', ' ');
-    return fmt::format(", {} {}", words, duration_text(parameter.value));
+    return time_message(words, parameter.value);
   }
-  return "";
+  return {};
 }
 
 // "step, a jump of -2.4 um at 9 h 24 min (over 99 % sure)"; empty: it does not begin at a moment
-std::string jump_text(const Diagnosis& d, const Candidate& one) {
+Paragraph jump_of(const Diagnosis& d, const Candidate& one) {
   const auto onset = std::find_if(one.parameters.begin(), one.parameters.end(), [](const FittedParameter& parameter) {
     return parameter.shape_of == ShapeOf::onset;
   });
-  if (onset == one.parameters.end() || !one.bound.effect->time_only) return "";
-  return fmt::format("{}, a jump of {} um at {} ({})", label_of(one.bound), size_text(one.parameters.front().value),
-                     duration_text(onset->value), sure_text(p_of(d, one.bound)));
+  if (onset == one.parameters.end() || !one.bound.effect->time_only) return {};
+  return messages::effect_jump(EffectLabel{label_of(one.bound)}, size_text(one.parameters.front().value),
+                               duration_text(onset->value), sure(p_of(d, one.bound)));
 }
 
 // "expansion(T_room_degC), free expansion with one temperature: 3.2 um (98 % sure)"
-std::string effect_text(const Diagnosis& d, const BoundEffect& bound) {
+Paragraph effect_of(const Diagnosis& d, const BoundEffect& bound) {
   const Candidate* one = candidate_of(d, bound);
   if (one != nullptr) {
-    if (std::string jump = jump_text(d, *one); !jump.empty()) return jump;
+    if (Paragraph jump = jump_of(d, *one); !jump.empty()) return jump;
   }
-  const bool sized = one != nullptr && one->amplitude_um > 0.0;
-  const double size_um = sized ? said_um(d, one->amplitude_um) : 0.0;
-  const std::string sure = sure_text(p_of(d, bound)) + (one != nullptr && one->minor ? ", minor" : "");
-  return fmt::format("{}, {}: {}{}", label_of(bound), in_words(*bound.effect),
-                     sized ? fmt::format("{}{} um ({})", size_um < one->amplitude_um ? "" : coefficient_text(*one),
-                                         size_text(size_um), sure)
-                           : sure,
-                     one != nullptr ? time_text(*one) : "");
+  const EffectLabel label{label_of(bound)};
+  const Message what =
+      effect_text(name_of(bound.effect->level), bound.effect->name, "summary", in_words(*bound.effect));
+  const double p = p_of(d, bound);
+  if (one == nullptr) return messages::effect_found_unsized(label, what, sure(p), Paragraph());
+  const Message how_sure = one->minor ? messages::sure_minor(percent(p)) : sure(p);
+  if (!(one->amplitude_um > 0.0)) return messages::effect_found_unsized(label, what, how_sure, time_of(*one));
+  const double size_um = said_um(d, one->amplitude_um);
+  return messages::effect_found(label, what, size_um < one->amplitude_um ? Paragraph() : coefficient_of(*one),
+                                size_text(size_um), how_sure, time_of(*one));
 }
 
 // "the model of z_um"
-std::string model_text(const Diagnosis& d) {
-  return d.target.empty() ? "the model" : fmt::format("the model of {}", d.target);
+Message model_of(const Diagnosis& d) {
+  return d.target.empty() ? messages::the_model() : messages::the_model_of(d.target);
 }
 
-// The first is said with what it is missing from, each other one in a sentence of its own.
-std::string missing_text(const Diagnosis& d, std::string_view first, std::string_view other,
-                         const std::vector<BoundEffect>& bounds) {
-  std::string text;
-  for (const BoundEffect& bound : bounds) {
-    text += text.empty() ? fmt::format("{} from {}: ", first, model_text(d)) : fmt::format(" {}: ", other);
-    text += effect_text(d, bound) + '.';
-  }
-  return text;
+MessageValue target_of(const Diagnosis& d, const Message& otherwise) {
+  return d.target.empty() ? MessageValue(otherwise) : MessageValue(d.target);
 }
 
 // "expansion(T1_degC) (60 %), possibly expansion(T2_degC) or one of 3 more": one probability, because those of
 // alternatives need not add up to 1.
-std::string group_text(const Diagnosis& d, const std::vector<BoundEffect>& group) {
-  std::string text = fmt::format("{} ({})", label_of(group.front()), percent_text(p_of(d, group.front())));
-  if (group.size() > 1) text += fmt::format(", possibly {}", label_of(group[1]));
-  if (group.size() == 3) text += " or one more";
-  if (group.size() > 3) text += fmt::format(" or one of {} more", group.size() - 2);
-  return text;
+Message group_of(const Diagnosis& d, const std::vector<BoundEffect>& group) {
+  Paragraph possibly, more;
+  if (group.size() > 1) possibly = messages::group_possibly(EffectLabel{label_of(group[1])});
+  if (group.size() == 3) more = messages::group_one_more();
+  if (group.size() > 3) more = messages::group_more(group.size() - 2);
+  return messages::group(EffectLabel{label_of(group.front())}, percent(p_of(d, group.front())), possibly, more);
 }
 
-// " A further effect is open as well: most likely A (65 %)." Of all groups behind the first.
-std::string further_text(const Diagnosis& d) {
-  if (d.equivalent.size() < 2) return "";
-  std::string text = fmt::format(" A further effect is open as well: most likely {}.", group_text(d, d.equivalent[1]));
+// "A further effect is open as well: most likely A (65 %)." Of all groups behind the first.
+Paragraph further_of(const Diagnosis& d) {
+  if (d.equivalent.size() < 2) return {};
+  Paragraph text = messages::further_open_as_well(group_of(d, d.equivalent[1]));
   const std::size_t more = d.equivalent.size() - 2;
-  if (more > 0) text += fmt::format(" So {} {} more.", more == 1 ? "is" : "are", more);
+  if (more > 0) text += messages::more_are_open(more);
   return text;
 }
 
-// " A further effect is open: most likely A (65 %)." Of all groups, beside what is named.
-std::string open_text(const Diagnosis& d) {
-  if (d.equivalent.empty()) return "";
-  return fmt::format(" A further effect is open: most likely {}.{}", group_text(d, d.equivalent.front()),
-                     further_text(d));
+// "A further effect is open: most likely A (65 %)." Of all groups, beside what is named.
+Paragraph open_of(const Diagnosis& d) {
+  if (d.equivalent.empty()) return {};
+  Paragraph text = messages::further_open(group_of(d, d.equivalent.front()));
+  text += further_of(d);
+  return text;
 }
 
 bool has_slow_drift(const Diagnosis& d) { return d.discrepancy_um > 0.0 && d.p_discrepancy >= kDiscrepancy; }
 
 // "About ±4.2 um of slow drift has no cause among these columns (like settling, time constant 1 h 20 min)."
-std::string slow_text(const Diagnosis& d) {
-  std::string like;
-  if (!d.discrepancy_like.empty()) {
-    like = fmt::format(" (like {}{})", d.discrepancy_like,
-                       d.discrepancy_parameter.empty()
-                           ? ""
-                           : fmt::format(", {} {}", d.discrepancy_parameter, duration_text(d.discrepancy_time_s)));
-  }
-  return fmt::format(
-      "About ±{} um of slow drift{} has no cause among these columns{}. Log another sensor, such as the "
-      "temperature of the coolant, the structure or the room.",
-      size_text(d.discrepancy_um), d.target.empty() ? "" : fmt::format(" of {}", d.target), like);
+Paragraph slow_drift_of(const Diagnosis& d) {
+  Paragraph like, time;
+  if (!d.discrepancy_parameter.empty()) time = time_message(d.discrepancy_parameter, d.discrepancy_time_s);
+  if (!d.discrepancy_like.empty()) like = messages::slow_drift_like(EffectLabel{d.discrepancy_like}, time);
+  const std::string size = size_text(d.discrepancy_um);
+  Paragraph text = d.target.empty() ? messages::slow_drift(size, like) : messages::slow_drift_of(size, d.target, like);
+  text += messages::log_more();
+  return text;
 }
 
 // One sentence for each wrong held value.
-std::string own_text(const Diagnosis& d, double least) {
-  std::string text;
+Paragraph held_values_of(const Diagnosis& d, double least) {
+  Paragraph text;
   if (has_slow_drift(d)) return text;
+  const auto digits = [](double value) { return fmt::format("{:.4g}", value); };
   for (const OwnValue& own : d.own) {
     if (own.p < least) continue;
-    text += fmt::format("{}In {}, the {} of {} is held at {:.4g}, but the data say {:.4g} ({:.4g} to {:.4g}, {}).",
-                        text.empty() ? "" : " ", model_text(d), own.parameter, own.effect, own.held, own.fitted,
-                        own.interval.low, own.interval.high, sure_text(own.p));
+    text += messages::held_value_wrong(model_of(d), own.parameter, EffectLabel{own.effect}, digits(own.held),
+                                       digits(own.fitted), digits(own.interval.low), digits(own.interval.high),
+                                       sure(own.p));
   }
   return text;
 }
 
 bool is_driver(const Driver& driver) { return driver.p >= kSureDriver && driver.is_clear; }
 
-std::string driver_text(const Diagnosis& d) {
+Paragraph driver_verdict(const Diagnosis& d) {
   std::vector<std::string> names;
   double least = 1.0;
   for (const Driver& driver : d.drivers) {
@@ -173,27 +182,30 @@ std::string driver_text(const Diagnosis& d) {
     });
     if (reads && one.in_best_set) size_um = std::max(size_um, said_um(d, one.amplitude_um));
   }
-  const bool is_one = names.size() == 1;
-  std::string text = fmt::format("{} {} {} that {} does not explain ({}). {} form is open", fmt::join(names, " and "),
-                                 is_one ? "drives" : "drive",
-                                 size_um > 0.0 ? fmt::format("about {} um", size_text(size_um)) : "a part",
-                                 model_text(d), sure_text(least), is_one ? "Its" : "Their");
-  if (!d.equivalent.empty()) text += fmt::format(": most likely {}", group_text(d, d.equivalent.front()));
-  return text + '.' + further_text(d) + where_text(d);
+  Paragraph columns;
+  for (const std::string& name : names)
+    columns = columns.empty() ? messages::one(name) : messages::list_last(columns, name);
+  Paragraph text = messages::driven(columns, names.size(),
+                                    size_um > 0.0 ? messages::part_sized(size_text(size_um)) : messages::part(),
+                                    model_of(d), sure(least));
+  text += d.equivalent.empty() ? messages::form_open(names.size())
+                               : messages::form_open_likely(names.size(), group_of(d, d.equivalent.front()));
+  text += further_of(d);
+  text += where_sentence(d);
+  return text;
 }
 
-// " Likely driver: T_room_degC (64 %)."
-std::string likely_drivers_text(const Diagnosis& d) {
+// "Likely driver: T_room_degC (64 %)."
+Paragraph likely_drivers_of(const Diagnosis& d) {
   constexpr std::size_t kMost = 2;
-  std::vector<std::string> likely;
+  std::vector<MessageValue> likely;
   for (const Driver& driver : d.drivers) {
-    if (likely.size() < kMost) likely.push_back(fmt::format("{} ({})", driver.column, percent_text(driver.p)));
+    if (likely.size() < kMost) likely.emplace_back(messages::column_with_p(driver.column, percent(driver.p)));
   }
-  if (likely.empty()) return "";
-  return fmt::format(" Likely driver{}: {}.", likely.size() == 1 ? "" : "s", fmt::join(likely, ", "));
+  return likely.empty() ? Paragraph() : messages::likely_drivers(likely.size(), listed(likely));
 }
 
-std::string equivalent_text(const Diagnosis& d) {
+Paragraph equivalent_verdict(const Diagnosis& d) {
   double size_um = 0.0;
   for (const std::vector<BoundEffect>& group : d.equivalent) {
     for (const BoundEffect& bound : group) {
@@ -202,142 +214,153 @@ std::string equivalent_text(const Diagnosis& d) {
     }
   }
   const std::vector<BoundEffect>& first = d.equivalent.front();
-  return fmt::format(
-      "{} is missing from {} ({}). The data do not tell {}: most likely {}.{}{}{}",
-      size_um > 0.0 ? fmt::format("Something of about {} um", size_text(size_um)) : "Something", model_text(d),
-      sure_text(1.0 - d.p_nothing),
-      first.size() == 1 ? "for certain what it is" : fmt::format("which of {} effects it is", first.size()),
-      group_text(d, first), further_text(d), likely_drivers_text(d), where_text(d));
+  const Message how_sure = sure(1.0 - d.p_nothing);
+  Paragraph text = size_um > 0.0 ? messages::something_missing_sized(size_text(size_um), model_of(d), how_sure)
+                                 : messages::something_missing(model_of(d), how_sure);
+  text += first.size() == 1 ? messages::not_certain_what(group_of(d, first))
+                            : messages::not_certain_which(first.size(), group_of(d, first));
+  text += further_of(d);
+  text += likely_drivers_of(d);
+  text += where_sentence(d);
+  return text;
 }
 
 // "linear_drift, about 10.6 um": what depends on time alone.
-std::string drifts_text(const Diagnosis& d) {
-  std::vector<std::string> texts;
+Paragraph drifts_of(const Diagnosis& d) {
+  std::vector<MessageValue> drifts;
   for (const Candidate& one : d.candidates) {
     if (one.in_best_set && one.bound.effect->time_only)
-      texts.push_back(fmt::format("{}, about {} um", one.label, size_text(said_um(d, one.amplitude_um))));
+      drifts.emplace_back(messages::effect_about(EffectLabel{one.label}, size_text(said_um(d, one.amplitude_um))));
   }
-  return fmt::format("{}", fmt::join(texts, "; "));
+  return semicolon_list(drifts);
 }
 
 // An effect, or another value of a held parameter.
-std::string best_candidate_text(const Diagnosis& d) {
-  std::string what;
+Paragraph best_candidate_of(const Diagnosis& d) {
+  Paragraph text;
   double p = 0.0;
   if (!d.candidates.empty()) {
-    what = d.candidates.front().label;
     p = d.candidates.front().p;
+    text = messages::best_not_proven(EffectLabel{d.candidates.front().label}, percent(p));
   }
   for (const OwnValue& own : d.own) {
     if (own.p <= p) continue;
-    what = fmt::format("another {} of {}", own.parameter, own.effect);
     p = own.p;
-  }
-  return what.empty() ? "" : fmt::format(" The best candidate, {} ({}), is not proven.", what, percent_text(p));
-}
-
-// What was not used is said first.
-std::string not_used_text(const Diagnosis& d) {
-  std::string text;
-  for (const ColumnNotSearched& one : d.columns_not_searched)
-    text += fmt::format("{} was not searched: {}. ", one.column, why_not_searched(one));
-  for (const Saturated& one : d.saturated) {
-    text += fmt::format(
-        "{} stands at the end of its range for {} of the rows, as a saturated sensor does. These rows "
-        "are set aside. ",
-        one.column, percent_text(one.share));
-  }
-  if (d.set_aside > 0) {
-    text += fmt::format("{} far from the others {} set aside. ",
-                        d.set_aside == 1 ? "One reading" : fmt::format("{} readings", d.set_aside),
-                        d.set_aside == 1 ? "is" : "are");
-  }
-  if (d.level_jumps > 0) {
-    text += fmt::format("{} jumps {} times, by {} um: corrections of the control or of the probe, no drift. ",
-                        d.target.empty() ? "The target" : d.target, d.level_jumps, size_text(d.level_jump_um));
+    text = messages::best_value_not_proven(own.parameter, EffectLabel{own.effect}, percent(p));
   }
   return text;
 }
 
-std::string unexplained_text(const Diagnosis& d) {
-  const std::string drivers = likely_drivers_text(d);
-  if (has_slow_drift(d)) return slow_text(d) + drivers + where_text(d);
-  if (d.p_nothing >= kNothing && d.level_jumps == 0) {
-    return fmt::format(
-        "The remaining error of {} is more than three times the stated sigma of its readings, and no logged column "
-        "explains it. Either a cause was not logged, or the readings repeat worse than their sigma.",
-        d.target.empty() ? "the target" : d.target);
+// What was not used is said first.
+Paragraph not_used_of(const Diagnosis& d) {
+  Paragraph text;
+  for (const ColumnNotSearched& one : d.columns_not_searched)
+    text += messages::not_searched(one.column, why_not_searched(one));
+  for (const Saturated& one : d.saturated) text += messages::saturated(one.column, percent(one.share));
+  if (d.set_aside == 1) text += messages::reading_set_aside();
+  if (d.set_aside > 1) text += messages::readings_set_aside(d.set_aside);
+  if (d.level_jumps > 0) {
+    text +=
+        messages::target_jumps(target_of(d, messages::the_target_first()), d.level_jumps, size_text(d.level_jump_um));
   }
-  if (d.level_jumps > 0) return "No effect is missing beside its jumps, as far as these data show." + where_text(d);
-  if (const std::string drifts = drifts_text(d); !drifts.empty() && drivers.empty()) {
-    return fmt::format("Something that depends on time alone is missing from {}: {}. No logged column follows it.{}",
-                       model_text(d), drifts, where_text(d));
-  }
-  const std::string candidate = drivers.empty() ? best_candidate_text(d) : drivers;
-  return fmt::format("Something is probably still missing from {} ({}). The remaining error is {} um RMS.{}{}",
-                     model_text(d), percent_text(1.0 - d.p_nothing), size_text(d.base.rmse_um), candidate,
-                     where_text(d));
+  return text;
 }
 
-std::string verdict_text(const Diagnosis& d) {
+Paragraph unexplained_verdict(const Diagnosis& d) {
+  Paragraph text;
+  const Paragraph drivers = likely_drivers_of(d), drifts = drifts_of(d);
+  if (has_slow_drift(d)) {
+    text = slow_drift_of(d);
+    text += drivers;
+  } else if (d.p_nothing >= kNothing && d.level_jumps == 0) {
+    return messages::error_above_sigma(target_of(d, messages::the_target()));
+  } else if (d.level_jumps > 0) {
+    text = messages::jumps_alone();
+  } else if (!drifts.empty() && drivers.empty()) {
+    text = messages::time_alone_missing(model_of(d), drifts);
+  } else {
+    text = messages::still_missing(model_of(d), percent(1.0 - d.p_nothing), size_text(d.base.rmse_um));
+    text += drivers.empty() ? best_candidate_of(d) : drivers;
+  }
+  text += where_sentence(d);
+  return text;
+}
+
+// The first is said with what it is missing from, each other one in a sentence of its own; then wrong held values.
+Paragraph missing_verdict(const Diagnosis& d) {
+  const bool is_named = d.verdict == Verdict::named;
+  Paragraph text;
+  for (const BoundEffect& bound : is_named ? d.named : d.probable) {
+    const Paragraph effect = effect_of(d, bound);
+    if (text.empty()) {
+      text += is_named ? messages::missing(model_of(d), effect) : messages::missing_probably(model_of(d), effect);
+    } else {
+      text += is_named ? messages::missing_also(effect) : messages::missing_probably_also(effect);
+    }
+  }
+  text += held_values_of(d, is_named ? kNamed : kProbable);
+  if (is_named) {
+    for (const BoundEffect& bound : d.probable) text += messages::missing_probably_also(effect_of(d, bound));
+  }
+  text += open_of(d);
+  text += where_sentence(d);
+  return text;
+}
+
+Paragraph verdict_sentences(const Diagnosis& d) {
   switch (d.verdict) {
-    case Verdict::named: {
-      std::string text = missing_text(d, "Missing", "Also missing", d.named);
-      const std::string own = own_text(d, kNamed);
-      if (!own.empty()) text += (text.empty() ? "" : " ") + own;
-      for (const BoundEffect& bound : d.probable)
-        text += fmt::format(" Probably also missing: {}.", effect_text(d, bound));
-      return text + open_text(d) + where_text(d);
-    }
-    case Verdict::probable: {
-      std::string text = missing_text(d, "Probably missing", "Probably also missing", d.probable);
-      const std::string own = own_text(d, kProbable);
-      if (!own.empty()) text += (text.empty() ? "" : " ") + own;
-      return text + open_text(d) + where_text(d);
-    }
+    case Verdict::named:
+    case Verdict::probable:
+      return missing_verdict(d);
     case Verdict::driver:
-      return driver_text(d);
+      return driver_verdict(d);
     case Verdict::equivalent:
-      return equivalent_text(d);
+      return equivalent_verdict(d);
     case Verdict::unexplained:
-      return unexplained_text(d);
+      return unexplained_verdict(d);
     case Verdict::untestable:
-      return "These data could not have shown a missing effect.";
+      return messages::untestable();
     case Verdict::nothing:
       break;
   }
-  std::string text = fmt::format("Nothing further is missing from {} that these data could show ({}).", model_text(d),
-                                 sure_text(d.p_nothing));
-  if (d.hidden_um > 0.0 && d.hidden.effect != nullptr)
-    text += fmt::format(" Up to {} um of {} could still be hidden{}.", size_text(d.hidden_um), label_of(d.hidden),
-                        d.hidden_um > kImitated * d.base.rmse_um ? ", because the model imitates it" : "");
+  Paragraph text = messages::nothing_missing(model_of(d), sure(d.p_nothing));
+  if (d.hidden_um > 0.0 && d.hidden.effect != nullptr) {
+    const EffectLabel hidden{label_of(d.hidden)};
+    text += d.hidden_um > kImitated * d.base.rmse_um
+                ? messages::could_be_hidden_imitated(size_text(d.hidden_um), hidden)
+                : messages::could_be_hidden(size_text(d.hidden_um), hidden);
+  }
   return text;
 }
 
 }  // namespace
 
-std::string sentence_of(const Diagnosis& d) {
-  if (d.obstacle == Obstacle::still_readings) return "The readings do not change: there is nothing to explain.";
-  const std::string text = not_used_text(d) + verdict_text(d);
-  return d.verdict != Verdict::unexplained && has_slow_drift(d) ? text + " " + slow_text(d) : text;
+Paragraph sentence_of(const Diagnosis& d) {
+  if (d.obstacle == Obstacle::still_readings) return messages::still_readings();
+  Paragraph text = not_used_of(d);
+  text += verdict_sentences(d);
+  if (d.verdict != Verdict::unexplained && has_slow_drift(d)) text += slow_drift_of(d);
+  return text;
 }
 
-std::string_view why_not_searched(const ColumnNotSearched& column) {
-  return column.has_gaps ? "it has gaps" : "no effect reads it";
+Paragraph why_not_searched(const ColumnNotSearched& column) {
+  return column.has_gaps ? messages::column_has_gaps() : messages::column_unread();
 }
 
-std::vector<std::string> reasons_of(const Diagnosis& d) {
-  if (d.obstacle == Obstacle::too_few_values) return {"There are too few values to test anything more."};
-  if (d.obstacle == Obstacle::no_effect) return {"No effect of the catalogue can be tested on these data."};
-  std::vector<std::string> reasons;
+std::vector<Paragraph> reasons_of(const Diagnosis& d) {
+  if (d.obstacle == Obstacle::too_few_values) return {messages::reason_too_few_values()};
+  if (d.obstacle == Obstacle::no_effect) return {messages::reason_no_effect()};
+  std::vector<Paragraph> reasons;
   for (const Candidate& one : d.candidates) {
     if (!one.in_best_set) continue;
-    if (one.other_form_likelier)
-      reasons.push_back(fmt::format("{}: another form of the same column is more likely.", one.label));
+    const auto add = [&](const MessageValue& why) {
+      reasons.emplace_back(messages::reason_of_effect(EffectLabel{one.label}, why));
+    };
+    if (one.other_form_likelier) add(messages::reason_other_form());
     for (const GainByRun& gain : d.gains_by_run) {
-      if (gain.effect == one.label) reasons.push_back(fmt::format("{}: its gain differs from run to run.", one.label));
+      if (gain.effect == one.label) add(messages::reason_gain_by_run());
     }
-    for (const std::string& doubt : doubt_texts(one)) reasons.push_back(fmt::format("{}: {}.", one.label, doubt));
+    for (const Paragraph& doubt : doubts_of(one)) add(doubt);
   }
   return reasons;
 }

@@ -143,7 +143,7 @@ std::string untestable_text(const Diagnosis& found) {
   std::vector<std::string> texts;
   texts.reserve(reasons.size());
   for (const auto& [first, names] : reasons) {
-    texts.push_back(fmt::format("{} ({})", fmt::join(names, ", "), reason_text(*first)));
+    texts.push_back(fmt::format("{} ({})", fmt::join(names, ", "), text_of(reason_of(*first))));
   }
   return fmt::format("{}", fmt::join(texts, "; "));
 }
@@ -168,8 +168,8 @@ void print_verdict(const DiagnosisReport& diagnosis_report) {
   if (parts.size() > 1) {
     for (std::size_t k = 0; k < parts.size(); ++k) fmt::print("{}", wrapped(fmt::format("{}. {}.", k + 1, parts[k])));
   }
-  const std::string next = next_text(diagnosis_report);
-  if (!next.empty()) fmt::print("{}", wrapped("To decide: " + next));
+  const Paragraph next = next_test(diagnosis_report);
+  if (!next.empty()) fmt::print("{}", wrapped("To decide: " + text_of(next)));
   if (!diagnosis_report.plan_command.empty()) fmt::print("{}\n", diagnosis_report.plan_command);
   const std::string predicted = predicted_text(diagnosis_report);
   if (!predicted.empty()) fmt::print("{}", wrapped(predicted));
@@ -177,7 +177,7 @@ void print_verdict(const DiagnosisReport& diagnosis_report) {
 }
 
 void print_reasons(const Diagnosis& found, bool details) {
-  const std::vector<std::string> reasons = reasons_of(found);
+  const std::vector<std::string> reasons = texts_of(reasons_of(found));
   if (reasons.empty() || found.verdict == Verdict::nothing) return;
   fmt::print("\nWhy{}:\n", found.verdict == Verdict::untestable ? "" : " it is not named, or not all of it");
   const std::size_t shown = details ? reasons.size() : std::min(reasons.size(), kReasons);

@@ -6,52 +6,52 @@
 #include <cmath>
 
 #include "ballbar/internal/number_text.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 
-std::string text_of(Doubt doubt, const Effect& effect) {
+Message message_of(Doubt doubt, const Effect& effect) {
   const bool of_recordings = effect.level == Level::recording;
   switch (doubt) {
     case Doubt::time_alone:
-      return "it depends on time alone, as any slow drift does";
+      return messages::doubt_time_alone();
     case Doubt::gain_differs:
-      return of_recordings ? "its gain differs from recording to recording" : "its gain differs from cycle to cycle";
+      return of_recordings ? messages::doubt_gain_differs_recordings() : messages::doubt_gain_differs_cycles();
     case Doubt::not_predictive:
-      return of_recordings ? "it does not predict left-out recordings better"
-                           : "it does not predict left-out cycles better";
+      return of_recordings ? messages::doubt_not_predictive_recordings() : messages::doubt_not_predictive_cycles();
     case Doubt::weak_evidence:
-      return "the evidence for it is weak";
+      return messages::doubt_weak_evidence();
     case Doubt::forgotten_change:
-      return "a change that the noise forgets explains nearly as much";
+      return messages::doubt_forgotten_change();
     case Doubt::drift_beside:
-      return "beside a slow drift without a cause its form is open";
+      return messages::doubt_drift_beside();
     case Doubt::larger_drift:
-      return "a slow drift without a cause is larger";
+      return messages::doubt_larger_drift();
     case Doubt::in_the_model:
-      return "the model can already produce what it adds";
+      return messages::doubt_in_the_model();
     case Doubt::not_shown:
-      return "these readings do not show it";
+      return messages::doubt_not_shown();
     case Doubt::not_significant:
       break;
   }
-  return "it is not significant beside the other errors of the axes";
+  return messages::doubt_not_significant();
 }
 
-std::vector<std::string> doubt_texts(const Candidate& candidate) {
-  std::vector<std::string> texts;
-  texts.reserve(candidate.doubts.size());
-  for (const Doubt doubt : candidate.doubts) texts.push_back(text_of(doubt, *candidate.bound.effect));
-  return texts;
+std::vector<Paragraph> doubts_of(const Candidate& candidate) {
+  std::vector<Paragraph> doubts;
+  doubts.reserve(candidate.doubts.size());
+  for (const Doubt doubt : candidate.doubts) doubts.emplace_back(message_of(doubt, *candidate.bound.effect));
+  return doubts;
 }
 
-std::string coefficient_text(const Candidate& candidate) {
+Paragraph coefficient_of(const Candidate& candidate) {
   const auto gain =
       std::find_if(candidate.parameters.begin(), candidate.parameters.end(),
                    [](const FittedParameter& one) { return one.unit == "um/K" && one.kind == ParameterKind::gain; });
-  if (gain == candidate.parameters.end() || gain->value == 0.0 || !std::isfinite(gain->sigma)) return "";
-  return fmt::format("{} um/K, over {:.2g} K ", with_sigma(gain->value, gain->sigma, decimals_showing(2, gain->sigma)),
-                     candidate.amplitude_um / std::abs(gain->value));
+  if (gain == candidate.parameters.end() || gain->value == 0.0 || !std::isfinite(gain->sigma)) return {};
+  return messages::coefficient(with_sigma(gain->value, gain->sigma, decimals_showing(2, gain->sigma)),
+                               fmt::format("{:.2g}", candidate.amplitude_um / std::abs(gain->value)));
 }
 
 }  // namespace ballbar

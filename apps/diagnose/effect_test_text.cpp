@@ -1,7 +1,6 @@
 #include "diagnose/effect_test_text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/internal/number_text.hpp"
 #include "ballbar/internal/numerics/range.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "diagnose/doubt_text.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
@@ -89,74 +89,66 @@ Table parameter_table(const EffectTest& effect_test) {
 
 // "expansion(T_room_degC), 14 um of z_um". An effect that another one partly cancels is no larger than what was
 // measured.
-std::string effect_words(const EffectTest& effect_test, const Candidate& tried) {
+Message with_size(const EffectTest& effect_test, const Candidate& tried) {
   const double size_um = std::min(tried.amplitude_um, range_of(effect_test.fit_after.measured_um));
-  if (!(size_um > 0.0)) return tried.label;
-  return fmt::format("{}, {} um of {}", tried.label, size_text(size_um), effect_test.after.target);
+  if (!(size_um > 0.0)) return messages::effect(EffectLabel{tried.label});
+  return messages::effect_sized(EffectLabel{tried.label}, size_text(size_um), effect_test.after.target);
 }
 
-// "The data support expansion(T_room_degC), 14 um of z_um"
-std::string first_words(const EffectTest& effect_test, bool supported) {
-  std::vector<std::string> texts;
-  texts.reserve(effect_test.added.size());
-  for (const Candidate& tried : effect_test.added) texts.push_back(effect_words(effect_test, tried));
-  const std::string_view all = supported || texts.size() == 1 ? "" : texts.size() == 2 ? "both " : "all of ";
-  return fmt::format("The data {} {}{}", supported ? "support" : "do not support", all, enumeration(texts));
+Message first_sentence(const EffectTest& effect_test, bool supported) {
+  std::vector<MessageValue> effects;
+  effects.reserve(effect_test.added.size());
+  for (const Candidate& tried : effect_test.added) effects.emplace_back(with_size(effect_test, tried));
+  if (supported) return messages::data_support(enumerated(effects));
+  return effects.size() == 1   ? messages::data_do_not_support(enumerated(effects))
+         : effects.size() == 2 ? messages::data_do_not_support_both(enumerated(effects))
+                               : messages::data_do_not_support_all(enumerated(effects));
 }
 
-std::string error_words(const EffectTest& effect_test) {
+Message error_sentence(const EffectTest& effect_test) {
   const std::string before = size_text(effect_test.before.rmse_um), after = size_text(effect_test.after.rmse_um);
-  if (before == after) return fmt::format("The remaining error stays at {} um.", before);
-  return fmt::format("The remaining error {} from {} to {} um.",
-                     effect_test.after.rmse_um < effect_test.before.rmse_um ? "falls" : "rises", before, after);
+  if (before == after) return messages::error_stays(before);
+  return effect_test.after.rmse_um < effect_test.before.rmse_um ? messages::error_falls(before, after)
+                                                                : messages::error_rises(before, after);
 }
 
 }  // namespace
-
-std::string enumeration(const std::vector<std::string>& names) {
-  if (names.empty()) return "";
-  const auto last = names.end() - 1;
-  return fmt::format("{}{}{}", fmt::join(names.begin(), last, ", "), names.size() > 1 ? " and " : "", *last);
-}
 
 std::string freed_text(const EffectTest& effect_test) {
   return effect_test.freed ? fmt::format("{} of {}", effect_test.freed->parameter, effect_test.freed->effect) : "";
 }
 
-std::string conclusion(const EffectTest& effect_test) {
-  std::vector<std::string> doubts;
+Paragraph conclusion(const EffectTest& effect_test) {
+  const bool is_one = effect_test.added.size() == 1;
+  std::vector<MessageValue> doubts;
   for (const Candidate& tried : effect_test.added) {
     if (tried.doubts.empty()) continue;
-    doubts.push_back(fmt::format("{}{}", effect_test.added.size() == 1 ? "" : tried.label + ": ",
-                                 fmt::join(doubt_texts(tried), ", ")));
+    const std::vector<Paragraph> all = doubts_of(tried);
+    const Paragraph of_effect = listed({all.begin(), all.end()});
+    doubts.emplace_back(is_one ? of_effect : messages::doubts_of_effect(EffectLabel{tried.label}, of_effect));
   }
-  std::string text = fmt::format("{}. {}", first_words(effect_test, doubts.empty()), error_words(effect_test));
-  if (!effect_test.beside.empty()) {
-    text += fmt::format(" The test and the amplitude assume that {} {} missing as well.",
-                        enumeration(effect_test.beside), effect_test.beside.size() == 1 ? "is" : "are");
+  Paragraph text = first_sentence(effect_test, doubts.empty());
+  text += error_sentence(effect_test);
+  if (!effect_test.beside.empty())
+    text += messages::test_beside(enumerated(effects_of(effect_test.beside)), effect_test.beside.size());
+  if (effect_test.freed)
+    text += messages::test_frees(effect_test.freed->parameter, EffectLabel{effect_test.freed->effect});
+  if (!doubts.empty()) {
+    text += messages::why_not(semicolon_list(doubts));
+    return text;
   }
-  if (effect_test.freed) {
-    text += fmt::format(" The test and the amplitude assume another {} than the model holds.", freed_text(effect_test));
-  }
-  if (!doubts.empty()) return fmt::format("{} Why not: {}.", text, fmt::join(doubts, "; "));
-  const bool is_one = effect_test.added.size() == 1;
   const auto is_of_time = [](const Candidate& tried) { return tried.bound.effect->time_only; };
   if (std::any_of(effect_test.added.begin(), effect_test.added.end(), is_of_time)) {
-    text += fmt::format(" {} on time alone. One run cannot prove it as a cause.",
-                        is_one ? effect_test.added.front().label + " depends" : "One of them depends");
+    text += is_one ? messages::one_of_time_alone(EffectLabel{effect_test.added.front().label})
+                   : messages::some_of_time_alone();
+    text += messages::one_run_proves_no_cause();
   }
   const Whiteness white = whiteness(effect_test.fit_after);
   const bool knows_noise = !effect_test.fit_after.floor.source.empty();
   if (effect_test.beside.empty() && !effect_test.freed && !is_adequate(effect_test.fit_after, white) &&
       (knows_noise || white.p < kNotNoise)) {
-    const std::string_view these = is_one ? "this effect" : "these effects";
-    text +=
-        white.p < kNotNoise
-            ? fmt::format(" The residual is not noise: another effect is missing, which {} may partly imitate.", these)
-            : fmt::format(
-                  " The residual is larger than the noise: slow noise, or another effect that {} "
-                  "partly imitates.",
-                  these);
+    const std::size_t n = effect_test.added.size();
+    text += white.p < kNotNoise ? messages::another_is_missing(n) : messages::another_may_be_missing(n);
   }
   return text;
 }
@@ -164,7 +156,7 @@ std::string conclusion(const EffectTest& effect_test) {
 std::string tables(const EffectTest& effect_test, bool details) {
   std::string text;
   for (const Candidate& tried : effect_test.added) {
-    if (const std::string coefficient = coefficient_text(tried); !coefficient.empty())
+    if (const std::string coefficient = text_of(coefficient_of(tried)); !coefficient.empty())
       text += wrapped(fmt::format("{}: {}{} um.", tried.label, coefficient, size_text(tried.amplitude_um)));
   }
   if (!text.empty()) text += "\n";

@@ -2,17 +2,14 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "ballbar/message.hpp"
 #include "ballbar/revision/revision.hpp"
 
 namespace ballbar {
 
 // "The data support X.", or the reasons against it.
-std::string conclusion(const EffectTest& effect_test);
-
-// "A", "A and B", "A, B and C".
-std::string enumeration(const std::vector<std::string>& names);
+Paragraph conclusion(const EffectTest& effect_test);
 
 // "gain_um_per_K of expansion(T1_degC)"; empty: the test frees nothing.
 std::string freed_text(const EffectTest& effect_test);

@@ -114,7 +114,8 @@ std::string conclusion(const GrownModel& grown, const std::vector<std::string>& 
     text += fmt::format("Named causes in the model: {}. ", fmt::join(causes, ", "));
   } else if (!known_drivers.empty()) {
     text += fmt::format("{} {} the drift in an unknown form, so no effect is proven as its cause. ",
-                        enumeration(known_drivers), known_drivers.size() == 1 ? "drives" : "drive");
+                        text_of(enumerated({known_drivers.begin(), known_drivers.end()})),
+                        known_drivers.size() == 1 ? "drives" : "drive");
   } else {
     text += "None of them is a proven cause: they predict, they do not explain. ";
   }

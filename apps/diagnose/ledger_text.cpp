@@ -1,14 +1,15 @@
 #include "diagnose/ledger_text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ballbar/internal/number_text.hpp"
+#include "ballbar/message_catalogue.hpp"
 
 namespace ballbar {
 namespace {
@@ -27,14 +28,10 @@ std::string change_text(double before, double after, Text text) {
   return std::isfinite(before) ? fmt::format("{} -> {}", text(before), text(after)) : text(after);
 }
 
-std::string needed_text(const std::vector<std::string>& labels, std::string_view what) {
-  if (labels.empty()) return "";
-  return fmt::format(" {} {} {}.", fmt::join(labels, ", "), labels.size() == 1 ? "is" : "are", what);
-}
-
 // "added A, B and took out C", "set D to 3.2, held"
-std::string done_text(const std::string& change) {
-  std::vector<std::string> added, removed, set;
+MessageValue done_of(const std::string& change) {
+  std::vector<std::string> added, removed;
+  std::vector<MessageValue> set;
   std::size_t begin = 0;
   while (begin < change.size()) {
     std::size_t end = change.size();
@@ -42,43 +39,56 @@ std::string done_text(const std::string& change) {
     const std::string part = change.substr(begin, end - begin);
     if (part.starts_with("+ ")) added.push_back(part.substr(2));
     if (part.starts_with("- ")) removed.push_back(part.substr(2));
-    if (part.starts_with("= ")) set.push_back(part.substr(2));
+    if (part.starts_with("= ")) set.emplace_back(part.substr(2));
     begin = end + 2;
   }
-  std::vector<std::string> done;
-  if (!added.empty()) done.push_back(fmt::format("added {}", fmt::join(added, ", ")));
-  if (!removed.empty()) done.push_back(fmt::format("took out {}", fmt::join(removed, ", ")));
-  if (!set.empty()) done.push_back(fmt::format("set {}", fmt::join(set, ", ")));
-  return done.empty() ? change : fmt::format("{}", fmt::join(done, " and "));
+  std::vector<Message> done;
+  if (!added.empty()) done.push_back(messages::ledger_added(listed(effects_of(added))));
+  if (!removed.empty()) done.push_back(messages::ledger_took_out(listed(effects_of(removed))));
+  if (!set.empty()) done.push_back(messages::ledger_set(listed(set)));
+  if (done.empty()) return change;
+  Message all = done.front();
+  for (std::size_t k = 1; k < done.size(); ++k) all = messages::ledger_changes(std::move(all), done[k]);
+  return all;
 }
 
 }  // namespace
 
-std::string sentence_of(const LedgerRow& row, const LedgerRow* before) {
+Paragraph sentence_of(const LedgerRow& row, const LedgerRow* before) {
   const bool same = before != nullptr && before->target == row.target && before->data == row.data;
   LedgerRow none;
   none.rmse_um = LedgerRow::kUnknown;
   const LedgerRow& from = same ? *before : none;
-  std::string text = row.revision == 0 ? "The model started with"
-                                       : fmt::format("Revision {} {}.", row.revision, done_text(row.change));
-  text += fmt::format(" RMSE {} um", change_text(from.rmse_um, row.rmse_um, um_text));
-  if (std::isfinite(row.times_floor)) {
-    text += fmt::format(" ({} times the noise)", change_text(from.times_floor, row.times_floor, times_text));
-  }
+  const std::string rmse = change_text(from.rmse_um, row.rmse_um, um_text);
+  Paragraph times, left_out, text;
+  if (std::isfinite(row.times_floor))
+    times = messages::ledger_times(change_text(from.times_floor, row.times_floor, times_text));
   if (std::isfinite(row.held_out_um)) {
-    text += fmt::format(", left-out {} {} um", row.level == Level::recording ? "recordings" : "cycles",
-                        change_text(from.held_out_um, row.held_out_um, um_text));
+    const std::string error = change_text(from.held_out_um, row.held_out_um, um_text);
+    left_out = row.level == Level::recording ? messages::ledger_left_out_recordings(error)
+                                             : messages::ledger_left_out_cycles(error);
   }
-  text += '.';
+  if (row.revision == 0) {
+    text += messages::ledger_start(rmse, times, left_out);
+  } else {
+    text += messages::ledger_revision(row.revision, done_of(row.change));
+    text += messages::ledger_error(rmse, times, left_out);
+  }
   if (std::isfinite(row.likelihood_ratio)) {
-    text += fmt::format(" {} is {:.1f}", is_of_axes(row) ? "chi^2" : "2 ln B", row.likelihood_ratio);
-    if (std::isfinite(row.threshold)) text += fmt::format(" (threshold {:.1f})", row.threshold);
-    text += '.';
+    const char* const statistic = is_of_axes(row) ? "chi^2" : "2 ln B";
+    const std::string value = fmt::format("{:.1f}", row.likelihood_ratio);
+    text += std::isfinite(row.threshold)
+                ? messages::ledger_evidence_threshold(statistic, value, fmt::format("{:.1f}", row.threshold))
+                : messages::ledger_evidence(statistic, value);
   }
-  if (std::isfinite(row.forecast_um) && row.revision > 0) {
-    text += fmt::format(" Forecast error {} um.", change_text(from.forecast_um, row.forecast_um, um_text));
-  }
-  return text + needed_text(row.still_needed, "still needed") + needed_text(row.no_longer_needed, "no longer needed");
+  if (std::isfinite(row.forecast_um) && row.revision > 0)
+    text += messages::ledger_forecast(change_text(from.forecast_um, row.forecast_um, um_text));
+  const auto add_labels = [&](const std::vector<std::string>& labels, auto message) {
+    if (!labels.empty()) text += message(listed(effects_of(labels)), labels.size());
+  };
+  add_labels(row.still_needed, &messages::ledger_needed);
+  add_labels(row.no_longer_needed, &messages::ledger_not_needed);
+  return text;
 }
 
 }  // namespace ballbar

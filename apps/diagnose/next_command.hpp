@@ -1,9 +1,13 @@
 // The next command after a diagnosis.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "ballbar/diagnosis/verdict/diagnose.hpp"
+#include "ballbar/message.hpp"
 #include "ballbar/revision/revision.hpp"
 #include "model/model_options.hpp"
 
@@ -14,6 +18,31 @@ namespace ballbar {
 // time constants that were found: the fit starts there. Files as typed, quoted for a shell. Empty: nothing to add, or
 // the data have no name.
 std::string next_command(const ModelOptions& options, const Diagnosis& found);
+
+// What the next command does, for a program or a page.
+enum class Action {
+  add,      // effects that are named or probable
+  try_out,  // the most probable effect, which is not certain
+  free,     // values that the model holds
+  plan,     // another test
+};
+std::string_view name_of(Action action);
+
+struct ParameterStart {
+  std::string effect, parameter;
+  double start = 0.0;
+};
+
+struct NextAction {
+  Action action = Action::plan;
+  std::vector<std::string> effects;        // as `add` takes them; none is in doubt
+  std::vector<std::string> labels;         // of these, as the candidates have them
+  std::vector<ParameterStart> parameters;  // to free, from there on
+  std::optional<double> promised_rmse_um;  // that the model leaves then; nullopt: not known
+};
+
+// Without its RMSE. nullopt: there is nothing to do.
+std::optional<NextAction> next_action(const ModelOptions& options, const Diagnosis& found);
 
 // "ballbar add 'step(onset_s = 33840)' run.csv --model model.toml --target y_um --replace 'gradient_bending(T9, T2)'"
 std::string replace_command(const ModelOptions& options, const Replacement& replacement);
@@ -40,6 +69,6 @@ std::string add_command(const ModelOptions& options, const EffectTest& tried);
 std::string model_file(const ModelOptions& options);
 
 // Whole sentences: what the user has to do by hand about a wrong held value.
-std::string next_hint(const ModelOptions& options, const Diagnosis& found);
+Paragraph next_hint(const ModelOptions& options, const Diagnosis& found);
 
 }  // namespace ballbar

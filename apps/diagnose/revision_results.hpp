@@ -24,7 +24,7 @@ inline constexpr auto kResult<LedgerRow> = ResultType{
 // A row with its sentence.
 struct LedgerEntry {
   LedgerRow row;
-  std::string sentence;
+  Paragraph sentence;
 };
 
 struct Ledger {
@@ -87,7 +87,7 @@ inline constexpr auto kResult<AddedEffect> = ResultType{
         std::tuple{
             Field{"time_only", [](const AddedEffect& of) { return of.bound.effect->time_only; },
                   "whether it needs nothing but time"},
-            Field{"doubts", [](const AddedEffect& of) { return doubt_texts(of.tried); }, "why it is not supported"},
+            Field{"doubts", [](const AddedEffect& of) { return doubts_of(of.tried); }, "why it is not supported"},
             Field{"parameters", &AddedEffect::parameters, ""}})};
 
 template <>

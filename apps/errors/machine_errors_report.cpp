@@ -15,6 +15,7 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/stored_errors.hpp"
 #include "ballbar/internal/number_text.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/units.hpp"
 #include "errors/machine_errors_result.hpp"
 #include "errors/quantity_text.hpp"
@@ -171,6 +172,13 @@ std::string what_cannot_tell(const ErrorsReport& report, const ErrorGroup& group
   }
 }
 
+Message either_of(const ErrorGroup& group, Plane plane) {
+  Message all = error_of(group.effects.front()->name, plane);
+  for (std::size_t k = 1; k < group.effects.size(); ++k)
+    all = messages::error_or(std::move(all), error_of(group.effects[k]->name, plane));
+  return all;
+}
+
 std::string names_of(const ErrorGroup& group, Plane plane) {
   std::vector<std::string> names;
   names.reserve(group.effects.size());
@@ -297,7 +305,7 @@ std::string conclusion(const ErrorsReport& report) {
   std::string leading, following;
   for (const ErrorGroup& group : found.groups) {
     std::string text = group_text(report, group);
-    if (is_of(group, found.next)) text += " " + measurement_text(*found.next);
+    if (is_of(group, found.next)) text += " " + text_of(message_of(*found.next));
     if (!leading.empty() || (any && group.rank != std::size_t{1})) {
       following += " " + text;
       continue;
@@ -312,37 +320,36 @@ std::string conclusion(const ErrorsReport& report) {
   return fmt::format("The circularity is {:.1f} um. No error of the axes is significant.", found.circularity_um);
 }
 
-std::string left_text(const ErrorsReport& report) {
+Paragraph left_sentences(const ErrorsReport& report) {
   const MachineErrors& found = report.found;
-  std::string text;
+  const Plane plane = report.recordings.front().plane;
+  const auto two_digits = [](double value) { return fmt::format("{:.2f}", value); };
+  Paragraph text;
   if (!found.one_by_one.empty()) {
-    text = fmt::format("Remaining error, one error added at a time: circle alone {:.2f} um RMS", found.circle_rms_um);
+    MessageValue added = Paragraph();
     for (const AddedError& one : found.one_by_one) {
-      const Plane plane = report.recordings.front().plane;
-      const std::string name =
-          one.group ? names_of(found.groups[*one.group], plane) : plain_name(one.effect->name, plane);
-      text += fmt::format(", + {} {:.2f}", name, one.rms_um);
+      const MessageValue error =
+          one.group ? MessageValue(either_of(found.groups[*one.group], plane)) : error_of(one.effect->name, plane);
+      added = messages::errors_added(added, messages::error_added(error, two_digits(one.rms_um)));
     }
-    text += ". ";
+    text += messages::errors_one_by_one(two_digits(found.circle_rms_um), added);
   }
-  text += fmt::format("With all errors, {:.2f} um RMS remains", found.residual_rms_um);
-  if (std::isfinite(found.repeatability_um)) {
-    text += fmt::format("; CCW and CW repeat to {:.2f} um", found.repeatability_um);
-  }
-  text += ". ";
+  const std::string rms = two_digits(found.residual_rms_um);
+  text += std::isfinite(found.repeatability_um) ? messages::errors_left_repeat(rms, two_digits(found.repeatability_um))
+                                                : messages::errors_left(rms);
   if (found.residual_rms_um < kNothing_um) {
-    text += "That is negligible.";
+    text += messages::negligible();
   } else if (found.left) {
     const LeftHarmonic& left = *found.left;
-    text += fmt::format("Unexplained: a wave of {} per turn, {:.2f} um peak to peak, {}. No known error has this form.",
-                        left.harmonic, left.peak_to_peak_um,
-                        left.in_both ? "alike in both directions"
-                                     : fmt::format("in recording {} ({})", left.recording + 1,
-                                                   name_of(report.recordings[left.recording].direction)));
+    const std::string size = two_digits(left.peak_to_peak_um);
+    text += left.in_both ? messages::wave_in_both(left.harmonic, size)
+                         : messages::wave_in_one(left.harmonic, size, left.recording + 1,
+                                                 name_of(report.recordings[left.recording].direction));
+    text += messages::no_known_error();
   } else if (found.residual_rms_um > kMoreThanRepeats * found.repeatability_um) {
-    text += "The residual is the same in both directions, without a distinct wave: none of these errors has this form.";
+    text += messages::same_in_both();
   } else {
-    text += "The residual shows no further pattern.";
+    text += messages::no_pattern();
   }
   return text;
 }

@@ -10,6 +10,7 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/test_folder.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
+#include "ballbar/message.hpp"
 #include "errors/feed_forecast.hpp"
 #include "errors/tolerance_check.hpp"
 
@@ -68,7 +69,7 @@ std::vector<std::string> difference_texts(const ErrorsReport& report);
 
 // Whole sentences: the most important errors, and the residual.
 std::string conclusion(const ErrorsReport& report);
-std::string left_text(const ErrorsReport& report);
+Paragraph left_sentences(const ErrorsReport& report);
 
 // "named", "equivalent", "unexplained", "nothing": as the other verdicts.
 std::string verdict_of(const ErrorsReport& report);

@@ -8,6 +8,7 @@
 
 #include "ballbar/formats/recordings/recording_results.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
+#include "ballbar/formats/results/message.hpp"
 #include "ballbar/units.hpp"
 #include "errors/machine_errors_report.hpp"
 #include "errors/quantity_text.hpp"
@@ -198,7 +199,8 @@ inline constexpr auto kResult<NextMeasurement> = ResultType{
     "NextMeasurement", "The measurement that would tell errors apart.",
     std::tuple{Field{"measurement", &NextMeasurement::measurement, "other_direction, full_circle, another_feed"},
                Field{"error", &NextMeasurement::error, "that it separates best"},
-               Field{"other", &NextMeasurement::other, "from which"}, Field{"text", &measurement_text, "what to do"}}};
+               Field{"other", &NextMeasurement::other, "from which"},
+               Field{"text", [](const NextMeasurement& of) { return message_of(of); }, "what to do"}}};
 
 template <>
 inline constexpr auto kResult<PriorOfError> = ResultType{
@@ -253,13 +255,13 @@ inline constexpr auto kErrorsReportRest = std::tuple_cat(
     std::tuple{Field{"differences", &difference_texts, "where ours and the instrument's values differ, and why"}},
     fields_through(&ErrorsReport::found, kErrorsReportLeft),
     std::tuple{
-        Field{"left_text", &left_text, "what the errors do not explain"},
+        Field{"left_text", &left_sentences, "what the errors do not explain"},
         Field{"undetermined", [](const ErrorsReport& of) { return of.found.undetermined; },
               "what the readings do not tell apart"},
         Field{"next_measurement", [](const ErrorsReport& of) { return MayLack<NextMeasurement>{of.found.next}; },
               "that would tell some of these apart"},
         Field{"prior", [](const ErrorsReport& of) { return of.found.prior; }, ""},
-        Field{"tolerances", [](const ErrorsReport& of) { return tolerance_texts(check_of(of)); }, kTolerancesMean},
+        Field{"tolerances", [](const ErrorsReport& of) { return tolerance_lines(check_of(of)); }, kTolerancesMean},
         Field{"passes", [](const ErrorsReport& of) { return MayLack<bool>{passes(check_of(of))}; }, kPassesMean},
         Field{"feed_forecast", [](const ErrorsReport& of) { return MayLack<FeedForecast>{forecast_of(of)}; },
               "of a test that fails its tolerance by a servo mismatch"}});
@@ -282,7 +284,7 @@ template <>
 inline constexpr auto kResult<StoredAlone> = ResultType{
     "StoredAlone", "A file that stores results without readings.",
     std::tuple{Field{"file", &StoredAlone::file, ""}, Field{"stored", &StoredAlone::stored, ""},
-               Field{"tolerances", [](const StoredAlone& of) { return tolerance_texts(of.check); }, kTolerancesMean},
+               Field{"tolerances", [](const StoredAlone& of) { return tolerance_lines(of.check); }, kTolerancesMean},
                Field{"passes", [](const StoredAlone& of) { return MayLack<bool>{passes(of.check)}; }, kPassesMean}}};
 
 // Of one group of recordings.

@@ -207,7 +207,7 @@ std::string prior_text(const ErrorsReport& report) {
 
 // Below an empty line.
 void print_tolerances(const ToleranceCheck& check) {
-  const std::vector<std::string> texts = tolerance_texts(check);
+  const std::vector<std::string> texts = texts_of(tolerance_lines(check));
   if (!texts.empty()) fmt::print("\n");
   for (const std::string& text : texts) fmt::print("{}", wrapped(one_line(text)));
 }
@@ -237,9 +237,9 @@ void print_group(const ErrorsReport& report, bool details) {
         wrapped(fmt::format("{}. {}: {}", shown, plain_name(ranked.effect->name, report.recordings.front().plane),
                             ranked.effect->explanation.remedy)));
   }
-  fmt::print("\n{}", wrapped(left_text(report)));
+  fmt::print("\n{}", wrapped(left_sentences(report)));
   fmt::print("{}", inseparable_text(report, details));
-  if (found.next && found.groups.empty()) fmt::print("{}\n", measurement_text(*found.next));
+  if (found.next && found.groups.empty()) fmt::print("{}\n", text_of(message_of(*found.next)));
   if (details) fmt::print("{}", prior_text(report));
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "ballbar/message_catalogue.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -34,17 +35,18 @@ std::string signed_text(double value, int decimals) {
   return text.starts_with('-') ? text : '+' + text;
 }
 
-std::string plain_name(std::string_view effect, Plane plane) {
-  const std::string_view axes = name_of(plane);
-  std::string of;
+Message error_of(std::string_view effect, Plane plane) {
+  std::string axis;
   if (effect.ends_with("_a") || effect.ends_with("_b")) {
-    of = std::string(" of ") + axes[effect.back() == 'a' ? 0 : 1];
+    axis = name_of(plane)[effect.back() == 'a' ? 0 : 1];
     effect.remove_suffix(2);
   }
-  std::string name(effect);
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name + of;
+  EffectLabel label{std::string(effect), std::string(effect)};
+  std::replace(label.english.begin(), label.english.end(), '_', ' ');
+  return axis.empty() ? messages::effect(std::move(label)) : messages::error_of_axis(std::move(label), axis);
 }
+
+std::string plain_name(std::string_view effect, Plane plane) { return text_of(error_of(effect, plane)); }
 
 std::string with_axes(std::string_view summary, Plane plane) {
   const std::string_view axes = name_of(plane);
@@ -56,10 +58,10 @@ std::string with_axes(std::string_view summary, Plane plane) {
   return text;
 }
 
-std::string measurement_text(const NextMeasurement& next) {
-  return next.measurement == Measurement::other_direction ? "Measure the other direction."
-         : next.measurement == Measurement::full_circle   ? "Measure a full circle."
-                                                          : "Measure at another feed.";
+Paragraph message_of(const NextMeasurement& next) {
+  return next.measurement == Measurement::other_direction ? messages::measure_other_direction()
+         : next.measurement == Measurement::full_circle   ? messages::measure_full_circle()
+                                                          : messages::measure_another_feed();
 }
 
 }  // namespace ballbar

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ballbar/message_catalogue.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -19,14 +20,15 @@ std::string beside(double value_um, double tolerance_um) {
   return fixed(value_um, kMostDecimals);
 }
 
-std::string circularity_text(const ToleranceCheck& check) {
-  const double tolerance_um = *check.tolerance_um;
-  if (!check.circularity_um) return fmt::format("circularity: not in the file; the tolerance is {:g} um", tolerance_um);
-  return fmt::format("circularity {} um{}: {} the tolerance of {:g} um ({})",
-                     beside(*check.circularity_um, tolerance_um), check.stored_in.empty() ? "" : ", stored",
-                     *check.circularity_um <= tolerance_um ? "passes" : "fails", tolerance_um,
-                     check.stored_in.empty() ? "largest less smallest reading about the fitted centre"
-                                             : "AF_CIRCULARITY of " + check.stored_in);
+Message circularity_of(const ToleranceCheck& check) {
+  const std::string tolerance = fmt::format("{:g}", *check.tolerance_um);
+  if (!check.circularity_um) return messages::circularity_not_stored(tolerance);
+  const std::string value = beside(*check.circularity_um, *check.tolerance_um);
+  const bool passes = *check.circularity_um <= *check.tolerance_um;
+  if (check.stored_in.empty())
+    return passes ? messages::circularity_passes(value, tolerance) : messages::circularity_fails(value, tolerance);
+  return passes ? messages::circularity_stored_passes(value, tolerance, check.stored_in)
+                : messages::circularity_stored_fails(value, tolerance, check.stored_in);
 }
 
 }  // namespace
@@ -50,9 +52,9 @@ std::optional<bool> passes(const ToleranceCheck& check) {
   return *check.circularity_um <= *check.tolerance_um;
 }
 
-std::vector<std::string> tolerance_texts(const ToleranceCheck& check) {
-  std::vector<std::string> texts;
-  if (check.tolerance_um) texts.push_back(circularity_text(check));
+std::vector<Paragraph> tolerance_lines(const ToleranceCheck& check) {
+  std::vector<Paragraph> lines;
+  if (check.tolerance_um) lines.emplace_back(circularity_of(check));
   std::size_t within = 0;
   for (const LimitCheck& one : check.limits) {
     if (one.judgement == Judgement::pass) {
@@ -60,15 +62,12 @@ std::vector<std::string> tolerance_texts(const ToleranceCheck& check) {
       continue;
     }
     const StoredFeature& result = one.result;
-    texts.push_back(fmt::format("{} {:g} {}, stored ({}): {} in the file", result.name, result.value,
-                                unit_of_data_type(result.data_type), result.parent,
-                                one.judgement == Judgement::fail ? "fails the limit" : "is beyond the warning limit"));
+    const std::string value = fmt::format("{:g} {}", result.value, unit_of_data_type(result.data_type));
+    lines.emplace_back(one.judgement == Judgement::fail ? messages::limit_fails(result.name, value, result.parent)
+                                                        : messages::limit_warns(result.name, value, result.parent));
   }
-  if (within > 0) {
-    texts.push_back(
-        fmt::format("{} stored result{} the limits in the file", within, within == 1 ? " passes" : "s pass"));
-  }
-  return texts;
+  if (within > 0) lines.emplace_back(messages::limits_pass(within));
+  return lines;
 }
 
 std::optional<bool> passes(const MachineTest& test, double tolerance_um) {

@@ -8,6 +8,7 @@
 
 #include "ballbar/formats/recordings/b5r.hpp"
 #include "ballbar/history/history.hpp"
+#include "ballbar/message.hpp"
 
 namespace ballbar {
 
@@ -30,7 +31,7 @@ struct ToleranceCheck {
 std::optional<bool> passes(const ToleranceCheck& check);
 
 // "circularity 7.2 um: fails the tolerance of 6 um", and a line for each stored result that a limit does not pass.
-std::vector<std::string> tolerance_texts(const ToleranceCheck& check);
+std::vector<Paragraph> tolerance_lines(const ToleranceCheck& check);
 
 // The same of a row of a table of tests.
 std::optional<bool> passes(const MachineTest& test, double tolerance_um);

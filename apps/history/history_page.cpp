@@ -78,7 +78,8 @@ DrawnMachine drawn_machine(const MachineHistory& machine) {
     result.quantities.push_back(drawn_quantity(machine, place, true));
   };
   for (const Finding& finding : machine.findings) {
-    result.findings.push_back(finding.sentence + ' ' + finding.remedy);
+    result.findings.push_back(finding.sentence);
+    result.findings.back() += finding.remedy;
     for (const FindingQuantity& quantity : finding.quantities) draw(quantity.series);
   }
   for (const ToleranceOutlook& tolerance : machine.tolerances) {
@@ -120,7 +121,7 @@ DrawnGroup drawn_group(const MachineHistory& machine, std::size_t place) {
 }
 
 ReportHead head_of(const std::string& title, const std::vector<std::filesystem::path>& files,
-                   std::vector<std::string> summary) {
+                   std::vector<Paragraph> summary) {
   ReportHead head = report_head(title);
   for (const std::filesystem::path& file : files) head.files.push_back(file.string());
   head.summary = std::move(summary);
@@ -141,7 +142,7 @@ DrawnTest drawn_test(const MachineTest& test) {
 FleetReport fleet_report(const std::string& title, const std::vector<std::filesystem::path>& files,
                          const History& history, const std::vector<std::string>& remarks) {
   FleetReport report{head_of(title, files, conclusion(history)), {ranking_heading(), {}, {}}};
-  report.head.summary.insert(report.head.summary.end(), remarks.begin(), remarks.end());
+  for (const std::string& remark : remarks) report.head.summary.emplace_back(as_it_is(remark));
   for (const MachineHistory& machine : history.machines) {
     if (machine.need == Need::nothing) continue;
     report.fleet.rows.push_back(ranking_row(machine));

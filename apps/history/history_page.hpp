@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "ballbar/formats/results/result_type.hpp"
+#include "ballbar/formats/results/message.hpp"
 #include "ballbar/history/history.hpp"
 #include "errors/test_result.hpp"
 #include "history/found_history.hpp"
@@ -77,7 +77,7 @@ inline constexpr auto kResult<DrawnTest> = ResultType{
 
 struct HistoryPart {
   std::vector<DrawnGroup> groups;
-  std::vector<std::string> geometry;
+  std::vector<Paragraph> geometry;
   std::vector<std::vector<std::string>> geometry_rows;
   std::vector<std::string> skipped;
   std::vector<DrawnTest> tests;
@@ -91,8 +91,9 @@ inline constexpr auto kResult<HistoryPart> = ResultType{
                Field{"skipped", &HistoryPart::skipped, "sentences"}, Field{"tests", &HistoryPart::tests, "by date"}}};
 
 struct DrawnMachine {
-  std::string label, reason;
-  std::vector<std::string> findings;
+  std::string label;
+  Paragraph reason;
+  std::vector<Paragraph> findings;
   std::string first;
   std::vector<DrawnQuantity> quantities;
 };

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/formats/results/result_type.hpp"
+#include "ballbar/formats/results/message.hpp"
 #include "ballbar/history/history.hpp"
 #include "errors/quantity_text.hpp"
 #include "errors/test_files.hpp"

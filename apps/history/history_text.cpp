@@ -11,6 +11,7 @@
 
 #include "ballbar/history/history.hpp"
 #include "ballbar/internal/number_text.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "errors/quantity_text.hpp"
 #include "errors/test_table.hpp"
 #include "terminal/terminal_table.hpp"
@@ -166,7 +167,7 @@ std::string machine_text(const TestFiles& files, const History& history, const M
   std::string text = fmt::format("{}{}, {}, {}\n\n", machine.name.empty() ? "" : shortened(machine.name, 80) + ": ",
                                  several(files.tests.size(), "test"), several(machine.groups.size(), "group"),
                                  first_and_last(files.tests));
-  for (const std::string& line : machine_conclusion(history)) text += wrapped(line);
+  for (const Paragraph& line : machine_conclusion(history)) text += wrapped(line);
   std::size_t left_out = 0;
   for (std::size_t group = 0; group < machine.groups.size(); ++group) {
     text += group_text(files, machine, group, all, left_out);
@@ -205,57 +206,58 @@ std::string dates_of(const TestFiles& files, const std::vector<std::size_t>& pla
   return fmt::format("{}", fmt::join(dates, ", "));
 }
 
-// "planes" where several tell, else "tests of XY".
-std::string who_text(const ScaleAgreement& agreement) {
-  std::vector<Plane> planes;
+// Of one plane its name; empty: several tell.
+std::string plane_of(const ScaleAgreement& agreement) {
+  std::string_view plane;
   for (const ScalePull& pull : agreement.pulls) {
-    if (std::find(planes.begin(), planes.end(), pull.plane) == planes.end()) planes.push_back(pull.plane);
+    if (!plane.empty() && plane != name_of(pull.plane)) return "";
+    plane = name_of(pull.plane);
   }
-  return planes.size() > 1 ? "planes" : fmt::format("tests of {}", name_of(planes.front()));
+  return std::string(plane);
 }
 
-std::string chi2_text(const ScaleAgreement& agreement) {
-  return fmt::format("chi^2 {:.1f} at {} degree{} of freedom, {}", agreement.chi2, agreement.degrees,
-                     agreement.degrees == 1 ? "" : "s", p_equals_text(agreement.p_value));
+Message chi2_of(const ScaleAgreement& agreement) {
+  return messages::chi2(fmt::format("{:.1f}", agreement.chi2), agreement.degrees, p_equals_text(agreement.p_value));
 }
 
 // How the tests differ of which the axes that several planes tell say different things.
-std::vector<std::string> disagreement_texts(const MachineGeometry& geometry) {
-  std::vector<std::string> texts{
-      fmt::format("The {} disagree on the scales: {}. The sigmas include this additional scatter of {:.1f} um/m.",
-                  who_text(geometry.agreement), chi2_text(geometry.agreement), geometry.agreement.scatter_ppm)};
+std::vector<Paragraph> disagreements_of(const MachineGeometry& geometry) {
+  const ScaleAgreement& agreement = geometry.agreement;
+  const std::string of_plane = plane_of(agreement);
+  std::vector<Paragraph> sentences{of_plane.empty() ? messages::planes_disagree(chi2_of(agreement))
+                                                    : messages::tests_disagree(of_plane, chi2_of(agreement))};
+  sentences.front() += messages::scatter_added(fmt::format("{:.1f}", agreement.scatter_ppm));
   for (const AxisScale& scale : geometry.scales) {
     if (scale.planes < 2) continue;
-    std::string tests;
-    for (const ScalePull& pull : geometry.agreement.pulls) {
+    std::vector<MessageValue> tests;
+    for (const ScalePull& pull : agreement.pulls) {
       if (pull.axis != scale.axis || !std::isfinite(pull.pull)) continue;
-      tests += fmt::format("{}{} {} um/m ({}{:.1f} sigma)", tests.empty() ? "" : ", ", name_of(pull.plane),
-                           with_sigma(pull.value_ppm, pull.sigma_ppm, 1), pull.pull < 0.0 ? "" : "+", pull.pull);
+      tests.emplace_back(fmt::format("{} {} um/m ({}{:.1f} sigma)", name_of(pull.plane),
+                                     with_sigma(pull.value_ppm, pull.sigma_ppm, 1), pull.pull < 0.0 ? "" : "+",
+                                     pull.pull));
     }
-    if (!tests.empty()) texts.push_back(fmt::format("{}: {}.", axis_name(scale.axis), tests));
+    if (!tests.empty()) sentences.emplace_back(messages::scale_by_planes(axis_name(scale.axis), listed(tests)));
   }
-  return texts;
+  return sentences;
 }
 
 // all: what is usual as well.
-std::vector<std::string> sentences_of(const MachineGeometry& geometry, bool all) {
-  std::vector<std::string> sentences;
+std::vector<Paragraph> sentences_of(const MachineGeometry& geometry, bool all) {
+  std::vector<Paragraph> sentences;
   for (const PlaneSquareness& plane : geometry.squareness) {
-    if (plane.p_value >= 0.01) continue;
-    sentences.push_back(fmt::format("The tests of {} disagree on the squareness, {}. Its sigma is widened.",
-                                    name_of(plane.plane), p_equals_text(plane.p_value)));
+    if (plane.p_value < 0.01)
+      sentences.emplace_back(messages::squareness_disagrees(name_of(plane.plane), p_equals_text(plane.p_value)));
   }
-  if (geometry.agreement.degrees > 0 && geometry.agreement.scatter_ppm == 0.0) {
+  const ScaleAgreement& agreement = geometry.agreement;
+  if (agreement.degrees > 0 && agreement.scatter_ppm == 0.0) {
     if (!all) return sentences;
-    sentences.push_back(
-        fmt::format("The {} agree on the scales: {}.", who_text(geometry.agreement), chi2_text(geometry.agreement)));
-  } else if (geometry.agreement.degrees > 0) {
-    for (std::string& text : disagreement_texts(geometry)) sentences.push_back(std::move(text));
+    const std::string plane = plane_of(agreement);
+    sentences.emplace_back(plane.empty() ? messages::planes_agree(chi2_of(agreement))
+                                         : messages::tests_agree(plane, chi2_of(agreement)));
+  } else if (agreement.degrees > 0) {
+    for (Paragraph& text : disagreements_of(geometry)) sentences.push_back(std::move(text));
   }
-  if (all && !geometry.scales.empty()) {
-    sentences.emplace_back(
-        "Scales are relative to the bar as calibrated. An error of the bar shifts all scales alike.");
-  }
+  if (all && !geometry.scales.empty()) sentences.emplace_back(messages::scales_by_the_bar());
   return sentences;
 }
 
@@ -283,14 +285,15 @@ bool is_found(const MachineHistory& machine, std::size_t series, bool lasting) {
   });
 }
 
-std::vector<std::string> machine_conclusion(const History& history) {
+std::vector<Paragraph> machine_conclusion(const History& history) {
   const MachineHistory& machine = history.machines.front();
-  std::vector<std::string> lines{machine.reason};
+  std::vector<Paragraph> lines{machine.reason};
   for (std::size_t i = 0; i < machine.findings.size(); ++i) {
     const Finding& finding = machine.findings[i];
-    lines.push_back((machine.reason_finding == i ? "" : finding.sentence + ' ') + finding.remedy);
+    lines.push_back(machine.reason_finding == i ? Paragraph() : finding.sentence);
+    lines.back() += finding.remedy;
   }
-  lines.push_back(questions_text(history));
+  lines.emplace_back(quantities_tested(history));
   return lines;
 }
 
@@ -362,7 +365,7 @@ std::string geometry_text(const TestFiles& files, const MachineGeometry& geometr
   Table table({"", "um/m", "from"});
   for (const std::vector<std::string>& row : texts.rows) table.add(row);
   std::string text = '\n' + texts.heading + '\n' + table.text();
-  for (const std::string& sentence : texts.sentences) text += wrapped(sentence);
+  for (const Paragraph& sentence : texts.sentences) text += wrapped(sentence);
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ballbar/history/history.hpp"
+#include "ballbar/message.hpp"
 #include "errors/test_files.hpp"
 
 namespace ballbar {
@@ -15,7 +16,7 @@ std::string history_text(const TestFiles& files, const History& history, const M
 
 // One machine, for the page and the text: the conclusion above the tables, and the rows of the table of a group. Its
 // columns are quantity, unit, last, change, sigmas, a year, tolerance, met; "-": no value.
-std::vector<std::string> machine_conclusion(const History& history);
+std::vector<Paragraph> machine_conclusion(const History& history);
 std::vector<std::string> quantity_row(const MachineHistory& machine, std::size_t series);
 
 std::string group_text(const TestGroup& group);  // "XY, 100 mm, 1000 mm/min, 360 deg"
@@ -28,7 +29,7 @@ bool is_found(const MachineHistory& machine, std::size_t series, bool lasting);
 struct GeometryTexts {
   std::string heading;
   std::vector<std::vector<std::string>> rows;  // what, um/m, from
-  std::vector<std::string> sentences;          // whether the tests agree, and what scales are against
+  std::vector<Paragraph> sentences;            // whether the tests agree, and what scales are against
 };
 
 GeometryTexts geometry_texts(const TestFiles& files, const MachineGeometry& geometry, bool all = true);
@@ -42,8 +43,8 @@ std::string geometry_text(const TestFiles& files, const MachineGeometry& geometr
 std::string ranking_text(const History& history, bool all = false, const std::vector<std::string>& remarks = {});
 
 // "2 of 40 machines are beyond a tolerance.", for the text and the page.
-std::vector<std::string> conclusion(const History& history);
-std::string questions_text(const History& history);
+std::vector<Paragraph> conclusion(const History& history);
+Message quantities_tested(const History& history);
 
 // The reason for the rank of a machine, its findings and the remedies.
 std::string explanation(const MachineHistory& machine);

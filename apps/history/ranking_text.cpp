@@ -7,6 +7,7 @@
 
 #include "ballbar/history/history.hpp"
 #include "ballbar/internal/number_text.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "errors/quantity_text.hpp"
 #include "history/history_text.hpp"
 #include "terminal/terminal_table.hpp"
@@ -129,46 +130,38 @@ std::vector<std::string> ranking_row(const MachineHistory& machine) {
 }
 
 std::string explanation(const MachineHistory& machine) {
-  std::string text = machine.reason;
+  Paragraph text = machine.reason;
   for (std::size_t i = 0; i < std::min<std::size_t>(machine.findings.size(), 2); ++i) {
-    if (machine.reason_finding != i) text += ' ' + machine.findings[i].sentence;
-    text += ' ' + machine.findings[i].remedy;
+    if (machine.reason_finding != i) text += machine.findings[i].sentence;
+    text += machine.findings[i].remedy;
   }
-  if (machine.findings.size() > 2)
-    text += fmt::format(" {} more finding{}: --json prints all.", machine.findings.size() - 2,
-                        machine.findings.size() == 3 ? "" : "s");
-  return text;
+  const std::size_t more = machine.findings.size() - std::min<std::size_t>(machine.findings.size(), 2);
+  return text_of(text) + (more > 0 ? fmt::format(" {}: --json prints all.", several(more, "more finding")) : "");
 }
 
-std::string questions_text(const History& history) {
-  return fmt::format("{} quantities tested, {} significant; at most {:g} % of these by chance.", history.judged,
-                     history.found, 100.0 * history.false_discovery_rate);
+Message quantities_tested(const History& history) {
+  return messages::quantities_tested(history.judged, history.found,
+                                     fmt::format("{:g}", 100.0 * history.false_discovery_rate));
 }
 
-std::vector<std::string> conclusion(const History& history) {
+std::vector<Paragraph> conclusion(const History& history) {
   const std::size_t all = history.machines.size();
-  const std::size_t beyond = count_of(history, Need::beyond), expected = count_of(history, Need::expected),
-                    finding = count_of(history, Need::finding), nothing = count_of(history, Need::nothing);
+  const std::size_t nothing = count_of(history, Need::nothing);
   const auto untested = static_cast<std::size_t>(std::count_if(
       history.machines.begin(), history.machines.end(), [](const MachineHistory& one) { return one.judged == 0; }));
-  if (nothing == all && untested == all)
-    return {
-        fmt::format("Nothing could be tested on any of {}: there are too few tests of one machine, or over too short a "
-                    "time, to show a step or a trend.",
-                    machines_text(all))};
-  const std::string too_few =
-      untested == 0 ? "." : fmt::format("; {} with too few tests to show one.", machines_text(untested));
-  const std::string first =
-      nothing == all
-          ? fmt::format("No significant change on any of {}{}", machines_text(all), too_few)
-          : fmt::format("Findings on {} of {}: {} beyond a tolerance, {} drifting towards one, {} with another change.",
-                        all - nothing, machines_text(all), beyond, expected, finding);
-  return {first, questions_text(history)};
+  if (nothing == all && untested == all) return {messages::machines_untested(all)};
+  const Message first =
+      nothing < all
+          ? messages::machines_with_findings(all - nothing, all, count_of(history, Need::beyond),
+                                             count_of(history, Need::expected), count_of(history, Need::finding))
+          : messages::machines_unchanged(all,
+                                         untested == 0 ? messages::full_stop() : messages::machines_too_few(untested));
+  return {first, quantities_tested(history)};
 }
 
 std::string ranking_text(const History& history, bool all, const std::vector<std::string>& remarks) {
   std::string text;
-  for (const std::string& line : conclusion(history)) text += wrapped(line);
+  for (const Paragraph& line : conclusion(history)) text += wrapped(line);
   for (const std::string& line : remarks) text += wrapped(line);
   const std::size_t most = history.machines.size();
   text += table_of(history, all ? most : kRows);

@@ -208,7 +208,7 @@ void print_text(const ComparedDrifts& drifts, const Comparison& comparison, bool
   const std::string structure = structure_text(comparison);
   const std::string concluded = wrapped(conclusion(comparison));
   std::string remarks;
-  for (const std::string& remark : comparison.remarks) remarks += wrapped(remark);
+  for (const Paragraph& remark : comparison.remarks) remarks += wrapped(remark);
   std::string budget = budget_text(comparison);
   const std::string tables = statistics(comparison, true).text() + structure + budget;
   const bool all = details || lines_in(concluded + tables + remarks) + kOtherLines <= kScreenLines;
@@ -269,7 +269,7 @@ void run(const CompareArguments& options) {
   const Comparison comparison = compare(drifts.a, drifts.b, {options.drifts.reference_s, options.max_gap_s});
   for (const std::string& path : options.out) write_bytes(path, write_series(differences(comparison)));
   if (!options.plot.empty()) {
-    write_bytes(options.plot, plot_of({{"compare", json_of(comparison)}}, conclusion(comparison)));
+    write_bytes(options.plot, plot_of({{"compare", json_of(comparison)}}, text_of(conclusion(comparison))));
   }
   if (options.json) {
     print_json(json_of(comparison));

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "ballbar/drift/compare.hpp"
+#include "ballbar/formats/results/message.hpp"
 #include "ballbar/formats/results/result_type.hpp"
+#include "measure/comparison_conclusion.hpp"
 
 namespace ballbar {
 

@@ -119,7 +119,7 @@ void print_text(const Session& session, const DriftSeries& series, const DriftSh
   }
   fmt::print("{}", wrapped("± is one sigma of the difference to the reference test. Its part from the reference is "
                            "common to all rows. " +
-                           series.not_cancelled));
+                           text_of(series.not_cancelled)));
   std::vector<std::string> stored;
   for (const SessionTest& test : session.tests) {
     if (!test.stored.empty()) stored.push_back(test.name);

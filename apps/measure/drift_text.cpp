@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ballbar/internal/number_text.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/units.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -122,6 +123,11 @@ std::vector<std::string> largest_texts(const std::vector<LargestDrift>& largest)
   for (const LargestDrift& one : largest)
     texts.push_back(fmt::format("{} {} {} at {}", one.axis, with_sigma(one.drift), one.unit, time_text(one.time_s)));
   return texts;
+}
+
+Message largest_sentence(const LargestDrift& largest) {
+  return messages::largest_drift(largest.axis, fmt::format("{} {}", with_sigma(largest.drift), largest.unit),
+                                 time_text(largest.time_s));
 }
 
 std::vector<std::string> course_texts(const std::vector<AxisCourse>& courses) {

@@ -152,7 +152,7 @@ void print_text(const FiveProbeReport& report, const MeasuredDrift& drift, const
   std::vector<std::string> sigmas;
   for (const DriftAxis& axis : drift.axes) sigmas.push_back(sigma_text(axis));
   fmt::print("{}", wrapped(fmt::format("± is one sigma. Largest sigma of all rows: {}.", fmt::join(sigmas, "; "))));
-  for (const std::string& remark : drift.remarks) fmt::print("{}", wrapped(remark));
+  for (const Paragraph& remark : drift.remarks) fmt::print("{}", wrapped(remark));
 }
 
 std::string probe_complaint(const std::string& stated) {
@@ -346,7 +346,7 @@ MeasuredDrift drift_of_log(const Series& series, const FivePointOptions& how, co
     if (!drift.axes.empty()) return drift;
     if (!drift.remarks.empty()) {
       throw Error(fmt::format("{}: expected a column in um or mm that changes by at most 1 mm, found none. {}", name,
-                              fmt::join(drift.remarks, " ")));
+                              fmt::join(texts_of(drift.remarks), " ")));
     }
   }
   return five_point_of(series, how, name);
@@ -371,7 +371,7 @@ MeasuredDrift five_point_of(const Series& series, const FivePointOptions& how, c
   }
   if (drift.axes.empty()) {
     throw Error(fmt::format("{}: expected probes that give a drift or a tilt there, found none. {}", name,
-                            fmt::join(drift.remarks, " ")));
+                            fmt::join(texts_of(drift.remarks), " ")));
   }
   return drift;
 }

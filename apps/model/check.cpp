@@ -106,7 +106,7 @@ void print_remarks(const Fit& fit) {
   const std::size_t discounted = fit.discounted.size();
   if (discounted > 0 || !fit.remarks.empty()) fmt::print("\n");
   if (discounted > 0) fmt::print("{} {} discounted.\n", discounted, discounted == 1 ? "value was" : "values were");
-  for (const std::string& remark : fit.remarks) fmt::print("{}", wrapped(remark));
+  for (const Paragraph& remark : fit.remarks) fmt::print("{}", wrapped(remark));
 }
 
 void print_text(const ResidualReport& residual_report, const std::string& title, bool details) {
@@ -121,7 +121,7 @@ void print_text(const ResidualReport& residual_report, const std::string& title,
     add_parameters(table, fit, "");
     fmt::print("\n{}", table.text(table_width()));
   }
-  if (details) fmt::print("{}", wrapped(floor_text(fit)));
+  if (details) fmt::print("{}", wrapped(floor_sentences(fit)));
   if (!residual_report.where.empty()) fmt::print("\n{}", misfit_table(residual_report, details).text(table_width()));
   if (details) {
     fmt::print("\n{}",

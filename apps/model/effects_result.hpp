@@ -9,7 +9,6 @@
 
 namespace ballbar {
 
-inline std::string_view name_of(Level level) { return level == Level::series ? "series" : "recording"; }
 inline std::string_view name_of(ParameterKind kind) { return kind == ParameterKind::gain ? "gain" : "shape"; }
 
 template <>

@@ -52,7 +52,7 @@ void print_untestable(const Preflight& result) {
       by_reason(result.detectability, [](Testability testability) { return testability != Testability::testable; });
   if (!reasons.empty()) fmt::print("Not testable:\n");
   for (const auto& [first, effects] : reasons) {
-    fmt::print("{}", wrapped(fmt::format("- {}: {}", reason_text(*first), fmt::join(effects, ", "))));
+    fmt::print("{}", wrapped(fmt::format("- {}: {}", text_of(reason_of(*first)), fmt::join(effects, ", "))));
   }
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ballbar/diagnosis/signatures/search.hpp"
-#include "ballbar/formats/results/result_type.hpp"
+#include "ballbar/formats/results/message.hpp"
 #include "model/testability_text.hpp"
 
 namespace ballbar {
@@ -23,8 +23,8 @@ constexpr auto if_testable(Type Detectability::*member) {
   };
 }
 
-inline MayLack<std::string> reason_if_untestable(const Detectability& of) {
-  return {of.testability == Testability::testable ? std::nullopt : std::optional(reason_text(of))};
+inline MayLack<Paragraph> reason_if_untestable(const Detectability& of) {
+  return {of.testability == Testability::testable ? std::nullopt : std::optional(reason_of(of))};
 }
 
 template <>

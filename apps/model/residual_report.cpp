@@ -9,6 +9,7 @@
 
 #include "ballbar/internal/fit/parameter_correlation.hpp"
 #include "ballbar/internal/number_text.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/series/series.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -49,9 +50,8 @@ std::string faults_text(const ResidualReport& report, const std::vector<FaultKin
 }
 
 void print_sentences(const ResidualReport& residual_report) {
-  for (const std::string& sentence : sentences(residual_report.fit, residual_report.where, residual_report.whiteness)) {
+  for (const Paragraph& sentence : sentences(residual_report.fit, residual_report.where, residual_report.whiteness))
     fmt::print("{}", wrapped(sentence));
-  }
 }
 
 std::vector<std::string> coefficient_texts(const std::vector<Coefficient>& coefficients) {
@@ -76,15 +76,15 @@ std::vector<std::string> coefficient_texts(const std::vector<Coefficient>& coeff
 
 int decimals_of(double rmse_um) { return std::max(2, decimals_showing(2, rmse_um)); }
 
-std::string floor_text(const Fit& fit) {
+Paragraph floor_sentences(const Fit& fit) {
   const int decimals = decimals_of(fit.rmse_um) + 1;
-  const std::string of_floor =
-      has_floor(fit) ? fmt::format(", {} times the noise of {} um ({})", fixed(fit.rmse_um / fit.floor.rms_um, 2),
-                                   fixed(fit.floor.rms_um, decimals), fit.floor.source)
-                     : "";
-  const std::string rmse = fit.rmse_um < 1e-6 ? "below 0.000001" : fixed(fit.rmse_um, decimals);
-  return fmt::format("RMSE {} um{}. {} values, worth {} independent ones.", rmse, of_floor, fit.residual_um.size(),
-                     independent_text(fit.n_effective));
+  const MessageValue rmse =
+      fit.rmse_um < 1e-6 ? MessageValue(messages::below("0.000001")) : fixed(fit.rmse_um, decimals);
+  Paragraph text = has_floor(fit) ? messages::fit_error_times(rmse, fixed(fit.rmse_um / fit.floor.rms_um, 2),
+                                                              fixed(fit.floor.rms_um, decimals), fit.floor.source)
+                                  : messages::fit_error(rmse);
+  text += messages::fit_values(fit.residual_um.size(), independent_text(fit.n_effective));
+  return text;
 }
 
 std::optional<double> floor_um(const ResidualReport& report) {

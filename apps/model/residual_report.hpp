@@ -9,10 +9,12 @@
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/formats/results/drift_results.hpp"
 #include "ballbar/formats/results/fit_results.hpp"
+#include "ballbar/formats/results/message.hpp"
 #include "ballbar/internal/fit/parameter_correlation.hpp"
 #include "ballbar/workbench/workbench.hpp"
 #include "model/column_fault_text.hpp"
 #include "model/model_options.hpp"
+#include "model/residual_sentences.hpp"
 
 namespace ballbar {
 
@@ -36,7 +38,7 @@ void print_sentences(const ResidualReport& residual_report);
 std::vector<std::string> coefficient_texts(const std::vector<Coefficient>& coefficients);
 
 // RMSE, the floor with its source, and the effective number of values.
-std::string floor_text(const Fit& fit);
+Paragraph floor_sentences(const Fit& fit);
 
 // The number of decimals for two significant digits of a residual of this size.
 int decimals_of(double rmse_um);

@@ -1,24 +1,38 @@
 #include "model/testability_text.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
+#include <utility>
 
 #include "ballbar/internal/number_text.hpp"
+#include "ballbar/message_catalogue.hpp"
 
 namespace ballbar {
 namespace {
 
-std::string missing_inputs_text(const Deficiency& deficiency) {
-  std::vector<std::string> texts;
-  texts.reserve(deficiency.missing_inputs.size());
-  for (const MissingInput& input : deficiency.missing_inputs) {
-    texts.push_back(fmt::format("{} ({})", input.role,
-                                input.units.empty() ? "any unit" : fmt::format("{}", fmt::join(input.units, " or "))));
-  }
-  if (!texts.empty()) return fmt::format("no column for {}", fmt::join(texts, ", "));
-  return deficiency.none_accepted.empty() ? "there are too few columns of the kind" : deficiency.none_accepted;
+Message role_message(const std::string& role) {
+  if (role == "load") return messages::role_load();
+  if (role == "speed") return messages::role_speed();
+  if (role == "temperature") return messages::role_temperature();
+  return as_it_is(role);
+}
+
+Message units_message(const std::vector<std::string>& units) {
+  if (units.empty()) return messages::units_any();
+  Message all = as_it_is(units.front());
+  for (std::size_t k = 1; k < units.size(); ++k) all = messages::units_or(std::move(all), units[k]);
+  return all;
+}
+
+Message missing_inputs(const Detectability& untestable) {
+  const Deficiency& deficiency = untestable.deficiency;
+  std::vector<MessageValue> inputs;
+  inputs.reserve(deficiency.missing_inputs.size());
+  for (const MissingInput& input : deficiency.missing_inputs)
+    inputs.emplace_back(messages::untestable_input(role_message(input.role), units_message(input.units)));
+  if (!inputs.empty()) return messages::untestable_no_column(listed(inputs));
+  if (deficiency.none_accepted.empty()) return messages::untestable_too_few_columns();
+  return effect_text(name_of(untestable.effect->level), untestable.effect->name, "none_accepted",
+                     deficiency.none_accepted);
 }
 
 }  // namespace
@@ -29,28 +43,28 @@ std::string_view name_of(Testability testability) {
   return kNames[static_cast<std::size_t>(testability)];
 }
 
-std::string reason_text(const Detectability& untestable) {
+Paragraph reason_of(const Detectability& untestable) {
   const Deficiency& deficiency = untestable.deficiency;
   switch (untestable.testability) {
     case Testability::testable:
       break;
     case Testability::input_missing:
-      return missing_inputs_text(deficiency);
+      return missing_inputs(untestable);
     case Testability::input_constant:
-      return deficiency.has_gaps ? "its input has gaps" : "its input does not change";
+      return deficiency.has_gaps ? messages::untestable_gaps() : messages::untestable_constant();
     case Testability::absorbed:
-      return "what it adds is made by the model already";
+      return messages::untestable_absorbed();
     case Testability::in_the_model:
-      return "it is in the model";
+      return messages::untestable_in_the_model();
     case Testability::other_motion:
-      return deficiency.motion ? fmt::format("it is not one of circles driven by {}", name_of(*deficiency.motion)) : "";
+      if (deficiency.motion) return messages::untestable_motion(name_of(*deficiency.motion));
+      break;
     case Testability::no_clock:
-      return "it needs a clock, and the rows are numbered";
+      return messages::untestable_clock();
     case Testability::rows_too_far_apart:
-      return fmt::format("rows {} apart do not show a period of {}", duration_text(deficiency.step_s),
-                         duration_text(deficiency.period_s));
+      return messages::untestable_rows_apart(duration_text(deficiency.step_s), duration_text(deficiency.period_s));
   }
-  return "";
+  return {};
 }
 
 std::vector<std::pair<const Detectability*, std::vector<std::string>>> by_reason(const std::vector<Detectability>& all,

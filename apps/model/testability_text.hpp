@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "ballbar/diagnosis/signatures/search.hpp"
+#include "ballbar/message.hpp"
 
 namespace ballbar {
 
 std::string_view name_of(Testability testability);
 
 // A phrase of an effect that is not testable: "no column for speed (rpm)".
-std::string reason_text(const Detectability& untestable);
+Paragraph reason_of(const Detectability& untestable);
 
 // Effects of these kinds by why they are not testable: the first of each reason, with the names of all of the reason,
 // in their order.

@@ -38,8 +38,8 @@ step 'The page around it'
 mkdir -p "$made/page"
 cp apps/page/package.json apps/page/package-lock.json apps/page/.npmrc apps/page/build.mjs apps/page/tool.mjs \
   apps/page/tsconfig.json "$made/page/"
-rm -rf "$made/page/src" "$made/page/engine"
-cp -R apps/page/src apps/page/engine "$made/page/"
+rm -rf "$made/page/src" "$made/page/engine" "$made/page/messages"
+cp -R apps/page/src apps/page/engine formats/messages "$made/page/"
 if ! cmp -s "$made/page/package-lock.json" "$made/page/installed"; then
   (cd "$made/page" && npm ci --omit=dev)
   cp "$made/page/package-lock.json" "$made/page/installed"

@@ -18,7 +18,7 @@ const common = {
   target: "es2020",
   legalComments: "eof",
   charset: "ascii",
-  loader: { ".html": "text" },
+  loader: { ".html": "text", ".toml": "text" },
   logLevel: "warning",
 };
 // The licences under which a page may hold the chart library and its parts, with every page.

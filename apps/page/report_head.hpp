@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/formats/results/result_type.hpp"
+#include "ballbar/formats/results/message.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -28,6 +28,7 @@ struct SignalsPart {
   Bulk time_s;
   std::vector<PageColumn> columns;
   MayLack<std::size_t> rows;
+  MayLack<std::string> started;
 };
 
 template <>
@@ -35,11 +36,15 @@ inline constexpr auto kResult<SignalsPart> =
     ResultType{"SeriesBlock", "Columns on one clock.",
                std::tuple{Field{"source", &SignalsPart::source, "the file"},
                           Field{"time_s", known(&SignalsPart::time_s), ""}, Field{"columns", &SignalsPart::columns, ""},
-                          Field{"rows", &SignalsPart::rows, "of the file, where not all are here"}}};
+                          Field{"rows", &SignalsPart::rows, "of the file, where not all are here"},
+                          Field{"started", &SignalsPart::started, "wall clock of time 0, where it is known"}}};
 
 struct ReportHead {
-  std::string format, title, made_by, made_on;
-  std::vector<std::string> files, summary;
+  std::string format;
+  Paragraph title;
+  std::string made_by, made_on;
+  std::vector<std::string> files;
+  std::vector<Paragraph> summary;
   std::vector<SignalsPart> signals;
 };
 // Of today and of this program, without files yet.

@@ -136,7 +136,7 @@ std::string page_date() {
 }
 
 ReportHead report_head(const std::string& title) {
-  return {"ballbar-report 1", title, "ballbar " BALLBAR_VERSION, page_date(), {}, {}, {}};
+  return {"ballbar-report 1", as_it_is(title), "ballbar " BALLBAR_VERSION, page_date(), {}, {}, {}};
 }
 
 std::string page_of(const Json& report, const Json& inside) {

@@ -64,7 +64,8 @@ inline constexpr auto kResult<EffectStep> = ResultType{
 
 struct CheckPart {
   ResidualReport report;
-  std::string level, floor_text;
+  std::string level;
+  Paragraph floor_text;
   CheckedSeries series;
   MayLack<ModelCurve> curve;
   std::vector<EffectStep> steps;
@@ -141,7 +142,7 @@ inline constexpr auto kResult<DiagnosisPart> = ResultType{
         fields_through(&DiagnosisPart::report, kDiagnosisReportOpen),
         std::tuple{Field{"rmse_after_um", [](const DiagnosisPart& of) { return of.report.diagnosis.rmse_after_um; },
                          "with the best set"},
-                   Field{"next_test_text", [](const DiagnosisPart& of) { return next_text(of.report); },
+                   Field{"next_test_text", [](const DiagnosisPart& of) { return next_test(of.report); },
                          "as the terminal has it; empty: none is needed"},
                    Field{"hint", [](const DiagnosisPart& of) { return of.report.hint; },
                          "what no command does; empty: nothing"},

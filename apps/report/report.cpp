@@ -132,7 +132,7 @@ std::string html_of(const Json& json, const Report& made, const ReportArguments&
 std::string bytes_of(const Json& json, const Report& made, const ReportArguments& options) {
   if (options.format == Format::json) return text_of(json) + "\n";
   if (options.format == Format::html) return html_of(json, made, options);
-  return pdf_of(handover_of(json, options.pictures.choices), made.page.head.title);
+  return pdf_of(handover_of(json, options.pictures.choices), text_of(made.page.head.title));
 }
 
 // The page alone, with the program and without data.
@@ -171,7 +171,7 @@ void run(ReportArguments options) {
   expect_no_input({options.out}, made.files);
   if (options.format == Format::svg) return write_pictures(json, options);
   write_bytes(options.out, bytes_of(json, made, options));
-  for (const std::string& sentence : made.page.head.summary) print_for_people(wrapped(sentence));
+  for (const Paragraph& sentence : made.page.head.summary) print_for_people(wrapped(sentence));
   print_for_people(left_out_text(made.skipped));
   wrote_line(options.out);
   if (options.open && !started({"xdg-open", fs::absolute(options.out).string()})) {

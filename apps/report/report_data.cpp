@@ -14,6 +14,7 @@
 #include "ballbar/formats/sessions/runs_toml.hpp"
 #include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/reader.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/series/series.hpp"
 #include "errors/test_comparison_text.hpp"
 #include "measure/compared_drifts.hpp"
@@ -34,14 +35,14 @@ void add_machine_errors(Report& made, const Fitted& fitted, const StatedCircle& 
   MachineErrorsPart part = machine_errors_part(fitted, stated);
   for (const std::string& remark : part.remarks) made.page.fit.value->remarks.push_back(remark);
   if (part.tests.empty()) return;
-  if (part.conclusions.size() == 1) made.conclude(part.conclusions.front());
+  if (part.conclusions.size() == 1) made.conclude(as_it_is(part.conclusions.front()));
   made.page.machine_errors.value = std::move(part.tests);
 }
 
 // Of files without readings the page has what they store.
 void add_results_alone(Report& made, const Fitted& fitted) {
   for (const ResultsAlone& alone : fitted.results_alone) {
-    made.conclude(fmt::format("{} stores results but no readings.", file_name(alone.file)));
+    made.conclude(messages::stores_results(file_name(alone.file)));
   }
 }
 
@@ -62,8 +63,8 @@ void add_test_comparisons(Report& made, const Fitted& fitted, const ReportReques
   for (const std::string& remark : part.remarks) made.page.fit.value->remarks.push_back(remark);
   std::vector<std::string> without;
   std::vector<ComparedTests> compared = compared_tests_of(fitted, part.tests, names_of(options.compare), without);
-  for (const ComparedTests& one : compared) made.conclude(conclusion(one.comparison));
-  for (const std::string& sentence : without) made.conclude(sentence);
+  for (const ComparedTests& one : compared) made.conclude(as_it_is(conclusion(one.comparison)));
+  for (const std::string& sentence : without) made.conclude(as_it_is(sentence));
   made.page.test_comparisons.value = std::move(compared);
   if (!part.tests.empty()) made.page.machine_errors.value = std::move(part.tests);
 }
@@ -101,14 +102,13 @@ void add_recordings(Report& made, const ReportRequest& options) {
   add_skipped(made, fitted.skipped);
   const std::string test_name = test_name_of(fitted);
   if (made.page.test_comparisons.value) {
-    made.page.head.title = title_of(*made.page.test_comparisons.value);
+    made.page.head.title = as_it_is(title_of(*made.page.test_comparisons.value));
   } else if (!test_name.empty()) {
-    made.page.head.title = test_name;
+    made.page.head.title = as_it_is(test_name);
   } else if (options.model.data.size() > 1) {
-    made.page.head.title =
-        fmt::format("{} recordings of {} files", fitted.recordings.size(), options.model.data.size());
+    made.page.head.title = messages::recordings_of_files(fitted.recordings.size(), options.model.data.size());
   } else {
-    made.page.head.title = file_name(options.model.data.front().path());
+    made.page.head.title = as_it_is(file_name(options.model.data.front().path()));
   }
   for (const Source& source : files) {
     if (source.is_path()) made.files.push_back(file_on_disk(source.path()));
@@ -118,7 +118,7 @@ void add_recordings(Report& made, const ReportRequest& options) {
 void add_session(Report& made, const SessionFiles& files, const ReportRequest& options) {
   const std::filesystem::path path = options.model.data.front().path();
   const Session& session = files.session;
-  made.page.head.title = session.title.empty() ? file_name(path) : session.title;
+  made.page.head.title = as_it_is(session.title.empty() ? file_name(path) : session.title);
   std::vector<std::string> recordings;
   for (const TestFile& one : files.recordings) recordings.push_back(one.file.string());
   const Fitted fitted = fit_files({recordings.begin(), recordings.end()}, {});
@@ -128,8 +128,7 @@ void add_session(Report& made, const SessionFiles& files, const ReportRequest& o
   add_skipped(made, files.skipped);
   const DriftSeries drift = drift_of(session);
   made.page.drift.value = drift;
-  for (const std::string& largest : largest_texts(largest_drifts(drift)))
-    made.conclude(fmt::format("Largest drift: {}.", largest));
+  for (const LargestDrift& largest : largest_drifts(drift)) made.conclude(largest_sentence(largest));
   if (options.model.model.empty() && drift.points.size() > 1) made.page.thermal.value = sheet_of_session(files, drift);
   if (files.five_probe) {
     const Series probes = open_series(*files.five_probe);
@@ -143,7 +142,7 @@ void add_session(Report& made, const SessionFiles& files, const ReportRequest& o
 
 void add_series(Report& made, const Series& series, const ReportRequest& options) {
   const std::filesystem::path path = options.model.data.front().path();
-  made.page.head.title = file_name(path);
+  made.page.head.title = as_it_is(file_name(path));
   if (is_five_probe(series) || options.probes.any()) {
     const Series with = stated(series, options.probes);
     made.page.five_probe.value = five_point_of(with, place_of(with, options.probes), file_name(path));
@@ -157,7 +156,7 @@ void add_series(Report& made, const Series& series, const ReportRequest& options
 
 // Each run's signals; the model is of them together.
 void add_runs(Report& made, const ModelData& data) {
-  made.page.head.title = data.title;
+  made.page.head.title = as_it_is(data.title);
   made.files.insert(made.files.end(), data.files.begin(), data.files.end());
   const std::vector<RowRange> runs = runs_of(data.series->time_s);
   for (std::size_t run = 0; run < runs.size(); ++run) {
@@ -175,7 +174,7 @@ void add_comparison(Report& made, const ReportRequest& options) {
   made.files.insert(made.files.end(), both.files.begin(), both.files.end());
   const Comparison comparison = compare(both.a, both.b);
   made.page.compare.value = comparison;
-  made.conclude(fmt::format("{} against {}: {}", comparison.a, comparison.b, conclusion(comparison)));
+  made.conclude(messages::one_against_other(comparison.a, comparison.b, conclusion(comparison)));
 }
 
 void add_batch(Report& made, const ReportRequest& options) {
@@ -183,9 +182,8 @@ void add_batch(Report& made, const ReportRequest& options) {
       batch_job(options.model.data.front(), options.model.model, options.model.max_gap_s, options.anyway);
   const BatchJob& batch = *made.page.batch.value;
   if (options.model.model.is_path()) made.files.push_back(options.model.model.path());
-  made.conclude(fmt::format("{} by {} of {} batches.", batch.job.target, label_of(batch.model.settings),
-                            batch.model.batches.size()));
-  for (const std::string& warning : batch.job.warnings) made.conclude(warning);
+  made.conclude(messages::batch_by(batch.job.target, label_of(batch.model.settings), batch.model.batches.size()));
+  for (const std::string& warning : batch.job.warnings) made.conclude(as_it_is(warning));
 }
 
 std::shared_ptr<const ModelData> model_data(const ReportRequest& options) {
@@ -252,7 +250,7 @@ ReportData report_data(ReportRequest& options) {
     if (of_batches) throw Error(options.model.model.name() + ": expected a series to predict, found recordings.");
     add_recordings(made, options);
     add_skipped(made, found.faults);
-    for (const std::string& why : no_session) made.conclude("No drift: " + why);
+    for (const std::string& why : no_session) made.conclude(messages::no_drift(why));
     if (has_model || options.diagnose) result.for_model = model_data(options);
     return result;
   }

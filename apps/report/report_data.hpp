@@ -34,7 +34,7 @@ struct Report {
   std::vector<std::filesystem::path> files;
   std::vector<SkippedFile> skipped;
 
-  void conclude(const std::string& sentence) { page.head.summary.push_back(sentence); }
+  void conclude(Paragraph sentences) { page.head.summary.push_back(std::move(sentences)); }
 };
 
 // Of a part that the first thing in it makes.

@@ -118,7 +118,7 @@ CheckPart check_part(const ResidualReport& residual_report, const Model& model, 
   if (!fit.sigma_um.empty()) series.sigma_um.value = Bulk{fit.sigma_um};
   for (std::size_t t = 0; t < model.terms.size(); ++t)
     series.contributions.push_back({label_of(model.terms[t]), {fit.contribution_um[t]}});
-  CheckPart part{residual_report, std::string(name_of(model.level)), floor_text(fit), std::move(series), {}, {}};
+  CheckPart part{residual_report, std::string(name_of(model.level)), floor_sentences(fit), std::move(series), {}, {}};
   if (!is_series) return part;
   // Between the tests as well, where a session's signals go on.
   if (fit.row.size() < data.series->time_s.size())

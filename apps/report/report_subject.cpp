@@ -10,6 +10,7 @@
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/internal/model/effect_argument.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "diagnose/diagnosis_sentence.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "model/effect_options.hpp"
@@ -128,11 +129,12 @@ void ReportSubject::add_target(ModelPart& made, RevisedModel& model, Parts parts
   if (search) found = diagnosis_report_of(request_.model, bench);
   value_of(made.check).targets.push_back(check_part(checked, bench.model(), data));
   const auto lines = sentences(checked.fit, checked.where, checked.whiteness);
-  if (!lines.empty()) made.summary.push_back(fmt::format("{}: {}", bench.model().targets.front(), lines.front()));
+  const std::string& target = bench.model().targets.front();
+  made.summary.emplace_back(messages::target_says(target, lines.front()));
   overlay_effects(made, checked.fit, bench.model(), *data.series);
   if (!found) return;
   value_of(made.diagnose).targets.emplace_back(diagnosis_part(*found, data));
-  made.summary.push_back(fmt::format("{}: {}", bench.model().targets.front(), sentence_of(found->diagnosis)));
+  made.summary.emplace_back(messages::target_says(target, sentence_of(found->diagnosis)));
   overlay_candidates(made, *found, data);
 }
 
@@ -147,7 +149,8 @@ void ReportSubject::add_model(ModelPart& made, Parts parts) {
     }
     if (why.empty()) continue;
     const bool fitted = parts == Parts::fitted;
-    made.summary.push_back(fmt::format("{}: not {}: {}", targets_[k], fitted ? "fitted" : "diagnosed", why));
+    made.summary.emplace_back(fitted ? messages::not_fitted(targets_[k], why)
+                                     : messages::not_diagnosed(targets_[k], why));
     if (!fitted) value_of(made.diagnose).targets.emplace_back(NotDiagnosed{targets_[k], why});
   }
   if (request_.model.model.empty()) return;

@@ -115,7 +115,7 @@ std::vector<ResultSchema> all_schemas() {
                     TrainedOnTemperatures, TrainedOnEffects, TrainedForJob, Series, PredictedTarget, ReplayResult,
                     WrittenResult, MadeSets, ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart, HeldPart,
                     WithPart, RevisedPart, EffectChoices, Hypotheses, ModelText, HistoryReport, FleetReport,
-                    PageFiles>();
+                    TestsReport, SignalGaps, PageFiles>();
 }
 
 int run_readmes(const std::filesystem::path& folder, bool update) {

@@ -247,4 +247,6 @@ std::string on_a_screen(const std::vector<ScreenPart>& parts, bool details) {
 
 std::string details_text(std::string_view what) { return wrapped(fmt::format("--details shows {}.", what)); }
 
+std::string wrapped(const Paragraph& paragraph) { return wrapped(text_of(paragraph)); }
+
 }  // namespace ballbar

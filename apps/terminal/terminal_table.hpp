@@ -7,6 +7,7 @@
 
 #include "ballbar/drift/drift.hpp"
 #include "ballbar/formats/recordings/test_folder.hpp"
+#include "ballbar/message.hpp"
 
 namespace CLI {
 class App;
@@ -58,6 +59,7 @@ std::string one_line(const std::string& text);
 
 // Breaks at spaces so that no line is longer than `width`.
 std::string wrapped(const std::string& text, std::size_t width = 100);
+std::string wrapped(const Paragraph& paragraph);
 
 // "Left out: 2 files" and a line for each with its reason; empty where there is none.
 std::string left_out_text(const std::vector<SkippedFile>& skipped);

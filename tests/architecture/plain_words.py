@@ -101,6 +101,7 @@ def files(source):
     for part in ("", "libballbar/**/", "formats/**/", "apps/**/", "sample-runs/**/", "tests/**/"):
         yield from (path for path in source.glob(f"{part}README.md") if "node_modules" not in path.parts)
     yield from source.glob("tests/cli/*.txt")
+    yield source / "formats/messages/en.toml"
 
 
 def better(found):

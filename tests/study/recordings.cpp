@@ -45,7 +45,7 @@ Tally tally(const made::Plan& plan, const Effect* effect, int seeds) {
         fmt::print(" |");
         for (const BoundEffect& bound : group) fmt::print(" {}", label_of(bound));
       }
-      for (const std::string& reason : reasons_of(found)) fmt::print(" / {}", reason);
+      for (const std::string& reason : texts_of(reasons_of(found))) fmt::print(" / {}", reason);
       fmt::print("\n");
     }
     tally.right += named && !other ? 1 : 0;

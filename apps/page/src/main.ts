@@ -5,7 +5,7 @@ import { page_tools } from "./page/page_tools";
 import { details_of, element, text_in } from "./elements/elements";
 import { canvas_of } from "./figure/charts";
 import { drawn } from "./figure/still";
-import { first_screen, type Proved } from "./page/first_screen";
+import { type Concluded, first_screen, type Proved } from "./page/first_screen";
 import type { Section } from "./picture";
 import type { Report } from "./report";
 import { ranked_sections } from "./sections";
@@ -13,7 +13,7 @@ import { section_of } from "./page/section";
 import { engine_of } from "./engine";
 import { live_page, type Open } from "./live/live_page";
 import { open_live } from "./live/open_live";
-import { english, language_of, speak, t, when_spoken } from "./texts/texts";
+import { language_of, said, speak, t, when_spoken } from "./texts/texts";
 
 // A session has a file or two a test; a list that long is opened if wanted.
 const files_of = (files: readonly string[]): HTMLElement => {
@@ -26,10 +26,12 @@ const files_of = (files: readonly string[]): HTMLElement => {
 };
 
 // The program's own in the page's language; one that a person wrote as it is.
-const title_of = ({ title }: Report): string => {
-  const said = english(title);
-  return typeof said === "string" ? said : title;
+const title_of = ({ title, title_message }: Report): string => {
+  const text = said(title, title_message);
+  return typeof text === "string" ? text : title;
 };
+
+const concluded_of = ({ summary, summary_message }: Report): Concluded[] => summary.map((text, k) => ({ text, messages: summary_message?.[k] }));
 
 const header_of = (report: Report, wide: boolean): HTMLElement =>
   element(
@@ -71,14 +73,16 @@ const open: Open = (report, shared, tools, by_hand) => {
   const own = !by_hand?.proves || (drifts && first[0]?.id === "drift");
   const made = all.map((section) => ({ section, ...section_of(section, own && first.includes(section), shared) }));
   const proved = made.flatMap(({ section, figure, proof }): Proved[] =>
-    section.first && figure ? [{ first: section.first, figure, proof }] : [],
+    section.first && proof.length > 0 ? [{ first: section.first, figure, proof }] : [],
   );
+  // A section whose only table is on the first screen has nothing to unfold.
+  const shown = made.filter(({ section: { first, lists = [] }, proof }) => !first?.table || proof.length === 0 || lists.some(({ items }) => items.length > 0));
   const main = element(
     "main",
     {},
-    ...(own ? first_screen(proved, by_hand?.proves ? [] : report.summary, all, shared) : []),
+    ...(own ? first_screen(proved, by_hand?.proves ? [] : concluded_of(report), all, shared) : []),
     ...(by_hand ? [by_hand.element] : []),
-    ...made.map((one) => one.element),
+    ...shown.map((one) => one.element),
   );
   // Where there is no picture, as of a file that stores results alone, the only section is what there is to see.
   if (proved.length === 0 && made.length === 1) made[0]?.element.querySelector("details")?.setAttribute("open", "");
@@ -86,12 +90,12 @@ const open: Open = (report, shared, tools, by_hand) => {
   return {
     parts: [
       ...(sheet ? [sheet.sheet] : []),
-      contents_of(all, ...(sheet ? [sheet.print] : []), tools),
-      header_of(report, first[0]?.companion !== undefined || by_hand?.proves === true),
+      contents_of(shown.map(({ section }) => section), ...(sheet ? [sheet.print] : []), tools),
+      header_of(report, first[0]?.companion !== undefined || first[0]?.first?.table !== undefined || by_hand?.proves === true),
       main,
     ],
     // What is on the screen is drawn at once; the rest when it comes near.
-    draw: () => proved.forEach(({ figure }) => figure.draw_now()),
+    draw: () => proved.forEach(({ figure }) => figure?.draw_now()),
   };
 };
 
@@ -104,7 +108,7 @@ const warm_up = (report: Report): void => {
   const made = all.map((section) => ({ section, ...section_of(section, first.includes(section), shared) }));
   for (const { section, figure, proof } of made) {
     if (!section.first || !figure) continue;
-    first_screen([{ first: section.first, figure, proof }], report.summary, all, shared);
+    first_screen([{ first: section.first, figure, proof }], concluded_of(report), all, shared);
     const state = figure.state();
     const look = { ...state.look, width_px: 640, height_px: 520 };
     canvas_of(drawn(figure.picture, { ...state, look }), look.width_px, look.height_px, 1);

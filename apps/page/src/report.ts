@@ -7,8 +7,8 @@ export type {
   BatchPart, Bound, CheckPart as Checked, Column, ComparedTests, DrawnCandidate as Candidate,
   DrawnMachine as FleetMachine, DrawnMeanPointState as MeanPointState, DrawnTest, FittedParameter as Parameter,
   HistoryGroup, HistoryQuantity, Hypotheses as HypothesesPart, Ledger as LedgerPart, LedgerRow,
-  MachineError as MachineErrorRow, MachineErrorsPart, MeanPointPart, Num, Plan, ProbesPart, QuantityDifference,
-  ResultsAlone as StoredAlone, TestHead,
+  MachineError as MachineErrorRow, MachineErrorsPart, MeanPointPart, NextAction, Num, Plan, ProbesPart, QuantityDifference,
+  ResultsAlone as StoredAlone, SignalGap, TestHead, TestRow,
 } from "./results";
 
 // Values of a key that are texts of a few.
@@ -28,6 +28,12 @@ export type ComparedAxis = With<results.ComparedAxis, "points", (results.Compare
   Record<string, unknown>;
 export type ComparePart = With<results.Comparison, "axes", Record<string, ComparedAxis>>;
 
+// The wall clock of time 0, of all signals that know one; undefined: none, or several.
+export const started_of = ({ signals }: Pick<Report, "signals">): string | undefined => {
+  const known = new Set(signals.flatMap(({ started }) => started ?? []));
+  return known.size === 1 ? [...known][0] : undefined;
+};
+
 export interface Diagnosed extends results.DiagnosisPart {
   verdict: "named" | "probable" | "driver" | "equivalent" | "unexplained" | "untestable" | "nothing";
   not_diagnosed?: string; // why; then nothing else is there
@@ -41,4 +47,5 @@ export interface Report extends Omit<results.Report, "fit" | "drift" | "compare"
   mean_point?: results.MeanPointPart;
   history?: results.HistoryPart;
   fleet?: results.FleetPart;
+  test_table?: results.TestRows;
 }

@@ -89,25 +89,27 @@ void write_rows(std::ostream& out, const Series& series) {
   out << "\n  ]";
 }
 
+// The keys of a field, which may be several.
 template <class Value>
-void write_value(std::ostream& out, const Value& value) {
-  if constexpr (std::same_as<Value, Series>) {
-    write_rows(out, value);
-  } else if constexpr (std::same_as<Value, Known<double>>) {
-    out << fmt::format("{}", value.value);
-  } else {
-    out << json_value(value).dump();
-  }
+void write_keys(std::ostream& out, std::string_view& before, std::string_view name, const Value& value) {
+  nlohmann::ordered_json json;
+  add_value(json, name, value);
+  for (const auto& [key, of_key] : json.items())
+    out << std::exchange(before, ",") << "\n  \"" << key << "\": " << of_key.dump();
+}
+void write_keys(std::ostream& out, std::string_view& before, std::string_view name, const Series& series) {
+  out << std::exchange(before, ",") << "\n  \"" << name << "\": ";
+  write_rows(out, series);
+}
+void write_keys(std::ostream& out, std::string_view& before, std::string_view name, const Known<double>& known) {
+  out << std::exchange(before, ",") << "\n  \"" << name << "\": " << fmt::format("{}", known.value);
 }
 
 void write_json(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, const DriftSheet& sheet,
                 std::optional<double> stable_um, std::ostream& out) {
   const FiveProbeDrift result = result_of(drift, steps, sheet, stable_um);
   std::string_view before = "{";
-  const auto write = [&](const auto& field) {
-    out << std::exchange(before, ",") << "\n  \"" << field.name << "\": ";
-    write_value(out, std::invoke(field.get, result));
-  };
+  const auto write = [&](const auto& field) { write_keys(out, before, field.name, std::invoke(field.get, result)); };
   std::apply([&](const auto&... field) { (write(field), ...); }, kResult<FiveProbeDrift>.fields);
   out << "\n}\n";
 }

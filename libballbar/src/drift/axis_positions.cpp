@@ -6,6 +6,7 @@
 #include <map>
 
 #include "ballbar/drift/drift.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/units.hpp"
 #include "drift/row_scatter.hpp"
 #include "numerics/not_finite.hpp"
@@ -84,8 +85,8 @@ MeasuredDrift at_each_position(MeasuredDrift drift, const Series& series) {
     }
     if (axes.size() == drift.axes.size()) continue;
     drift.axes = std::move(axes);
-    drift.remarks.push_back(fmt::format("The readings were taken at {} positions in turn, by {}.", positions.size(),
-                                        along.header.empty() ? along.name : along.header));
+    drift.remarks.emplace_back(
+        messages::positions_in_turn(positions.size(), along.header.empty() ? along.name : along.header));
     return drift;
   }
   return drift;

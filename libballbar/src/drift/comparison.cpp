@@ -11,6 +11,7 @@
 #include "ballbar/drift/compare.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/units.hpp"
 #include "drift/clock_shift.hpp"
 #include "drift/drift_methods.hpp"
@@ -213,9 +214,7 @@ Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const Compari
       own.dense.push_back(common.dense[i]);
     }
     if (own.time_s.size() < 3) {
-      result.remarks.push_back(
-          fmt::format("{} is not compared: both have a value at {} of the common times, 3 are needed.", axis_a.name,
-                      own.time_s.size()));
+      result.remarks.emplace_back(messages::not_compared(axis_a.name, own.time_s.size()));
       continue;
     }
     const std::size_t zero = reference_index(own.time_s, options.reference_s);
@@ -244,8 +243,7 @@ Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const Compari
     for (const auto& [side, what, other] :
          {std::tuple(&axis_a, &a.what, &b.what), std::tuple(axis_b, &b.what, &a.what)}) {
       if (!side->budget.empty() || budget.empty()) continue;
-      result.remarks.push_back(
-          fmt::format("{} states no uncertainty of {}: only that of {} counts.", *what, side->name, *other));
+      result.remarks.emplace_back(messages::no_uncertainty_stated(*what, side->name, *other));
     }
 
     AxisComparison axis;
@@ -276,7 +274,7 @@ Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const Compari
     axis.structure = difference_structure(rows);
     result.axes.push_back(std::move(axis));
   }
-  if (result.axes.empty()) throw Error(result.remarks.back());
+  if (result.axes.empty()) throw Error(text_of(result.remarks.back()));
   const auto tested = static_cast<std::size_t>(std::count_if(
       result.axes.begin(), result.axes.end(), [](const AxisComparison& axis) { return axis.structure.has_value(); }));
   for (AxisComparison& axis : result.axes) {
@@ -285,6 +283,33 @@ Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const Compari
     if (axis.structure->stands_out) axis.agreement = Agreement::disagrees;
   }
   return result;
+}
+
+std::optional<CommonLag> common_lag(const Comparison& comparison) {
+  constexpr double kMostSigmas = 3.0;
+  const auto alone = [](const AxisComparison& axis, DifferenceKind kind) {
+    return axis.structure ? axis.structure->alone[static_cast<std::size_t>(kind)] : std::nullopt;
+  };
+  CommonLag common;
+  double weight = 0.0;
+  bool stands_out = false;
+  for (const AxisComparison& axis : comparison.axes) {
+    stands_out = stands_out || (axis.structure && axis.structure->stands_out);
+    if (!axis.lag_s || !(*axis.lag_sigma_s > 0.0)) continue;
+    const auto gain = alone(axis, DifferenceKind::gain), lag = alone(axis, DifferenceKind::lag);
+    if (gain && gain->named && (!lag || lag->explains < gain->explains)) return std::nullopt;
+    const double of_axis = 1.0 / (*axis.lag_sigma_s * *axis.lag_sigma_s);
+    common.lag_s += of_axis * *axis.lag_s;
+    weight += of_axis;
+    common.axes.push_back(axis.name);
+  }
+  if (!stands_out || common.axes.size() < 2) return std::nullopt;
+  common.lag_s /= weight;
+  common.sigma_s = 1.0 / std::sqrt(weight);
+  const bool same = std::all_of(comparison.axes.begin(), comparison.axes.end(), [&](const AxisComparison& axis) {
+    return !axis.lag_s || std::abs(*axis.lag_s - common.lag_s) <= kMostSigmas * *axis.lag_sigma_s;
+  });
+  return same && std::abs(common.lag_s) > kMostSigmas * common.sigma_s ? std::optional(common) : std::nullopt;
 }
 
 }  // namespace ballbar

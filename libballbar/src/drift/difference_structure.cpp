@@ -296,4 +296,15 @@ std::vector<DifferenceKind> sufficient_alone(const DifferenceStructure& structur
   return kinds;
 }
 
+std::vector<DifferenceKind> named_differences(const DifferenceStructure& structure) {
+  const auto part_of = [&](DifferenceKind kind) { return structure.parts[static_cast<std::size_t>(kind)]; };
+  std::vector<DifferenceKind> named;
+  for (const DifferenceKind kind : kDifferenceKinds) {
+    if (part_of(kind) && part_of(kind)->named) named.push_back(kind);
+  }
+  std::stable_sort(named.begin(), named.end(),
+                   [&](DifferenceKind a, DifferenceKind b) { return part_of(a)->explains > part_of(b)->explains; });
+  return named;
+}
+
 }  // namespace ballbar

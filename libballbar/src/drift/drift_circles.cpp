@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/units.hpp"
 #include "drift/drift_methods.hpp"
 
@@ -156,11 +157,9 @@ DriftSeries drift_by_circles(const Session& session, const DriftOptions& options
   if (!first_reference) {
     throw Error(fmt::format("a drift needs at least two tests of the same plane, and there is one of {}", once));
   }
-  series.not_cancelled =
-      "Set-up errors cancel in the difference to the reference test. Drift of the table, thermal growth of the scales "
-      "and of the bar (both are part of the radius change), and a ball moved between tests remain.";
-  if (differ) series.not_cancelled += " The planes have references of their own: " + references + ".";
-  if (!once.empty()) series.not_cancelled += " One test alone, and so no drift: " + once + ".";
+  series.not_cancelled = messages::drift_remains_table();
+  if (differ) series.not_cancelled += messages::drift_references(references);
+  if (!once.empty()) series.not_cancelled += messages::drift_once(once);
   return series;
 }
 

@@ -1,6 +1,7 @@
 // Drift from the spindle-rotation test and the axial gauge (Huang, Li, Zhao 2022).
 
 #include "ballbar/circle/circle.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/units.hpp"
 #include "drift/drift_methods.hpp"
 #include "numerics/not_finite.hpp"
@@ -80,10 +81,7 @@ DriftSeries drift_by_spindle_rotation(const Session& session, const DriftOptions
     position.converged = now.converged;
     series.positions.push_back(position);
   }
-  series.not_cancelled =
-      "Constant set-up errors and the run-out of the spindle's ball cancel in the difference to the reference test. "
-      "Thermal growth of the bar remains in axial and in the radius change, a ball moved between tests in all "
-      "directions.";
+  series.not_cancelled = messages::drift_remains_rotation();
   return series;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/units.hpp"
 #include "circle/inlier_readings.hpp"
 #include "drift/drift_methods.hpp"
@@ -282,10 +283,7 @@ DriftSeries drift_by_two_arcs(const Session& session, const DriftOptions& option
     position.converged = now.converged;
     series.positions.push_back(position);
   }
-  series.not_cancelled =
-      "Set-up errors cancel in the difference to the reference test. Drift of the table, drift of the axes A and C, "
-      "and "
-      "a ball moved between tests remain.";
+  series.not_cancelled = messages::drift_remains_arcs();
   return series;
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "ballbar/error.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "drift/name_words.hpp"
 #include "drift/row_scatter.hpp"
 #include "drift/smooth_curve.hpp"
@@ -178,13 +179,12 @@ class Reduction {
 
 // The drift of a pair of probes at s if known, else a remark on the reason.
 std::optional<Combination> drift_of_pair(const char* name, std::size_t first, const Columns& columns,
-                                         const FiveProbe& probe, double s_mm, std::vector<std::string>& remarks) {
+                                         const FiveProbe& probe, double s_mm, std::vector<Paragraph>& remarks) {
   const std::size_t second = first + 1;
   const bool has_first = columns[first] != nullptr;
   const bool has_second = columns[second] != nullptr;
   if (!has_first && !has_second) {
-    remarks.push_back(
-        fmt::format("{} is not known: there is neither {} nor {}.", name, kProbes[first], kProbes[second]));
+    remarks.emplace_back(messages::probes_neither(name, kProbes[first], kProbes[second]));
     return std::nullopt;
   }
   const double tilt_per_mm = has_first && has_second && probe.spacing_mm ? 1.0 / *probe.spacing_mm : 0.0;
@@ -196,11 +196,11 @@ std::optional<Combination> drift_of_pair(const char* name, std::size_t first, co
     const double share = s_mm / *probe.spacing_mm;
     return Combination{name, "um", {{first, 1.0 - share}, {second, share}}, tilt_per_mm, first};
   }
-  const std::string there = has_first          ? "at plane 1, 0 mm from plane 1"
-                            : probe.spacing_mm ? fmt::format("at plane 2, {:g} mm from plane 1", *probe.spacing_mm)
-                                               : "at plane 2, whose distance from plane 1 is not stated";
-  remarks.push_back(fmt::format("{} is not known {:g} mm from plane 1: {} is missing; it is known {}.", name, s_mm,
-                                kProbes[has_first ? second : first], there));
+  const Message there = has_first          ? messages::probes_at_plane_1()
+                        : probe.spacing_mm ? messages::probes_at_plane_2(fmt::format("{:g}", *probe.spacing_mm))
+                                           : messages::probes_at_plane_2_somewhere();
+  remarks.emplace_back(
+      messages::probes_not_there(name, fmt::format("{:g}", s_mm), kProbes[has_first ? second : first], there));
   return std::nullopt;
 }
 
@@ -248,14 +248,13 @@ FivePoint five_point(const Series& series, const FivePointOptions& options) {
     if (!combination) continue;
     drift.axes.push_back(reduction.axis(*combination));
     if (options.from_plane_1_sigma_mm > 0.0 && combination->tilt_per_mm == 0.0) {
-      drift.remarks.push_back(fmt::format(
-          "The place of the ball is not in the uncertainty of {}: tilt {} is not known.", pair.name, pair.tilt));
+      drift.remarks.emplace_back(messages::probes_ball_place(pair.name, pair.tilt));
     }
   }
   if (columns[4] != nullptr) {
     drift.axes.push_back(reduction.axis({"z", "um", {{4, 1.0}}}));
   } else {
-    drift.remarks.emplace_back("z is not known: there is no Z.");
+    drift.remarks.emplace_back(messages::probes_no_z());
   }
   struct Tilt {
     const char *name, *difference, *about;
@@ -266,16 +265,13 @@ FivePoint five_point(const Series& series, const FivePointOptions& options) {
     const std::size_t second = tilt.first + 1;
     if (columns[tilt.first] == nullptr || columns[second] == nullptr) {
       const std::size_t missing = columns[tilt.first] == nullptr ? tilt.first : second;
-      drift.remarks.push_back(fmt::format("Tilt {} is not known: there is no {}.", tilt.about, kProbes[missing]));
+      drift.remarks.emplace_back(messages::probes_no_tilt(tilt.about, kProbes[missing]));
     } else if (probe.spacing_mm) {
       const double urad_per_um = 1e3 / *probe.spacing_mm;
       drift.axes.push_back(reduction.axis(
           {tilt.name, "urad", {{tilt.first, -tilt.sign * urad_per_um}, {second, tilt.sign * urad_per_um}}}));
     } else {
-      drift.remarks.push_back(
-          fmt::format("Tilt {} is not known: the spacing of the probes' planes is not stated (spacing_mm under "
-                      "[five_probe]); the difference {} - {} stands in its place.",
-                      tilt.about, kProbes[second], kProbes[tilt.first]));
+      drift.remarks.emplace_back(messages::probes_no_spacing(tilt.about, kProbes[second], kProbes[tilt.first]));
       drift.axes.push_back(reduction.axis({tilt.difference, "um", {{tilt.first, -1.0}, {second, 1.0}}}));
     }
   }
@@ -284,20 +280,15 @@ FivePoint five_point(const Series& series, const FivePointOptions& options) {
     if (columns[i] != nullptr && !found.scatter_um[i]) unknown.push_back(kProbes[i]);
   }
   if (!unknown.empty() && series.time_s.size() < kRowsForScatter) {
-    drift.remarks.push_back(
-        fmt::format("The probes' scatter is not in the uncertainty: {} rows are needed to find it, there {} {}.",
-                    kRowsForScatter, series.time_s.size() == 1 ? "is" : "are", series.time_s.size()));
+    drift.remarks.emplace_back(messages::probes_scatter_rows(kRowsForScatter, series.time_s.size()));
   } else if (!unknown.empty()) {
-    drift.remarks.push_back(fmt::format(
-        "The scatter of {} is not in the uncertainty: gaps leave fewer than {} readings between two others.",
-        fmt::join(unknown, ", "), kRowsForScatter - 2));
+    drift.remarks.emplace_back(
+        messages::probes_scatter_gaps(listed({unknown.begin(), unknown.end()}), kRowsForScatter - 2));
   }
   if (!probe.resolution_um || !probe.linearity_percent) {
-    drift.remarks.push_back(
-        fmt::format("The uncertainty does not include the probes' {}{}{}, which [five_probe] does not state.",
-                    probe.resolution_um ? "" : "resolution (resolution_um)",
-                    probe.resolution_um || probe.linearity_percent ? "" : " and ",
-                    probe.linearity_percent ? "" : "linearity (linearity_percent)"));
+    drift.remarks.emplace_back(probe.resolution_um       ? messages::probes_no_linearity()
+                               : probe.linearity_percent ? messages::probes_no_resolution()
+                                                         : messages::probes_no_resolution_and_linearity());
   }
   return found;
 }

@@ -9,6 +9,7 @@
 #include "ballbar/drift/drift.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/internal/series/far_readings.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/units.hpp"
 #include "drift/drift_methods.hpp"
 #include "drift/row_scatter.hpp"
@@ -34,11 +35,9 @@ std::optional<double> bar_temperature_degC(const SessionTest& test) {
 
 // Standard uncertainty of the bar's growth since the reference, um; empty with a remark where it is not known.
 std::vector<double> bar_growth_sigma_um(const DriftSeries& drift, const Session& session,
-                                        std::vector<std::string>& remarks) {
+                                        std::vector<Paragraph>& remarks) {
   if (!session.bar_expansion_ppm_per_K) {
-    remarks.emplace_back(
-        "The bar's thermal growth is not in the uncertainty: the session does not state its expansion "
-        "(expansion_ppm_per_K under [bar]).");
+    remarks.emplace_back(messages::bar_growth_no_expansion());
     return {};
   }
   std::optional<double> reference_degC;
@@ -56,9 +55,7 @@ std::vector<double> bar_growth_sigma_um(const DriftSeries& drift, const Session&
     sigma_um.push_back(growth_um / std::sqrt(3.0));
   }
   if (known) return sigma_um;
-  remarks.emplace_back(
-      "The bar's thermal growth is not in the uncertainty: not every test states the bar's temperature "
-      "(bar_temperature_degC).");
+  remarks.emplace_back(messages::bar_growth_no_temperature());
   return {};
 }
 
@@ -159,13 +156,12 @@ MeasuredDrift since_reference(MeasuredDrift drift, std::optional<double> referen
     if (why != nullptr) why->push_back(axis.name);
     return why != nullptr;
   });
-  const auto say = [&](const std::vector<std::string>& names, const char* why) {
-    if (!names.empty())
-      drift.remarks.push_back(fmt::format("Left out, because it {}: {}.", why, fmt::join(names, ", ")));
+  const auto say = [&](const std::vector<std::string>& names, auto remark) {
+    if (!names.empty()) drift.remarks.emplace_back(remark(listed({names.begin(), names.end()})));
   };
-  say(empty, "has no value");
-  say(still, "does not change");
-  say(far, "changes by more than 1 mm, as no drift does");
+  say(empty, messages::left_out_empty);
+  say(still, messages::left_out_still);
+  say(far, messages::left_out_far);
   for (DriftAxis& axis : drift.axes) {
     const std::vector<std::size_t> away = far_readings(axis.value);
     for (const std::size_t one : away) axis.value[one] = kUnknown;
@@ -173,9 +169,8 @@ MeasuredDrift since_reference(MeasuredDrift drift, std::optional<double> referen
       std::vector<std::string> times;
       for (std::size_t k = 0; k < std::min<std::size_t>(away.size(), 5); ++k)
         times.push_back(fmt::format("{:.4g}", min_from_s(drift.time_s[away[k]])));
-      drift.remarks.push_back(fmt::format("Set aside, far from their neighbours: {} of {}, at {}{} min.",
-                                          away.size() == 1 ? "1 reading" : fmt::format("{} readings", away.size()),
-                                          axis.name, fmt::join(times, ", "), away.size() > 5 ? ", ..." : ""));
+      drift.remarks.emplace_back(messages::set_aside(
+          away.size(), axis.name, fmt::format("{}{}", fmt::join(times, ", "), away.size() > 5 ? ", ..." : "")));
     }
     std::size_t row = reference;
     while (row < axis.value.size() && std::isnan(axis.value[row])) ++row;

@@ -7,6 +7,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/internal/series/far_readings.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "fit/fit_uncertainty.hpp"
 #include "fit/inlier_rows.hpp"
 #include "fit/irls_and_gls.hpp"
@@ -239,9 +240,8 @@ Fit fit(const Model& model, const Series& data, std::size_t target, const FitOpt
                           without(speed_rpm, result.discounted), result.noise);
   if (misfit) {
     result.remarks.push_back(
-        fmt::format("The residual changes slowly (about {:.0f} min). It is treated as a missing effect, not as noise: "
-                    "the parameters are those of {}, and their sigmas are widened accordingly.",
-                    result.noise.correlation_time_s / 60.0, options.robust ? "a robust fit" : "least squares"));
+        messages::fit_slow_residual(fmt::format("{:.0f}", result.noise.correlation_time_s / 60.0),
+                                    options.robust ? messages::fit_robust() : messages::fit_least_squares()));
   }
   add_remarks(result, free);
   return result;

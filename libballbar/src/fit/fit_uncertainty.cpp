@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ballbar/message_catalogue.hpp"
 #include "numerics/not_finite.hpp"
 
 namespace ballbar {
@@ -131,33 +132,25 @@ void add_uncertainty_under_noise(Fit& result, const Eigen::MatrixXd& jacobian, c
 }
 
 void add_remarks(Fit& result, std::size_t free) {
+  std::vector<Paragraph>& remarks = result.remarks;
   for (const FittedParameter& parameter : result.parameters) {
-    const std::string name = fmt::format("{} of {}", parameter.name, parameter.effect);
-    if (parameter.state == ParameterState::undetermined) {
-      result.remarks.push_back(fmt::format("The data do not determine {}.", name));
-    } else if (parameter.state == ParameterState::on_lower_bound || parameter.state == ParameterState::on_upper_bound) {
-      result.remarks.push_back(fmt::format("{} came to rest on its {} bound {:g} {}: its sigma is not known.", name,
-                                           parameter.state == ParameterState::on_lower_bound ? "lower" : "upper",
-                                           parameter.value, parameter.unit));
-    }
+    const EffectLabel effect{parameter.effect};
+    const auto bound = [&] { return fmt::format("{:g} {}", parameter.value, parameter.unit); };
+    if (parameter.state == ParameterState::undetermined)
+      remarks.emplace_back(messages::fit_undetermined(parameter.name, effect));
+    if (parameter.state == ParameterState::on_lower_bound)
+      remarks.emplace_back(messages::fit_on_lower_bound(parameter.name, effect, bound()));
+    if (parameter.state == ParameterState::on_upper_bound)
+      remarks.emplace_back(messages::fit_on_upper_bound(parameter.name, effect, bound()));
   }
   const std::size_t kept = result.residual_um.size() - result.discounted.size();
-  if (result.sigma_um.empty() && kept < free + kFewestLeft) {
-    result.remarks.push_back(
-        fmt::format("{} values for {} free parameters leave too little to tell sigma: it is not known.", kept, free));
-  }
-  if (static_cast<double>(free) > result.n_effective) {
-    result.remarks.push_back(
-        fmt::format("{} free parameters for {:.1f} independent samples (of {}): too many for these data.", free,
-                    result.n_effective, kept));
-  }
-  if (3 * free > kept && static_cast<double>(free) <= result.n_effective) {
-    result.remarks.push_back(
-        fmt::format("{} free parameters for {} values: fewer than three values for each, so that much "
-                    "is fitted that is not there.",
-                    free, kept));
-  }
-  if (!result.converged) result.remarks.emplace_back("The fit did not converge; its parameters are the best it found.");
+  if (result.sigma_um.empty() && kept < free + kFewestLeft)
+    remarks.emplace_back(messages::fit_sigma_unknown(kept, free));
+  const bool too_many = static_cast<double>(free) > result.n_effective;
+  if (too_many)
+    remarks.emplace_back(messages::fit_too_many_parameters(free, fmt::format("{:.1f}", result.n_effective), kept));
+  if (3 * free > kept && !too_many) remarks.emplace_back(messages::fit_many_parameters(free, kept));
+  if (!result.converged) remarks.emplace_back(messages::fit_not_converged());
 }
 
 }  // namespace ballbar

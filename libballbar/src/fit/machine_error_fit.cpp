@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "ballbar/circle/recording.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "model/model_rows.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr std::size_t kFewestReadings = 120;  // readings of a recording
-constexpr const char* kFloorSource = "residual with all errors of the axes";
 
 bool is_error(const Term& term) {
   if (term.effect->rules.error_fit == ErrorFit::none) return false;
@@ -158,7 +158,7 @@ Fit fit_of_machine_errors(const Model& model, const Series& data, std::size_t ta
   }
   result.noise = errors.noise.front().noise;
   result.rmse_um = std::sqrt(residual.squaredNorm() / static_cast<double>(n));
-  result.floor = {errors.rms_um(errors.residual()), kFloorSource};
+  result.floor = {errors.rms_um(errors.residual()), messages::noise_of_errors()};
   result.n_effective = effective_samples(result.noise, result.time_s, {});
   result.converged = true;
   return result;

@@ -14,7 +14,8 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kSmallestGroup = 3;
-constexpr std::size_t kParts = 5;  // of a signal's values
+constexpr double kNotNoise = 0.01;  // p of a white residual
+constexpr std::size_t kParts = 5;   // of a signal's values
 
 // Rows of the fit that belong together.
 class Groups {
@@ -68,8 +69,14 @@ void by_regime(const Fit& fit, const Series& data, Groups& groups) {
   }
 }
 
-// Four digits, or as many as a tenth of the range needs, because a clock may have started long before.
+// Four digits, or as many as a tenth of the range needs, because a clock may have started long before. In minutes, of
+// short records in seconds, of long ones in hours or days.
 std::string printed_time(double time_s, double whole_s) {
+  constexpr double kHour_s = 3600.0, kDay_s = 86400.0;
+  if (whole_s >= 4.0 * kDay_s) {
+    const bool in_h = whole_s < 20.0 * kDay_s;
+    return fmt::format("{:.12g} {}", std::round(10.0 * time_s / (in_h ? kHour_s : kDay_s)) / 10.0, in_h ? "h" : "d");
+  }
   const bool in_s = whole_s < 600.0;
   const double time = in_s ? time_s : min_from_s(time_s);
   const std::string number =
@@ -102,9 +109,10 @@ void by_time(const Fit& fit, const Series& data, Groups& groups) {
 
 void by_signal(const Fit& fit, const Column& column, Groups& groups) {
   const std::string unit(unit_of(column.name));
-  const auto printed = [&](double value) {
-    const double rounded = std::stod(fmt::format("{:.4g}", value));  // 12000, not 1.2e+04
-    return fmt::format("{}{}{}", rounded, unit.empty() ? "" : " ", unit);
+  int digits = 4;
+  const auto rounded = [&](double value) { return std::stod(fmt::format("{:.{}g}", value, digits)); };
+  const auto printed = [&](double value) {  // 12000, not 1.2e+04
+    return fmt::format("{:.12g}{}{}", rounded(value), unit.empty() ? "" : " ", unit);
   };
   std::vector<double> sorted;
   for (const std::size_t row : fit.row) {
@@ -120,6 +128,8 @@ void by_signal(const Fit& fit, const Column& column, Groups& groups) {
     for (std::size_t k = 0; k <= kParts; ++k) bounds.push_back(sorted[(sorted.size() - 1) * k / kParts]);
     bounds.erase(std::unique(bounds.begin(), bounds.end()), bounds.end());
   }
+  const auto looks_same = [&](double low, double high) { return rounded(low) == rounded(high); };
+  while (digits < 10 && std::adjacent_find(bounds.begin(), bounds.end(), looks_same) != bounds.end()) ++digits;
   for (std::size_t k = 0; k + (by_value ? 0 : 1) < bounds.size(); ++k) {
     const double low = bounds[k], high = by_value ? low : bounds[k + 1];
     const bool end = by_value || k + 2 == bounds.size();
@@ -151,97 +161,6 @@ void by_angle(const Fit& fit, const Series& data, const Column& angle, Groups& g
   }
 }
 
-// "-3.1 ± 0.4": two digits of sigma where its first is 1, else one.
-std::string with_sigma(double value, double sigma) {
-  if (!(sigma > 0.0) || !std::isfinite(sigma)) return fmt::format("{:.3g}", value);
-  const double first = sigma / std::pow(10.0, std::floor(std::log10(sigma)));
-  const int decimals = decimals_showing(first < 1.95 ? 2 : 1, sigma);
-  return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sigma, decimals);
-}
-
-// Three digits, whole micrometres above 1000, exponents for absurd values.
-std::string digits(double value_um) {
-  return value_um < 999.5 || value_um >= 1e9 ? fmt::format("{:.3g}", value_um) : fmt::format("{:.0f}", value_um);
-}
-
-// What an engineer reads first; how the noise is known comes after that.
-std::string of_noise(const Fit& fit) {
-  const double noise_um = fit.floor.rms_um;
-  const std::string error = fmt::format("Remaining error {} um RMS", digits(fit.rmse_um));
-  if (!(noise_um > 0.0) || fit.floor.source.empty()) return error + ". The noise is not known.";
-  const std::string noise = fmt::format("The noise is {} um ({}).", digits(noise_um), fit.floor.source);
-  const double ratio = fit.rmse_um / noise_um;
-  if (ratio < 1.05) return fmt::format("{}, about the noise. {}", error, noise);
-  const std::string times =
-      ratio < 1e6 ? fmt::format("{:.{}f}", ratio, ratio < 2.0 ? 2 : 1) : fmt::format("{:.1e}", ratio);
-  return fmt::format("{}, {} times the noise. {}", error, times, noise);
-}
-
-std::string place_of(const Misfit& group) {
-  const auto range = [&] {
-    if (group.from == group.to) return "at " + group.from;
-    const std::size_t unit = group.from.rfind(' '), other = group.to.rfind(' ');
-    const bool same =
-        unit != std::string::npos && other != std::string::npos && group.from.substr(unit) == group.to.substr(other);
-    return fmt::format("from {} to {}", same ? group.from.substr(0, unit) : group.from, group.to);
-  };
-  if (group.what == "time") return range();
-  if (group.what == "regime") {
-    if (group.from == name_of(Regime::after_change)) return group.from;
-    if (group.from == name_of(Regime::standstill)) return "at standstill";
-    return group.from == name_of(Regime::steady) ? "at steady speed" : "while " + group.from;
-  }
-  return fmt::format("where {} is {}", group.what, range());
-}
-
-// The group whose share of the misfit exceeds its share of the readings most, if worth a sentence; nullptr: none.
-const Misfit* worst_of(const Fit& fit, const std::vector<Misfit>& where) {
-  constexpr double kWorthIt = 0.1;
-  const auto n = static_cast<double>(fit.residual_um.size());
-  const auto above = [&](const Misfit& group) { return group.share - static_cast<double>(group.n) / n; };
-  const Misfit* worst = nullptr;
-  for (const Misfit& group : where) {
-    if (worst == nullptr || above(group) > above(*worst)) worst = &group;
-  }
-  return worst == nullptr || above(*worst) < kWorthIt ? nullptr : worst;
-}
-
-std::string of_place(const Fit& fit, const std::vector<Misfit>& where) {
-  const Misfit* worst = worst_of(fit, where);
-  if (worst == nullptr) return "The error is spread evenly over the data.";
-  return fmt::format("The model fails most {}: {:.0f} % of the squared error in {:.0f} % of the readings, bias {} um.",
-                     place_of(*worst), 100.0 * worst->share,
-                     100.0 * static_cast<double>(worst->n) / static_cast<double>(fit.residual_um.size()),
-                     with_sigma(worst->bias_um, worst->bias_sigma_um));
-}
-
-std::string duration(double time_s) {
-  if (time_s < 90.0) return fmt::format("{:.2g} s", time_s);
-  const double time_min = min_from_s(time_s);
-  return time_min < 100.0 ? fmt::format("{:.2g} min", time_min) : fmt::format("{:.1f} h", time_min / 60.0);
-}
-
-std::string of_rest(const Fit& fit, const Whiteness& whiteness) {
-  constexpr std::size_t kFewestForWhiteness = 16;
-  constexpr double kNotNoise = 0.01, kSlow = 0.1;  // of the variance
-  const std::size_t n = fit.residual_um.size();
-  if (n < kFewestForWhiteness) return fmt::format("{} readings are too few to tell whether the residual is random.", n);
-  const std::string p = p_equals_text(whiteness.p);
-  if (whiteness.p < kNotNoise) {
-    const Noise noise = fit.noise.correlated_um > 0.0 ? fit.noise : noise_of(fit.time_s, fit.residual_um, fit.sigma_um);
-    if (!(noise.correlated_um > 0.0)) return fmt::format("The residual is not noise ({}).", p);
-    return fmt::format("The residual is not noise ({}): something that changes slowly (about {}) is missing.", p,
-                       duration(noise.correlation_time_s));
-  }
-  const double slow_um2 = fit.noise.correlated_um * fit.noise.correlated_um;
-  const double white_um2 = fit.noise.white_um * fit.noise.white_um;
-  if (slow_um2 > kSlow * (slow_um2 + white_um2)) {
-    return fmt::format("The residual changes slowly (about {}): slow noise or a missing effect ({}).",
-                       duration(fit.noise.correlation_time_s), p);
-  }
-  return fmt::format("The residual looks like noise ({}).", p);
-}
-
 }  // namespace
 
 std::vector<Misfit> where_it_fails(const Fit& fit, const Series& data) {
@@ -261,18 +180,33 @@ std::vector<Misfit> where_it_fails(const Fit& fit, const Series& data) {
 }
 
 bool is_adequate(const Fit& fit, const Whiteness& whiteness) {
-  return !fit.floor.source.empty() && fit.rmse_um <= 1.2 * fit.floor.rms_um && whiteness.p >= 0.01;
+  return !fit.floor.source.empty() && fit.rmse_um <= 1.2 * fit.floor.rms_um && whiteness.p >= kNotNoise;
 }
 
-std::string worst_place(const Fit& fit, const std::vector<Misfit>& where) {
-  if (!fit.discounted.empty()) return worst_place(inliers_of(fit), where);
-  const Misfit* worst = worst_of(fit, where);
-  return worst == nullptr ? "" : place_of(*worst);
+std::optional<Misfit> worst_place(const Fit& fit, const std::vector<Misfit>& where) {
+  constexpr double kWorthIt = 0.1;
+  const std::size_t inliers = fit.residual_um.size() - fit.discounted.size();
+  const auto n = static_cast<double>(inliers);
+  const auto above = [&](const Misfit& group) { return group.share - static_cast<double>(group.n) / n; };
+  const auto worst = std::max_element(where.begin(), where.end(),
+                                      [&](const Misfit& a, const Misfit& b) { return above(a) < above(b); });
+  return worst == where.end() || above(*worst) < kWorthIt ? std::nullopt : std::optional(*worst);
 }
 
-std::vector<std::string> sentences(const Fit& fit, const std::vector<Misfit>& where, const Whiteness& whiteness) {
-  if (!fit.discounted.empty()) return sentences(inliers_of(fit), where, whiteness);
-  return {of_noise(fit), of_place(fit, where), of_rest(fit, whiteness)};
+ResidualNature residual_nature(const Fit& fit, const Whiteness& whiteness) {
+  constexpr std::size_t kFewestForWhiteness = 16;
+  constexpr double kSlow = 0.1;  // of the variance
+  if (!fit.discounted.empty()) return residual_nature(inliers_of(fit), whiteness);
+  if (fit.residual_um.size() < kFewestForWhiteness) return {ResidualKind::too_few, 0.0};
+  if (whiteness.p < kNotNoise) {
+    const Noise noise = fit.noise.correlated_um > 0.0 ? fit.noise : noise_of(fit.time_s, fit.residual_um, fit.sigma_um);
+    return noise.correlated_um > 0.0 ? ResidualNature{ResidualKind::slow_not_noise, noise.correlation_time_s}
+                                     : ResidualNature{ResidualKind::not_noise, 0.0};
+  }
+  const double slow_um2 = fit.noise.correlated_um * fit.noise.correlated_um;
+  const double white_um2 = fit.noise.white_um * fit.noise.white_um;
+  if (slow_um2 > kSlow * (slow_um2 + white_um2)) return {ResidualKind::slow, fit.noise.correlation_time_s};
+  return {ResidualKind::noise, 0.0};
 }
 
 }  // namespace ballbar

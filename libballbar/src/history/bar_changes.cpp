@@ -1,13 +1,12 @@
 #include "history/bar_changes.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "ballbar/history/history.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "history/event_texts.hpp"
 #include "history/quantity_series.hpp"
 #include "history/robust_fit.hpp"
@@ -53,11 +52,8 @@ void note_common_bars(const AllSeries& all, History& history) {
       });
       if (common < 2) continue;
       one->kind = FindingKind::instrument;
-      one->sentence = fmt::format(
-          "The scales of all axes stepped alike between {} and {}, on {} machines tested with bar {}. The cause is the "
-          "instrument, not the machines.",
-          day_text(one->from_s), day_text(one->to_s), common, bar);
-      one->remedy = "Do not adjust the machine. Check when the bar was calibrated and correct the scales by the step.";
+      one->sentence = messages::bar_stepped(day_text(one->from_s), day_text(one->to_s), common, bar);
+      one->remedy = messages::bar_stepped_do();
     }
   }
 }

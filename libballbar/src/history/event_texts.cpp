@@ -9,6 +9,7 @@
 #include <ctime>
 
 #include "ballbar/internal/number_text.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "history/quantity_series.hpp"
 
 namespace ballbar {
@@ -20,28 +21,25 @@ std::string signed_number(double value, std::string_view unit) {
   return fmt::format("{:+.{}f}", value, decimals_in(unit));
 }
 
-std::string label_of(const AllSeries& all, const Call& call) {
-  return ballbar::label_of(series_of(all, call).name, series_of(all, call).plane);
+Message quantity_of(const AllSeries& all, const Call& call) {
+  return ballbar::quantity_of(series_of(all, call).name, series_of(all, call).plane);
 }
 
-// "squareness XY +26.9 ± 1.0 um/m, ... and 3 more"; `with`: between name and number.
-std::string list_of(const AllSeries& all, const Event& event, std::string_view with, bool is_signed) {
-  std::string text;
+// "squareness XY +26.9 ± 1.0 um/m, ... and 3 more"; `place`: the message of one.
+template <class Place>
+MessageValue list_of(const AllSeries& all, const Event& event, Place place, bool is_signed) {
+  std::vector<MessageValue> quantities;
   const std::size_t named = std::min(kMostNamed, event.calls.size());
   for (std::size_t i = 0; i < named; ++i) {
     const Call& call = *event.calls[i];
     const std::string_view unit = series_of(all, call).unit;
-    text += fmt::format(
-        "{}{}{}{}", i == 0 ? "" : ", ", label_of(all, call), with,
+    quantities.emplace_back(place(
+        quantity_of(all, call),
         is_signed ? fmt::format("{} ± {:.{}f} {}", signed_number(call.size, unit), call.sigma, decimals_in(unit), unit)
-                  : amount_text(call.size, call.sigma, unit));
+                  : amount_text(call.size, call.sigma, unit)));
   }
-  if (event.calls.size() > named) text += fmt::format(" and {} more", event.calls.size() - named);
-  return text;
-}
-
-std::string between(const Event& event) {
-  return fmt::format("between {} and {}", day_text(event.from_s), day_text(event.to_s));
+  const Paragraph list = listed(quantities);
+  return event.calls.size() > named ? messages::and_more(list, event.calls.size() - named) : MessageValue(list);
 }
 
 // Of the clearest quantity that has an effect.
@@ -53,12 +51,14 @@ const Effect* effect_of(const AllSeries& all, const Event& event) {
   return nullptr;
 }
 
-std::string remedy_of(const AllSeries& all, const Event& event, std::string_view otherwise) {
+Message remedy_of(const AllSeries& all, const Event& event, const Message& otherwise) {
   const Effect* effect = effect_of(all, event);
-  return effect == nullptr || effect->explanation.remedy.empty() ? std::string(otherwise) : effect->explanation.remedy;
+  return effect == nullptr || effect->explanation.remedy.empty()
+             ? otherwise
+             : effect_text(name_of(effect->level), effect->name, "remedy", effect->explanation.remedy);
 }
 
-char letter_of(int axis) { return "XYZ"[axis]; }
+std::string letter_of(int axis) { return {"XYZ"[axis]}; }
 
 // um over mm, as parts per million.
 std::string scale_text(const AllSeries& all, const Event& event) {
@@ -69,40 +69,41 @@ std::string scale_text(const AllSeries& all, const Event& event) {
 }
 
 EventTexts step_texts(const AllSeries& all, const Event& event) {
-  if (event.is_common_scale) {
-    return {fmt::format("The scales of all axes stepped alike, by {}, {}. Nothing else changed.",
-                        scale_text(all, event), between(event)),
-            "Check whether the bar was calibrated again, with which calibrator and at which temperature. Repeat the "
-            "test with another bar before adjusting the machine."};
+  const std::string from = day_text(event.from_s), to = day_text(event.to_s);
+  if (event.is_common_scale)
+    return {messages::scales_stepped(scale_text(all, event), from, to), messages::scales_stepped_do()};
+  const std::size_t n = event.calls.size();
+  const MessageValue quantities = list_of(all, event, messages::quantity_amount, true);
+  const Message remedy = remedy_of(all, event, messages::stepped_do());
+  if (!event.to_the_worse) {
+    return {n > 1 ? messages::quantities_stepped(n, from, to, quantities)
+                  : messages::quantity_stepped(from, to, quantities),
+            remedy};
   }
-  const bool several = event.calls.size() > 1;
-  std::string sentence =
-      fmt::format("{} stepped {}{}: {}{}.", several ? fmt::format("{} quantities", event.calls.size()) : "One quantity",
-                  several ? "together " : "", between(event), list_of(all, event, " ", true),
-                  event.to_the_worse ? ", as after a collision" : "");
-  const std::string remedy = remedy_of(all, event, "Check what was done to the machine on these days, and test again.");
-  if (!event.to_the_worse) return {std::move(sentence), remedy};
-  return {std::move(sentence),
-          "Ask about a collision on these days. Check guideways, clamping and levelling. " + remedy};
+  EventTexts texts{n > 1 ? messages::quantities_stepped_collision(n, from, to, quantities)
+                         : messages::quantity_stepped_collision(from, to, quantities),
+                   messages::collision_do()};
+  texts.remedy += remedy;
+  return texts;
 }
 
 EventTexts trend_texts(const AllSeries& all, const Event& event) {
   const Call& call = *event.calls.front();
   const bool grows = call.after == 0.0 ? call.size > 0.0 : call.size * call.after > 0.0;
-  return {fmt::format("{} {}: {} per year.", label_of(all, call), grows ? "grows" : "goes back",
-                      list_of(all, event, " ", true)),
-          remedy_of(all, event, "Find which error makes it grow: ballbar history shows them one by one.")};
+  const MessageValue amounts = list_of(all, event, messages::quantity_amount, true);
+  return {grows ? messages::quantity_grows(quantity_of(all, call), amounts)
+                : messages::quantity_goes_back(quantity_of(all, call), amounts),
+          remedy_of(all, event, messages::grows_do())};
 }
 
 EventTexts season_texts(const AllSeries& all, const Event& event) {
-  constexpr std::array kMonths{"January", "February", "March",     "April",   "May",      "June",
-                               "July",    "August",   "September", "October", "November", "December"};
+  constexpr std::array kMonths{messages::month_1, messages::month_2,  messages::month_3,  messages::month_4,
+                               messages::month_5, messages::month_6,  messages::month_7,  messages::month_8,
+                               messages::month_9, messages::month_10, messages::month_11, messages::month_12};
   const Call& call = *event.calls.front();
   const auto month = static_cast<std::size_t>(call.peak_year * 12.0) % kMonths.size();
-  return {
-      fmt::format("Follows the season, highest in {}, to either side of the mean: {}. This is neither wear nor a step.",
-                  kMonths[month], list_of(all, event, " by ", false)),
-      "No repair is needed. Keep the hall's temperature steady, or compare with tests of the same month."};
+  return {messages::follows_season(kMonths[month](), list_of(all, event, messages::quantity_by, false)),
+          messages::follows_season_do()};
 }
 
 }  // namespace
@@ -111,7 +112,9 @@ std::string day_text(double time_s) {
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(std::floor(time_s))));
 }
 
-std::string label_of(std::string_view name, Plane plane) { return fmt::format("{} {}", name, name_of(plane)); }
+Message quantity_of(std::string_view name, Plane plane) {
+  return messages::quantity_of_plane(EffectLabel{std::string(name)}, name_of(plane));
+}
 
 std::string amount_text(double value, double sigma, std::string_view unit) {
   const std::string of_sigma = std::isfinite(sigma) ? fmt::format(" ± {:.{}f}", sigma, decimals_in(unit)) : "";
@@ -119,20 +122,18 @@ std::string amount_text(double value, double sigma, std::string_view unit) {
 }
 
 EventTexts texts_of(const AllSeries& all, const Event& event) {
+  const std::string from = day_text(event.from_s), to = day_text(event.to_s);
+  const auto bar = [](const std::string& name) {
+    return name.empty() ? MessageValue(messages::bar_unnamed()) : MessageValue(name);
+  };
   switch (event.kind) {
     case FindingKind::instrument:
-      return {
-          fmt::format("The scales of all axes stepped alike, by {}, when the bar changed from {} to {} {}. Nothing "
-                      "else changed. The cause is the instrument, not the machine.",
-                      scale_text(all, event), event.bar_before.empty() ? "one unnamed" : event.bar_before,
-                      event.bar_after.empty() ? "one unnamed" : event.bar_after, between(event)),
-          "Do not adjust the machine. Calibrate both bars on one calibrator and correct the scales by the difference."};
+      return {messages::bar_changed(scale_text(all, event), bar(event.bar_before), bar(event.bar_after), from, to),
+              messages::bar_changed_do()};
     case FindingKind::replaced_part:
-      return {fmt::format("Errors of {} decreased together {}: {}. A part of that axis was replaced or adjusted.",
-                          letter_of(*event.axis), between(event), list_of(all, event, " ", true)),
-              fmt::format(
-                  "Record the repair and check the pitch compensation of {}. Later tests show the machine's new state.",
-                  letter_of(*event.axis))};
+      return {messages::part_replaced(letter_of(*event.axis), from, to,
+                                      list_of(all, event, messages::quantity_amount, true)),
+              messages::part_replaced_do(letter_of(*event.axis))};
     case FindingKind::trend:
       return trend_texts(all, event);
     case FindingKind::season:

@@ -3,12 +3,13 @@
 
 #include <string>
 
+#include "ballbar/message.hpp"
 #include "history/events.hpp"
 
 namespace ballbar {
 
 struct EventTexts {
-  std::string sentence, remedy;
+  Paragraph sentence, remedy;
 };
 
 EventTexts texts_of(const AllSeries& all, const Event& event);
@@ -16,7 +17,7 @@ EventTexts texts_of(const AllSeries& all, const Event& event);
 std::string day_text(double time_s);  // "2025-09-04"
 
 // "squareness XY", "5.0 ± 0.2 um".
-std::string label_of(std::string_view name, Plane plane);
+Message quantity_of(std::string_view name, Plane plane);
 std::string amount_text(double value, double sigma, std::string_view unit);
 
 }  // namespace ballbar

@@ -8,6 +8,7 @@
 #include <limits>
 #include <tuple>
 
+#include "ballbar/message_catalogue.hpp"
 #include "history/event_texts.hpp"
 
 namespace ballbar {
@@ -74,17 +75,18 @@ std::string_view name_of(Need need) {
 void say_need(MachineHistory& machine) {
   if (const ToleranceOutlook* worst = farthest_beyond(machine)) {
     machine.need = Need::beyond;
-    machine.reason =
-        fmt::format("{} is {}, beyond its tolerance of {:g} {}.", label_of(worst->name, worst->plane),
-                    amount_text(worst->level, worst->level_sigma, worst->unit), *worst->date.limit, worst->unit);
+    machine.reason = messages::need_beyond(quantity_of(worst->name, worst->plane),
+                                           amount_text(worst->level, worst->level_sigma, worst->unit),
+                                           fmt::format("{:g}", *worst->date.limit), worst->unit);
     return;
   }
   if (const ToleranceOutlook* first = soonest(machine)) {
     machine.need = Need::expected;
+    const MessageValue latest =
+        first->date.latest_s ? MessageValue(day_text(*first->date.latest_s)) : MessageValue(messages::open());
     machine.reason =
-        fmt::format("{} reaches its tolerance of {:g} {} on {} ({} to {}) if the trend continues.",
-                    label_of(first->name, first->plane), *first->date.limit, first->unit, day_text(*first->date.at_s),
-                    day_text(*first->date.earliest_s), first->date.latest_s ? day_text(*first->date.latest_s) : "open");
+        messages::need_expected(quantity_of(first->name, first->plane), fmt::format("{:g}", *first->date.limit),
+                                first->unit, day_text(*first->date.at_s), day_text(*first->date.earliest_s), latest);
     return;
   }
   if (!machine.findings.empty()) {
@@ -98,12 +100,10 @@ void say_need(MachineHistory& machine) {
   machine.need = Need::nothing;
   for (const ToleranceOutlook& one : machine.tolerances) {
     if (!one.last_alone) continue;
-    machine.reason = fmt::format("{} of the last test is beyond its tolerance, earlier ones are not. Measure again.",
-                                 label_of(one.name, one.plane));
+    machine.reason = messages::need_last_alone(quantity_of(one.name, one.plane));
     return;
   }
-  machine.reason =
-      machine.judged == 0 ? "There are too few tests to show a step or a trend." : "No significant change.";
+  machine.reason = machine.judged == 0 ? messages::need_too_few_tests() : messages::need_nothing();
 }
 
 void rank(std::vector<MachineHistory>& machines) {

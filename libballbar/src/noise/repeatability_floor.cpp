@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ballbar/internal/series/speed_steps.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/noise/noise.hpp"
 #include "ballbar/units.hpp"
 #include "noise/linear_filter.hpp"
@@ -94,7 +95,7 @@ std::optional<Floor> of_repeats(const std::vector<Stretch>& stretches, double la
   }
   if (repeats.pairs == 0) return std::nullopt;
   return Floor{std::sqrt(repeats.squares / repeats.variances),
-               repeats.pairs == 1 ? "a pair of repeats" : fmt::format("{} pairs of repeats", repeats.pairs)};
+               repeats.pairs == 1 ? messages::noise_of_a_repeat() : messages::noise_of_repeats(repeats.pairs)};
 }
 
 std::optional<Floor> of_standstill(const std::vector<SpeedStep>& steps, double largest_rpm,
@@ -112,10 +113,10 @@ std::optional<Floor> of_standstill(const std::vector<SpeedStep>& steps, double l
     }
   }
   if (end == 0) return std::nullopt;
-  return Floor{
-      std::sqrt(squares_about_line(time_s.subspan(begin, end - begin), target_um.subspan(begin, end - begin)) /
-                degrees_about_line(end - begin)),
-      fmt::format("standstill from {:.0f} to {:.0f} min", min_from_s(time_s[begin]), min_from_s(time_s[end - 1]))};
+  return Floor{std::sqrt(squares_about_line(time_s.subspan(begin, end - begin), target_um.subspan(begin, end - begin)) /
+                         degrees_about_line(end - begin)),
+               messages::noise_of_standstill(fmt::format("{:.0f}", min_from_s(time_s[begin])),
+                                             fmt::format("{:.0f}", min_from_s(time_s[end - 1])))};
 }
 
 std::optional<Floor> of_innovations(const Noise& noise, std::span<const double> time_s,
@@ -126,7 +127,7 @@ std::optional<Floor> of_innovations(const Noise& noise, std::span<const double> 
   filter.for_each_gain(variances_of(noise), [&](const FilterGain& of, Eigen::Index rows) {
     variances += static_cast<double>(rows) / of.weight;
   });
-  return Floor{std::sqrt(variances / static_cast<double>(time_s.size())), "error of predicting the next reading"};
+  return Floor{std::sqrt(variances / static_cast<double>(time_s.size())), messages::noise_of_prediction()};
 }
 
 }  // namespace
@@ -160,7 +161,7 @@ Floor floor_of(std::span<const double> time_s, std::span<const double> target_um
   }
   if (!floor) floor = of_innovations(residual_noise, time_s, sigma_um);
   const double stated_um = std::sqrt(stated_um2);
-  if (stated_um > 0.0 && (!floor || floor->rms_um <= stated_um)) return {stated_um, "sigma of the circle fits"};
+  if (stated_um > 0.0 && (!floor || floor->rms_um <= stated_um)) return {stated_um, messages::noise_of_circles()};
   return floor.value_or(Floor{});
 }
 

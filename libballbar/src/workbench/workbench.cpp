@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "ballbar/message_catalogue.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/start_values.hpp"
 #include "model/measured_input.hpp"
@@ -28,10 +29,7 @@ ResidualReport report_of(Fit fit, const Model& model, const Series& data) {
   for (const std::string& name : measured_inputs_with_gaps(model, data)) {
     const auto& values = find_column(data, name)->values;
     const auto known = std::count_if(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-    report.fit.remarks.push_back(fmt::format(
-        "{} is an input measured at {} of {} times: between them it is a straight line, outside them the nearest "
-        "value.",
-        name, known, values.size()));
+    report.fit.remarks.emplace_back(messages::fit_measured_input(name, known, values.size()));
   }
   return report;
 }

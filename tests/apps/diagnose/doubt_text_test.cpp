@@ -24,16 +24,16 @@ TEST(DoubtText, of_each_doubt) {
       {Doubt::not_shown, "these readings do not show it"},
       {Doubt::not_significant, "it is not significant beside the other errors of the axes"},
   };
-  for (const auto& [doubt, text] : texts) EXPECT_EQ(text_of(doubt, effect), text);
+  for (const auto& [doubt, text] : texts) EXPECT_EQ(text_of(message_of(doubt, effect)), text);
 }
 
 // Its cycles are recordings.
 TEST(DoubtText, of_an_effect_on_recordings) {
   Candidate candidate;
   candidate.bound.effect = find_effect("squareness", Level::recording);
-  EXPECT_TRUE(doubt_texts(candidate).empty());
+  EXPECT_TRUE(doubts_of(candidate).empty());
   candidate.doubts = {Doubt::weak_evidence, Doubt::gain_differs, Doubt::not_predictive};
-  EXPECT_EQ(doubt_texts(candidate),
+  EXPECT_EQ(texts_of(doubts_of(candidate)),
             (std::vector<std::string>{"the evidence for it is weak", "its gain differs from recording to recording",
                                       "it does not predict left-out recordings better"}));
 }

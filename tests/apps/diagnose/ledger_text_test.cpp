@@ -22,14 +22,14 @@ LedgerRow row(std::size_t revision, std::string change, double rmse_um, double t
 }
 
 TEST(LedgerText, of_the_start) {
-  EXPECT_EQ(sentence_of(row(0, "start", 12.34, 4.0, 140.4), nullptr),
+  EXPECT_EQ(text_of(sentence_of(row(0, "start", 12.34, 4.0, 140.4), nullptr)),
             "The model started with RMSE 12.3 um (4.00 times the noise), left-out cycles 140 um.");
 }
 
 TEST(LedgerText, of_recordings) {
   LedgerRow of_recordings = row(0, "start", 12.34, 4.0, 140.4);
   of_recordings.level = Level::recording;
-  EXPECT_EQ(sentence_of(of_recordings, nullptr),
+  EXPECT_EQ(text_of(sentence_of(of_recordings, nullptr)),
             "The model started with RMSE 12.3 um (4.00 times the noise), left-out recordings 140 um.");
 }
 
@@ -40,7 +40,7 @@ TEST(LedgerText, of_an_addition) {
   after.threshold = 25.0;
   after.still_needed = {"speed_heating(speed_rpm)"};
   EXPECT_EQ(
-      sentence_of(after, &before),
+      text_of(sentence_of(after, &before)),
       "Revision 2 added lagged_expansion(T16_degC). RMSE 12.3 -> 3.10 um (14.0 -> 1.00 times the noise), left-out "
       "cycles 14.0 -> 3.90 um. 2 ln B is 431.2 (threshold 25.0). "
       "speed_heating(speed_rpm) is still needed.");
@@ -53,11 +53,11 @@ TEST(LedgerText, of_an_addition_on_recordings) {
   after.likelihood_ratio = 927.2;
   const std::string begin =
       "Revision 1 added backlash_a. RMSE 0.200 um (1.00 times the noise), left-out recordings 0.300 um.";
-  EXPECT_EQ(sentence_of(after, nullptr), begin + " chi^2 is 927.2.");
+  EXPECT_EQ(text_of(sentence_of(after, nullptr)), begin + " chi^2 is 927.2.");
   after.threshold = 14.3;
-  EXPECT_EQ(sentence_of(after, nullptr), begin + " chi^2 is 927.2 (threshold 14.3).");
+  EXPECT_EQ(text_of(sentence_of(after, nullptr)), begin + " chi^2 is 927.2 (threshold 14.3).");
   after.threshold = 20.0;
-  EXPECT_EQ(sentence_of(after, nullptr), begin + " 2 ln B is 927.2 (threshold 20.0).");
+  EXPECT_EQ(text_of(sentence_of(after, nullptr)), begin + " 2 ln B is 927.2 (threshold 20.0).");
 }
 
 TEST(LedgerText, of_effects_taken_out) {
@@ -65,7 +65,7 @@ TEST(LedgerText, of_effects_taken_out) {
   LedgerRow after = row(2, "+ gradient_bending(T3_degC, T16_degC), - step, - settling", 0.25, LedgerRow::kUnknown,
                         LedgerRow::kUnknown);
   after.no_longer_needed = {"linear_drift", "day_cycle"};
-  EXPECT_EQ(sentence_of(after, &before),
+  EXPECT_EQ(text_of(sentence_of(after, &before)),
             "Revision 2 added gradient_bending(T3_degC, T16_degC) and took out step, settling. RMSE 0.500 -> 0.250 um. "
             "linear_drift, day_cycle are no longer needed.");
 }
@@ -76,11 +76,11 @@ TEST(LedgerText, after_a_row_of_other_data) {
   const LedgerRow after = row(1, "+ step", 3.1, 1.0, 3.9);
   before.data = {"other.csv"};
   const std::string alone = "Revision 1 added step. RMSE 3.10 um (1.00 times the noise), left-out cycles 3.90 um.";
-  EXPECT_EQ(sentence_of(after, &before), alone);
-  EXPECT_EQ(sentence_of(after, nullptr), alone);
+  EXPECT_EQ(text_of(sentence_of(after, &before)), alone);
+  EXPECT_EQ(text_of(sentence_of(after, nullptr)), alone);
   before.data = after.data;
   before.target = "x_um";
-  EXPECT_EQ(sentence_of(after, &before), alone);
+  EXPECT_EQ(text_of(sentence_of(after, &before)), alone);
 }
 
 }  // namespace

@@ -12,19 +12,19 @@ using Texts = std::vector<std::string>;
 TEST(tolerance_check, circularity_passes_up_to_the_tolerance) {
   const ToleranceCheck on_it{6.0, 6.0, {}, {}};
   EXPECT_EQ(passes(on_it), true);
-  EXPECT_EQ(tolerance_texts(on_it),
+  EXPECT_EQ(texts_of(tolerance_lines(on_it)),
             Texts{"circularity 6.0 um: passes the tolerance of 6 um (largest less smallest reading about the fitted "
                   "centre)"});
   // With one decimal it would be the tolerance.
   const ToleranceCheck beyond{6.0, 6.004, "run 1", {}};
   EXPECT_EQ(passes(beyond), false);
-  EXPECT_EQ(tolerance_texts(beyond),
+  EXPECT_EQ(texts_of(tolerance_lines(beyond)),
             Texts{"circularity 6.004 um, stored: fails the tolerance of 6 um (AF_CIRCULARITY of run 1)"});
 }
 
 TEST(tolerance_check, without_a_tolerance_or_a_circularity_nothing_passes) {
   EXPECT_FALSE(passes(ToleranceCheck{{}, 6.0, {}, {}}));
-  EXPECT_TRUE(tolerance_texts(ToleranceCheck{{}, 6.0, {}, {}}).empty());
+  EXPECT_TRUE(tolerance_lines(ToleranceCheck{{}, 6.0, {}, {}}).empty());
   EXPECT_FALSE(passes(ToleranceCheck{6.0, {}, {}, {}}));
 }
 
@@ -41,7 +41,7 @@ TEST(tolerance_check, a_limit_in_the_file_fails_but_a_warning_does_not) {
   file.stored[1].valid = true;
   check.limits = limit_checks(file);
   EXPECT_EQ(passes(check), false);
-  const Texts texts = tolerance_texts(check);
+  const Texts texts = texts_of(tolerance_lines(check));
   EXPECT_EQ(Texts(texts.begin() + 1, texts.end()),
             (Texts{"AF_SQUARENESS 25 um/m, stored (A 1): is beyond the warning limit in the file",
                    "AF_BACKLASH_A_POS 9 um, stored (A 1): fails the limit in the file",

@@ -16,7 +16,7 @@ History small_plant() {
   machine.name = "mill-01";
   machine.tests = 3;
   machine.need = Need::finding;
-  machine.reason = "One quantity stepped.";
+  machine.reason = as_it_is("One quantity stepped.");
   machine.reason_finding = 0;
   QuantityHistory series;
   series.name = "play";
@@ -36,7 +36,7 @@ History small_plant() {
   step.p_value = 1e-6;
   step.q_value = 1e-4;
   step.sentence = machine.reason;
-  step.remedy = "Adjust it.";
+  step.remedy = as_it_is("Adjust it.");
   machine.findings.push_back(step);
   history.machines.push_back(machine);
   MachineHistory other;

@@ -18,6 +18,8 @@ Detectability untestable(Testability testability, Deficiency deficiency = {}, co
   return one;
 }
 
+std::string reason_text(const Detectability& untestable) { return text_of(reason_of(untestable)); }
+
 TEST(TestabilityText, of_each_reason) {
   EXPECT_EQ(reason_text(untestable(Testability::input_constant)), "its input does not change");
   EXPECT_EQ(reason_text(untestable(Testability::input_constant, {.has_gaps = true})), "its input has gaps");

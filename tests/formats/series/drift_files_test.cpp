@@ -39,7 +39,7 @@ TEST(drift_files, json_has_what_the_method_has) {
   position.z = Estimate{8.5, 0.25};
   position.radius_mm = 100.5;
   position.converged = true;
-  drift.not_cancelled = "The table.";
+  drift.not_cancelled = as_it_is("The table.");
   EXPECT_EQ(
       json_of(drift).dump(),
       R"({"method":"two_arcs","reference_s":0.5,"points":[)"
@@ -87,7 +87,7 @@ MeasuredDrift five_probes() {
                  {0.0, 3.0, kGap, 1.5},
                  {{"probe resolution", {0.0, 0.3, 0.3, 0.3}}, {"probe scatter", {0.0, 0.4, 0.4, 0.4}}}},
                 {"tilt_b", "urad", {0.0, -12.0, 5.0, 6.0}, {}}};
-  drift.remarks = {"y is not known: there is neither \"Y1\" nor Y2."};
+  drift.remarks = {as_it_is("y is not known: there is neither \"Y1\" nor Y2.")};
   return drift;
 }
 
@@ -143,7 +143,7 @@ TEST(drift_files, json_of_five_probes) {
   EXPECT_EQ(json["steps"][0]["to_s"], 1800.0);
   EXPECT_EQ(json["steps"][1]["speed_rpm"], 8000.0);
   EXPECT_EQ(json["steps"][1]["ranges"]["tilt_b"]["total_urad"], 1.0);
-  EXPECT_EQ(json["remarks"][0], five_probes().remarks[0]);
+  EXPECT_EQ(json["remarks"][0], text_of(five_probes().remarks[0]));
 }
 
 TEST(drift_files, other_endings_are_refused) {

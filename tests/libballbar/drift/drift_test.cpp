@@ -217,7 +217,7 @@ TEST(Drift, ThePlaneOfOneTestHasNone) {
   EXPECT_FALSE(series.points[1].z.has_value());
   EXPECT_FALSE(series.points[1].x.has_value());
   expect_estimate(series.points[2].x, 8.0, 1e-2);
-  EXPECT_NE(series.not_cancelled.find("One test alone, and so no drift: ZX."), std::string::npos);
+  EXPECT_NE(text_of(series.not_cancelled).find("One test alone, and so no drift: ZX."), std::string::npos);
   session.tests.resize(2);
   EXPECT_THROW(drift_of(session), Error) << "one of XY, one of ZX";
   session.tests.resize(1);

@@ -101,7 +101,7 @@ TEST(five_point, tilts_with_their_signs) {
     EXPECT_NEAR(value(found, "tilt_a", 1), -100.0, kRounding);
     EXPECT_NEAR(value(found, "tilt_a", 2), -1e3 * 5.0 / 60.0, kRounding);
     EXPECT_EQ(names(found), (Texts{"x_um", "y_um", "z_um", "tilt_a_urad", "tilt_b_urad"}));
-    EXPECT_EQ(found.drift.remarks, Texts{kFewRows});
+    EXPECT_EQ(texts_of(found.drift.remarks), Texts{kFewRows});
   }
 }
 
@@ -152,7 +152,7 @@ TEST(five_point, without_the_spacing_the_difference_stands_for_the_tilt) {
   EXPECT_NEAR(value(found, "x", 1), 2.0, kRounding);
   EXPECT_NEAR(value(found, "y2_minus_y1", 1), 6.0, kRounding);
   EXPECT_NEAR(value(found, "x2_minus_x1", 1), 3.0, kRounding);
-  EXPECT_EQ(found.drift.remarks,
+  EXPECT_EQ(texts_of(found.drift.remarks),
             (Texts{"Tilt A is not known: the spacing of the probes' planes is not stated (spacing_mm under "
                    "[five_probe]); the difference Y2 - Y1 stands in its place.",
                    "Tilt B is not known: the spacing of the probes' planes is not stated (spacing_mm under "
@@ -186,7 +186,7 @@ TEST(five_point, one_probe_missing) {
   for (const auto& [missing, axes, remarks] : cases) {
     const FivePoint found = five_point(without(probes(), {missing}), at(20.0));
     EXPECT_EQ(names(found), axes) << missing;
-    EXPECT_EQ(found.drift.remarks, remarks) << missing;
+    EXPECT_EQ(texts_of(found.drift.remarks), remarks) << missing;
   }
 }
 
@@ -195,7 +195,7 @@ TEST(five_point, one_probe_of_a_pair_in_its_own_plane) {
   const FivePoint plane_1 = five_point(without(probes(), {"X2_um", "Y2_um"}));
   EXPECT_NEAR(value(plane_1, "x", 1), 2.0, kRounding);
   EXPECT_NEAR(value(plane_1, "y", 1), -1.0, kRounding);
-  EXPECT_EQ(plane_1.drift.remarks,
+  EXPECT_EQ(texts_of(plane_1.drift.remarks),
             (Texts{"Tilt A is not known: there is no Y2.", "Tilt B is not known: there is no X2.", kFewRows}));
   const FivePoint plane_2 = five_point(without(probes(), {"X1_um", "Y1_um"}), at(60.0));
   EXPECT_NEAR(value(plane_2, "x", 1), 5.0, kRounding);
@@ -209,7 +209,7 @@ TEST(five_point, only_x2) {
   EXPECT_NEAR(value(found, "x", 1), 5.0, kRounding);
   const Texts others = {"y is not known: there is neither Y1 nor Y2.", "z is not known: there is no Z.",
                         "Tilt A is not known: there is no Y1.", "Tilt B is not known: there is no X1.", kFewRows};
-  EXPECT_EQ(found.drift.remarks, others);
+  EXPECT_EQ(texts_of(found.drift.remarks), others);
 
   series.five_probe.reset();
   found = five_point(series);
@@ -222,21 +222,21 @@ TEST(five_point, only_x2) {
       "The uncertainty does not include the probes' resolution (resolution_um) and linearity (linearity_percent), "
       "which "
       "[five_probe] does not state.");
-  EXPECT_EQ(found.drift.remarks, remarks);
+  EXPECT_EQ(texts_of(found.drift.remarks), remarks);
 }
 
 TEST(five_point, what_the_file_does_not_state_is_said) {
   Series series = probes();
   series.five_probe->linearity_percent.reset();
   EXPECT_EQ(
-      five_point(series).drift.remarks,
+      texts_of(five_point(series).drift.remarks),
       (Texts{kFewRows,
              "The uncertainty does not include the probes' linearity (linearity_percent), which [five_probe] does "
              "not state."}));
   series = probes();
   series.five_probe->resolution_um.reset();
   EXPECT_EQ(
-      five_point(series).drift.remarks,
+      texts_of(five_point(series).drift.remarks),
       (Texts{kFewRows,
              "The uncertainty does not include the probes' resolution (resolution_um), which [five_probe] does not "
              "state."}));
@@ -345,8 +345,9 @@ TEST(five_point, place_of_the_ball_in_a_plane_of_the_probes) {
   options.from_plane_1_mm = 0.0;
   const FivePoint found = five_point(without(probes(), {"X2_um"}), options);
   EXPECT_TRUE(std::isnan(sigma(found, "x", "place of the ball", 1)));
-  EXPECT_EQ(found.drift.remarks, (Texts{"The place of the ball is not in the uncertainty of x: tilt B is not known.",
-                                        "Tilt B is not known: there is no X2.", kFewRows}));
+  EXPECT_EQ(texts_of(found.drift.remarks),
+            (Texts{"The place of the ball is not in the uncertainty of x: tilt B is not known.",
+                   "Tilt B is not known: there is no X2.", kFewRows}));
 }
 
 Series one_probe(std::vector<double> time_s, std::vector<double> z_um) {
@@ -369,11 +370,12 @@ TEST(five_point, scatter_by_hand) {
   EXPECT_FALSE(five_point(one_probe({0, 1, 2, 3, 4}, {0, 3, 0, 3, 0})).scatter_um[4].has_value()) << "3 neighbours";
   const FivePoint gap = five_point(one_probe({0, 1, 2, 3, 4, 5, 6, 7, 8}, {0, 3, 0, 3, kGap, 3, 0, 3, 0}));
   EXPECT_NEAR(gap.scatter_um[4].value(), std::sqrt(6.0), kRounding) << "4 neighbours without the gap";
-  EXPECT_EQ(gap.drift.remarks.back().find("scatter"), std::string::npos);
+  EXPECT_EQ(text_of(gap.drift.remarks.back()).find("scatter"), std::string::npos);
   const FivePoint gaps = five_point(one_probe({0, 1, 2, 3, 4, 5}, {0, 3, 0, kGap, 0, 3}));
   const std::string few =
       "The scatter of Z is not in the uncertainty: gaps leave fewer than 4 readings between two others.";
-  EXPECT_EQ(std::count(gaps.drift.remarks.begin(), gaps.drift.remarks.end(), few), 1);
+  const Texts remarks = texts_of(gaps.drift.remarks);
+  EXPECT_EQ(std::count(remarks.begin(), remarks.end(), few), 1);
   const FivePoint line = five_point(one_probe({0, 1, 4, 5, 8, 9}, {0, 2, 8, 10, 16, 18}));
   EXPECT_EQ(line.scatter_um[4].value(), 0.0) << "drift along a straight line is none";
 }

@@ -110,8 +110,9 @@ TEST(measured_drift, growth_that_is_not_stated_is_said) {
   Session silent = session(Method::spindle_rotation);
   silent.bar_expansion_ppm_per_K.reset();
   MeasuredDrift drift = measured(rotation_series(), silent);
-  EXPECT_EQ(drift.remarks, Texts{"The bar's thermal growth is not in the uncertainty: the session does not state its "
-                                 "expansion (expansion_ppm_per_K under [bar])."});
+  EXPECT_EQ(texts_of(drift.remarks),
+            Texts{"The bar's thermal growth is not in the uncertainty: the session does not state its "
+                  "expansion (expansion_ppm_per_K under [bar])."});
   EXPECT_EQ(contribution(drift, "axial", "bar's thermal growth"), nullptr);
   EXPECT_EQ(contribution(drift, "radial", "bar's thermal growth"), nullptr);
 
@@ -122,7 +123,7 @@ TEST(measured_drift, growth_that_is_not_stated_is_said) {
     Session cold = session(Method::spindle_rotation);
     cold.tests[test].rotation->bar_temperature_degC.reset();
     drift = measured(rotation_series(), cold);
-    EXPECT_EQ(drift.remarks, no_temperature) << "test " << test;
+    EXPECT_EQ(texts_of(drift.remarks), no_temperature) << "test " << test;
     EXPECT_EQ(contribution(drift, "axial", "bar's thermal growth"), nullptr);
   }
 }

@@ -111,7 +111,7 @@ TEST(MeasuredDrift, readings_far_from_their_neighbours_are_set_aside_and_said) {
   const MeasuredDrift drift = since_reference(measured(series, "log"), std::nullopt);
   EXPECT_TRUE(std::isnan(drift.axes[0].value[40]));
   ASSERT_EQ(drift.remarks.size(), 1U);
-  EXPECT_EQ(drift.remarks[0], "Set aside, far from their neighbours: 1 reading of d, at 40 min.");
+  EXPECT_EQ(text_of(drift.remarks[0]), "Set aside, far from their neighbours: 1 reading of d, at 40 min.");
 }
 
 TEST(MeasuredDrift, an_axis_that_ends_before_the_reference_has_the_last_value_before_it) {

@@ -125,7 +125,8 @@ TEST(fit, undetermined_parameters_are_said) {
   EXPECT_EQ(found.parameters[1].state, ParameterState::undetermined);
   EXPECT_TRUE(std::isinf(found.parameters[1].sigma));
   ASSERT_FALSE(found.remarks.empty());
-  EXPECT_EQ(found.remarks.front(), "The data do not determine gain_um_per_krpm_a of speed_heating(speed_rpm).");
+  EXPECT_EQ(text_of(found.remarks.front()),
+            "The data do not determine gain_um_per_krpm_a of speed_heating(speed_rpm).");
 }
 
 TEST(fit, two_effects_that_are_the_same_here_are_undetermined) {
@@ -189,7 +190,7 @@ TEST(fit, robust_discounts_what_lies_apart) {
   EXPECT_EQ(found.discounted[1], 27U);
   EXPECT_NEAR(found.rmse_um, 0.1, 4.0 * 0.1 / std::sqrt(760.0)) << "of the 380 that are kept";
   EXPECT_NEAR(found.n_effective, 380.0, 1e-9);
-  EXPECT_EQ(found.floor.source, "error of predicting the next reading");
+  EXPECT_EQ(text_of(found.floor.source), "error of predicting the next reading");
   EXPECT_NEAR(found.floor.rms_um, found.rmse_um, 0.002);
   EXPECT_TRUE(found.remarks.empty());
 }
@@ -306,7 +307,8 @@ TEST(fit, sigma_of_a_saturated_fit_is_not_known) {
     EXPECT_TRUE(std::isnan(parameter.sigma)) << parameter.name;
   }
   ASSERT_FALSE(found.remarks.empty());
-  EXPECT_EQ(found.remarks[0], "3 values for 2 free parameters leave too little to tell sigma: it is not known.");
+  EXPECT_EQ(text_of(found.remarks[0]),
+            "3 values for 2 free parameters leave too little to tell sigma: it is not known.");
   data.columns.push_back({"z_sigma_um", Role::measured, {0.1, 0.1, 0.1}});
   // var(slope) = 0.01 / sum (T - mean T)^2 = 0.01 / (1.1667^2 + 0.1667^2 + 1.3333^2) = 0.01 / 3.1667
   EXPECT_NEAR(fit(model, data).parameters[1].sigma, std::sqrt(0.01 / (19.0 / 6.0)), 1e-8);
@@ -378,7 +380,7 @@ TEST(fit, too_many_parameters_are_said) {
   const Fit found =
       fit(model_of({term_of("lagged_expansion", {"T_room_degC"}), term_of("lagged_expansion", {"T_body_degC"})}), data);
   bool said = false;
-  for (const std::string& remark : found.remarks) {
+  for (const std::string& remark : texts_of(found.remarks)) {
     said = said || remark == "5 free parameters for 4.0 independent samples (of 4): too many for these data.";
   }
   EXPECT_TRUE(said);

@@ -1,8 +1,9 @@
-// Regimes, where a model fails, whether what is left is noise, and the three sentences.
+// Regimes, where a model fails, and whether what is left is noise.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 
 #include "ballbar/fit/fit.hpp"
@@ -284,64 +285,35 @@ TEST(WhereItFails, does_not_count_what_was_discounted) {
   EXPECT_EQ(whiteness(fit).p, whiteness(fit_with(kept)).p);
 }
 
-// 0.1 um to and fro, and -3 um in 40 of 570 rows: squares 5.7 + 360 of which 360.4 are there, rms sqrt(365.7 / 570);
-// the bias of 40 rows of 0.8 um is known to 0.126 um.
-TEST(Sentences, of_a_model_that_fails) {
+// 0.1 um to and fro, and -3 um in 40 of 570 rows: squares 5.7 + 360 of which 360.4 are there.
+TEST(WorstPlace, of_a_model_that_fails) {
   const std::vector<Regime> regime = regimes(minutes(570), duty());
   std::vector<double> residual(570);
   for (std::size_t i = 0; i < residual.size(); ++i) {
     residual[i] = (i % 2 == 0 ? 0.1 : -0.1) + (regime[i] == Regime::after_change ? -3.0 : 0.0);
   }
-  Fit fit = fit_with(residual, {0.8, 0.0, 0.0, 0.0});
-  fit.floor = {0.1, "standstill from 510 to 569 min"};
-  const Series data = series_with(570, {duty()});
-  const std::vector<std::string> found = sentences(fit, where_it_fails(fit, data), whiteness(fit));
-  ASSERT_EQ(found.size(), 3U);
-  EXPECT_EQ(found[0],
-            "Remaining error 0.801 um RMS, 8.0 times the noise. The noise is 0.1 um (standstill from "
-            "510 to 569 min).");
-  EXPECT_EQ(found[1],
-            "The model fails most after a change of speed: 99 % of the squared error in 7 % of the readings, bias "
-            "-3.00 ± 0.13 um.");
-  EXPECT_EQ(found[2].substr(0, 73), "The residual is not noise (p < 0.000001): something that changes slowly (");
+  const Fit fit = fit_with(residual, {0.8, 0.0, 0.0, 0.0});
+  const std::optional<Misfit> worst = worst_place(fit, where_it_fails(fit, series_with(570, {duty()})));
+  ASSERT_TRUE(worst.has_value());
+  EXPECT_EQ(worst->what, "regime");
+  EXPECT_EQ(worst->from, "after a change of speed");
+  EXPECT_EQ(worst->n, 40U);
+  EXPECT_EQ(residual_nature(fit, whiteness(fit)).kind, ResidualKind::slow_not_noise);
 }
 
-TEST(Sentences, of_a_model_that_is_adequate) {
-  Fit fit = fit_with(white(400, 9));
-  fit.floor = {0.98, "3 pairs of repeats"};
-  fit.rmse_um = 1.0;
-  const std::vector<std::string> found =
-      sentences(fit, where_it_fails(fit, series_with(400, {})), Whiteness{{}, 0.05, 0.42});
-  EXPECT_EQ(found, (std::vector<std::string>{
-                       "Remaining error 1 um RMS, about the noise. The noise is 0.98 um (3 pairs of repeats).",
-                       "The error is spread evenly over the data.", "The residual looks like noise (p = 0.42)."}));
+TEST(WorstPlace, none_of_a_model_that_is_adequate) {
+  const Fit fit = fit_with(white(400, 9));
+  EXPECT_FALSE(worst_place(fit, where_it_fails(fit, series_with(400, {}))).has_value());
+  EXPECT_FALSE(worst_place(fit, {}).has_value());
+  EXPECT_EQ(residual_nature(fit, Whiteness{{}, 0.05, 0.42}).kind, ResidualKind::noise);
 }
 
-TEST(Sentences, of_noise_with_a_memory_and_of_few_readings) {
-  const Fit fit = fit_with(white(400, 9), {0.5, 1.0, 2100.0, 0.0});
-  EXPECT_EQ(sentences(fit, {}, Whiteness{{}, 0.05, 0.42})[2],
-            "The residual changes slowly (about 35 min): slow noise or a missing effect (p = 0.42).");
-  Fit few = fit_with({1.0, -1.0, 1.0, -1.0});
-  const std::vector<std::string> found = sentences(few, {}, whiteness(few));
-  EXPECT_EQ(found[0], "Remaining error 1 um RMS. The noise is not known.");
-  EXPECT_EQ(found[1], "The error is spread evenly over the data.");
-  EXPECT_EQ(found[2], "4 readings are too few to tell whether the residual is random.");
-}
-
-// A group of the time, of a signal and at a value.
-TEST(Sentences, name_the_place) {
-  const Fit fit = fit_with(std::vector<double>(10, 1.0));
-  const auto second = [&](const std::string& what, const std::string& from, const std::string& to) {
-    return sentences(fit, {Misfit{what, from, to, 2, 1.2, 0.31, 3.0, 0.75}}, {})[1];
-  };
-  const std::string rest = ": 75 % of the squared error in 20 % of the readings, bias 1.2 ± 0.3 um.";
-  EXPECT_EQ(second("time", "0 min", "60 min"), "The model fails most from 0 to 60 min" + rest);
-  EXPECT_EQ(second("T_air_degC", "20 degC", "22.5 degC"),
-            "The model fails most where T_air_degC is from 20 to 22.5 degC" + rest);
-  EXPECT_EQ(second("speed_rpm", "0 rpm", "0 rpm"), "The model fails most where speed_rpm is at 0 rpm" + rest);
-  EXPECT_EQ(second("regime", "warming", "warming"), "The model fails most while warming" + rest);
-  EXPECT_EQ(second("regime", "steady", "steady"), "The model fails most at steady speed" + rest);
-  EXPECT_EQ(second("regime", "standstill", "standstill"), "The model fails most at standstill" + rest);
+TEST(ResidualNature, of_slow_noise_and_of_few_readings) {
+  const ResidualNature slow =
+      residual_nature(fit_with(white(400, 9), {0.5, 1.0, 2100.0, 0.0}), Whiteness{{}, 0.05, 0.42});
+  EXPECT_EQ(slow.kind, ResidualKind::slow);
+  EXPECT_EQ(slow.correlation_time_s, 2100.0);
+  EXPECT_EQ(residual_nature(fit_with({1.0, -1.0, 1.0, -1.0}), {}).kind, ResidualKind::too_few);
 }
 
 }  // namespace

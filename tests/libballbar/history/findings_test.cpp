@@ -105,7 +105,7 @@ TEST(findings, nothing_is_found_where_nothing_is) {
   EXPECT_EQ(history.judged, 20u * 9u * 3u);
   for (const MachineHistory& machine : history.machines) {
     EXPECT_EQ(machine.need, Need::nothing) << machine.name;
-    EXPECT_EQ(machine.reason, "No significant change.");
+    EXPECT_EQ(text_of(machine.reason), "No significant change.");
     EXPECT_EQ(machine.tests, 36u);
   }
 }
@@ -154,7 +154,7 @@ TEST(findings, what_steps_at_one_date_is_one_event) {
   EXPECT_TRUE(holds(names, "squareness") && holds(names, "straightness_b") && holds(names, "backlash_a_pos"));
   EXPECT_NEAR((step.from_s - 1579046400) / kYear_s, 20.0 / 12.0, 0.01);
   EXPECT_NEAR((step.to_s - 1579046400) / kYear_s, 21.0 / 12.0, 0.01);
-  EXPECT_NE(step.sentence.find("collision"), std::string::npos) << step.sentence;
+  EXPECT_NE(text_of(step.sentence).find("collision"), std::string::npos) << text_of(step.sentence);
 }
 
 TEST(findings, three_tests_after_a_step_are_enough) {
@@ -189,7 +189,7 @@ TEST(findings, a_season_is_neither_wear_nor_a_step) {
   EXPECT_EQ(season.kind, FindingKind::season);
   EXPECT_EQ(season.quantities.size(), 3u);
   // A quarter of a year after 2020-01-15.
-  EXPECT_NE(season.sentence.find("highest in April"), std::string::npos) << season.sentence;
+  EXPECT_NE(text_of(season.sentence).find("highest in April"), std::string::npos) << text_of(season.sentence);
 }
 
 TEST(findings, errors_of_one_axis_that_go_together_are_a_new_part) {
@@ -221,7 +221,7 @@ TEST(findings, scales_that_step_with_the_bar_are_the_instrument) {
   ASSERT_EQ(history.machines.front().findings.size(), 1u);
   const Finding& found = history.machines.front().findings[0];
   EXPECT_EQ(found.kind, FindingKind::instrument);
-  EXPECT_NE(found.sentence.find("from B1 to B2"), std::string::npos) << found.sentence;
+  EXPECT_NE(text_of(found.sentence).find("from B1 to B2"), std::string::npos) << text_of(found.sentence);
   ASSERT_EQ(history.bar_changes.size(), 1u);
   // 1.2 um over 100 mm.
   EXPECT_NEAR(history.bar_changes[0].size_ppm, 12.0, 5.0 * history.bar_changes[0].sigma_ppm);
@@ -269,7 +269,7 @@ TEST(findings, ranks_by_what_is_needed) {
   for (std::size_t i = 0; i < 5; ++i) order.push_back(history.machines[i].name);
   EXPECT_EQ(order, (std::vector<std::string>{"beyond", "soon", "later", "stepped", "plain-0"}));
   EXPECT_EQ(history.machines[0].need, Need::beyond);
-  EXPECT_NE(history.machines[0].reason.find("beyond its tolerance of 5 um"), std::string::npos);
+  EXPECT_NE(text_of(history.machines[0].reason).find("beyond its tolerance of 5 um"), std::string::npos);
 }
 
 TEST(findings, the_order_of_the_tests_is_nothing) {
@@ -284,7 +284,7 @@ TEST(findings, the_order_of_the_tests_is_nothing) {
   ASSERT_EQ(one.machines.size(), other.machines.size());
   for (std::size_t i = 0; i < one.machines.size(); ++i) {
     EXPECT_EQ(one.machines[i].name, other.machines[i].name);
-    EXPECT_EQ(one.machines[i].reason, other.machines[i].reason);
+    EXPECT_EQ(text_of(one.machines[i].reason), text_of(other.machines[i].reason));
   }
 }
 
@@ -304,7 +304,7 @@ TEST(findings, takes_stored_values_two_tests_a_day_and_few_tests) {
   EXPECT_EQ(history.found, 0u);
   EXPECT_EQ(history.without_date.size(), 1u);
   EXPECT_EQ(machine_called(history, "twice").tests, 48u);
-  EXPECT_EQ(machine_called(history, "one").reason, "There are too few tests to show a step or a trend.");
+  EXPECT_EQ(text_of(machine_called(history, "one").reason), "There are too few tests to show a step or a trend.");
 }
 
 // Three machines tell no scatter of a quantity: the line of each is held against the sigmas of its fits, 0.1 um.

@@ -128,7 +128,8 @@ TEST(history, a_last_test_alone_beyond_its_tolerance_is_measured_again) {
   const MachineHistory machine = machine_of(tests, {{"play", {}, 3.0}});
   EXPECT_EQ(machine.need, Need::nothing);
   EXPECT_TRUE(machine.tolerances.at(0).last_alone);
-  EXPECT_EQ(machine.reason, "play XY of the last test is beyond its tolerance, earlier ones are not. Measure again.");
+  EXPECT_EQ(text_of(machine.reason),
+            "play XY of the last test is beyond its tolerance, earlier ones are not. Measure again.");
 }
 
 TEST(history, last_is_the_last_test_of_a_day_and_not_its_mean) {

@@ -39,7 +39,7 @@ TEST(Floor, of_repeats) {
   record.run(0.0, 300, 0.0, 20.0);
   record.run(8000.0, 205, 20.0, 20.0);
   const Floor floor = floor_of(record.time_s, record.target_um, {}, record.speed_rpm, kLarge);
-  EXPECT_EQ(floor.source, "a pair of repeats");
+  EXPECT_EQ(text_of(floor.source), "a pair of repeats");
   EXPECT_NEAR(floor.rms_um, 0.3, 0.06);
 }
 
@@ -54,7 +54,7 @@ TEST(Floor, of_repeats_beside_a_slow_drift) {
   for (std::size_t i = second; i < record.target_um.size(); ++i)
     record.target_um[i] += 5.0 * static_cast<double>(i - second) / 200.0;
   const Floor floor = floor_of(record.time_s, record.target_um, {}, record.speed_rpm, kLarge);
-  EXPECT_EQ(floor.source, "a pair of repeats");
+  EXPECT_EQ(text_of(floor.source), "a pair of repeats");
   EXPECT_NEAR(floor.rms_um, 0.3, 0.06);
 }
 
@@ -68,7 +68,7 @@ TEST(Floor, of_a_standstill_where_repeats_differ) {
   record.run(0.0, 300, 0.0, 20.0);
   record.run(8000.0, 200, 40.0, 20.0);
   const Floor floor = floor_of(record.time_s, record.target_um, {}, record.speed_rpm, {0.4, 0.0, 0.0, 0.0});
-  EXPECT_EQ(floor.source, "standstill from 420 to 599 min");
+  EXPECT_EQ(text_of(floor.source), "standstill from 420 to 599 min");
   EXPECT_NEAR(floor.rms_um, 0.3, 0.064);
 }
 
@@ -83,9 +83,10 @@ TEST(Floor, of_the_innovations) {
   const std::vector<double> target(2000, 0.0);
   const Noise noise{1.0, 1.0, 60.0 / std::log(2.0), 0.0};
   const Floor floor = floor_of(time_s, target, {}, {}, noise);
-  EXPECT_EQ(floor.source, "error of predicting the next reading");
+  EXPECT_EQ(text_of(floor.source), "error of predicting the next reading");
   EXPECT_NEAR(floor.rms_um, std::sqrt(1.0 + std::sqrt(0.75)), 1e-3);
-  EXPECT_EQ(floor_of(time_s, target, {}, std::vector<double>(2000, 3000.0), noise).source, floor.source);
+  EXPECT_EQ(text_of(floor_of(time_s, target, {}, std::vector<double>(2000, 3000.0), noise).source),
+            text_of(floor.source));
 }
 
 // sqrt((3^2 + 1^2) / 2) = 2.236; more than the scatter of the residual, or nothing else known.
@@ -97,10 +98,10 @@ TEST(Floor, is_never_below_the_stated_sigma) {
   }
   const std::vector<double> target(40, 0.0);
   const Floor floor = floor_of(time_s, target, sigma, {}, {0.0, 0.0, 0.0, 0.0});
-  EXPECT_EQ(floor.source, "sigma of the circle fits");
+  EXPECT_EQ(text_of(floor.source), "sigma of the circle fits");
   EXPECT_NEAR(floor.rms_um, std::sqrt(5.0), 1e-12);
   const Floor above = floor_of(time_s, target, sigma, {}, {2.0, 0.0, 0.0, 0.0});
-  EXPECT_EQ(above.source, "error of predicting the next reading");
+  EXPECT_EQ(text_of(above.source), "error of predicting the next reading");
   EXPECT_NEAR(above.rms_um, 3.0, 1e-12);
 }
 
@@ -110,7 +111,7 @@ TEST(Floor, of_few_readings_is_the_stated_sigma_alone) {
   for (int i = 0; i < 14; ++i) time_s.push_back(600.0 * i);
   const std::vector<double> target(14, 0.0), sigma(14, 0.02);
   const Floor floor = floor_of(time_s, target, sigma, {}, {9.8, 0.0, 0.0, 0.0});
-  EXPECT_EQ(floor.source, "sigma of the circle fits");
+  EXPECT_EQ(text_of(floor.source), "sigma of the circle fits");
   EXPECT_NEAR(floor.rms_um, 0.02, 1e-12);
 }
 
@@ -118,8 +119,8 @@ TEST(Floor, of_few_readings_is_not_known) {
   const std::vector<double> time_s{0.0, 60.0, 120.0}, target{1.0, 2.0, 3.0};
   const Floor floor = floor_of(time_s, target, {}, {}, {1.0, 0.0, 0.0, 0.0});
   EXPECT_EQ(floor.rms_um, 0.0);
-  EXPECT_EQ(floor.source, "");
-  EXPECT_EQ(floor_of({}, {}, {}, {}, {}).source, "");
+  EXPECT_EQ(text_of(floor.source), "");
+  EXPECT_TRUE(floor_of({}, {}, {}, {}, {}).source.empty());
 }
 
 }  // namespace

@@ -71,8 +71,8 @@ Said said_of(const Diagnosis& found) {
   for (const OwnValue& one : found.own) said.own.push_back({one.effect, one.parameter, one.held, one.fitted, one.p});
   said.p_nothing = found.p_nothing;
   said.p_discrepancy = found.p_discrepancy;
-  said.sentence = sentence_of(found);
-  for (const std::string& reason : reasons_of(found)) said.sentence += " " + reason;
+  said.sentence = text_of(sentence_of(found));
+  for (const std::string& reason : texts_of(reasons_of(found))) said.sentence += " " + reason;
   for (const Candidate& candidate : found.candidates) {
     if (!candidate.in_best_set) continue;
     for (std::size_t k = 0; k < candidate.parameters.size(); ++k) {

@@ -6,7 +6,7 @@ import type { ComparedAxis, ComparePart, Num, Report } from "../report";
 import { clamped, slug, unit_shown, words } from "../drawing/text";
 import { decimals_for, minutes, shown, with_sigma } from "../drawing/theme";
 import { whole_min } from "../drawing/axes";
-import { english, language, named, type Sentence, t } from "../texts/texts";
+import { all_said, english, language, named, said, type Sentence, t } from "../texts/texts";
 
 const number = (axis: ComparedAxis, key: string): Num => {
   const value = axis[key];
@@ -109,11 +109,11 @@ const verdict_of = ({ conclusion, axes }: ComparePart): Sentence => {
 };
 
 const sentences_of = (compare: ComparePart): Sentence[] => [
-  english(compare.conclusion),
+  said(compare.conclusion, compare.conclusion_message),
   t.comparison_series({ which: "A", name: compare.a }),
   t.comparison_series({ which: "B", name: compare.b }),
   t.comparison_explanation,
-  ...compare.remarks.map(english),
+  ...all_said(compare.remarks, compare.remarks_message),
 ];
 
 // Where all agree, the axis that moves most proves it best.
@@ -125,7 +125,7 @@ const most_moved = (axes: readonly [string, ComparedAxis][]): [string, ComparedA
   return [...axes].sort((a, b) => range(b) - range(a))[0];
 };
 
-const next_of = (report: Report): Next => ({ label: t.drift_next, command: report_command(data_files(report).slice(0, 1)) });
+const next_of = (report: Report): Next => ({ label: t.drift_next, command: report_command(data_files(report).slice(0, 1)), action: { action: "find" } });
 
 export const comparison_section = (report: Report): Section[] => {
   const { compare } = report;

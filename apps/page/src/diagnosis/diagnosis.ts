@@ -2,6 +2,7 @@
 import { candidate_table, posterior_table } from "./diagnosis_tables";
 import { candidates_picture } from "./candidates";
 import { coherence_picture } from "./coherence";
+import { next_action_of, next_label } from "./next_action";
 import { ledger_steps, not_known, type Step } from "./steps";
 import type { Next, Picture, Section } from "../picture";
 import { command_of, data_files, model_options } from "../drawing/command";
@@ -13,7 +14,7 @@ import { shown } from "../drawing/theme";
 import { said_of, verdict_of } from "./verdict";
 import { waterfall } from "./waterfall";
 import { with_without_picture } from "./with_without";
-import { english, english_after, named, type Sentence, t } from "../texts/texts";
+import { english, named, said, said_after, type Sentence, t } from "../texts/texts";
 
 const predicted_text = ({ predicted, predicted_by }: Diagnosed): Sentence[] => {
   if (predicted_by) {
@@ -34,22 +35,18 @@ const sentences_of = (found: Diagnosed, checked: Checked | undefined): Sentence[
   return [
     verdict_of(found, checked),
     t.diagnosis_verdict({ verdict: named(t.verdicts, found.verdict) }),
-    ...(found.hint === "" ? [] : [english(found.hint)]),
-    ...(found.next_test_text === "" ? [] : [english_after(t.diagnosis_to_decide, found.next_test_text)]),
+    ...(found.hint === "" ? [] : [said(found.hint, found.hint_message)]),
+    ...(found.next_test_text === "" ? [] : [said_after(t.diagnosis_to_decide, found.next_test_text, found.next_test_text_message)]),
     ...predicted_text(found),
-    ...(reasons ? [t.diagnosis_why, ...found.reasons.map((reason) => english(`– ${reason}`))] : []),
+    ...(reasons ? [t.diagnosis_why, ...found.reasons.map((reason, k) => said_after("–", reason, found.reasons_message?.[k]))] : []),
   ];
 };
 
 // Effects with one reason together, as on the terminal.
 const by_reason = (untestable: Diagnosed["untestable"]): Sentence[] => {
-  const effects_of = new Map<string, string[]>();
-  for (const { effect, why } of untestable) effects_of.set(why, [...(effects_of.get(why) ?? []), effect]);
-  return [...effects_of].map(([why, effects]) => {
-    const said = english(why);
-    if (typeof said !== "string") return english(`${effects.join(", ")}: ${why}`);
-    return `${effects.map((effect) => plain_name(effect, 60)).join(", ")}: ${said}`;
-  });
+  const of_reason = new Map<string, Diagnosed["untestable"]>();
+  for (const one of untestable) of_reason.set(one.why, [...(of_reason.get(one.why) ?? []), one]);
+  return [...of_reason].map(([why, all]) => said_after(`${all.map(({ effect }) => plain_name(effect, 60)).join(", ")}:`, why, all[0]?.why_message));
 };
 
 const lists_of = (found: Diagnosed): NonNullable<Section["lists"]> =>
@@ -141,14 +138,14 @@ const says_of = (found: Diagnosed): number => {
 };
 
 const next_of = (report: Report, found: Diagnosed): Next => {
-  if (found.command !== "") {
-    const tried = found.command.endsWith(" --dry-run");
-    return { label: tried ? t.diagnosis_next_try : t.diagnosis_next_add, text: english(found.hint), command: found.command };
+  const action = next_action_of(found);
+  if (action && action.action !== "plan") {
+    return { label: next_label(action), text: said(found.hint, found.hint_message), command: found.command, action };
   }
   const options = [...model_options(report), "--target", found.target];
   return found.verdict === "nothing"
-    ? { label: t.diagnosis_next_where, command: command_of("check", data_files(report), options) }
-    : { label: t.diagnosis_next_plan, text: english(found.hint), command: command_of("plan", data_files(report), options) };
+    ? { label: t.diagnosis_next_where, command: command_of("check", data_files(report), options), action: report.check ? { action: "show", section: "model" } : null }
+    : { label: t.diagnosis_next_plan, text: said(found.hint, found.hint_message), command: command_of("plan", data_files(report), options), action };
 };
 
 const section_of = (report: Report, found: Diagnosed, checked: Checked | undefined, number: string): Section => {

@@ -6,7 +6,7 @@ import type { LedgerPart, Report } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { waterfall } from "./waterfall";
-import { english, named, t } from "../texts/texts";
+import { named, said, t } from "../texts/texts";
 
 // Figures that only some ledgers have, and what the title says of them: none that no row has, for they only take room.
 interface Figure {
@@ -85,7 +85,7 @@ export const ledger_section = (report: Report): Section[] => {
       id: "ledger",
       heading: t.diagnosis_ledger,
       result: result_of(ledger),
-      sentences: ledger.rows.map((row) => english(row.sentence)),
+      sentences: ledger.rows.map((row) => said(row.sentence, row.message)),
       tables: [table_of(ledger, several)],
       pictures: targets.flatMap((target, k) => pictures_of(ledger, target, several ? `-${k + 1}` : "")),
     },

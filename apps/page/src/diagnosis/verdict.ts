@@ -6,7 +6,7 @@ import { micrometres, plain } from "../drawing/text";
 import type { Bound, Candidate, Checked, Diagnosed, Num } from "../report";
 import { own_text } from "./diagnosis_tables";
 import { rounded, shown } from "../drawing/theme";
-import { english, language, named, type Sentence, sentence_text, t, together } from "../texts/texts";
+import { english, language, named, said, type Sentence, sentence_text, t, together } from "../texts/texts";
 
 const kMost_effects = 4; // effects in a sentence
 const kMost_open = 2; // effects that are open, a sentence each
@@ -68,8 +68,8 @@ export const place_sentence = ({ where, n }: Pick<Checked, "where" | "n">): stri
 const not_used_sentences = (found: Diagnosed): string[] => {
   const target = plain(found.target, 60);
   return [
-    ...found.columns_not_searched.map(({ column, why }) =>
-      t.diagnosis_says_column_not_searched({ column: plain(column, 60), why: sentence_text(english(why)) }),
+    ...found.columns_not_searched.map(({ column, why, why_message }) =>
+      t.diagnosis_says_column_not_searched({ column: plain(column, 60), why: sentence_text(said(why, why_message)) }),
     ),
     ...found.saturated.map(({ column, share }) =>
       t.diagnosis_says_saturated({ column: plain(column, 60), percent: percent_text(share ?? 0) }),

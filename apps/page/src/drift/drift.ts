@@ -9,7 +9,7 @@ import { whole_of } from "./signals";
 import { capital, words } from "../drawing/text";
 import { minutes, shown } from "../drawing/theme";
 import { time_curves, type TimeCurves } from "./time_curves";
-import { english, type Sentence, t } from "../texts/texts";
+import { all_said, said, type Sentence, t } from "../texts/texts";
 
 const kOf_compared = -60; // of a drift that was opened to be compared: its comparison says more
 
@@ -25,7 +25,7 @@ const drift_sentences = (drift: DriftPart, axes: readonly DriftAxis[]): Sentence
     minutes: shown(span_min(axes)),
     reference: shown(minutes(drift.reference_s)),
   }),
-  ...(drift.not_cancelled ? [english(drift.not_cancelled)] : []),
+  ...(drift.not_cancelled ? [said(drift.not_cancelled, drift.not_cancelled_message)] : []),
 ];
 
 const probes_sentences = (probes: ProbesPart, axes: readonly DriftAxis[]): Sentence[] => [
@@ -35,7 +35,7 @@ const probes_sentences = (probes: ProbesPart, axes: readonly DriftAxis[]): Sente
     minutes: shown(span_min(axes)),
     reference: shown(minutes(probes.reference_s)),
   }),
-  ...probes.remarks.map(english),
+  ...all_said(probes.remarks, probes.remarks_message),
 ];
 
 type Head = Omit<TimeCurves, "curves" | "whole_min">;
@@ -62,7 +62,7 @@ const first_of = (report: Report, axes: readonly DriftAxis[], picture: string): 
   picture,
   conclusion: () => ({
     verdict: t.drift_verdict({ each: largest_of_each(axes).map(({ said }) => said).join("; ") }),
-    next: { label: t.drift_next, command: report_command(data_files(report).slice(0, 1)) },
+    next: { label: t.drift_next, command: report_command(data_files(report).slice(0, 1)), action: { action: "find" } },
   }),
 });
 

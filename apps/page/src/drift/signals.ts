@@ -3,7 +3,8 @@ import { extent } from "../drawing/columns";
 import { command_of, data_files, report_command } from "../drawing/command";
 import type { First, Picture, Range, Section } from "../picture";
 import type { Column, Report } from "../report";
-import { clamped, plain, slug, split_name, words } from "../drawing/text";
+import { started_of } from "../report";
+import { capital, clamped, plain, slug, split_name, words } from "../drawing/text";
 import { minutes, rounded, shown } from "../drawing/theme";
 import { named as named_of, t } from "../texts/texts";
 import { time_curves, type TimeCurve, type TimeCurves } from "./time_curves";
@@ -54,6 +55,7 @@ export const signals_section = (report: Report): Section[] => {
       next: {
         label: any_measured ? t.drift_next : t.drift_signals_next,
         command: any_measured ? report_command(data_files(report)) : command_of("could", data_files(report)),
+        action: { action: any_measured ? "find" : "columns" },
       },
     }),
   });
@@ -150,7 +152,7 @@ const in_groups = (curves: readonly TimeCurve[], signals: readonly Signal[], nam
 const by_unit = (report: Report, signals: readonly Signal[], whole_min: Range, head: (unit: string) => Omit<TimeCurves, "unit" | "curves" | "whole_min">): Picture[] =>
   [...new Set(signals.map(({ column }) => column.unit))].map((unit) => {
     const of = signals.filter(({ column }) => column.unit === unit);
-    return time_curves({ ...head(unit), unit, curves: in_groups(curves_of(of), of, named_columns(report)), whole_min });
+    return time_curves({ ...head(unit), unit, curves: in_groups(curves_of(of), of, named_columns(report)), whole_min, started: started_of(report) });
   });
 
 // Of all that a page has over time outside of a model, so that its pictures stand below one another.
@@ -174,7 +176,7 @@ const signals_of = (report: Report): Signal[] => {
 const measured_pictures = (report: Report, signals: readonly Signal[], whole_min: Range): Picture[] =>
   by_unit(report, signals.filter(measured), whole_min, (unit) => ({
     name: unit === "um" ? "measured" : `measured-${slug(unit)}`,
-    title: unit === "um" ? t.drift_measured_displacements : t.drift_measured_in({ unit: clamped(unit, 20) }),
+    title: unit === "um" ? t.drift_measured_displacements : unit === "" ? capital(t.measured) : t.drift_measured_in({ unit: clamped(unit, 20) }),
     caption: t.drift_measured_caption,
     quantity: unit === "um" ? t.drift_quantity_displacement : t.measured,
     height_px: 360,

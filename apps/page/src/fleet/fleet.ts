@@ -5,9 +5,9 @@ import { command_of } from "../drawing/command";
 import type { Next, Section } from "../picture";
 import type { FleetMachine, Report } from "../report";
 import { plain } from "../drawing/text";
-import { english, named, t, with_decimal_sign } from "../texts/texts";
+import { all_said, named, said, t, with_decimal_sign } from "../texts/texts";
 
-const next = (): Next => ({ label: t.fleet_next, command: command_of("history", ["."], ["--all"]) });
+const next = (): Next => ({ label: t.fleet_next, command: command_of("history", ["."], ["--all"]), action: null });
 
 const cell = (text: string): string => with_decimal_sign(named(t.fleet_words, text));
 
@@ -25,8 +25,8 @@ const machine_section = (machine: FleetMachine, row: readonly string[], k: numbe
     heading: plain(label, 80),
     result: row_text(row),
     says: Math.max(0, 4 - k),
-    first: drawn ? { picture: name, kind: t.fleet_kind, label: plain(label, 80), conclusion: () => ({ verdict: english(reason), next: next() }) } : undefined,
-    sentences: findings.map(english),
+    first: drawn ? { picture: name, kind: t.fleet_kind, label: plain(label, 80), conclusion: () => ({ verdict: said(reason, machine.reason_message), next: next() }) } : undefined,
+    sentences: all_said(findings, machine.findings_message),
     pictures: drawn ? [history_picture(machine, shown)] : [],
   };
 };

@@ -1,15 +1,15 @@
 // A machine over its tests: a section a group of tests that can be compared, then squareness and scales.
 import { history_picture, type Shown } from "./history_picture";
-import { command_of } from "../drawing/command";
+import { command_of, files_of } from "../drawing/command";
 import type { Next, Section } from "../picture";
 import type { DrawnTest, HistoryGroup, Report } from "../report";
 import { capital, plain } from "../drawing/text";
 import { shown, with_sigma } from "../drawing/theme";
-import { english, named, t, with_decimal_sign } from "../texts/texts";
+import { all_said, english, named, t, with_decimal_sign } from "../texts/texts";
 import { error_name, typed_name, unit_shown } from "../machine_errors/error_names";
 import { quantity_name } from "../change/quantities";
 
-const next = (): Next => ({ label: t.history_next, command: command_of("history", ["."], ["--all"]) });
+const next = (): Next => ({ label: t.history_next, command: command_of("history", ["."], ["--all"]), action: { action: "show", section: "history-1" } });
 
 // The columns of the table: quantity, unit, last, change, sigmas, a year, tolerance, met.
 const quantity_sentence = ({ rows, plane }: HistoryGroup, name: string): string => {
@@ -88,7 +88,7 @@ const tests_section = (tests: readonly DrawnTest[]): Section[] =>
                 with_sigma(test.circularity_um, test.circularity_sigma_um, 2),
                 test.first_to_mend === "" ? t.none : error_name(test.first_to_mend, test.plane),
               ]),
-              acts: { title: t.history_opens_test, commands: tests.map(({ file, second_file }) => command_of("errors", [file, second_file].filter((one) => one !== ""))) },
+              acts: { title: t.history_opens_test, actions: tests.map((test) => ({ action: "open", files: files_of(test) })) },
             },
           ],
         },
@@ -96,7 +96,7 @@ const tests_section = (tests: readonly DrawnTest[]): Section[] =>
 
 export const history_sections = ({ history }: Report): Section[] => {
   if (!history) return [];
-  const { groups, geometry, geometry_rows, skipped, tests } = history;
+  const { groups, geometry, geometry_message, geometry_rows, skipped, tests } = history;
   return [
     ...groups.map((group, k) => group_section(group, k, tests)),
     ...tests_section(tests),
@@ -106,7 +106,7 @@ export const history_sections = ({ history }: Report): Section[] => {
             id: "geometry",
             heading: t.history_geometry,
             result: geometry_rows.slice(0, 3).map(([what, value]) => `${table_text(what ?? "")} ${table_text(value ?? "")}`).join(", "),
-            sentences: geometry.map(english),
+            sentences: all_said(geometry, geometry_message),
             tables: [{ title: t.history_geometry, heading: ["", "µm/m", t.history_from], rows: geometry_rows.map((row) => row.map(table_text)) }],
           },
         ]

@@ -5,7 +5,7 @@ import { details_of } from "../elements/elements";
 import { plain } from "../drawing/text";
 import { error_name } from "../machine_errors/error_names";
 import { can_be_typed, type EffectChoice } from "./runs";
-import { english, in_all_languages, named, sentence_text, t } from "../texts/texts";
+import { explained_by, in_all_languages, named, sentence_text, t } from "../texts/texts";
 
 export interface EffectSearchOf {
   catalogue: Catalogue;
@@ -68,7 +68,7 @@ export const effect_search = ({ catalogue, add, beside }: EffectSearchOf): Effec
   const row_of = (entry: CatalogueEntry, choice: EffectChoice): HTMLElement => {
     const shown_name = effect_name(entry.name);
     const name = element("span", { class: "effect-name" }, shown_name);
-    name.title = sentence_text(english(entry.summary));
+    name.title = sentence_text(explained_by(entry.level, entry.name, "summary", entry.summary));
     const program = element("bdi", { class: "program" }, entry.name);
     const columns = columns_chosen(entry, choice);
     const needs = in_words(entry);

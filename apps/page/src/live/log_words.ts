@@ -1,7 +1,7 @@
 // Options of the program for an ambiguous log, one word each, such as "--role=T3=ambient". They follow the data in
 // every command on that log.
 
-const kOptions = ["sheet", "time", "time-unit", "every", "unit", "role", "scale", "leave-out", "missing", "skip-bad-rows", "delimiter", "decimal", "dates", "max-gap"];
+const kOptions = ["sheet", "header-line", "radius", "time", "time-unit", "every", "unit", "role", "scale", "leave-out", "missing", "skip-bad-rows", "delimiter", "decimal", "dates", "max-gap"];
 
 export type LogWords = readonly string[];
 
@@ -49,19 +49,6 @@ export const answer_without_advice = <T>(answer: T, key = ""): T => {
     return answer.map((one: unknown) => answer_without_advice(one, key)) as T;
   }
   return Object.fromEntries(Object.entries(answer).map(([name, one]) => [name, answer_without_advice(one as unknown, name)])) as T;
-};
-
-// A column without values for so long that a fit refuses to interpolate; null: the sentence is of something else.
-export interface Gap {
-  column: string;
-  from_min: number;
-  to_min: number;
-  most_min: number; // that is interpolated
-}
-const kGap = /: expected values of (.+) at most ([\d.]+) min apart, found none between (-?[\d.]+) and (-?[\d.]+) min\./;
-export const gap_in = (sentence: string): Gap | null => {
-  const [, column = "", most, from, to] = kGap.exec(sentence) ?? [];
-  return column === "" ? null : { column, from_min: Number(from), to_min: Number(to), most_min: Number(most) };
 };
 
 // The options that it names.

@@ -1,11 +1,11 @@
 // The interactive model: its residual, its effects with sliders, possibly missing effects, undo and redo.
 import { candidate_list, fall_shown, posterior_bars, type Promised } from "./candidates";
+import { next_action_of, next_label, type Proposed } from "../diagnosis/next_action";
 import { effect_search } from "./effect_search";
 import { type ModelState, type Step, type Steps, steps_kept, type Stretch } from "./history_of_steps";
 import { left_out_bar } from "./left_out";
 import { type Catalogue, model_list } from "./model_list";
-import { added_by, type HandChange, Interrupted, type Part, reason, Refused, type Runs, type Subject, words_of, type Work } from "./runs";
-import { gap_in } from "./log_words";
+import { type HandChange, Interrupted, type Part, reason, Refused, type Runs, type Subject, type Work } from "./runs";
 import { two_hypotheses } from "./two_hypotheses";
 import { button, element, select_of } from "../elements/elements";
 import { fit_picture, type Now, slid } from "./fit_picture";
@@ -14,7 +14,9 @@ import { next_test, type NextTestOf } from "./next_test";
 import type { PageState } from "../figure/view";
 import type { Candidate, Checked, Diagnosed, Report } from "../report";
 import { micrometres, plain } from "../drawing/text";
-import { english, language, type Sentence, sentence_text, t } from "../texts/texts";
+import { rmse_shown } from "../drawing/theme";
+import { time_spoken } from "./spoken";
+import { language, said, type Sentence, sentence_text, t } from "../texts/texts";
 import { plain_name } from "../machine_errors/error_names";
 import { verdict_of } from "../diagnosis/verdict";
 import { verdict_of as verdict_of_check } from "../model/model";
@@ -33,7 +35,9 @@ export interface LoopOf {
   put(path: string, bytes: Uint8Array): Promise<void>;
   plan: NextTestOf["plan"];
   steps?: Steps; // of a loop of the same data before this one
-  across(gap_min: number): void; // opens the data again, interpolated over gaps of this length
+  has_unit(target: string): boolean;
+  state_unit(): void; // the dialogue of the columns
+  across(gap_s: number, search: boolean): void; // opens the data again, interpolated over gaps of this length; and searches
   add_figure(figure: Figure): void;
   changed(report: Report, subject: Subject): void; // the page below is to be drawn anew
 }
@@ -53,7 +57,8 @@ export interface Loop {
   leave_out(left_out: readonly Stretch[]): Promise<void>; // the fit without these rows
   undo(): Promise<void>; // of whatever was done last
   redo(): Promise<void>;
-  act(command: string): boolean; // whether it performed the command
+  act(next: Proposed): void;
+  find(target?: string): void; // what is missing
   diagnosed(): Diagnosed | null; // of the model as it is
   to_optimum(): void;
   first_slider(effect: string): ReturnType<ReturnType<typeof model_list>["slider"]>;
@@ -97,27 +102,41 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     sentence.lang = typeof text === "string" ? language : "en";
   };
   // What to do next, where the program proposes a step.
-  const next = button("", "", () => loop.act(found?.command ?? ""));
+  const next = button("", "", () => {
+    const action = found && next_action_of(found);
+    if (action) loop.act(action);
+  });
   next.className = "act";
   next.hidden = true;
   // Where a column has too long a gap to be interpolated.
-  const across = button("", t.live_across_title, () => of.across(gap_min));
+  const across = button("", t.live_across_title, () => of.across(gap_s, wants_search));
   across.className = "act";
   across.hidden = true;
-  let gap_min = 0;
-  const told = (error: unknown): void => {
-    const gap = error instanceof Refused ? gap_in(error.message) : null;
-    say(gap ? t.live_gap({ ...gap, column: plain(gap.column, 60) }) : reason(error));
+  let gap_s = 0;
+  let wants_search = false; // and could not be searched
+  const offer_across = async (): Promise<void> => {
+    const gap = await runs.gap(subject).catch(() => null);
     if (!gap) return;
-    gap_min = Math.ceil(gap.to_min - gap.from_min) + 1; // the sentence has whole minutes
-    across.textContent = t.live_across({ gap_min });
+    gap_s = Math.ceil((gap.to_s ?? 0) - (gap.from_s ?? 0));
+    say(t.live_gap({ column: plain(gap.signal, 60), from: time_spoken(gap.from_s ?? 0), length: time_spoken(gap_s) }));
+    across.textContent = t.live_across({ length: time_spoken(gap_s) });
     across.hidden = false;
+  };
+  // Where the target is of counts or steps, and all sizes are said in um.
+  const no_unit = element("p", { class: "refusal" }, element("span", {}), " ", button(t.live_state_unit, "", () => of.state_unit()));
+  const show_unit = (target: string): void => {
+    no_unit.hidden = target === "" || of.has_unit(target);
+    no_unit.querySelector("span")?.replaceChildren(t.live_no_unit({ column: plain(target, 60) }));
+  };
+  const told = (error: unknown): void => {
+    say(reason(error));
+    if (error instanceof Refused) void offer_across();
   };
   // What the data did not support, and was not kept; or what the model holds all the same.
   const refusal = element("p", { class: "refusal", role: "status" });
   refusal.hidden = true;
-  const refuse = (text: Sentence, effects: readonly string[]): void => {
-    const keep = button(t.live_keep, t.live_keep_title, () => void loop.add(effects, true));
+  const refuse = (text: Sentence, effects: readonly string[], label = t.live_keep, title = t.live_keep_title): void => {
+    const keep = button(label, title, () => void loop.add(effects, true));
     refusal.replaceChildren(element("span", { lang: typeof text === "string" ? language : "en" }, micrometres(sentence_text(text))), " ", keep);
     refusal.hidden = false;
   };
@@ -191,15 +210,31 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const promise = async (all: readonly Promised[]): Promise<void> => {
     const mine = ++promising;
     const of_subject = subject;
+    const known = new Map<string, number>(); // by label
     for (const one of all) {
       if (mine !== promising || of_subject !== subject) return;
       try {
-        one.show(await runs.rmse_with(of_subject, one.effects));
+        const rmse_um = await runs.rmse_with(of_subject, one.effects);
+        one.show(rmse_um);
+        if (one.effects.length === 1) known.set(one.effects[0] ?? "", rmse_um);
       } catch (error) {
         if (error instanceof Interrupted) return;
       }
     }
-    if (mine === promising) all_promised();
+    if (mine !== promising) return;
+    all_promised();
+    show_promised(known);
+  };
+  // In the table of the candidates too.
+  const show_promised = (known: ReadonlyMap<string, number>): void => {
+    if (!report?.diagnose || known.size === 0) return;
+    const with_rmse = (target: Diagnosed): Diagnosed => ({
+      ...target,
+      candidates: target.candidates.map((one) => ({ ...one, rmse_after_um: known.get(one.label) ?? one.rmse_after_um })),
+    });
+    const targets = report.diagnose.targets.map((target) => (target === found ? (found = with_rmse(target)) : target));
+    report = { ...report, diagnose: { targets } };
+    of.changed(report, subject);
   };
   // A search may take minutes. What else runs is soon done, and goes on.
   const stop_search = (): void => {
@@ -266,7 +301,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const all_promised = (): void => {
     all.dataset.promised = "true";
   };
-  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, refusal, sentence, across, next), element("div", { class: "by-hand" }, element("div", {}, place, rows.element), hand), two.element);
+  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, no_unit, refusal, sentence, across, next), element("div", { class: "by-hand" }, element("div", {}, place, rows.element), hand), two.element);
 
   const now = (): Now => ({
     report: report as Report,
@@ -313,10 +348,12 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
 
   const show_diagnosis = (of_it: Diagnosed | undefined): void => {
     found = of_it && of_it.not_diagnosed === undefined ? of_it : null;
-    const effects = found?.command.startsWith("ballbar add ") ? added_by(found.command, subject) : [];
-    next.hidden = effects.length === 0;
-    next.textContent = t.live_add_named({ effects: effects.map((effect) => plain_name(effect, 60)).join(", ") });
-    next.title = effects.join(", ");
+    const action = found && next_action_of(found);
+    next.hidden = !action || action.action === "plan"; // which has a place of its own
+    next.textContent = action ? next_label(action) : "";
+    next.title = action?.effects.join(", ") ?? "";
+    next.dataset.action = action?.action ?? "";
+    next.dataset.rmse = rmse_shown(action?.promised_rmse_um ?? null);
     delete all.dataset.promised;
     ++promising;
     two.offer(found?.candidates ?? []);
@@ -330,10 +367,13 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     plan.show(found);
   };
 
-  const tried = (effect: string): Promise<void> =>
+  // What they would change; the model stays.
+  const tried = (effects: readonly string[]): Promise<void> =>
     attempt(async () => {
-      say(t.live_searching);
-      say(english(await runs.try(subject, effect)));
+      next.disabled = true;
+      const sentence_of_it = await runs.try(subject, effects).finally(() => (next.disabled = false));
+      refuse(sentence_of_it, effects, t.live_add_tried, t.live_add_tried_title);
+      next.hidden = true;
     });
 
   // One change after the other: of two at once the second would stop the first between the file and its fit.
@@ -358,6 +398,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     report = next;
     const checked = of_target(next.check?.targets, subject.target);
     all.classList.toggle("no-model", !checked);
+    show_unit(checked?.target ?? subject.target);
     all.classList.toggle("wide", checked !== undefined);
     asked.hidden = checked !== undefined;
     if (checked && checked !== fitted) {
@@ -368,9 +409,9 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       figure_now(checked);
       draw();
       show_rows();
-      if (sentence.textContent === "") say(verdict_of_check(checked));
     }
     show_diagnosis(of_target(next.diagnose?.targets, subject.target));
+    if (sentence.textContent === "" && fitted) say(found ? verdict_of(found, fitted) : verdict_of_check(fitted));
     update();
     if (same_fit) return;
     two.forget();
@@ -452,6 +493,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     search: () =>
       attempt(async () => {
         const of_subject = subject;
+        wants_search = true;
         candidates.clear();
         posterior.clear();
         search.disabled = true;
@@ -460,6 +502,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
           const began = performance.now();
           const part = await runs.search(subject, (line) => posterior.tell(line));
           took_ms = performance.now() - began;
+          wants_search = false;
           all.dataset.search = "done";
           posterior.clear();
           if (of_subject !== subject) return;
@@ -480,13 +523,13 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         const folder = (subject.data[0] ?? "").replace(/\/[^/]*$/, "");
         const model = subject.model || runs.free_name(folder, "model.toml");
         const was = await step_now();
-        let sentence_of_it = "";
+        let sentence_of_it: Sentence = "";
         try {
           await change_model(
             () => runs.add(subject, effects),
             async () => {
-              const { sentence, kept, ledger } = await runs.revise(subject, model, keep);
-              sentence_of_it = sentence;
+              const { sentence, message, kept, ledger } = await runs.revise(subject, model, keep);
+              sentence_of_it = said(sentence, message);
               if (!kept) throw new Unsupported();
               subject = { ...subject, model };
               return ledger ? { ledger } : {};
@@ -494,29 +537,29 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
           );
         } catch (error) {
           if (!(error instanceof Unsupported)) throw error;
-          return refuse(english(sentence_of_it), effects);
+          return refuse(sentence_of_it, effects);
         }
         steps.record({ ...was, state: { left_out: subject.left_out, text: null, ...was.state, model } });
         update();
         undo.focus({ preventScroll: true }); // the button that was pressed is gone
-        say(english(sentence_of_it));
+        say(sentence_of_it);
       });
     },
     change: (change) =>
       changing(async () => {
         const was = await step_now();
-        let sentence_of_it = "";
+        let sentence_of_it: Sentence = "";
         await change_model(
           () => runs.change(subject, change),
           async () => {
-            const { sentence, ledger } = await runs.revise(subject, subject.model, true);
-            sentence_of_it = sentence;
+            const { sentence, message, ledger } = await runs.revise(subject, subject.model, true);
+            sentence_of_it = said(sentence, message);
             return ledger ? { ledger } : {};
           },
         );
         steps.record(was);
         update();
-        say(english(sentence_of_it));
+        say(sentence_of_it);
       }),
     leave_out: (left_out) =>
       changing(async () => {
@@ -543,18 +586,22 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         if (await steps.redo(put_back)) say(t.live_redone);
         update();
       }),
-    act(command) {
-      const [verb, ...rest] = words_of(command);
-      const effects = added_by(command, subject);
-      const target = rest[rest.indexOf("--target") + 1];
-      if (verb === "add" && effects.length > 0) void (rest.includes("--dry-run") ? tried(effects[0] ?? "") : loop.add(effects));
-      else if (verb === "plan") plan.open();
-      else if (verb === "diagnose" || verb === "errors" || (verb === "report" && rest.includes("--diagnose"))) {
-        if (rest.includes("--target") && target !== undefined && targets.includes(target)) subject = { ...subject, target };
-        target_choice.value = subject.target;
-        void loop.search();
-      } else return false;
-      return true;
+    act({ action, effects, parameters }) {
+      switch (action) {
+        case "add":
+          return void loop.add(effects, true);
+        case "try":
+          return void tried(effects);
+        case "free":
+          return void loop.change({ freed: parameters.map(({ effect, parameter, start }) => ({ effect, parameter, value: start ?? 0 })) });
+        case "plan":
+          return plan.open();
+      }
+    },
+    find(target) {
+      if (target !== undefined && targets.includes(target)) subject = { ...subject, target };
+      target_choice.value = subject.target;
+      void loop.search();
     },
     diagnosed: () => found,
     to_optimum,

@@ -3,7 +3,7 @@ import { chosen_of, type Dropped, dropped_of } from "./files";
 import { button, element, text_in } from "../elements/elements";
 import type { Sample } from "../engine";
 import { plain } from "../drawing/text";
-import { english, t } from "../texts/texts";
+import { named, t } from "../texts/texts";
 
 const kName = "ballbar";
 
@@ -45,7 +45,7 @@ export const start_of = ({ samples, take, sample, tour }: StartOf): HTMLElement 
   );
   const tries = samples.map((one) => {
     const open = button(plain(one.name, 40), "", () => sample(one));
-    return element("li", {}, open, text_in("span", english(one.title)));
+    return element("li", {}, open, text_in("span", named(t.live_sample_titles, one.title)));
   });
   return element(
     "section",

@@ -4,7 +4,7 @@ import { error_name, unit_shown } from "./error_names";
 import { capital } from "../drawing/text";
 import { decimals_for, shown, with_sigma } from "../drawing/theme";
 import type { Leaf } from "../picture";
-import { english, t } from "../texts/texts";
+import { explained_by, type Sentence, t } from "../texts/texts";
 
 // "backlash of X: 3.88 ± 0.17 µm (+), 3.45 ± 0.13 µm (−); correcting it lowers the circularity from 6.7 to 4.8 µm."
 const gain_text = ({ part, recordings }: ErrorTest, effect: string): string => {
@@ -29,17 +29,19 @@ export const error_page = (test: ErrorTest, effect: string): Leaf | null => {
   if (!page) return null;
   const plane = test.recordings[0]?.plane;
   const others = page.confused_with.map((name) => error_name(name, plane)).join(", ");
+  const explained = (key: "summary" | "cause" | "signature" | "separated_by" | "remedy"): Sentence =>
+    page[key] === "" ? "" : explained_by("recording", effect, key, page[key], plane);
   const all = [
     { name: t.errors_here, text: gain_text(test, effect) },
-    { name: t.errors_cause, text: english(page.cause) },
-    { name: t.errors_signature, text: english(page.signature) },
+    { name: t.errors_cause, text: explained("cause") },
+    { name: t.errors_signature, text: explained("signature") },
     { name: t.errors_confused, text: others },
-    { name: t.errors_told_apart, text: english(page.separated_by) },
-    { name: t.errors_remedy_name, text: english(page.remedy) },
+    { name: t.errors_told_apart, text: explained("separated_by") },
+    { name: t.errors_remedy_name, text: explained("remedy") },
   ];
   return {
     title: capital(error_name(effect, plane)),
-    summary: english(page.summary),
+    summary: explained("summary"),
     parts: all.filter(({ text }) => (typeof text === "string" ? text : text.english) !== ""),
   };
 };

@@ -2,7 +2,7 @@
 import { error_tests, type ErrorTest, ranked_errors } from "./error_curves";
 import { error_name, group_name, leading_group, unit_shown } from "./error_names";
 import { error_page } from "./error_page";
-import { circle_table, errors_table, gains_table, stated_table } from "./error_tables";
+import { circle_table, errors_table, gains_table, made_with, stated_table } from "./error_tables";
 import { errors_picture, kErrors_picture, without_picture } from "./errors_pictures";
 import { headline, summary_table, worst_of } from "./summary";
 import { command_of } from "../drawing/command";
@@ -10,13 +10,13 @@ import { capital } from "../drawing/text";
 import type { Section, Notes, Conclusion } from "../picture";
 import type { Report } from "../report";
 import { decimals_for, range_text, shown } from "../drawing/theme";
-import { english, english_after, language, type Sentence, t } from "../texts/texts";
+import { all_said, english, explained_by, language, said, type Sentence, t } from "../texts/texts";
 
 const kRemedies = 3;
 
-const remedy_sentence = (error: string, remedy: string): Sentence => {
-  const text = english(remedy);
-  return typeof text === "string" ? t.errors_remedy({ error, remedy: text }) : english_after(`${error}:`, text.english);
+const remedy_sentence = (error: string, { effect, remedy = "" }: { effect?: string; remedy?: string }): Sentence => {
+  const text = explained_by("recording", effect ?? "", "remedy", remedy);
+  return typeof text === "string" ? t.errors_remedy({ error, remedy: text }) : { before: `${error}:`, english: text.english };
 };
 
 // In English the program's own sentences.
@@ -36,19 +36,6 @@ export const verdict_of = ({ part, recordings }: ErrorTest): Sentence => {
   return t.errors_conclusion({ circularity, error, without: shown(most.first.circularity_without_um, 1) });
 };
 
-// What the errors leave, one added after the other; in English the program's own sentences.
-const residual_of = ({ part, recordings }: ErrorTest): Sentence => {
-  const steps = part.one_by_one ?? []; // a report of an older program has none
-  if (language === "en" || steps.length === 0) return english(part.left_text);
-  const plane = recordings[0]?.plane;
-  const added = steps.map(({ effect, group, rms_um }) => {
-    const of_group = part.error_groups?.[group ?? -1];
-    return `+ ${of_group ? group_name(of_group, plane) : error_name(effect, plane)} ${shown(rms_um, 2)}`;
-  });
-  const first = t.errors_one_by_one({ circle: shown(part.circle_rms_um, 2), added: added.join(", ") });
-  return english_after(first, part.left_text.slice(part.left_text.indexOf(". ") + 2));
-};
-
 // What is concluded from the only test stands at the head of the page.
 const notes_of = (test: ErrorTest, alone: boolean): Notes => {
   const { part, recordings } = test;
@@ -56,17 +43,17 @@ const notes_of = (test: ErrorTest, alone: boolean): Notes => {
   const remedies = ranked_errors(part)
     .filter(({ first }) => first.rank !== null && first.remedy)
     .slice(0, kRemedies)
-    .map(({ effect, first }) => remedy_sentence(error_name(effect, plane), first.remedy ?? ""));
+    .map(({ effect, first }) => remedy_sentence(error_name(effect, plane), first));
   return {
     table: gains_table(test),
     sentences: [
       ...(alone || part.conclusion === "" ? [] : [verdict_of(test)]),
-      ...(part.left_text === "" ? [] : [residual_of(test)]),
+      ...(part.left_text === "" ? [] : [said(part.left_text, part.left_text_message)]),
       t.errors_explained,
     ],
     lists: [
       { title: t.errors_remedies, items: remedies },
-      { title: t.errors_tolerances, items: part.tolerances.map(english) },
+      { title: t.errors_tolerances, items: all_said(part.tolerances, part.tolerances_message) },
       { title: t.errors_undetermined, items: part.undetermined.map((names) => error_name(names, plane, 300)) },
       {
         title: t.errors_prior,
@@ -91,15 +78,17 @@ const conclusion_of = (report: Report, tests: readonly ErrorTest[], test: ErrorT
   const { part, recordings } = test;
   const largest = ranked_errors(part).find(({ first }) => first.rank !== null && first.remedy);
   return {
+    before: [made_with(test)],
     verdict: headline(report, tests, test),
     also: part.conclusion === "" ? "" : verdict_of(test),
     concluded: part.conclusion,
     next: {
       label: t.errors_next,
       text: largest
-        ? remedy_sentence(capital(error_name(largest.effect, recordings[0]?.plane)), largest.first.remedy ?? "")
+        ? remedy_sentence(capital(error_name(largest.effect, recordings[0]?.plane)), largest.first)
         : "",
       command: command_of("errors", [...part.files.slice(0, 1), "again.b5r"], ["--show", "change"]),
+      action: { action: "test_again" },
     },
   };
 };

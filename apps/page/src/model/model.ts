@@ -10,7 +10,7 @@ import { steps_picture } from "./steps_picture";
 import { strands_of } from "../drawing/strands";
 import { plain, slug } from "../drawing/text";
 import { shown } from "../drawing/theme";
-import { english, language, type Sentence, t } from "../texts/texts";
+import { all_said, language, said, type Sentence, t } from "../texts/texts";
 
 // A row of the table of misfits chooses the axis that it speaks of.
 const choose_axis = (checked: Checked, picture: string): TextTable["choose"] => {
@@ -30,7 +30,7 @@ const result_of = (checked: Checked): string =>
 // In English the program's own sentence.
 export const verdict_of = (checked: Checked): Sentence =>
   language === "en"
-    ? english(checked.sentences[0] ?? result_of(checked))
+    ? said(checked.sentences[0] ?? result_of(checked), checked.messages?.[0])
     : t.model_leaves({ rmse: shown(checked.rmse_um, 3), times: times_floor(checked) });
 
 const diagnose_next = (report: Report, { target }: Checked): Next => ({
@@ -38,6 +38,7 @@ const diagnose_next = (report: Report, { target }: Checked): Next => ({
   command: report.machine_errors
     ? command_of("errors", data_files(report), model_options(report))
     : command_of("diagnose", data_files(report), [...model_options(report), "--target", target]),
+  action: report.machine_errors ? { action: "show", section: "machine-errors" } : { action: "find", target },
 });
 
 const section_of = (report: Report, checked: Checked, id: string): Section => {
@@ -59,9 +60,11 @@ const section_of = (report: Report, checked: Checked, id: string): Section => {
       label: plain(checked.target, 60),
       conclusion: () => ({ verdict: verdict_of(checked), concluded: checked.sentences[0], next: diagnose_next(report, checked) }),
     },
-    sentences: [...checked.sentences, checked.floor_text, ...checked.remarks]
-      .filter((sentence) => sentence !== "")
-      .map(english),
+    sentences: [
+      ...all_said(checked.sentences, checked.messages),
+      ...(checked.floor_text === "" ? [] : [said(checked.floor_text, checked.floor_text_message)]),
+      ...all_said(checked.remarks, checked.remarks_message),
+    ],
     tables: [...where_table(checked, choose_axis(checked, against)), ...parameter_table(checked), ...step_table(checked)],
     pictures,
     lists: sigma_notes(report, checked), // the page shows lists below the tables

@@ -3,37 +3,44 @@
 import { element, select_of, text_in } from "../elements/elements";
 import type { Figure } from "../figure/figure";
 import { folded } from "./folded";
-import type { First, Next, Section } from "../picture";
+import type { First, Next, Section, State } from "../picture";
 import type { Shared } from "./shared";
 import { clamped, first_sentence } from "../drawing/text";
-import { english, language, type Sentence, sentence_text, t, together } from "../texts/texts";
+import type { Message } from "../texts/messages";
+import { english, language, said, type Sentence, sentence_text, t, together } from "../texts/texts";
 
 export interface Proved {
   first: First;
-  figure: Figure;
-  proof: readonly HTMLElement[]; // the picture with what stands beside it
+  figure: Figure | undefined; // undefined: a table proves it
+  proof: readonly HTMLElement[]; // the picture with what stands beside it, or the table
+}
+
+// A sentence of the summary.
+export interface Concluded {
+  text: string;
+  messages: readonly Message[] | undefined;
 }
 
 // What the program concludes, "y_um: Missing from the model of y_um: ...", in the page's language: as the section says it
 // that shows it, else as a sentence of the program.
-const said_of = (text: string, sections: readonly Section[]): Sentence => {
+const said_of = ({ text, messages }: Concluded, sections: readonly Section[]): Sentence => {
   if (language === "en") return english(text);
   for (const { first } of sections) {
     const { before = [], verdict, concluded = "" } = first?.conclusion({}) ?? { verdict: "" };
     if (concluded === "" || typeof verdict !== "string") continue;
-    const said = together([...before.map(sentence_text), verdict]);
-    if (text === concluded) return said;
-    if (text.endsWith(`: ${concluded}`)) return text.slice(0, -concluded.length) + said;
+    const whole = together([...before.map(sentence_text), verdict]);
+    if (text === concluded) return whole;
+    if (text.endsWith(`: ${concluded}`)) return text.slice(0, -concluded.length) + whole;
   }
-  return english(text);
+  return said(text, messages);
 };
 
 // The rest of what the program concludes; the verdict itself may be told with its target before it.
-const rest_of = (summary: readonly string[], concluded: string, sections: readonly Section[]): HTMLElement[] => {
-  const rest = summary.filter((one) => one !== concluded && !one.endsWith(`: ${concluded}`));
+const rest_of = (summary: readonly Concluded[], concluded: string, sections: readonly Section[]): HTMLElement[] => {
+  const rest = summary.filter(({ text }) => text !== concluded && !text.endsWith(`: ${concluded}`));
   if (rest.length === 0) return [];
   const head = rest.length === 1 ? t.page_one_more : t.page_more({ n: rest.length });
-  return [folded("summary", [head], rest.map((text) => text_in("p", said_of(text, sections))))];
+  return [folded("summary", [head], rest.map((one) => text_in("p", said_of(one, sections))))];
 };
 
 const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: HTMLElement; concluded: () => string } => {
@@ -41,7 +48,7 @@ const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: 
   const next = next_step(shared);
   let shown = "";
   let concluded = "";
-  figure.watch(({ chosen }) => {
+  const show = (chosen: State["chosen"]): void => {
     const now = first.conclusion(chosen);
     const text = sentence_text(now.verdict);
     const sentence = first_sentence(text);
@@ -61,7 +68,9 @@ const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: 
     shown = all;
     concluded = now.concluded ?? text;
     next.show(now.next);
-  });
+  };
+  if (figure) figure.watch(({ chosen }) => show(chosen));
+  else show({});
   return {
     element: element("div", { class: "panel" }, element("div", { class: "conclusion" }, verdict, next.element), ...proof),
     concluded: () => concluded,
@@ -77,7 +86,7 @@ const chooser = (all: readonly Proved[], panels: readonly HTMLElement[]): HTMLEl
 
 export const first_screen = (
   proved: readonly Proved[],
-  summary: readonly string[],
+  summary: readonly Concluded[],
   sections: readonly Section[],
   shared: Shared,
 ): HTMLElement[] => {
@@ -85,12 +94,12 @@ export const first_screen = (
   if (!one) {
     return summary.length === 0
       ? []
-      : [element("section", { class: "first", "aria-label": t.page_verdict }, ...summary.map((text) => text_in("p", said_of(text, sections))))];
+      : [element("section", { class: "first", "aria-label": t.page_verdict }, ...summary.map((one) => text_in("p", said_of(one, sections))))];
   }
   const panels = proved.map((each) => panel_of(each, shared));
   panels.forEach((panel, k) => (panel.element.hidden = k > 0));
   const elements = panels.map((panel) => panel.element);
-  const wide = one.proof.some((part) => part.classList.contains("side-by-side"));
+  const wide = !one.figure || one.proof.some((part) => part.classList.contains("side-by-side"));
   return [
     element(
       "section",
@@ -136,31 +145,32 @@ export const next_step = (shared: Shared): NextStep => {
   const message = element("span", { class: "told", role: "status" });
   const button = element("button", { type: "button", class: "act" });
   let awaited = 0;
+  let act: (() => void) | null | undefined;
   const tell = (what: string): void => {
     clearTimeout(awaited);
     message.textContent = what;
     awaited = setTimeout(() => (message.textContent = ""), kMessage_ms);
   };
   button.addEventListener("click", () => {
-    const typed = command.textContent ?? "";
-    if (shared.action_of) shared.action_of(typed)?.();
+    if (shared.doing) act?.();
     else
       void copied(command).then((done) => {
         tell(done ? t.page_copied : t.page_press_to_copy);
         button.dataset.copied = String(done);
       });
   });
-  const show = ({ label, text: reason = "", command: typed }: Next): void => {
+  const show = ({ label, text: reason = "", command: typed, action }: Next): void => {
     const why = text_in("p", reason);
     why.className = "why";
     why.hidden = sentence_text(reason) === "";
     text.replaceWith(why);
     text = why;
     command.textContent = typed;
-    command.hidden = shared.action_of !== undefined;
+    command.hidden = shared.doing !== undefined;
     button.textContent = label;
-    button.title = shared.action_of ? "" : t.page_copies;
-    button.hidden = shared.action_of?.(typed) === null;
+    button.title = shared.doing ? "" : t.page_copies;
+    act = shared.doing?.(action);
+    button.hidden = act === null;
   };
   const made = element("div", { class: "next" }, text, element("div", { class: "do" }, button, command, message));
   return { element: made, show };

@@ -2,7 +2,7 @@
 // The files of the languages have the same keys, which the compiler checks.
 import { de } from "./de";
 import { en, type Texts } from "./en";
-import { program_sentence } from "./program";
+import { type Message, messages_text } from "./messages";
 import { zh } from "./zh";
 
 export type Language = "en" | "de" | "zh";
@@ -45,21 +45,40 @@ export const language_of = (asked: readonly string[]): Language => {
   return "en";
 };
 
-// A sentence of the program: in the page's language where that has it (program.ts), else English, and marked as such
-// where it is shown; `before` it stands what the page says.
+// A sentence of the program in the page's language; else English, and marked as such where it is shown; `before` it stands
+// what the page says.
 export interface Quoted {
   readonly before: string;
   readonly english: string;
 }
 export type Sentence = string | Quoted;
 
-const in_the_language = (text: string): string | null =>
-  program_sentence(text, { language, effects: t.effects, numbers: (part) => with_decimal_sign(part).replace(/(?<=\d )degC\b/g, "°C") });
-export const english = (text: string): Sentence => in_the_language(text) ?? { before: "", english: text };
-export const english_after = (before: string, text: string): Sentence => {
-  const said = in_the_language(text);
-  return said === null ? { before, english: text } : `${before} ${said}`;
+// What no catalogue has, such as the error of a reader.
+export const english = (text: string): Sentence => ({ before: "", english: text });
+
+// Numbers that stand alone: a name may hold digits and dots too.
+const numbers = (part: string): string =>
+  part.replace(/(?<![\w.])\d+\.\d+(?:e[-+]?\d+)?(?![\w.])/g, with_decimal_sign).replace(/(?<=\d )degC\b/g, "°C");
+
+const in_the_language = (messages: readonly Message[] | undefined): string | null =>
+  messages === undefined
+    ? null
+    : messages_text(messages, { language, effects: t.effects, numbers });
+
+// A text of a result, and the messages beside it, of which a report of an older program has none.
+export const said = (text: string, messages: readonly Message[] | undefined): Sentence =>
+  (language === "en" ? null : in_the_language(messages)) ?? english(text);
+export const all_said = (texts: readonly string[], messages: readonly (readonly Message[])[] | undefined): Sentence[] =>
+  texts.map((text, k) => said(text, messages?.[k]));
+export const said_after = (before: string, text: string, messages: readonly Message[] | undefined): Sentence => {
+  const sentence = said(text, messages);
+  return typeof sentence === "string" ? `${before} ${sentence}` : { before, english: text };
 };
+
+// What an effect says of itself; all but the summary is the same for both axes. axes: "XY".
+export const explained_by = (level: string, effect: string, key: string, text: string, axes = "AB"): Sentence =>
+  said(text, [{ name: `${level}_${key === "summary" ? effect : effect.replace(/_[ab]$/, "")}_${key}`, values: { a: axes.slice(0, 1), b: axes.slice(1) } }]);
+
 export const sentence_text = (sentence: Sentence): string =>
   typeof sentence === "string" ? sentence : [sentence.before, sentence.english].filter((part) => part !== "").join(" ");
 

@@ -3,7 +3,6 @@
 //
 //   compare()               agreement of each axis with its uncertainty budget
 //   difference_structure()  the four parts of a difference
-//   conclusion()            whole sentences
 //
 // Accuracy: of comparisons of equal series at most 1 % disagree for each criterion; the lag of simulated drifts is
 // within 2 sigma of the truth in 90 to 99 % (tests/study, five_probe.cpp).
@@ -94,6 +93,9 @@ DifferenceStructure judged(DifferenceStructure structure, std::size_t axes);
 // The kinds each of which explains the difference by itself: the other three add nothing significant (p > 1 %).
 std::vector<DifferenceKind> sufficient_alone(const DifferenceStructure& structure);
 
+// Those named beside all others, by how much they explain, the largest first.
+std::vector<DifferenceKind> named_differences(const DifferenceStructure& structure);
+
 // ---- How well two drift series agree, axis by axis: a (the ballbar) against b (the five probes).
 //
 // The common times are those of the series with fewer rows, as far as the other one covers them. The other one is
@@ -171,14 +173,19 @@ struct Comparison {
   std::size_t samples = 0;   // common times
   std::size_t left_out = 0;  // times within both series that fall into a gap of the interpolated one
   std::vector<AxisComparison> axes;
-  std::vector<std::string> remarks;
+  std::vector<Paragraph> remarks;
 };
 
 // Compares axes of the same name. Throws Error: no common axis, an axis in different units, time ranges that do not
 // overlap, a series without rows, fewer than 3 common times.
 Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const ComparisonOptions& options = {});
 
-// Whole sentences: whether the series agree, which axis does not, since when and by how much.
-std::string conclusion(const Comparison& comparison);
+// One clock that is late: the lags of best agreement of two axes or more, which are the same within 3 sigma and not 0,
+// where some axis disagrees. An axis that a scale explains better has no lag.
+struct CommonLag {
+  double lag_s = 0.0, sigma_s = 0.0;  // positive: A is late
+  std::vector<std::string> axes;      // that have a lag
+};
+std::optional<CommonLag> common_lag(const Comparison& comparison);
 
 }  // namespace ballbar

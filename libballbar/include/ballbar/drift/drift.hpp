@@ -39,6 +39,7 @@
 
 #include "ballbar/circle/circle.hpp"
 #include "ballbar/circle/recording.hpp"
+#include "ballbar/message.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -121,7 +122,7 @@ struct DriftSeries {
   double reference_s = 0.0;
   std::vector<DriftPoint> points;   // one a test, in the order of time
   std::vector<Position> positions;  // same order
-  std::string not_cancelled;        // a sentence for the report: what does not cancel
+  Paragraph not_cancelled;          // a sentence for the report: what does not cancel
 };
 
 // Throws Error where a test lacks a recording its method needs, or a recording cannot be fitted; the
@@ -155,7 +156,7 @@ struct MeasuredDrift {
   double reference_s = 0.0;
   std::vector<double> time_s;  // n rows, strictly rising
   std::vector<DriftAxis> axes;
-  std::vector<std::string> remarks;  // whole sentences: what is not known, what was assumed
+  std::vector<Paragraph> remarks;  // whole sentences: what is not known, what was assumed
 };
 
 // Root of the sum of squares of the known contributions in this row; NaN if none is known.

@@ -26,6 +26,7 @@
 namespace ballbar {
 
 enum class Level { series, recording };
+inline std::string_view name_of(Level level) { return level == Level::series ? "series" : "recording"; }
 enum class ParameterKind { gain, shape };
 
 // The rows on which an effect is evaluated: n times and, in the order of Effect::inputs, n values of each input.

@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "ballbar/drift/drift.hpp"
+#include "ballbar/message.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/noise/noise.hpp"
 #include "ballbar/series/series.hpp"
@@ -72,7 +73,7 @@ struct Fit {
   double n_effective = 0.0;             // effective number of independent samples, without discounted rows
   double rmse_um = 0.0;
   bool converged = false;
-  std::vector<std::string> remarks;  // whole sentences: more parameters than samples, a parameter on a bound ...
+  std::vector<Paragraph> remarks;  // whole sentences: more parameters than samples, a parameter on a bound ...
 };
 
 // target: index into model.targets. Throws Error where the model does not suit the data (expect_suits), or the target
@@ -153,13 +154,16 @@ Whiteness whiteness(const Fit& fit);
 // True if the RMSE is at most 1.2 times the floor and the residual is white (p >= 0.01).
 bool is_adequate(const Fit& fit, const Whiteness& whiteness);
 
-// Three sentences: the RMSE against the noise, the worst group, and the nature of the residual. The worst group is the
-// one whose share of the sum of squares exceeds its share of the rows most. The residual is not noise if p < 0.01.
-std::vector<std::string> sentences(const Fit& fit, const std::vector<Misfit>& where, const Whiteness& whiteness);
+// The group whose share of the sum of squares exceeds its share of the rows most, if by more than a tenth.
+std::optional<Misfit> worst_place(const Fit& fit, const std::vector<Misfit>& where);
 
-// A phrase for the worst group: "while warming", "where T_air_degC is from 21 to 22 degC"; empty if no group is worse
-// than the others.
-std::string worst_place(const Fit& fit, const std::vector<Misfit>& where);
+// What the residual is. It is not noise if p < 0.01; it is slow if a tenth of its variance is correlated.
+enum class ResidualKind { too_few, not_noise, slow_not_noise, slow, noise };
+struct ResidualNature {
+  ResidualKind kind = ResidualKind::noise;
+  double correlation_time_s = 0.0;  // of a slow one
+};
+ResidualNature residual_nature(const Fit& fit, const Whiteness& whiteness);
 
 // ---- The coefficient of an effect in the units of its user: um for each kelvin of one column, and what it comes to.
 

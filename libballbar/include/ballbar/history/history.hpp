@@ -30,6 +30,7 @@
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
+#include "ballbar/message.hpp"
 
 namespace ballbar {
 
@@ -320,8 +321,8 @@ struct Finding {
   double from_s = 0.0, to_s = 0.0;
   double p_value = 1.0, q_value = 1.0;  // of the most significant quantity
   std::optional<int> axis;              // 0, 1, 2 for X, Y, Z; nullopt: not a single axis
-  std::string sentence;                 // what was found
-  std::string remedy;                   // what to do
+  Paragraph sentence;                   // what was found
+  Paragraph remedy;                     // what to do
 };
 
 // The outlook of one quantity that has a tolerance.
@@ -344,7 +345,7 @@ struct MachineHistory {
   std::optional<double> first_s, last_s;
   std::size_t judged = 0;  // number of hypothesis tests: quantity and kind
   Need need = Need::nothing;
-  std::string reason;                         // why the machine has this need
+  Paragraph reason;                           // why the machine has this need
   std::optional<std::size_t> reason_finding;  // index of the finding that is the reason
   std::vector<Finding> findings;              // the clearest first
   std::vector<ToleranceOutlook> tolerances;

@@ -17,6 +17,8 @@
 #include <span>
 #include <string>
 
+#include "ballbar/message.hpp"
+
 namespace ballbar {
 
 struct Noise {
@@ -53,8 +55,8 @@ double sigma_of_mean(const Noise& noise, std::span<const double> time_s, std::sp
 // The noise level: the smallest RMSE that a true model could reach.
 struct Floor {
   double rms_um = 0.0;
-  std::string source;  // a phrase for the report: "3 pairs of repeats", "standstill from 120 to 150 min",
-                       // "error of predicting the next reading", "sigma of the circle fits"; empty: not known
+  Paragraph source;  // a phrase for the report: "3 pairs of repeats", "standstill from 120 to 150 min",
+                     // "error of predicting the next reading", "sigma of the circle fits"; empty: not known
 };
 
 // Estimates the noise level from the first available source:

@@ -8,7 +8,7 @@
 #include "ballbar/drift/drift.hpp"
 #include "ballbar/drift/five_probes.hpp"
 #include "ballbar/drift/thermal_test.hpp"
-#include "ballbar/formats/results/schema.hpp"
+#include "ballbar/formats/results/message.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -246,7 +246,7 @@ struct FiveProbeDrift {
   Series points;
   std::vector<StepRange> steps;
   DriftSheet sheet;
-  std::vector<std::string> remarks;
+  std::vector<Paragraph> remarks;
 };
 
 // A row of a series; there may be a million, which are written one by one.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/formats/results/result_type.hpp"
+#include "ballbar/formats/results/message.hpp"
 
 namespace ballbar {
 

@@ -181,7 +181,7 @@ void add_value(nlohmann::ordered_json& json, std::string_view name, const Value&
 }
 template <class Value>
 void add_value(nlohmann::ordered_json& json, std::string_view name, const MayLack<Value>& value) {
-  if (value.value) json[std::string(name)] = json_value(*value.value);
+  if (value.value) add_value(json, name, *value.value);
 }
 template <class Value>
 void add_value(nlohmann::ordered_json& json, std::string_view name, const OfUnit<Value>& value) {

@@ -49,6 +49,13 @@ struct ResultSchema {
   const void* of = nullptr;  // the list of fields
 };
 
+// The messages of a value of sentences, which stand under a key of their own (message.hpp).
+template <class Value>
+struct MessagesOf {
+  using Type = void;
+};
+std::string message_key(std::string_view name);
+
 // Adds the type, and after it the types of its fields, each once. Throws Error if two types have the same name.
 template <Described Type>
 void add_schema(std::vector<ResultSchema>& all);
@@ -149,6 +156,11 @@ void add_schema(std::vector<ResultSchema>& all) {
     using Value = std::remove_cvref_t<std::invoke_result_t<decltype(field.get), const Type&>>;
     fields.push_back({std::string(field.name), std::string(field.meaning),
                       SchemaOf<typename KeyOf<Value>::Type>::of(all), KeyOf<Value>::kind});
+    using Messages = typename MessagesOf<typename KeyOf<Value>::Type>::Type;
+    if constexpr (!std::is_void_v<Messages>) {
+      fields.push_back({message_key(field.name), "the same by name, for other languages", SchemaOf<Messages>::of(all),
+                        KeyKind::may_lack});
+    }
   };
   std::apply([&](const auto&... field) { (add(field), ...); }, kResult<Type>.fields);
   all[place].fields = std::move(fields);

@@ -181,7 +181,7 @@ struct Diagnosis {
   BoundEffect hidden;                        // that effect
   double rmse_after_um = 0.0;                // of the fit with the best set
   std::vector<Detectability> detectability;  // as in Preflight
-  std::string where;                         // where the model fails most, from the options: "while warming"
+  std::optional<Misfit> where;               // where the model fails most, from the options
 };
 
 // nullptr: none of the candidates.
@@ -193,7 +193,7 @@ struct DiagnosisOptions {
   std::size_t most_rows = 1000;  // largest number of target values used
   bool fit_candidates = true;    // compute Candidate::rmse_after_um
   bool leave_out = true;         // compute Candidate::held_out_before_um and _after_um as the ledger of a model does
-  std::string where = {};        // worst_place()
+  std::optional<Misfit> where;   // worst_place()
 };
 
 // Diagnoses one target of the model (an index into model.targets). Throws Error as fit() does.
