@@ -168,8 +168,8 @@ Noise noise_of(std::span<const double> time_s, std::span<const double> residual_
   const LinearFilter filter(time_s, {.variance = squares_of(sigma_um)});
   Likelihood likelihood(filter, time_s, left_um, !sigma_um.empty(), columns);
   Covariance noise = white(likelihood);
-  const bool enough =
-      likelihood.degrees >= kFewestDegrees && filter.usual_step_s() > 0.0 && likelihood.mean_square > kLeastVariance_um2;
+  const bool enough = likelihood.degrees >= kFewestDegrees && filter.usual_step_s() > 0.0 &&
+                      likelihood.mean_square > kLeastVariance_um2;
   if (enough) {
     Likelihood plain(filter, time_s, left_um, !sigma_um.empty(), RowMajorMatrix(0, 0));
     const Covariance other = likeliest_memory(likelihood, plain);
