@@ -22,7 +22,7 @@ images='libopencv-imgproc-dev libspng-dev libjpeg62-turbo-dev'
 mat=libmatio-dev
 pdf='librsvg2-dev pkg-config'
 # Beside build, whose headers it takes.
-tool='emscripten dpkg-dev'
+tool='emscripten dpkg-dev xz-utils'
 python='pybind11-dev python3-dev python3-numpy python3-pandas python3-venv'
 # Many machines at once, tables and pictures in Python.
 fleet='python3-distributed python3-matplotlib python3-tqdm'

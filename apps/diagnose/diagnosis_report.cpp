@@ -8,15 +8,18 @@
 #include <set>
 
 #include "ballbar/diagnosis/posterior/search_options.hpp"
+#include "ballbar/fit/fit.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/model/effect_argument.hpp"
 #include "ballbar/numerics/range.hpp"
 #include "ballbar/revision/replacement.hpp"
 #include "diagnose/diagnosis_result.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/next_command.hpp"
 #include "errors/quantity_text.hpp"
+#include "model/held_values.hpp"
 #include "model/testability_text.hpp"
 #include "terminal/stderr_line.hpp"
 
@@ -139,6 +142,27 @@ std::optional<NextMeasurement> next_measurement_of(const Diagnosis& found, const
   return std::nullopt;
 }
 
+// nullopt: of another test, or where the fit cannot be made.
+std::optional<double> promised_rmse_um(const ModelOptions& options, const NextAction& next, Workbench& bench) {
+  try {
+    if (next.action == Action::free) {
+      std::vector<std::string> settings;
+      for (const ParameterStart& one : next.parameters)
+        settings.push_back(fmt::format("{}.{}={:.17g}", one.effect, one.parameter, one.start));
+      return fit(with_free_values(bench.model(), settings), bench.data(), 0, {}).rmse_um;
+    }
+    std::vector<Term> terms;
+    Model model = bench.model();
+    for (const std::string& effect : next.effects) {
+      terms.push_back(term_from_text(effect, model, bench.data(), options.catalogue));
+      model.terms.push_back(terms.back());
+    }
+    if (!terms.empty()) return bench.rmse_um_with(terms);
+  } catch (const Error&) {  // the verdict is worth telling without
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<StandIn> stand_ins_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
@@ -253,6 +277,9 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& benc
     if (report.is_for_plan) report.plan_command = plan_command(options, found);
     if (bench.model().level == Level::recording) report.next_measurement = next_measurement_of(found, bench.data());
     report.command = next_command(options, found);
+    report.next_action = next_action(options, found);
+    if (report.next_action)
+      report.next_action->promised_rmse_um = promised_rmse_um(options, *report.next_action, bench);
     report.hint = next_hint(options, found);
     report.unsupported = unsupported_of(options, bench.model());
     if (bench.model().level == Level::series && is_left(found.verdict)) {

@@ -9,6 +9,7 @@
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/machine_errors/next_measurement.hpp"
 #include "ballbar/workbench/workbench.hpp"
+#include "diagnose/next_command.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 
@@ -39,6 +40,7 @@ struct DiagnosisReport {
   Diagnosis diagnosis;
   std::optional<NextMeasurement> next_measurement;  // of recordings: that would separate the effects in question
   std::string command;                              // the next command; empty: none
+  std::optional<NextAction> next_action;            // what it does, or what else is to do; nullopt: nothing
   bool is_for_plan = false;                         // whether another test of the series could decide more
   std::string plan_command;                         // plans such a test; empty: none, or the data have no name
   std::optional<Predictability> predicted;          // if a part remains unexplained

@@ -88,6 +88,21 @@ inline constexpr auto kResult<PredictedByColumns> = ResultType{
                Field{"model_left_out_um", &PredictedByColumns::model_left_out_um,
                      "RMSE there, of the model; null: more than the range of the readings"}}};
 
+template <>
+inline constexpr auto kResult<ParameterStart> = ResultType{
+    "ParameterStart", "A parameter that is freed.",
+    std::tuple{Field{"effect", &ParameterStart::effect, ""}, Field{"parameter", &ParameterStart::parameter, ""},
+               Field{"start", &ParameterStart::start, "of its fit"}}};
+
+template <>
+inline constexpr auto kResult<NextAction> =
+    ResultType{"NextAction", "What to do next.",
+               std::tuple{Field{"action", &NextAction::action, "add, try, free, plan"},
+                          Field{"effects", &NextAction::effects, "to add, or to try, as `add` takes them"},
+                          Field{"parameters", &NextAction::parameters, "to free"},
+                          Field{"promised_rmse_um", &NextAction::promised_rmse_um,
+                                "that the model leaves then; null: not known"}}};
+
 inline constexpr std::string_view kDiagnosisReportEffects = "from p = 0.01 on";
 inline constexpr std::string_view kDiagnosisReportCandidates = "the likeliest set, then others by probability";
 inline constexpr auto kDiagnosisReportOfDiagnosis = std::tuple{
@@ -125,8 +140,10 @@ inline constexpr auto kDiagnosisReportVerdictFields =
                    std::tuple{Field{"command", &DiagnosisReport::command, "to type next; empty: none"}},
                    fields_through(&DiagnosisReport::diagnosis, kDiagnosisReportFound));
 inline constexpr auto kDiagnosisReportOpen = std::tuple_cat(
-    std::tuple{Field{"stand_ins", &DiagnosisReport::stand_ins, "effects added earlier that others explain better"},
-               Field{"unsupported", &DiagnosisReport::unsupported, "effects of the model that no data supported"}},
+    std::tuple{
+        Field{"next_action", &DiagnosisReport::next_action, "what the command does, or else is to do; null: nothing"},
+        Field{"stand_ins", &DiagnosisReport::stand_ins, "effects added earlier that others explain better"},
+        Field{"unsupported", &DiagnosisReport::unsupported, "effects of the model that no data supported"}},
     fields_through(&DiagnosisReport::diagnosis, kDiagnosisReportHidden),
     std::tuple{Field{"next_test", &deciding_test, "that would decide; null: nothing is open"},
                Field{"predicted", &DiagnosisReport::predicted,

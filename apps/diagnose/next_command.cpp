@@ -21,14 +21,13 @@ constexpr double kLeastP = 0.5;               // of an effect that is proposed
 constexpr std::ptrdiff_t kRowsAboutJump = 3;  // another jump so near is the same
 
 // As `add` takes it; empty where the name of a column holds the comma that parts them.
-std::string word_of(const std::string& label, const std::vector<std::string>& columns) {
-  for (const std::string& column : columns) {
-    if (column.find(',') != std::string::npos) return "";
-  }
-  return shell_word(label);
+std::string text_of(const std::string& label, const std::vector<std::string>& columns) {
+  const bool has_comma = std::any_of(columns.begin(), columns.end(),
+                                     [](const std::string& column) { return column.find(',') != std::string::npos; });
+  return has_comma ? "" : label;
 }
 
-std::string word_of(const BoundEffect& bound) { return word_of(label_of(bound), bound.columns); }
+std::string typed(const std::string& effect) { return effect.empty() ? "" : shell_word(effect); }
 
 // A sinusoid is only found from near its period, a jump from its own row.
 std::string start_text(const FittedParameter& parameter, double value) {
@@ -54,19 +53,21 @@ bool is_said(const Effect& effect, const FittedParameter& parameter) {
 
 // With what was found: "step(onset_s = 33840)", "lagged_expansion(T_room_degC, time_constant_s = 3120)". A fit starts
 // there. A model may hold several steps, each by its moment.
-std::string word_of(const BoundEffect& bound, const Diagnosis& found) {
+std::string text_of(const BoundEffect& bound, const Diagnosis& found) {
   const Candidate* one = candidate_of(found, bound);
-  if (one == nullptr) return word_of(bound);
+  if (one == nullptr) return text_of(label_of(bound), bound.columns);
   std::string label = label_of(bound);
   for (const FittedParameter& parameter : one->parameters) {
     if (!is_said(*bound.effect, parameter)) continue;
     if (label.ends_with(')')) label.back() = ',';
     label += fmt::format("{}{} = {})", label.ends_with(',') ? " " : "(", parameter.name, start_text(parameter));
   }
-  return word_of(label, bound.columns);
+  return text_of(label, bound.columns);
 }
 
-std::string word_of(const Term& term) { return word_of(label_of(term), term.columns); }
+std::string word_of(const BoundEffect& bound, const Diagnosis& found) { return typed(text_of(bound, found)); }
+
+std::string word_of(const Term& term) { return typed(text_of(label_of(term), term.columns)); }
 
 // Empty where one of the effects cannot be typed.
 std::string command_of(const std::string& verb, const std::vector<std::string>& effects, const ModelOptions& options,
@@ -142,6 +143,18 @@ bool says_a_name(const Diagnosis& found) {
   return found.verdict == Verdict::named || found.verdict == Verdict::probable;
 }
 
+// That the next command adds, or tries; "": one that cannot be typed.
+std::vector<std::string> effects_to_add(const Diagnosis& found) {
+  if (found.verdict == Verdict::nothing || found.verdict == Verdict::untestable) return {};
+  const std::vector<BoundEffect>& certain = found.verdict == Verdict::named ? found.named : found.probable;
+  std::vector<BoundEffect> bounds = says_a_name(found) ? certain : worth_a_try(found);
+  std::erase_if(bounds, [&](const BoundEffect& bound) { return is_in_model(bound, found); });
+  std::vector<std::string> effects;
+  effects.reserve(bounds.size());
+  for (const BoundEffect& bound : bounds) effects.push_back(text_of(bound, found));
+  return effects;
+}
+
 }  // namespace
 
 std::string model_file(const ModelOptions& options) {
@@ -154,16 +167,42 @@ std::string model_file(const ModelOptions& options) {
 
 bool is_proposed(const Candidate& candidate) { return candidate.p >= kLeastP; }
 
+std::string_view name_of(Action action) {
+  switch (action) {
+    case Action::add:
+      return "add";
+    case Action::try_out:
+      return "try";
+    case Action::free:
+      return "free";
+    case Action::plan:
+      break;
+  }
+  return "plan";
+}
+
 std::string next_command(const ModelOptions& options, const Diagnosis& found) {
-  if (found.verdict == Verdict::nothing || found.verdict == Verdict::untestable) return "";
-  const std::vector<BoundEffect>& certain = found.verdict == Verdict::named ? found.named : found.probable;
+  const std::vector<std::string> effects = effects_to_add(found);
+  if (effects.empty()) return "";
   std::vector<std::string> words;
-  std::vector<BoundEffect> bounds = says_a_name(found) ? certain : worth_a_try(found);
-  std::erase_if(bounds, [&](const BoundEffect& bound) { return is_in_model(bound, found); });
-  words.reserve(bounds.size());
-  for (const BoundEffect& bound : bounds) words.push_back(word_of(bound, found));
-  if (words.empty()) return "";
+  words.reserve(effects.size());
+  for (const std::string& effect : effects) words.push_back(typed(effect));
   return command_of("add", words, options, found.target, !says_a_name(found));
+}
+
+std::optional<NextAction> next_action(const ModelOptions& options, const Diagnosis& found) {
+  const std::vector<std::string> effects = effects_to_add(found);
+  const bool can_be_told = std::find(effects.begin(), effects.end(), "") == effects.end();
+  if (!effects.empty() && can_be_told)
+    return NextAction{says_a_name(found) ? Action::add : Action::try_out, effects, {}, {}};
+  NextAction free{Action::free, {}, {}, {}};
+  for (const OwnValue& own : found.own) {
+    if (!says_a_name(found) || !is_own_named(own, found) || options.model.empty()) continue;
+    free.parameters.push_back({own.effect, own.parameter, own.fitted});
+  }
+  if (!free.parameters.empty()) return free;
+  if (is_for_plan(found)) return NextAction{};
+  return std::nullopt;
 }
 
 std::string replace_command(const ModelOptions& options, const Replacement& replacement) {

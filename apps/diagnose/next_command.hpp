@@ -1,7 +1,10 @@
 // The next command after a diagnosis.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/revision/effect_test.hpp"
@@ -15,6 +18,30 @@ namespace ballbar {
 // time constants that were found: the fit starts there. Files as typed, quoted for a shell. Empty: nothing to add, or
 // the data have no name.
 std::string next_command(const ModelOptions& options, const Diagnosis& found);
+
+// What the next command does, for a program or a page.
+enum class Action {
+  add,      // effects that are named or probable
+  try_out,  // the most probable effect, which is not certain
+  free,     // values that the model holds
+  plan,     // another test
+};
+std::string_view name_of(Action action);
+
+struct ParameterStart {
+  std::string effect, parameter;
+  double start = 0.0;
+};
+
+struct NextAction {
+  Action action = Action::plan;
+  std::vector<std::string> effects;        // as `add` takes them; none is in doubt
+  std::vector<ParameterStart> parameters;  // to free, from there on
+  std::optional<double> promised_rmse_um;  // that the model leaves then; nullopt: not known
+};
+
+// Without its RMSE. nullopt: there is nothing to do.
+std::optional<NextAction> next_action(const ModelOptions& options, const Diagnosis& found);
 
 // "ballbar add 'step(onset_s = 33840)' run.csv --model model.toml --target y_um --replace 'gradient_bending(T9, T2)'"
 std::string replace_command(const ModelOptions& options, const Replacement& replacement);

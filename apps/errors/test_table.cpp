@@ -27,12 +27,6 @@ std::string csv_number(double value) { return std::isfinite(value) ? fmt::format
 
 std::string optional_cell(const std::optional<double>& value) { return value ? csv_number(*value) : ""; }
 
-const TestQuantity* quantity_of(const MachineTest& test, std::string_view name) {
-  const auto found =
-      std::find_if(test.quantities.begin(), test.quantities.end(), [&](const auto& one) { return one.name == name; });
-  return found == test.quantities.end() ? nullptr : &*found;
-}
-
 bool has_tolerance(const std::vector<MachineTest>& tests) {
   return std::any_of(tests.begin(), tests.end(), [](const MachineTest& one) { return one.passes.has_value(); });
 }
@@ -101,6 +95,12 @@ std::string dates_text(const std::vector<MachineTest>& tests) {
     last = std::max(last, date);
   }
   return first == last ? first : fmt::format("{} to {}", first, last);
+}
+
+const TestQuantity* quantity_of(const MachineTest& test, std::string_view name) {
+  const auto found =
+      std::find_if(test.quantities.begin(), test.quantities.end(), [&](const auto& one) { return one.name == name; });
+  return found == test.quantities.end() ? nullptr : &*found;
 }
 
 const TestQuantity* first_to_mend(const MachineTest& test) {

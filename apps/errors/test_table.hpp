@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "errors/test_files.hpp"
@@ -14,6 +15,9 @@ std::string test_table_csv(const std::vector<MachineTest>& tests);
 
 // "scale_mismatch_um", "squareness_um_per_m".
 std::string column_name(const TestQuantity& quantity, bool of_sigma = false);
+
+// nullptr: the test has none of this name.
+const TestQuantity* quantity_of(const MachineTest& test, std::string_view name);
 
 // The larger end of the error to correct first; nullptr: none.
 const TestQuantity* first_to_mend(const MachineTest& test);

@@ -62,40 +62,55 @@ void compare(Compared& result, const std::optional<B5r>& b5r, const char* editio
   result.limits = range_of(b5r->limits, name, data_type);
 }
 
+// A number of ISO 230-4, and where a `.b5r` stores it.
+struct IsoNumber {
+  const char* key;
+  const char* label;
+  const char* edition;
+  const char* name;
+  const char* data_type = "UT_LENGTH_UM";
+};
+constexpr const char* kOldEdition = "ISO230_4 1996";
+constexpr const char* kNewEdition = "ISO230_4 2005";
+constexpr IsoNumber kIsoNumbers[] = {
+    {"g_ccw_um", "circular deviation G, CCW um", kOldEdition, "AF_CIRCULAR_DEVIATION_CCW"},
+    {"g_cw_um", "circular deviation G, CW um", kOldEdition, "AF_CIRCULAR_DEVIATION_CW"},
+    {"bidirectional_2005_um", "bidirectional, 2005 um", kNewEdition, "AF_BIDIRECTIONAL_CIRCULAR_DEVIATION"},
+    {"bidirectional_1996_um", "bidirectional, 1996 um", kOldEdition, "AF_CIRCULAR_DEVIATION_BIDIRECTIONAL"},
+    {"d_um", "mean radial deviation D um", kNewEdition, "AF_MEAN_BIDIRECTIONAL_RADIAL_DEVIATION"},
+    {"h_um", "hysteresis H um", kOldEdition, "AF_CIRCULAR_HYSTERESIS"},
+    {"h_at_deg", "  at deg", kOldEdition, "AF_CIRCULAR_HYSTERESIS_LOCATION", "UT_ANGLE"},
+    {"f_max_ccw_um", "radial deviation F max, CCW um", kOldEdition, "AF_MAX_RADIAL_DEVIATION_CCW"},
+    {"f_min_ccw_um", "radial deviation F min, CCW um", kOldEdition, "AF_MIN_RADIAL_DEVIATION_CCW"},
+    {"f_max_cw_um", "radial deviation F max, CW um", kOldEdition, "AF_MAX_RADIAL_DEVIATION_CW"},
+    {"f_min_cw_um", "radial deviation F min, CW um", kOldEdition, "AF_MIN_RADIAL_DEVIATION_CW"},
+};
+
 FittedPair fit_pair(const FittedRecording& first, const FittedRecording& second, const std::optional<B5r>& b5r) {
   const bool first_is_ccw = first.recording.direction == Direction::CCW;
   const FittedRecording& ccw = first_is_ccw ? first : second;
   const FittedRecording& cw = first_is_ccw ? second : first;
   const Bidirectional both = bidirectional(ccw.recording, *ccw.least_squares, cw.recording, *cw.least_squares);
-  const char* old_edition = "ISO230_4 1996";
-  const char* new_edition = "ISO230_4 2005";
+  const double ours[] = {ccw.circularity->circular_deviation_um,
+                         cw.circularity->circular_deviation_um,
+                         both.bidirectional_2005_um,
+                         both.bidirectional_1996_um,
+                         both.mean_radial_um,
+                         both.hysteresis_um,
+                         both.hysteresis_at_deg,
+                         ccw.circularity->max_radial_um,
+                         ccw.circularity->min_radial_um,
+                         cw.circularity->max_radial_um,
+                         cw.circularity->min_radial_um};
+  static_assert(std::size(ours) == std::size(kIsoNumbers));
   FittedPair pair;
   pair.file = first.file;
-  const auto add = [&](const char* key, const char* label, double ours, const char* edition, const char* name,
-                       const char* data_type = "UT_LENGTH_UM") {
-    pair.results.push_back({key, label, 2, ours});
-    compare(pair.results.back(), b5r, edition, name, data_type);
-  };
-  add("g_ccw_um", "circular deviation G, CCW um", ccw.circularity->circular_deviation_um, old_edition,
-      "AF_CIRCULAR_DEVIATION_CCW");
-  add("g_cw_um", "circular deviation G, CW um", cw.circularity->circular_deviation_um, old_edition,
-      "AF_CIRCULAR_DEVIATION_CW");
-  add("bidirectional_2005_um", "bidirectional, 2005 um", both.bidirectional_2005_um, new_edition,
-      "AF_BIDIRECTIONAL_CIRCULAR_DEVIATION");
-  add("bidirectional_1996_um", "bidirectional, 1996 um", both.bidirectional_1996_um, old_edition,
-      "AF_CIRCULAR_DEVIATION_BIDIRECTIONAL");
-  add("d_um", "mean radial deviation D um", both.mean_radial_um, new_edition, "AF_MEAN_BIDIRECTIONAL_RADIAL_DEVIATION");
-  add("h_um", "hysteresis H um", both.hysteresis_um, old_edition, "AF_CIRCULAR_HYSTERESIS");
-  add("h_at_deg", "  at deg", both.hysteresis_at_deg, old_edition, "AF_CIRCULAR_HYSTERESIS_LOCATION", "UT_ANGLE");
-  add("f_max_ccw_um", "radial deviation F max, CCW um", ccw.circularity->max_radial_um, old_edition,
-      "AF_MAX_RADIAL_DEVIATION_CCW");
-  add("f_min_ccw_um", "radial deviation F min, CCW um", ccw.circularity->min_radial_um, old_edition,
-      "AF_MIN_RADIAL_DEVIATION_CCW");
-  add("f_max_cw_um", "radial deviation F max, CW um", cw.circularity->max_radial_um, old_edition,
-      "AF_MAX_RADIAL_DEVIATION_CW");
-  add("f_min_cw_um", "radial deviation F min, CW um", cw.circularity->min_radial_um, old_edition,
-      "AF_MIN_RADIAL_DEVIATION_CW");
-  const auto stored_h = b5r ? stored_value(*b5r, old_edition, "AF_CIRCULAR_HYSTERESIS", "UT_LENGTH_UM") : std::nullopt;
+  for (std::size_t k = 0; k < std::size(kIsoNumbers); ++k) {
+    const IsoNumber& one = kIsoNumbers[k];
+    pair.results.push_back({one.key, one.label, 2, ours[k]});
+    compare(pair.results.back(), b5r, one.edition, one.name, one.data_type);
+  }
+  const auto stored_h = b5r ? stored_value(*b5r, kOldEdition, "AF_CIRCULAR_HYSTERESIS", "UT_LENGTH_UM") : std::nullopt;
   if (stored_h && *stored_h == 0.0 && both.hysteresis_um >= 0.05) {
     pair.remarks.push_back(
         fmt::format("The file stores a hysteresis of 0.0 um, a known defect of the instrument's software{}; the "
@@ -150,6 +165,17 @@ std::string place_of(const B5r& test, const std::string& parent) {
 }
 
 }  // namespace
+
+std::vector<Compared> stored_iso(const B5r& b5r) {
+  std::vector<Compared> results;
+  for (const IsoNumber& one : kIsoNumbers) {
+    const auto value = stored_value(b5r, one.edition, one.name, one.data_type);
+    if (!value) continue;
+    results.push_back({one.key, one.label, 2, *value});
+    compare(results.back(), b5r, one.edition, one.name, one.data_type);
+  }
+  return results;
+}
 
 Fitted fit_files(const std::vector<Source>& files, const CircleOptions& options, Faults faults,
                  const StatedCircle& stated) {

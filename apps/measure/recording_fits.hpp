@@ -58,6 +58,9 @@ struct Fitted {
   std::vector<std::string> remarks;  // of the readers
 };
 
+// The numbers of ISO 230-4 that a file without readings stores.
+std::vector<Compared> stored_iso(const B5r& b5r);
+
 enum class Faults { end_all, skip };
 
 // Opens and fits every file. A pair is the two directions of one `.b5r`, or two consecutive logs that differ only

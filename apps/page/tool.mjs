@@ -1,5 +1,6 @@
 // node tool.mjs MADE ENGINE SAMPLE_RUNS VERSION OUT: the page of build.mjs in the folder MADE and the module in the
 // folder ENGINE as one file, OUT.
+import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -12,12 +13,15 @@ if (!out) {
 }
 
 const text_of = (file, encoding = "utf8") => readFileSync(file, encoding);
-// Bytes as they are, a sign each, in a page whose signs are those of windows-1252: base64 would be a third more. What
-// HTML would read otherwise is a sign of equality and the byte 64 further.
-const packed = (bytes) =>
-  gzipSync(bytes, { level: 9 })
-    .toString("latin1")
-    .replace(/[\0\r<=]/g, (sign) => "=" + String.fromCharCode(sign.charCodeAt(0) + 64));
+// Base64 in short lines: no server that states another charset, and no mail program, changes it.
+const base64 = (bytes) => bytes.toString("base64").replace(/.{900}/g, "$&\n");
+const gzipped = (bytes) => base64(gzipSync(bytes, { level: 9 }));
+// What is large, and unpacked by a worker: src/packed.ts, which wants the size in the header.
+const lzmaed = (bytes) => {
+  const made = execFileSync("xz", ["--format=lzma", "-9e", "--stdout"], { input: bytes, maxBuffer: 1 << 28 });
+  made.writeBigUInt64LE(BigInt(bytes.length), 5);
+  return base64(made);
+};
 const hash = (text) => `sha256-${createHash("sha256").update(text).digest("base64")}`;
 
 // Of each sample run the files that its first use reads; "*.csv" are all of the folder.
@@ -34,12 +38,12 @@ const boot = text_of(join(made, "boot.js"));
 const style = text_of(join(made, "page.css"));
 const worker = text_of(join(engine, "engine.js")) + "\n" + text_of(join(made, "worker.js"));
 if (/[^\0-\x7f]/.test(boot + script + worker + style)) throw new Error("expected ASCII alone");
-for (const text of [boot, worker, style.replace(/<\/style/i, "</script")]) {
+for (const text of [boot, style.replace(/<\/style/i, "</script")]) {
   if (/<\/script|<!--/i.test(text)) throw new Error("a script or style would end its own element in the page");
 }
 const carried = (id, text, more = "") => `<script type="text/plain" id="${id}"${more}>${text}</script>\n`;
 const marks = {
-  CHARSET: "windows-1252",
+  CHARSET: "utf-8",
   SCRIPT_HASH: hash(boot),
   STYLE_HASH: hash(style),
   ENGINE_SCRIPTS: " 'wasm-unsafe-eval' blob:",
@@ -49,12 +53,12 @@ const marks = {
   STYLE: style,
   SCRIPT: boot,
   CARRIED:
-    carried("page-script", packed(script), ` data-hash="${hash(script)}"`) +
-    carried("engine", packed(readFileSync(join(engine, "engine.wasm")))) +
-    carried("engine-worker", worker) +
-    carried("notices", packed(readFileSync(join(made, "notices.txt")))) +
-    carried("samples", packed(JSON.stringify(samples))),
+    carried("page-script", gzipped(script), ` data-hash="${hash(script)}"`) +
+    carried("engine", lzmaed(readFileSync(join(engine, "engine.wasm")))) +
+    carried("engine-worker", gzipped(worker)) +
+    carried("notices", gzipped(readFileSync(join(made, "notices.txt")))) +
+    carried("samples", gzipped(JSON.stringify(samples))),
 };
 const page = text_of(new URL("src/page.html", import.meta.url)).replace(/@([A-Z_]+)@/g, (_, name) => marks[name]);
-writeFileSync(out, page, "latin1");
+writeFileSync(out, page, "ascii");
 console.log(`${out}: ${(page.length / 1e6).toFixed(2)} MB`);

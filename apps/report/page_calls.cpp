@@ -48,7 +48,31 @@ nlohmann::ordered_json history_of(const nlohmann::json& call) {
                     history_report(call.at("title").get<std::string>(), found));
 }
 
+SignalGaps gaps_of(const nlohmann::json& call) {
+  const ReportRequest request = request_of(call.at("words").get<Texts>());
+  SignalGaps longest;
+  for (const Source& source : request.model.data) {
+    if (is_recording_file(source)) continue;
+    const std::optional<SignalGap> one = longest_gap(open_drift_data(source), request.model.max_gap_s);
+    if (!one || (longest.gap && longest.gap->to_s - longest.gap->from_s >= one->to_s - one->from_s)) continue;
+    longest.gap = one;
+  }
+  return longest;
+}
+
 }  // namespace
+
+TestsReport PageCalls::table_of(const nlohmann::json& call) {
+  auto words = call.at("words").get<Texts>();
+  if (!tests_ || words != words_of_tests_) {
+    const ReportRequest request = request_of(words);
+    tests_.reset();
+    tests_ = tests_report(call.at("title").get<std::string>(), names_of(request.model.data), request.model.circle);
+    words_of_tests_ = std::move(words);
+  }
+  const auto tolerance = call.find("tolerance_um");
+  return judged(*tests_, tolerance == call.end() ? std::nullopt : std::optional(tolerance->get<double>()));
+}
 
 ReportSubject& PageCalls::subject_of(const nlohmann::json& call) {
   const ReportRequest request = request_of(call.at("words").get<Texts>());
@@ -65,6 +89,8 @@ nlohmann::ordered_json PageCalls::answer(const nlohmann::json& call) {
   const auto name = call.at("call").get<std::string>();
   if (name == "tests") return json_of(tests_of(call));
   if (name == "history") return history_of(call);
+  if (name == "table") return json_of(table_of(call));
+  if (name == "gaps") return json_of(gaps_of(call));
   ReportSubject& subject = subject_of(call);
   if (name == "report") return json_of(subject.report(false).page);
   if (name == "fitted") return json_of(subject.fitted());

@@ -3,9 +3,11 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "report/report_results.hpp"
 #include "report/report_subject.hpp"
 
 namespace ballbar {
@@ -28,6 +30,9 @@ namespace ballbar {
 //   choices    what could be added, with the columns that suit
 //   compare    the fits with each of "hypotheses", a list of effects each; the model stays
 //   text       the text of the model's file, with fitted values to start from
+//   table      all ballbar tests of the files, a row each, as a page; "title": of that page, "tolerance_um": of the
+//              circularity, may lack
+//   gaps       where a fit is refused for the rows within gaps of signals: the longest gap
 //   tests      the ballbar tests among the files, without a fit
 //   history    machines over the tests of the files, as the page of `history`; "title": of that page
 //
@@ -39,8 +44,11 @@ class PageCalls {
 
  private:
   ReportSubject& subject_of(const nlohmann::json& call);
+  TestsReport table_of(const nlohmann::json& call);
 
   std::unique_ptr<ReportSubject> subject_;
+  std::vector<std::string> words_of_tests_;  // what the tests are of
+  std::optional<TestsReport> tests_;         // fitted
 };
 
 }  // namespace ballbar

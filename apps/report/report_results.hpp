@@ -15,6 +15,8 @@
 #include "diagnose/diagnosis_report.hpp"
 #include "diagnose/revision_results.hpp"
 #include "errors/test_comparison_result.hpp"
+#include "errors/test_result.hpp"
+#include "errors/test_table.hpp"
 #include "measure/comparison_result.hpp"
 #include "measure/fit_result.hpp"
 #include "model/residual_report.hpp"
@@ -86,6 +88,63 @@ inline constexpr auto kResult<PageReport> = ResultType{
         fields_through(&PageReport::model, kModelPartDrawn),
         std::tuple{Field{"batch", &PageReport::batch, "with a model of train"}})};
 
+// A test as a row of the table of all.
+struct TestRow {
+  MachineTest test;
+  std::vector<Compared> numbers;  // of ISO 230-4, or of its only direction; fitted, or stored
+  std::optional<bool> passes;
+};
+
+inline std::optional<TestQuantity> known_quantity(const TestQuantity* one) {
+  return one == nullptr ? std::nullopt : std::optional(*one);
+}
+
+template <>
+inline constexpr auto kResult<TestRow> = ResultType{
+    "TestRow", "A test in the table of all.",
+    std::tuple_cat(
+        fields_through(&TestRow::test, kMachineTestMadeWith),
+        std::tuple{
+            Field{"numbers", &TestRow::numbers, "of ISO 230-4, of one direction its circularity"},
+            Field{"both_runs", [](const TestRow& of) { return known_quantity(quantity_of(of.test, "circularity")); },
+                  "largest less smallest reading of both directions about one centre, or as stored"},
+            Field{"largest", [](const TestRow& of) { return known_quantity(first_to_mend(of.test)); },
+                  "error to correct first; null: none"},
+            Field{"passes", &TestRow::passes, "by the tolerance and the limits in the file; null: neither is known"}})};
+
+struct TestRows {
+  std::vector<TestRow> tests;
+  std::vector<SkippedTest> skipped;
+  std::vector<std::string> remarks;
+  std::optional<double> tolerance_um;
+};
+
+template <>
+inline constexpr auto kResult<TestRows> =
+    ResultType{"TestRows", "All ballbar tests of a folder.",
+               std::tuple{Field{"tests", &TestRows::tests, "one row per test"},
+                          Field{"skipped", &TestRows::skipped, "files that could not be read"},
+                          Field{"remarks", &TestRows::remarks, "of the readers"},
+                          Field{"tolerance_um", &TestRows::tolerance_um,
+                                "of the circularity of both directions; null: none was given"}}};
+
+struct TestsReport {
+  ReportHead head;
+  TestRows rows;
+};
+
+template <>
+inline constexpr auto kResult<TestsReport> =
+    ResultType{"TestsReport", "The data of a page of all tests of a folder.",
+               std::tuple_cat(fields_through(&TestsReport::head, kResult<ReportHead>.fields),
+                              std::tuple{Field{"test_table", &TestsReport::rows, ""}})};
+
+// All tests of the files, fitted. `title`: of the folder.
+TestsReport tests_report(const std::string& title, const std::vector<std::string>& files, const StatedCircle& stated);
+
+// The same by a tolerance of the circularity; nullopt: by the limits in the files alone.
+TestsReport judged(TestsReport report, std::optional<double> tolerance_um);
+
 // Results of the steps that a page requests.
 struct HeldPart {
   CheckParts check;
@@ -94,6 +153,21 @@ struct HeldPart {
 template <>
 inline constexpr auto kResult<HeldPart> =
     ResultType{"HeldPart", "A model with values held.", std::tuple{Field{"check", &HeldPart::check, "how it fits"}}};
+
+struct SignalGaps {
+  std::optional<SignalGap> gap;
+};
+
+template <>
+inline constexpr auto kResult<SignalGap> =
+    ResultType{"SignalGap", "A stretch without values of a signal.",
+               std::tuple{Field{"signal", &SignalGap::signal, "column"}, Field{"from_s", &SignalGap::from_s, ""},
+                          Field{"to_s", &SignalGap::to_s, ""}}};
+
+template <>
+inline constexpr auto kResult<SignalGaps> =
+    ResultType{"SignalGaps", "Gaps that a fit would have to interpolate.",
+               std::tuple{Field{"gap", &SignalGaps::gap, "the longest; null: none"}}};
 
 struct WithPart {
   double rmse_um = 0.0;

@@ -114,7 +114,7 @@ std::vector<ResultSchema> all_schemas() {
                     HistoryResult, History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet,
                     TrainedOnTemperatures, TrainedOnEffects, TrainedForJob, Series, PredictedTarget, ReplayResult,
                     WrittenResult, MadeSets, ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart, HeldPart,
-                    WithPart, RevisedPart, EffectChoices, Hypotheses, ModelText, HistoryReport, FleetReport,
+                    WithPart, RevisedPart, EffectChoices, Hypotheses, ModelText, HistoryReport, FleetReport, TestsReport, SignalGaps,
                     PageFiles>();
 }
 

@@ -146,6 +146,9 @@ void add_table_options(CLI::App& command, const Recipe& recipe) {
       [](LogRecipe& to, const std::string& sheet) { to.sheet = sheet; });
   add_sign(command, recipe, "--delimiter", "separator of the values", kDelimiterNames, &LogRecipe::delimiter);
   add_sign(command, recipe, "--decimal", "decimal separator", kDecimalNames, &LogRecipe::decimal);
+  add(command, recipe, "--header-line", "line that holds the names of the columns, from 1", "LINE",
+      [](LogRecipe& to, const std::string& line) { to.header_line = std::stoul(line); })
+      ->check(CLI::Range(1, 1000000).description(""));
   add_repeated(command, recipe, "--missing", "text that marks a missing value", "TEXT",
                [](LogRecipe& to, const std::string& text) { to.missing.push_back(text); });
   add_flag(command, recipe, "--skip-bad-rows", "skip any number of rows without numbers", &LogRecipe::skip_bad_rows);

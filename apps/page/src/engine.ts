@@ -1,7 +1,7 @@
 // The program compiled to WebAssembly, in a worker: runs commands as on a terminal, on files in memory. If the page
 // contains it, a user can drop files on the page and work with them.
-import { unpacked } from "./packed";
-import type { Answer, Question } from "./worker";
+import { gunzipped } from "./packed";
+import type { Answer, Question, Start } from "./worker";
 
 // The output of a command. status: 0 success, 1 error in the input, 2 error in the command line, 3 a test fails its tolerance.
 export interface Ran {
@@ -63,9 +63,11 @@ class Link {
   private next = 0;
   private over: Error | null = null; // why it no longer answers
 
-  constructor(url: string, module: WebAssembly.Module) {
+  // With the module, or what it is packed into.
+  constructor(url: string, start: Start, compiled: (module: WebAssembly.Module) => void) {
     this.worker = new Worker(url);
-    this.worker.onmessage = ({ data }: MessageEvent<Answer>) => {
+    this.worker.onmessage = ({ data }: MessageEvent<Answer | { kind: "compiled"; module: WebAssembly.Module }>) => {
+      if (data.kind === "compiled") return compiled(data.module);
       const one = this.waiting.get(data.id);
       if (data.kind === "progress") return one?.progress?.(data.line);
       this.waiting.delete(data.id);
@@ -76,7 +78,7 @@ class Link {
       event.preventDefault();
       this.end(new Failed(event.message));
     };
-    this.worker.postMessage({ kind: "start", module });
+    this.worker.postMessage(start);
   }
 
   ask(question: Question, give: Transferable[] = [], progress?: (line: string) => void): Promise<Answer> {
@@ -107,9 +109,10 @@ class InWorker implements Engine {
   private readonly ended = new WeakSet<Link>();
 
   constructor(private readonly page: Document) {
-    const url = URL.createObjectURL(new Blob([block(page, "engine-worker") ?? ""], { type: "text/javascript" }));
-    const module = unpacked(block(page, "engine") ?? "").then((bytes) => WebAssembly.compile(bytes));
-    this.start = async () => new Link(url, await module);
+    const script = gunzipped(block(page, "engine-worker") ?? "").then((bytes) => URL.createObjectURL(new Blob([bytes], { type: "text/javascript" })));
+    let start: Start = { kind: "start", packed: block(page, "engine") ?? "" };
+    // The first worker unpacks and compiles the module; those after it take what it made.
+    this.start = async () => new Link(await script, start, (module) => (start = { kind: "start", module }));
     this.link = this.start();
     let warmed: (report: string) => void = () => undefined;
     this.warmed = new Promise((done) => (warmed = done));
@@ -123,7 +126,7 @@ class InWorker implements Engine {
   samples(): Promise<readonly Sample[]> {
     const text = block(this.page, "samples");
     this.unpacked_samples ??= text
-      ? unpacked(text).then((bytes) => JSON.parse(new TextDecoder().decode(bytes)) as Sample[])
+      ? gunzipped(text).then((bytes) => JSON.parse(new TextDecoder().decode(bytes)) as Sample[])
       : Promise.resolve([]);
     return this.unpacked_samples;
   }

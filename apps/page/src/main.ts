@@ -71,7 +71,7 @@ const open: Open = (report, shared, tools, by_hand) => {
   const own = !by_hand?.proves || (drifts && first[0]?.id === "drift");
   const made = all.map((section) => ({ section, ...section_of(section, own && first.includes(section), shared) }));
   const proved = made.flatMap(({ section, figure, proof }): Proved[] =>
-    section.first && figure ? [{ first: section.first, figure, proof }] : [],
+    section.first && proof.length > 0 ? [{ first: section.first, figure, proof }] : [],
   );
   const main = element(
     "main",
@@ -87,11 +87,11 @@ const open: Open = (report, shared, tools, by_hand) => {
     parts: [
       ...(sheet ? [sheet.sheet] : []),
       contents_of(all, ...(sheet ? [sheet.print] : []), tools),
-      header_of(report, first[0]?.companion !== undefined || by_hand?.proves === true),
+      header_of(report, first[0]?.companion !== undefined || first[0]?.first?.table !== undefined || by_hand?.proves === true),
       main,
     ],
     // What is on the screen is drawn at once; the rest when it comes near.
-    draw: () => proved.forEach(({ figure }) => figure.draw_now()),
+    draw: () => proved.forEach(({ figure }) => figure?.draw_now()),
   };
 };
 

@@ -1,7 +1,7 @@
 // A picture: data in, drawing out, nothing kept. What can change while it is looked at is in the State; figure.ts holds
 // that, and draws anew when it changes. The same drawing is shown on the page, saved as a file and printed.
 import type { EChartsCoreOption } from "echarts/core";
-import type { Num } from "./report";
+import type { NextAction, Num } from "./report";
 import type { Sentence } from "./texts/texts";
 
 // How it is drawn. still: for a file or paper, without controls, with a legend of its own.
@@ -83,8 +83,11 @@ export interface TextTable {
   choose?: Choosing;
   row_titles?: readonly string[]; // seen where the pointer rests on a row
   at_first?: number; // rows; the others behind a button
-  // A command a row, which its first cell does on a page that can.
-  acts?: { title: string; commands: readonly string[] };
+  // An action a row, which its first cell does on a page that can.
+  acts?: { title: string; actions: readonly PageAction[] };
+  // Two rows that are ticked are compared, the earlier with the later, on a page that can.
+  pairs?: { label: string; title: string; tests: readonly { files: readonly string[]; plane: string; date: string }[] };
+  marks?: { column: number; of: readonly ("pass" | "warning" | "fail" | "")[] }; // a row each, seen as a coloured dot too
   // Shares of the largest, 0 to 1, drawn below the text of a column's cells.
   bars?: { column: number; shares: readonly Num[] };
 }
@@ -125,16 +128,30 @@ export interface Notes {
   tables: readonly TextTable[];
 }
 
-// What to do next: a command to paste.
+// What a button does on a page with the program.
+export type PageAction =
+  | (NextAction & { action: "add" | "try" | "free" | "plan" }) // as the program proposes
+  | { action: "find"; target?: string } // what is missing
+  | { action: "show"; section: string }
+  | { action: "open"; files: readonly string[] } // a test alone
+  | { action: "compare"; before: readonly string[]; after: readonly string[] }
+  | { action: "trend" } // of all tests over time
+  | { action: "test_again" } // a later test of the same machine
+  | { action: "columns" } // how a log is read
+  | { action: "predict" };
+
+// What to do next.
 export interface Next {
   label: string; // of its button, a few words
   text?: Sentence; // a sentence beside it
-  command: string;
+  command: string; // to paste, on a page without the program
+  action: PageAction | null; // on one with it; null: there is no button
 }
 
 // What a section has for the first screen, if it is the one with most to say.
 export interface First {
-  picture: string; // of the section: what proves the verdict
+  picture?: string; // of the section: what proves the verdict
+  table?: TextTable; // the same, where it is no picture
   kind?: string; // of what several sections can be chosen there: "Target"
   label?: string; // of this one: "y_um"
   conclusion: (chosen: State["chosen"]) => Conclusion; // of what is chosen in the picture

@@ -7,8 +7,8 @@ export type {
   BatchPart, Bound, CheckPart as Checked, Column, ComparedTests, DrawnCandidate as Candidate,
   DrawnMachine as FleetMachine, DrawnMeanPointState as MeanPointState, DrawnTest, FittedParameter as Parameter,
   HistoryGroup, HistoryQuantity, Hypotheses as HypothesesPart, Ledger as LedgerPart, LedgerRow,
-  MachineError as MachineErrorRow, MachineErrorsPart, MeanPointPart, Num, Plan, ProbesPart, QuantityDifference,
-  ResultsAlone as StoredAlone, TestHead,
+  MachineError as MachineErrorRow, MachineErrorsPart, MeanPointPart, NextAction, Num, Plan, ProbesPart, QuantityDifference,
+  ResultsAlone as StoredAlone, SignalGap, TestHead, TestRow,
 } from "./results";
 
 // Values of a key that are texts of a few.
@@ -41,4 +41,5 @@ export interface Report extends Omit<results.Report, "fit" | "drift" | "compare"
   mean_point?: results.MeanPointPart;
   history?: results.HistoryPart;
   fleet?: results.FleetPart;
+  test_table?: results.TestRows;
 }

@@ -10,6 +10,7 @@ import { ledger_section } from "./diagnosis/ledger";
 import { machine_errors_section } from "./machine_errors/machine_errors";
 import { mean_point_section } from "./mean_point/mean_point";
 import { model_sections } from "./model/model";
+import { test_table_sections } from "./history/test_table";
 import type { Section } from "./picture";
 import { recordings_section } from "./recordings/recordings";
 import type { Report } from "./report";
@@ -23,6 +24,7 @@ interface Kind {
 }
 
 const kinds: readonly Kind[] = [
+  { rank: 120, of: test_table_sections },
   { rank: 60, of: history_sections },
   { rank: 62, of: fleet_sections },
   { rank: 110, of: change_section },

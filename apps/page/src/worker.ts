@@ -1,4 +1,5 @@
 // The worker of the engine: its own bundle, put behind the module's script. It knows files and commands, no page.
+import { bytes_of_base64, unlzmaed } from "./packed";
 
 export type Question =
   | { kind: "wait" }
@@ -7,6 +8,8 @@ export type Question =
   | { kind: "call"; call: object } // of apps/report/page_calls.hpp
   | { kind: "put"; path: string; at: number; bytes: Uint8Array; size: number }
   | { kind: "remove"; path: string };
+
+export type Start = { kind: "start" } & ({ packed: string } | { module: WebAssembly.Module });
 
 export type Answer = { id: number } & (
   | { kind: "done" }
@@ -139,9 +142,16 @@ const done = (made: Module, question: Question & { id: number }): void => {
   answer({ id, kind: "done" });
 };
 
-onmessage = ({ data }: MessageEvent<({ id: number } & Question) | { kind: "start"; module: WebAssembly.Module }>) => {
+const compiled_of = async (start: Start): Promise<WebAssembly.Module> => {
+  if ("module" in start) return start.module;
+  const compiled = await WebAssembly.compile(unlzmaed(bytes_of_base64(start.packed)));
+  postMessage({ kind: "compiled", module: compiled });
+  return compiled;
+};
+
+onmessage = ({ data }: MessageEvent<({ id: number } & Question) | Start>) => {
   if (data.kind === "start") {
-    module = started(data.module);
+    module = compiled_of(data).then(started);
     return;
   }
   module

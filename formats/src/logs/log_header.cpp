@@ -287,7 +287,7 @@ Cut cut_by(const std::vector<HeadLine>& lines, char delimiter, std::size_t fewes
   return cut;
 }
 
-void find_header(const std::vector<HeadLine>& lines, const Cut& cut, LogShape& shape) {
+void find_header(const std::vector<HeadLine>& lines, const Cut& cut, bool is_first, LogShape& shape) {
   Cells cells;
   struct Row {
     std::size_t index;
@@ -337,6 +337,10 @@ void find_header(const std::vector<HeadLine>& lines, const Cut& cut, LogShape& s
       return log_unit(trimmed_cell(cell)) || time_unit_s(trimmed_cell(cell));
     });
     if (!all) units.reset();
+  }
+  if (is_first) {
+    name = 0;
+    if (units == name) units.reset();
   }
   const auto take = [&](const std::optional<std::size_t>& index, std::vector<std::string>& to, std::size_t& line) {
     to.assign(cut.columns, "");

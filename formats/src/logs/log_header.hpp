@@ -39,8 +39,9 @@ struct Cut {
 // The rows of one delimiter: lines of the same number of cells, mostly values, that follow each other.
 Cut cut_by(const std::vector<HeadLine>& lines, char delimiter, std::size_t fewest);
 
-// Sets headers, units, header_line, units_line and preamble of the shape from the lines above the first row.
-void find_header(const std::vector<HeadLine>& lines, const Cut& cut, LogShape& shape);
+// Sets headers, units, header_line, units_line and preamble of the shape from the lines above the first row. is_first:
+// a user states that the first line holds the names.
+void find_header(const std::vector<HeadLine>& lines, const Cut& cut, bool is_first, LogShape& shape);
 
 bool is_blank(std::string_view line);
 
@@ -54,7 +55,8 @@ inline constexpr double kExplained = 0.95;  // of the rows: what a layout must e
 //
 // Rows of channels below each other are a table as well until their times are known (log_channels.hpp). Sets names,
 // units and preamble of the shape, whose rows are known. Throws Error with name:line where two layouts fit.
-void find_names(const std::string& name, const std::vector<HeadLine>& lines, const Cut& cut, LogShape& shape);
+void find_names(const std::string& name, const std::vector<HeadLine>& lines, const Cut& cut, bool is_first,
+                LogShape& shape);
 
 // As a name or a unit goes into files of ours: without blanks and quotes around it, and what is no character.
 std::string written(std::string_view cell);

@@ -118,8 +118,9 @@ void take_units_beside(const std::vector<ColumnSample>& samples, LogShape& shape
 
 }  // namespace
 
-void find_names(const std::string& name, const std::vector<HeadLine>& lines, const Cut& cut, LogShape& shape) {
-  find_header(lines, cut, shape);
+void find_names(const std::string& name, const std::vector<HeadLine>& lines, const Cut& cut, bool is_first,
+                LogShape& shape) {
+  find_header(lines, cut, is_first, shape);
   shape.is_label.assign(cut.columns, false);
   const std::vector<ColumnSample> samples = samples_of(shape, kRowsOfNames);
   const std::vector<HeadLine> above(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(cut.first));

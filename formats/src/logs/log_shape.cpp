@@ -53,6 +53,18 @@ std::vector<HeadLine> head_lines(const Source& source, const TextEncoding& encod
   return lines;
 }
 
+// From the line of the names on, where a user states it.
+void expect_header_line(std::vector<HeadLine>& lines, const std::string& name, const LogRecipe& recipe) {
+  if (recipe.header_line == 0) return;
+  const auto header =
+      std::find_if(lines.begin(), lines.end(), [&](const HeadLine& line) { return line.number == recipe.header_line; });
+  if (header == lines.end() || is_blank(header->text)) {
+    throw Error(fmt::format("{}:{}: expected the names of the columns, as --header-line states, found no text.", name,
+                            recipe.header_line));
+  }
+  lines.erase(lines.begin(), header);
+}
+
 Cut best_cut(const std::vector<HeadLine>& lines, const LogRecipe& recipe) {
   Cut best;
   for (const char delimiter : kDelimiters) {
@@ -82,8 +94,10 @@ LogShape log_shape(const Source& source, const LogRecipe& recipe) {
     throw Error(
         fmt::format("{}:1: expected text, a workbook (.xlsx) or a .mat file, found another binary file.", name));
   }
-  const std::vector<HeadLine> lines = head_lines(source, shape.encoding);
-  const Cut best = best_cut(lines, recipe);
+  std::vector<HeadLine> lines = head_lines(source, shape.encoding);
+  expect_header_line(lines, name, recipe);
+  Cut best = best_cut(lines, recipe);
+  if (recipe.header_line > 0 && best.first == 0) best.first = 1;  // names that are numbers
   if (best.score == 0.0) {
     throw Error(fmt::format(
         "{}:1: expected rows of at least two values separated by commas, semicolons, tabs or blanks, found none in the "
@@ -104,7 +118,7 @@ LogShape log_shape(const Source& source, const LogRecipe& recipe) {
   }
   shape.headers.resize(best.columns);
   find_decimal(name, recipe, shape);
-  find_names(name, lines, best, shape);
+  find_names(name, lines, best, recipe.header_line > 0, shape);
   shape.bytes_a_row = std::max<std::size_t>(2, row_bytes / std::max<std::size_t>(1, shape.rows.size()));
   shape.day_first = shape.decimal == ',' || shape.delimiter == ';';
   return shape;

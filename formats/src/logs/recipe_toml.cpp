@@ -20,6 +20,7 @@ constexpr Key kRootKeys[] = {
     {"delimiter", "text", "\"comma\", \"semicolon\", \"tab\", \"bar\" or \"blank\""},
     {"decimal", "text", "\"comma\" or \"point\""},
     {"dates", "text", "\"day-first\" or \"month-first\": how 03/04/2026 is read"},
+    {"header_line", "whole number", "line of the names, from 1; what is above is not read; default: detected"},
     {"time", "text", "header of the column of time; \"none\": rows are numbered"},
     {"time_unit", "text", "of a time that is a number: \"s\", \"ms\", \"min\", \"h\" ..."},
     {"every_s", "s", "interval of the rows if no column holds the time, above 0"},
@@ -85,6 +86,7 @@ LogRecipe read_recipe(std::string_view bytes, std::string_view name) {
   recipe.decimal = sign(root, "decimal", kDecimalNames);
   const std::string_view orders[] = {"day-first", "month-first"};
   if (const auto order = choice_index(root, "dates", orders)) recipe.month_first = *order == 1;
+  recipe.header_line = static_cast<std::size_t>(std::max<std::int64_t>(0, integer(root, "header_line").value_or(0)));
   recipe.time = string(root, "time").value_or("");
   recipe.time_unit = string(root, "time_unit").value_or("");
   recipe.every_s = positive(root, "every_s");
@@ -109,6 +111,7 @@ std::string write_recipe(const LogRecipe& recipe) {
   if (recipe.delimiter) text("delimiter", name_of_sign(*recipe.delimiter, kDelimiterNames));
   if (recipe.decimal) text("decimal", name_of_sign(*recipe.decimal, kDecimalNames));
   if (recipe.month_first) text("dates", *recipe.month_first ? "month-first" : "day-first");
+  if (recipe.header_line > 0) out += fmt::format("header_line = {}\n", recipe.header_line);
   text("time", recipe.time);
   text("time_unit", recipe.time_unit);
   if (recipe.every_s) out += fmt::format("every_s = {}\n", toml_number(*recipe.every_s));

@@ -251,7 +251,26 @@ ModelData data_of_runs(const Listing& listing, const DriftOptions& options, std:
   return data;
 }
 
+// The drift of a session, and its signals.
+std::vector<Series> parts_of(const SessionFiles& session, const DriftOptions& options, std::span<const Reader> readers,
+                             std::vector<std::string>& remarks) {
+  std::vector<Series> parts{series_of(drift_of(session.session, options))};
+  for (const Source& signals : session.signals) {
+    OpenedSeries opened = opened_series(signals, readers);
+    parts.push_back(*opened.series);
+    remarks.insert(remarks.end(), opened.remarks.begin(), opened.remarks.end());
+  }
+  return parts;
+}
+
 }  // namespace
+
+std::optional<SignalGap> longest_gap(const DriftData& source, std::optional<double> max_gap_s,
+                                     std::span<const Reader> readers) {
+  if (source.series) return longest_gap(std::span<const Series>(source.series.get(), 1), max_gap_s);
+  std::vector<std::string> remarks;
+  return longest_gap(parts_of(*source.session, {}, readers, remarks), max_gap_s);
+}
 
 ModelData model_data_of(const DriftData& source, const std::string& name, const DriftOptions& options,
                         std::optional<double> max_gap_s, std::span<const Reader> readers) {
@@ -263,12 +282,7 @@ ModelData model_data_of(const DriftData& source, const std::string& name, const 
   if (source.session) {
     if (!source.session->session.title.empty()) data.title = source.session->session.title;
     for (const SkippedFile& one : source.session->skipped) data.remarks.push_back("left out: " + one.why);
-    parts.push_back(series_of(drift_of(source.session->session, options)));
-    for (const Source& signals : source.session->signals) {
-      OpenedSeries opened = opened_series(signals, readers);
-      parts.push_back(*opened.series);
-      data.remarks.insert(data.remarks.end(), opened.remarks.begin(), opened.remarks.end());
-    }
+    parts = parts_of(*source.session, options, readers, data.remarks);
   }
   try {
     if (parts.size() > 1) {

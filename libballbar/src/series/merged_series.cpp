@@ -133,7 +133,7 @@ std::vector<double> on(const std::vector<double>& time_s, const Known& values, R
 struct Gaps {
   std::string signal;
   std::vector<std::size_t> rows;
-  double max_gap_s = 0.0, first_from_s = 0.0, first_to_s = 0.0;
+  double max_gap_s = 0.0, first_from_s = 0.0, first_to_s = 0.0, longest_from_s = 0.0, longest_to_s = 0.0;
 };
 
 struct Parts {
@@ -152,6 +152,12 @@ Gaps gaps_of(const std::string& name, const std::vector<double>& time_s, const s
   const auto after = std::upper_bound(values.time_s.begin(), values.time_s.end(), first_s);
   gaps.first_from_s = *(after - 1);
   gaps.first_to_s = *after;
+  for (const std::size_t row : gaps.rows) {
+    const auto to = std::upper_bound(values.time_s.begin(), values.time_s.end(), time_s[row]);
+    if (*to - *(to - 1) <= gaps.longest_to_s - gaps.longest_from_s) continue;
+    gaps.longest_from_s = *(to - 1);
+    gaps.longest_to_s = *to;
+  }
   return gaps;
 }
 
@@ -252,6 +258,17 @@ std::vector<RowsWithout> rows_without_signal(std::span<const Series> parts, std:
     without.push_back({gaps.signal, gaps.rows.size(), gaps.max_gap_s});
   }
   return without;
+}
+
+std::optional<SignalGap> longest_gap(std::span<const Series> parts, std::optional<double> max_gap_s) {
+  const Parts all = parts_on_one_clock(parts, max_gap_s);
+  std::optional<SignalGap> longest;
+  if (keeps_enough(all.series, kept_rows(all))) return longest;
+  for (const Gaps& gaps : all.gaps) {
+    if (longest && longest->to_s - longest->from_s >= gaps.longest_to_s - gaps.longest_from_s) continue;
+    longest = SignalGap{gaps.signal, gaps.longest_from_s, gaps.longest_to_s};
+  }
+  return longest;
 }
 
 std::shared_ptr<const Series> with_gaps_closed(std::shared_ptr<const Series> series, std::optional<double> max_gap_s) {

@@ -33,6 +33,7 @@ const verdict_of = (batch: BatchPart): Sentence => {
 const next_of = (report: Report): Next => ({
   label: t.batch_next,
   command: command_of("predict", data_files(report), ["--model", report.files.find((file) => file.endsWith(".json")) ?? "model.json", "--out", "predicted.csv"]),
+  action: { action: "predict" },
 });
 
 export const batch_section = (report: Report): Section[] => {

@@ -1,6 +1,6 @@
 // Two tests of a plane, before and after: what differs clearly, in a sentence, a table, and both traces on one circle.
 import { capital, plain } from "../drawing/text";
-import { command_of } from "../drawing/command";
+import { command_of, files_of } from "../drawing/command";
 import { is_told, quantity_name } from "./quantities";
 import { unit_shown } from "../machine_errors/error_names";
 import { error_tests } from "../machine_errors/error_curves";
@@ -120,7 +120,7 @@ const notes_of = (pair: ComparedTests): Notes => {
 const conclusion_of = (pair: ComparedTests): Conclusion => ({
   ...verdict_of(pair),
   concluded: pair.conclusion,
-  next: { label: t.change_next, text: t.change_next_text, command: command_of("errors", [pair.after.file, pair.after.second_file].filter((one) => one !== "")) },
+  next: { label: t.change_next, text: t.change_next_text, command: command_of("errors", files_of(pair.after)), action: { action: "open", files: files_of(pair.after) } },
 });
 
 export const change_section = (report: Report): Section[] => {

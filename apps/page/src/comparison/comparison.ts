@@ -125,7 +125,7 @@ const most_moved = (axes: readonly [string, ComparedAxis][]): [string, ComparedA
   return [...axes].sort((a, b) => range(b) - range(a))[0];
 };
 
-const next_of = (report: Report): Next => ({ label: t.drift_next, command: report_command(data_files(report).slice(0, 1)) });
+const next_of = (report: Report): Next => ({ label: t.drift_next, command: report_command(data_files(report).slice(0, 1)), action: { action: "find" } });
 
 export const comparison_section = (report: Report): Section[] => {
   const { compare } = report;

@@ -2,6 +2,7 @@
 import { candidate_table, posterior_table } from "./diagnosis_tables";
 import { candidates_picture } from "./candidates";
 import { coherence_picture } from "./coherence";
+import { next_action_of, next_label } from "./next_action";
 import { ledger_steps, not_known, type Step } from "./steps";
 import type { Next, Picture, Section } from "../picture";
 import { command_of, data_files, model_options } from "../drawing/command";
@@ -141,14 +142,14 @@ const says_of = (found: Diagnosed): number => {
 };
 
 const next_of = (report: Report, found: Diagnosed): Next => {
-  if (found.command !== "") {
-    const tried = found.command.endsWith(" --dry-run");
-    return { label: tried ? t.diagnosis_next_try : t.diagnosis_next_add, text: english(found.hint), command: found.command };
+  const action = next_action_of(found);
+  if (action && action.action !== "plan") {
+    return { label: next_label(action), text: english(found.hint), command: found.command, action };
   }
   const options = [...model_options(report), "--target", found.target];
   return found.verdict === "nothing"
-    ? { label: t.diagnosis_next_where, command: command_of("check", data_files(report), options) }
-    : { label: t.diagnosis_next_plan, text: english(found.hint), command: command_of("plan", data_files(report), options) };
+    ? { label: t.diagnosis_next_where, command: command_of("check", data_files(report), options), action: report.check ? { action: "show", section: "model" } : null }
+    : { label: t.diagnosis_next_plan, text: english(found.hint), command: command_of("plan", data_files(report), options), action };
 };
 
 const section_of = (report: Report, found: Diagnosed, checked: Checked | undefined, number: string): Section => {

@@ -10,6 +10,9 @@ const shell_word = (word: string): string => {
 export const command_of = (verb: string, files: readonly string[], options: readonly string[] = []): string =>
   ["ballbar", verb, ...files.map((file) => (file.startsWith("-") ? `./${file}` : file)), ...options].map(shell_word).join(" ");
 
+// The files of a test.
+export const files_of = ({ file, second_file }: { file: string; second_file: string }): string[] => [file, second_file].filter((one) => one !== "");
+
 // What a command takes as its data: of a session its one file, of recordings the folder they lie in where they are many.
 const kMost_files = 4;
 export const data_files = ({ files, fit }: Report): string[] => {

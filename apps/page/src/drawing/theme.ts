@@ -68,6 +68,10 @@ export const shown = (value: number | null | undefined, decimals?: number): stri
 export const rounded = (value: number | null, digits: number): string =>
   shown(value === null ? null : Number(value.toPrecision(digits)));
 
+// The same digits wherever the RMSE of a model stands: before a step, after it, and where it is promised.
+export const rmse_shown = (value: number | null): string =>
+  shown(value, value !== null && value > 0 ? Math.min(4, Math.max(2, 2 - Math.floor(Math.log10(value)))) : 2);
+
 // "4.62 to 5.13", of the least and the largest; one number where they read the same.
 export const range_text = (values: readonly number[], decimals: number): string => {
   const [from, to] = [shown(Math.min(...values), decimals), shown(Math.max(...values), decimals)];

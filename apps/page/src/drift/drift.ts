@@ -62,7 +62,7 @@ const first_of = (report: Report, axes: readonly DriftAxis[], picture: string): 
   picture,
   conclusion: () => ({
     verdict: t.drift_verdict({ each: largest_of_each(axes).map(({ said }) => said).join("; ") }),
-    next: { label: t.drift_next, command: report_command(data_files(report).slice(0, 1)) },
+    next: { label: t.drift_next, command: report_command(data_files(report).slice(0, 1)), action: { action: "find" } },
   }),
 });
 

@@ -54,6 +54,7 @@ export const signals_section = (report: Report): Section[] => {
       next: {
         label: any_measured ? t.drift_next : t.drift_signals_next,
         command: any_measured ? report_command(data_files(report)) : command_of("could", data_files(report)),
+        action: { action: any_measured ? "find" : "columns" },
       },
     }),
   });

@@ -7,7 +7,7 @@ import type { FleetMachine, Report } from "../report";
 import { plain } from "../drawing/text";
 import { english, named, t, with_decimal_sign } from "../texts/texts";
 
-const next = (): Next => ({ label: t.fleet_next, command: command_of("history", ["."], ["--all"]) });
+const next = (): Next => ({ label: t.fleet_next, command: command_of("history", ["."], ["--all"]), action: null });
 
 const cell = (text: string): string => with_decimal_sign(named(t.fleet_words, text));
 

@@ -1,6 +1,6 @@
 // A machine over its tests: a section a group of tests that can be compared, then squareness and scales.
 import { history_picture, type Shown } from "./history_picture";
-import { command_of } from "../drawing/command";
+import { command_of, files_of } from "../drawing/command";
 import type { Next, Section } from "../picture";
 import type { DrawnTest, HistoryGroup, Report } from "../report";
 import { capital, plain } from "../drawing/text";
@@ -9,7 +9,7 @@ import { english, named, t, with_decimal_sign } from "../texts/texts";
 import { error_name, typed_name, unit_shown } from "../machine_errors/error_names";
 import { quantity_name } from "../change/quantities";
 
-const next = (): Next => ({ label: t.history_next, command: command_of("history", ["."], ["--all"]) });
+const next = (): Next => ({ label: t.history_next, command: command_of("history", ["."], ["--all"]), action: { action: "show", section: "history-1" } });
 
 // The columns of the table: quantity, unit, last, change, sigmas, a year, tolerance, met.
 const quantity_sentence = ({ rows, plane }: HistoryGroup, name: string): string => {
@@ -88,7 +88,7 @@ const tests_section = (tests: readonly DrawnTest[]): Section[] =>
                 with_sigma(test.circularity_um, test.circularity_sigma_um, 2),
                 test.first_to_mend === "" ? t.none : error_name(test.first_to_mend, test.plane),
               ]),
-              acts: { title: t.history_opens_test, commands: tests.map(({ file, second_file }) => command_of("errors", [file, second_file].filter((one) => one !== ""))) },
+              acts: { title: t.history_opens_test, actions: tests.map((test) => ({ action: "open", files: files_of(test) })) },
             },
           ],
         },

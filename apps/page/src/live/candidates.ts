@@ -1,7 +1,7 @@
 // The possibly missing effects, most probable first, each with a button that adds it. A selected row draws its curve.
 import { button, element } from "../elements/elements";
 import { best_set, ranked_candidates } from "../diagnosis/ranking";
-import { decimals_for, shown, with_sigma } from "../drawing/theme";
+import { decimals_for, rmse_shown, shown, with_sigma } from "../drawing/theme";
 import { can_be_typed } from "./runs";
 import type { Candidate, Diagnosed, Num } from "../report";
 import { plain } from "../drawing/text";
@@ -151,11 +151,6 @@ export interface Fall {
   element: HTMLElement;
   show(of: { before: Num; now: Num; floor: Num; moved: boolean }): void;
 }
-
-const decimals_of = (value: Num): number => (value !== null && value > 0 ? Math.min(4, Math.max(2, 2 - Math.floor(Math.log10(value)))) : 2);
-
-// The same digits before a step and after it.
-export const rmse_shown = (value: Num): string => shown(value, decimals_of(value));
 
 export const fall_shown = (): Fall => {
   const now = element("strong", { class: "rmse" });

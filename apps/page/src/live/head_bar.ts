@@ -3,13 +3,12 @@ import type { Subject } from "./runs";
 import { type Dropped, type Group, type Held, last_part } from "./files";
 import { button, details_of, element, select_of } from "../elements/elements";
 import { choosing } from "./start";
+import { files_of } from "../drawing/command";
 import { plain } from "../drawing/text";
 import { t } from "../texts/texts";
 import { size_spoken } from "./spoken";
-import { by_date, files_of, is_history, type Other, test_label } from "./tests";
+import { by_date, is_history, type Other, test_label } from "./tests";
 import type { TestHead } from "../report";
-
-const kHistory = "\n"; // no path has it
 
 export interface HeadOf {
   take(files: readonly Dropped[]): void;
@@ -43,6 +42,16 @@ const choice = (label: string, none: string, values: readonly (readonly [string,
 };
 
 const by_first = ({ data, title }: Group): readonly [string, string] => [data[0] ?? "", title];
+
+// By which tests pass or fail.
+const tolerance_field = ({ tolerance_um }: Subject, choose: Head["choose"]): HTMLElement => {
+  const field = element("input", { type: "number", min: "0", step: "any", "data-done": "", value: tolerance_um === null ? "" : String(tolerance_um) });
+  field.addEventListener("change", () => {
+    const value = Number(field.value);
+    choose({ tolerance_um: field.value === "" || !Number.isFinite(value) || value <= 0 ? null : value });
+  });
+  return element("label", { class: "choice", title: t.tests_tolerance_title }, element("span", {}, t.tests_tolerance), field);
+};
 
 export const head_bar = ({ take, close, saves, columns, work, message }: HeadOf): HeadBar => {
   const shelf = element("div");
@@ -80,25 +89,28 @@ export const head_bar = ({ take, close, saves, columns, work, message }: HeadOf)
         const values = paths.map((path) => [path, last_part(path)] as const);
         choices.append(choice(t.live_model_of, t.live_no_model, values, subject.model, (model) => choose({ model })));
       }
-      const alone_before = { compared: [], history: false, model: "" };
+      const alone_before = { compared: [], model: "" };
+      const group = { ...alone_before, data: subject.group.data };
       const one = tests.length > 1 ? tests.find((test) => files_of(test).join("\n") === subject.data.join("\n")) : undefined;
-      if (folder !== "" || (tests.length > 1 && is_history(tests))) {
-        const as_session = subject.data[0] === folder;
-        const values = [
-          ...(folder === "" ? [] : [[folder, t.live_as_session] as const]),
-          ...(is_history(tests) ? [[kHistory, t.change_history] as const] : []),
-        ];
-        choices.append(
-          choice(t.live_view, t.live_as_tests, values, subject.history ? kHistory : as_session ? folder : "", (value) =>
-            choose({ ...alone_before, data: value === "" || value === kHistory ? subject.group.data : [value], history: value === kHistory }),
-          ),
-        );
-      }
+      const whole = subject.data.join("\n") === subject.group.data.join("\n") && subject.compared.length === 0;
       if (tests.length > 1) {
+        const tab = (label: string, title: string, on: boolean, as: Partial<Subject>): HTMLElement => {
+          const made = button(label, title, () => choose(as));
+          made.setAttribute("aria-pressed", String(on));
+          return made;
+        };
+        const tabs = [
+          tab(t.tests_tab_table, t.tests_tab_table_title, subject.view === "table", { ...group, view: "table" }),
+          ...(is_history(tests) ? [tab(t.change_history, t.tests_tab_history_title, subject.view === "history", { ...group, view: "history" })] : []),
+          ...(folder === "" ? [] : [tab(t.live_as_session, t.tests_tab_session_title, subject.data[0] === folder, { ...alone_before, view: "", data: [folder] })]),
+          tab(t.tests_tab_page, t.tests_tab_page_title, whole && subject.view === "", { ...group, view: "" }),
+        ];
+        choices.append(element("div", { class: "tabs", role: "group", "aria-label": t.live_view }, ...tabs));
         const values = by_date(tests).map((test) => [files_of(test).join("\n"), test_label(test, tests)] as const);
         const now = one ? files_of(one).join("\n") : "";
-        choices.append(choice(t.errors_test, t.change_all_tests, values, now, (value) => choose({ ...alone_before, data: value === "" ? subject.group.data : value.split("\n") })));
+        choices.append(choice(t.errors_test, t.change_all_tests, values, now, (value) => choose(value === "" ? { ...group, view: "table" } : { ...alone_before, view: "", data: value.split("\n") })));
       }
+      if (subject.view === "table") choices.append(tolerance_field(subject, choose));
       if (other_tests.length > 0) {
         const values = other_tests.map(({ words, label }) => [words.join("\n"), label] as const);
         choices.append(

@@ -2,7 +2,7 @@
 // fit and leaves it out.
 import { type Dropped, head_of, type Held, kind_of, read_report_file, type ReportFile, safe_paths } from "./files";
 import { bytes_of, type Engine, type Sample } from "../engine";
-import { reason, type Work } from "./runs";
+import { reason, type View, type Work } from "./runs";
 import type { Stretch } from "./history_of_steps";
 import { plain } from "../drawing/text";
 import { size_spoken } from "./spoken";
@@ -161,7 +161,8 @@ export interface KeptState {
   unsaved?: boolean; // what is in no file that a person has
   saved_model?: string; // text of the model as it came in, or was saved: what an undo may come back to
   compared?: readonly string[];
-  history?: boolean;
+  view?: View;
+  tolerance_um?: number | null;
   left_out?: readonly Stretch[];
 }
 

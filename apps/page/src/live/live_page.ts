@@ -4,6 +4,7 @@ import { type Inside, report_page } from "../shell";
 import type { Loop } from "./loop";
 import type { Figure } from "../figure/figure";
 import type { PageState } from "../figure/view";
+import type { PageAction } from "../picture";
 import type { Report } from "../report";
 import { kept_view, type Shared, shared_by_figures } from "../page/shared";
 import { page_tools } from "../page/page_tools";
@@ -17,8 +18,8 @@ export interface LivePage {
   made_with(options: string): void; // the report that is shown next
   shown(): boolean; // whether a report is, or was
   clear(): void;
-  // What a button does that says a command; null: nothing, and the button is left out.
-  on_command(action_of: (command: string) => (() => void) | null): void;
+  // What a button does; null: nothing, and the button is left out.
+  on_action(doing: (action: PageAction | null) => (() => void) | null): void;
   add(figure: Figure): void; // one that the live part made
   given: Report | null; // with which the page was made
   page_with(report: Report, inside: Inside | null): string; // a page of a report, as a file
@@ -35,7 +36,7 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
   const place = element("div", { class: "live-report" });
   document.body.append(place);
   const shared = shared_by_figures(voice);
-  shared.action_of = () => null;
+  shared.doing = () => null;
   const tools = page_tools(shared);
   place.append(tools);
   // Without a report the tools stand above all; else in its own line.
@@ -66,8 +67,8 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
       shared.asked = options;
     },
     add: (figure) => shared.add(figure),
-    on_command(action_of) {
-      shared.action_of = action_of;
+    on_action(doing) {
+      shared.doing = doing;
     },
     clear() {
       shared.clear();

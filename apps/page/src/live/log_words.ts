@@ -51,18 +51,5 @@ export const answer_without_advice = <T>(answer: T, key = ""): T => {
   return Object.fromEntries(Object.entries(answer).map(([name, one]) => [name, answer_without_advice(one as unknown, name)])) as T;
 };
 
-// A column without values for so long that a fit refuses to interpolate; null: the sentence is of something else.
-export interface Gap {
-  column: string;
-  from_min: number;
-  to_min: number;
-  most_min: number; // that is interpolated
-}
-const kGap = /: expected values of (.+) at most ([\d.]+) min apart, found none between (-?[\d.]+) and (-?[\d.]+) min\./;
-export const gap_in = (sentence: string): Gap | null => {
-  const [, column = "", most, from, to] = kGap.exec(sentence) ?? [];
-  return column === "" ? null : { column, from_min: Number(from), to_min: Number(to), most_min: Number(most) };
-};
-
 // The options that it names.
 export const options_in = (sentence: string): string[] => [...sentence.matchAll(/(?<![\w-])--([a-z]+(?:-[a-z]+)*)/g)].map(([, option]) => option ?? "");

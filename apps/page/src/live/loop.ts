@@ -1,11 +1,11 @@
 // The interactive model: its residual, its effects with sliders, possibly missing effects, undo and redo.
 import { candidate_list, fall_shown, posterior_bars, type Promised } from "./candidates";
+import { next_action_of, next_label, type Proposed } from "../diagnosis/next_action";
 import { effect_search } from "./effect_search";
 import { type ModelState, type Step, type Steps, steps_kept, type Stretch } from "./history_of_steps";
 import { left_out_bar } from "./left_out";
 import { type Catalogue, model_list } from "./model_list";
-import { added_by, type HandChange, Interrupted, type Part, reason, Refused, type Runs, type Subject, words_of, type Work } from "./runs";
-import { gap_in } from "./log_words";
+import { type HandChange, Interrupted, type Part, reason, Refused, type Runs, type Subject, type Work } from "./runs";
 import { two_hypotheses } from "./two_hypotheses";
 import { button, element, select_of } from "../elements/elements";
 import { fit_picture, type Now, slid } from "./fit_picture";
@@ -14,6 +14,8 @@ import { next_test, type NextTestOf } from "./next_test";
 import type { PageState } from "../figure/view";
 import type { Candidate, Checked, Diagnosed, Report } from "../report";
 import { micrometres, plain } from "../drawing/text";
+import { rmse_shown } from "../drawing/theme";
+import { time_spoken } from "./spoken";
 import { english, language, type Sentence, sentence_text, t } from "../texts/texts";
 import { plain_name } from "../machine_errors/error_names";
 import { verdict_of } from "../diagnosis/verdict";
@@ -33,7 +35,7 @@ export interface LoopOf {
   put(path: string, bytes: Uint8Array): Promise<void>;
   plan: NextTestOf["plan"];
   steps?: Steps; // of a loop of the same data before this one
-  across(gap_min: number): void; // opens the data again, interpolated over gaps of this length
+  across(gap_s: number, search: boolean): void; // opens the data again, interpolated over gaps of this length; and searches
   add_figure(figure: Figure): void;
   changed(report: Report, subject: Subject): void; // the page below is to be drawn anew
 }
@@ -53,7 +55,8 @@ export interface Loop {
   leave_out(left_out: readonly Stretch[]): Promise<void>; // the fit without these rows
   undo(): Promise<void>; // of whatever was done last
   redo(): Promise<void>;
-  act(command: string): boolean; // whether it performed the command
+  act(next: Proposed): void;
+  find(target?: string): void; // what is missing
   diagnosed(): Diagnosed | null; // of the model as it is
   to_optimum(): void;
   first_slider(effect: string): ReturnType<ReturnType<typeof model_list>["slider"]>;
@@ -97,27 +100,35 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     sentence.lang = typeof text === "string" ? language : "en";
   };
   // What to do next, where the program proposes a step.
-  const next = button("", "", () => loop.act(found?.command ?? ""));
+  const next = button("", "", () => {
+    const action = found && next_action_of(found);
+    if (action) loop.act(action);
+  });
   next.className = "act";
   next.hidden = true;
   // Where a column has too long a gap to be interpolated.
-  const across = button("", t.live_across_title, () => of.across(gap_min));
+  const across = button("", t.live_across_title, () => of.across(gap_s, wants_search));
   across.className = "act";
   across.hidden = true;
-  let gap_min = 0;
-  const told = (error: unknown): void => {
-    const gap = error instanceof Refused ? gap_in(error.message) : null;
-    say(gap ? t.live_gap({ ...gap, column: plain(gap.column, 60) }) : reason(error));
+  let gap_s = 0;
+  let wants_search = false; // and could not be searched
+  const offer_across = async (): Promise<void> => {
+    const gap = await runs.gap(subject).catch(() => null);
     if (!gap) return;
-    gap_min = Math.ceil(gap.to_min - gap.from_min) + 1; // the sentence has whole minutes
-    across.textContent = t.live_across({ gap_min });
+    gap_s = Math.ceil((gap.to_s ?? 0) - (gap.from_s ?? 0));
+    say(t.live_gap({ column: plain(gap.signal, 60), from: time_spoken(gap.from_s ?? 0), length: time_spoken(gap_s) }));
+    across.textContent = t.live_across({ length: time_spoken(gap_s) });
     across.hidden = false;
+  };
+  const told = (error: unknown): void => {
+    say(reason(error));
+    if (error instanceof Refused) void offer_across();
   };
   // What the data did not support, and was not kept; or what the model holds all the same.
   const refusal = element("p", { class: "refusal", role: "status" });
   refusal.hidden = true;
-  const refuse = (text: Sentence, effects: readonly string[]): void => {
-    const keep = button(t.live_keep, t.live_keep_title, () => void loop.add(effects, true));
+  const refuse = (text: Sentence, effects: readonly string[], label = t.live_keep, title = t.live_keep_title): void => {
+    const keep = button(label, title, () => void loop.add(effects, true));
     refusal.replaceChildren(element("span", { lang: typeof text === "string" ? language : "en" }, micrometres(sentence_text(text))), " ", keep);
     refusal.hidden = false;
   };
@@ -313,10 +324,12 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
 
   const show_diagnosis = (of_it: Diagnosed | undefined): void => {
     found = of_it && of_it.not_diagnosed === undefined ? of_it : null;
-    const effects = found?.command.startsWith("ballbar add ") ? added_by(found.command, subject) : [];
-    next.hidden = effects.length === 0;
-    next.textContent = t.live_add_named({ effects: effects.map((effect) => plain_name(effect, 60)).join(", ") });
-    next.title = effects.join(", ");
+    const action = found && next_action_of(found);
+    next.hidden = !action || action.action === "plan"; // which has a place of its own
+    next.textContent = action ? next_label(action) : "";
+    next.title = action?.effects.join(", ") ?? "";
+    next.dataset.action = action?.action ?? "";
+    next.dataset.rmse = rmse_shown(action?.promised_rmse_um ?? null);
     delete all.dataset.promised;
     ++promising;
     two.offer(found?.candidates ?? []);
@@ -330,10 +343,13 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     plan.show(found);
   };
 
-  const tried = (effect: string): Promise<void> =>
+  // What they would change; the model stays.
+  const tried = (effects: readonly string[]): Promise<void> =>
     attempt(async () => {
-      say(t.live_searching);
-      say(english(await runs.try(subject, effect)));
+      next.disabled = true;
+      const sentence_of_it = await runs.try(subject, effects).finally(() => (next.disabled = false));
+      refuse(english(sentence_of_it), effects, t.live_add_tried, t.live_add_tried_title);
+      next.hidden = true;
     });
 
   // One change after the other: of two at once the second would stop the first between the file and its fit.
@@ -368,9 +384,9 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       figure_now(checked);
       draw();
       show_rows();
-      if (sentence.textContent === "") say(verdict_of_check(checked));
     }
     show_diagnosis(of_target(next.diagnose?.targets, subject.target));
+    if (sentence.textContent === "" && fitted) say(found ? verdict_of(found, fitted) : verdict_of_check(fitted));
     update();
     if (same_fit) return;
     two.forget();
@@ -452,6 +468,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     search: () =>
       attempt(async () => {
         const of_subject = subject;
+        wants_search = true;
         candidates.clear();
         posterior.clear();
         search.disabled = true;
@@ -460,6 +477,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
           const began = performance.now();
           const part = await runs.search(subject, (line) => posterior.tell(line));
           took_ms = performance.now() - began;
+          wants_search = false;
           all.dataset.search = "done";
           posterior.clear();
           if (of_subject !== subject) return;
@@ -543,18 +561,22 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         if (await steps.redo(put_back)) say(t.live_redone);
         update();
       }),
-    act(command) {
-      const [verb, ...rest] = words_of(command);
-      const effects = added_by(command, subject);
-      const target = rest[rest.indexOf("--target") + 1];
-      if (verb === "add" && effects.length > 0) void (rest.includes("--dry-run") ? tried(effects[0] ?? "") : loop.add(effects));
-      else if (verb === "plan") plan.open();
-      else if (verb === "diagnose" || verb === "errors" || (verb === "report" && rest.includes("--diagnose"))) {
-        if (rest.includes("--target") && target !== undefined && targets.includes(target)) subject = { ...subject, target };
-        target_choice.value = subject.target;
-        void loop.search();
-      } else return false;
-      return true;
+    act({ action, effects, parameters }) {
+      switch (action) {
+        case "add":
+          return void loop.add(effects, true);
+        case "try":
+          return void tried(effects);
+        case "free":
+          return void loop.change({ freed: parameters.map(({ effect, parameter, start }) => ({ effect, parameter, value: start ?? 0 })) });
+        case "plan":
+          return plan.open();
+      }
+    },
+    find(target) {
+      if (target !== undefined && targets.includes(target)) subject = { ...subject, target };
+      target_choice.value = subject.target;
+      void loop.search();
     },
     diagnosed: () => found,
     to_optimum,

@@ -5,7 +5,7 @@ import { button, element } from "../elements/elements";
 import { plain } from "../drawing/text";
 import type { Engine, Sample } from "../engine";
 import { head_bar, type HeadBar, shelf_of } from "./head_bar";
-import { action_of } from "./actions";
+import { doing_of } from "./actions";
 import { intake_of, type Kept, open_store } from "./intake";
 import { file_chooser, listen, start_of } from "./start";
 import type { LivePage } from "./live_page";
@@ -185,8 +185,8 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
   listen({ take, undo: () => void opened.loop()?.undo(), redo: () => void opened.loop()?.redo(), stop: () => work.stop() });
   // The file chooser must open while the click is handled.
   const again = file_chooser((files) => take(files));
-  page.on_command((command) =>
-    action_of(command, {
+  page.on_action((action) =>
+    doing_of(action, {
       opened,
       test_again: again,
       save_of: (words, file) =>

@@ -1,8 +1,8 @@
 // The open data: a group of files with its report and its interactive model, and the faults of files.
 import { catalogue_of } from "./model_list";
 import { type Columns, columns_with } from "./columns";
-import { answer_of, look_words, reason, Refused, type Runs, type Subject, type Work, words_of } from "./runs";
-import { gap_in, with_said } from "./log_words";
+import { answer_of, look_words, reason, Refused, type Runs, type Subject, type Work } from "./runs";
+import { with_said } from "./log_words";
 import type { Engine, Sample } from "../engine";
 import { type Group, groups_of, type Held, last_part } from "./files";
 import type { Intake, Kept, Store } from "./intake";
@@ -11,9 +11,10 @@ import type { LivePage } from "./live_page";
 import { type Loop, loop_of } from "./loop";
 import { planned_with } from "./next_test";
 import type { Report, TestHead } from "../report";
-import { files_of, look_at, type Other, others_of, relation_of } from "./tests";
+import { look_at, type Other, others_of, relation_of } from "./tests";
 import { t } from "../texts/texts";
 import { extent } from "../drawing/columns";
+import { files_of } from "../drawing/command";
 
 export interface OpenedOf {
   engine: Engine;
@@ -35,7 +36,8 @@ export interface Opened {
   groups(): Group[];
   tests(group: Group): readonly TestHead[]; // that are known
   others(): Other[]; // what is looked at may be compared with
-  test_of(command: string): (() => void) | null; // opens the test that a command is of alone; null: it is of none
+  // Opens tests of the group, or compares two, by their names or paths; null: they are not here.
+  opening(tests: Pick<Subject, "data" | "compared">): (() => void) | null;
   open(group: Group, as?: Partial<Subject>): Promise<void>;
   diagnose(): Promise<void>; // without a model: what every model has before its first effect
   came(paths: readonly string[]): Promise<void>; // files that are new
@@ -121,11 +123,11 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
   const keep_state = (): void => {
     page.made_with(subject ? look_words({ ...subject, data: [] }).join(" ") : "");
     if (!subject) return;
-    const { group, model, target, data, log, targets, compared, history, left_out } = subject;
+    const { group, model, target, data, log, targets, compared, view, tolerance_um, left_out } = subject;
     // Of one of several tests the group, from which it is chosen again.
     const words = group.kind === "recordings" && compared.length === 0 ? group.data : data;
     const saved_model = model === "" ? undefined : (models.get(model) ?? ""); // made here: nothing is saved
-    const state = { when: Date.now(), title: group.title, data: words, model, target, log, targets, compared, history, left_out, unsaved };
+    const state = { when: Date.now(), title: group.title, data: words, model, target, log, targets, compared, view, tolerance_um, left_out, unsaved };
     store?.say({ ...state, ...(saved_model === undefined ? {} : { saved_model }) }).catch(() => undefined);
   };
 
@@ -181,8 +183,12 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       put: (path, bytes) => engine.put(path, bytes),
       plan: planned_with(engine, work, runs),
       ...(steps && { steps }),
-      across(gap_min) {
-        if (last) void open(last.group, { ...last, log: with_said(last.log, "max-gap", `${gap_min}min`) });
+      across(gap_s, search) {
+        const of = last;
+        if (!of) return;
+        void open(of.group, { ...of, log: with_said(of.log, "max-gap", `${gap_s}s`) }).then(() => {
+          if (search && of.model === "") void loop?.search(); // with a model it is made by itself
+        });
       },
       add_figure: (figure) => page.add(figure),
       changed(now, next) {
@@ -237,7 +243,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     try {
       const { read, held, data, model } = await intake.files_of_page(file);
       if (data.length > 0) return await open(group_of(group.title, held, data), { model, log: read.log });
-      show_alone({ group, data: [], model: "", target: "", compared: [], history: false, log: [], targets: [], left_out: [] }, read.report);
+      show_alone({ group, data: [], model: "", target: "", compared: [], view: "", tolerance_um: null, log: [], targets: [], left_out: [] }, read.report);
     } catch (error) {
       intake.faults().set(file.path, reason(error));
       leave(reason(error));
@@ -253,9 +259,9 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       }
       const [model] = group.models.length === 1 ? group.models.map(({ path }) => path) : [""];
       const heads = await tests_of(group);
-      const look = as.data || as.compared || as.history !== undefined || model !== "" ? {} : look_at(heads);
+      const look = as.data || as.compared || as.view !== undefined || model !== "" ? {} : look_at(heads);
       const next: Subject = {
-        group, data: group.data, model: model ?? "", target: "", compared: [], history: false, log: [], targets: [], left_out: [],
+        group, data: group.data, model: model ?? "", target: "", compared: [], view: "", tolerance_um: null, log: [], targets: [], left_out: [],
         ...read_as.get(group.key), ...look, ...as,
       };
       if (last?.group.key === group.key && last.log.join("\n") !== next.log.join("\n")) unsaved = true; // columns, by hand
@@ -270,7 +276,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       } catch (error) {
         if (!(error instanceof Refused)) throw error;
         // What was measured is shown all the same.
-        if (next.model !== "" && gap_in(error.message)) {
+        if (next.model !== "" && (await runs.gap(next).catch(() => null))) {
           await show({ ...next, model: "" });
           return loop?.refused(error);
         }
@@ -317,7 +323,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     const seen = tests_in(before.compared.length > 0 ? before.compared : before.data);
     const relation = relation_of(seen, came);
     if (relation.kind === "pair") {
-      return open(before.group, { data: relation.before.flatMap(files_of), compared: relation.after.flatMap(files_of), history: false });
+      return open(before.group, { data: relation.before.flatMap(files_of), compared: relation.after.flatMap(files_of), view: "" });
     }
     if (relation.kind === "apart") return open(next);
     const files = [...before.group.files, ...next.files];
@@ -341,14 +347,13 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     groups,
     tests: ({ key }) => tests.get(key) ?? [],
     others: () => (subject ? others_of(subject, tests, groups()) : []),
-    test_of(command) {
-      const [verb, ...words] = words_of(command);
-      if (!subject || verb !== "errors" || words.length === 0 || words.some((word) => word.startsWith("--"))) return null;
-      const near = [...subject.compared, ...subject.data];
-      const files = words.map((word) => near.find((path) => path === word || last_part(path) === word) ?? "");
+    opening(tests) {
+      if (!subject) return null;
       const { group } = subject;
-      if (files.includes("")) return null;
-      return () => void open(group, { data: files, compared: [], history: false, model: "" });
+      const near = [...subject.compared, ...subject.data];
+      const [data, compared] = [tests.data, tests.compared].map((files) => files.map((file) => near.find((path) => path === file || last_part(path) === file) ?? ""));
+      if (!data || !compared || [...data, ...compared].includes("")) return null;
+      return () => void open(group, { data, compared, view: "", model: "" });
     },
     open,
     diagnose,
@@ -372,11 +377,11 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       attempt(async () => {
         await intake.again(kept);
         unsaved = kept.state.unsaved ?? false;
-        const { data, model, target, title, log = [], targets = [], compared = [], history, left_out = [], saved_model } = kept.state;
+        const { data, model, target, title, log = [], targets = [], compared = [], view, tolerance_um = null, left_out = [], saved_model } = kept.state;
         if (saved_model !== undefined) models.set(model, saved_model);
         const found = groups_of(intake.held()).find(({ key }) => key === data.join("\n"));
-        const look = compared.length > 0 ? { data, compared, history: false } : history === undefined ? {} : { history };
-        await open(found ?? group_of(title, intake.held(), compared.length > 0 ? [...data, ...compared] : data), { model, target, log, targets, left_out, ...look });
+        const look = compared.length > 0 ? { data, compared, view: "" } : view === undefined ? {} : { view };
+        await open(found ?? group_of(title, intake.held(), compared.length > 0 ? [...data, ...compared] : data), { model, target, log, targets, tolerance_um, left_out, ...look });
       }),
     show: (given) => show_alone(null, given),
     async rewrite() {

@@ -6,7 +6,7 @@ import { duration_spoken } from "./spoken";
 import { t } from "../texts/texts";
 import type { Group } from "./files";
 import { answer_without_advice, type LogWords, without_advice } from "./log_words";
-import type { HypothesesPart, Report, TestHead } from "../report";
+import type { HypothesesPart, Report, SignalGap, TestHead } from "../report";
 import type { Stretch } from "./history_of_steps";
 
 const kSoon_ms = 300;
@@ -143,6 +143,9 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
 
 // The command lines that the page runs, and those that the program proposes.
 
+// Ballbar tests: a row each, or over time, as the history of their machine; "": their errors and circles on one page.
+export type View = "" | "table" | "history";
+
 // What is looked at.
 export interface Subject {
   group: Group;
@@ -150,7 +153,8 @@ export interface Subject {
   model: string; // path; "": none
   target: string; // "": the model's own, or all
   compared: readonly string[]; // data to compare with; none: it is not compared
-  history: boolean; // ballbar tests as the history of their machine
+  view: View; // of ballbar tests
+  tolerance_um: number | null; // of their circularity
   log: LogWords; // how a log among them is read
   targets: readonly string[]; // its columns to explain, by their headers; none: all that are measured
   left_out: readonly Stretch[]; // readings that are not fitted
@@ -213,30 +217,13 @@ const of_model_and_target = (subject: Subject): string[] => [
 // A label that holds a comma within a column's name could not be typed.
 export const can_be_typed = (columns: readonly string[]): boolean => columns.every((column) => !column.includes(","));
 
-export const try_words = (subject: Subject, effect: string): string[] => [
-  "add", effect, ...of_model_and_target(subject), "--dry-run", "--json",
+export const try_words = (subject: Subject, effects: readonly string[]): string[] => [
+  "add", ...effects, ...of_model_and_target(subject), "--dry-run", "--json",
 ];
 
 export const plan_words = (subject: Subject, hours: number, folder: string): string[] => [
   "plan", ...of_model_and_target(subject), "--hours", String(hours), "--out", folder, "--json",
 ];
-
-// A line as the program prints it, in words: blanks part them, but not within '...'; \ keeps the next letter.
-export const words_of = (line: string): string[] => {
-  const words: string[] = [];
-  for (const [word] of line.matchAll(/(?:'[^']*'|\\.|[^\s'\\])+/g)) {
-    words.push(word.replace(/'([^']*)'|\\(.)/g, (_, quoted?: string, kept?: string) => quoted ?? kept ?? ""));
-  }
-  return words[0] === "ballbar" ? words.slice(1) : words;
-};
-
-// The effects of `ballbar add EFFECT... DATA ...`; none: it adds none.
-export const added_by = (line: string, { data }: Subject): string[] => {
-  const [verb, ...rest] = words_of(line);
-  if (verb !== "add") return [];
-  const end = rest.findIndex((word) => word === data[0] || word.startsWith("--"));
-  return rest.slice(0, end < 0 ? rest.length : end);
-};
 
 // What is asked of the program about what is looked at, and what it answers: the report, the search, a step forth and
 // back.
@@ -272,7 +259,8 @@ export interface Runs {
   take_back(subject: Subject): Promise<void>; // what was added or changed, and is in no file
   choices(subject: Subject): Promise<readonly EffectChoice[]>;
   compare(subject: Subject, hypotheses: readonly (readonly string[])[]): Promise<HypothesesPart>;
-  try(subject: Subject, effect: string): Promise<string>; // what it would change
+  try(subject: Subject, effects: readonly string[]): Promise<string>; // what they would change
+  gap(subject: Subject): Promise<SignalGap | null>; // the longest, where a fit is refused for such; null: not for them
   undo(model: string): Promise<void>;
   model_text(subject: Subject): Promise<string>; // its file, beginning with the values that are fitted
   free_name(folder: string, name: string): string;
@@ -283,9 +271,12 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
     answer_of<T>(await work.call({ call: name, words, ...more }, job));
   return {
     report: (subject) =>
-      subject.history
-        ? call("history", [...subject.data, ...subject.log], { what: t.live_reading }, { title: subject.group.title })
-        : call("report", look_words(subject), { what: t.live_reading }),
+      subject.view === ""
+        ? call("report", look_words(subject), { what: t.live_reading })
+        : call(subject.view, [...subject.data, ...subject.log], { what: t.live_reading }, {
+            title: subject.group.title,
+            ...(subject.tolerance_um === null ? {} : { tolerance_um: subject.tolerance_um }),
+          }),
     tests: async (data) => (await call<{ tests: TestHead[] }>("tests", [...data], { what: t.live_reading })).tests,
     fitted: (subject) => call("fitted", model_words(subject), { what: t.live_reading }),
     search: (subject, progress) => call("search", model_words(subject), { what: t.live_searching, progress }),
@@ -302,8 +293,9 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
       (await call<{ effects: EffectChoice[] }>("choices", model_words(subject), { what: t.live_reading })).effects,
     compare: (subject, hypotheses) => call("compare", model_words(subject), { what: t.hands_comparing }, { hypotheses }),
     take_back: (subject) => call("take_back", model_words(subject), { what: t.live_undoing }),
-    try: async (subject, effect) =>
-      answer_of<{ sentence: string }>(await work.run(try_words(subject, effect), { what: t.live_trying({ effect }) })).sentence,
+    try: async (subject, effects) =>
+      answer_of<{ sentence: string }>(await work.run(try_words(subject, effects), { what: t.live_trying({ effect: effects.join(", ") }) })).sentence,
+    gap: async ({ data, log }) => (await call<{ gap: SignalGap | null }>("gaps", [...data, ...log], { what: t.live_reading })).gap,
     model_text: async (subject) => (await call<{ text: string }>("text", model_words(subject), { what: t.live_reading })).text,
     async undo(model) {
       const ran = await work.run(["undo", "--model", model], { what: t.live_undoing });

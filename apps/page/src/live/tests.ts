@@ -1,13 +1,13 @@
 // The ballbar tests among the files, as the program tells them: what they are looked at as, and what each may be compared
-// with. Two tests of a plane are before and after; tests of a plane on several days are the history of their machine.
+// with. Two tests of a plane are before and after; others
+// are a table.
+import { files_of } from "../drawing/command";
 import { type Group, last_part } from "./files";
 import type { TestHead } from "../report";
 import type { Subject } from "./runs";
 import { plain } from "../drawing/text";
 
-export type Look = Pick<Subject, "data" | "compared" | "history">;
-
-export const files_of = ({ file, second_file }: TestHead): string[] => [file, second_file].filter((one) => one !== "");
+export type Look = Pick<Subject, "data" | "compared" | "view">;
 
 const day_of = ({ date }: TestHead): string => (date ?? "").slice(0, 10);
 
@@ -24,9 +24,9 @@ export const is_history = (tests: readonly TestHead[]): boolean =>
 export const look_at = (tests: readonly TestHead[]): Partial<Look> => {
   const [first, second] = by_date(tests);
   if (first && second && tests.length === 2 && first.plane === second.plane) {
-    return { data: files_of(first), compared: files_of(second), history: false };
+    return { data: files_of(first), compared: files_of(second), view: "" };
   }
-  return tests.length > 2 && is_history(tests) ? { history: true } : {};
+  return tests.length > 1 ? { view: "table" } : {};
 };
 
 // What tests that came are to those that are looked at: after them, or before where they are older; another part of the
@@ -62,7 +62,7 @@ export interface Other {
 }
 
 export const others_of = (subject: Subject, tests: ReadonlyMap<string, readonly TestHead[]>, groups: readonly Group[]): Other[] => {
-  if (subject.group.kind !== "recordings" || subject.history) return [];
+  if (subject.group.kind !== "recordings" || subject.view !== "") return [];
   const all = [...tests.values()].flat();
   const looked_at = all.filter((test) => files_of(test).some((file) => subject.data.includes(file)));
   const [one] = looked_at;

@@ -100,6 +100,7 @@ const conclusion_of = (report: Report, tests: readonly ErrorTest[], test: ErrorT
         ? remedy_sentence(capital(error_name(largest.effect, recordings[0]?.plane)), largest.first.remedy ?? "")
         : "",
       command: command_of("errors", [...part.files.slice(0, 1), "again.b5r"], ["--show", "change"]),
+      action: { action: "test_again" },
     },
   };
 };

@@ -35,7 +35,7 @@ export const mean_point_section = ({ mean_point }: Report): Section[] =>
             conclusion: () => ({
               verdict: verdict_of(mean_point),
               concluded: mean_point.conclusion,
-              next: { label: t.mean_point_next, command: command_of("effects", ["expansion"]) },
+              next: { label: t.mean_point_next, command: command_of("effects", ["expansion"]), action: null },
             }),
           },
           sentences: [english(mean_point.conclusion)],

@@ -38,6 +38,7 @@ const diagnose_next = (report: Report, { target }: Checked): Next => ({
   command: report.machine_errors
     ? command_of("errors", data_files(report), model_options(report))
     : command_of("diagnose", data_files(report), [...model_options(report), "--target", target]),
+  action: report.machine_errors ? { action: "show", section: "machine-errors" } : { action: "find", target },
 });
 
 const section_of = (report: Report, checked: Checked, id: string): Section => {

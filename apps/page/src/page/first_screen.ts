@@ -3,15 +3,15 @@
 import { element, select_of, text_in } from "../elements/elements";
 import type { Figure } from "../figure/figure";
 import { folded } from "./folded";
-import type { First, Next, Section } from "../picture";
+import type { First, Next, Section, State } from "../picture";
 import type { Shared } from "./shared";
 import { clamped, first_sentence } from "../drawing/text";
 import { english, language, type Sentence, sentence_text, t, together } from "../texts/texts";
 
 export interface Proved {
   first: First;
-  figure: Figure;
-  proof: readonly HTMLElement[]; // the picture with what stands beside it
+  figure: Figure | undefined; // undefined: a table proves it
+  proof: readonly HTMLElement[]; // the picture with what stands beside it, or the table
 }
 
 // What the program concludes, "y_um: Missing from the model of y_um: ...", in the page's language: as the section says it
@@ -41,7 +41,7 @@ const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: 
   const next = next_step(shared);
   let shown = "";
   let concluded = "";
-  figure.watch(({ chosen }) => {
+  const show = (chosen: State["chosen"]): void => {
     const now = first.conclusion(chosen);
     const text = sentence_text(now.verdict);
     const sentence = first_sentence(text);
@@ -61,7 +61,9 @@ const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: 
     shown = all;
     concluded = now.concluded ?? text;
     next.show(now.next);
-  });
+  };
+  if (figure) figure.watch(({ chosen }) => show(chosen));
+  else show({});
   return {
     element: element("div", { class: "panel" }, element("div", { class: "conclusion" }, verdict, next.element), ...proof),
     concluded: () => concluded,
@@ -90,7 +92,7 @@ export const first_screen = (
   const panels = proved.map((each) => panel_of(each, shared));
   panels.forEach((panel, k) => (panel.element.hidden = k > 0));
   const elements = panels.map((panel) => panel.element);
-  const wide = one.proof.some((part) => part.classList.contains("side-by-side"));
+  const wide = !one.figure || one.proof.some((part) => part.classList.contains("side-by-side"));
   return [
     element(
       "section",
@@ -136,31 +138,32 @@ export const next_step = (shared: Shared): NextStep => {
   const message = element("span", { class: "told", role: "status" });
   const button = element("button", { type: "button", class: "act" });
   let awaited = 0;
+  let act: (() => void) | null | undefined;
   const tell = (what: string): void => {
     clearTimeout(awaited);
     message.textContent = what;
     awaited = setTimeout(() => (message.textContent = ""), kMessage_ms);
   };
   button.addEventListener("click", () => {
-    const typed = command.textContent ?? "";
-    if (shared.action_of) shared.action_of(typed)?.();
+    if (shared.doing) act?.();
     else
       void copied(command).then((done) => {
         tell(done ? t.page_copied : t.page_press_to_copy);
         button.dataset.copied = String(done);
       });
   });
-  const show = ({ label, text: reason = "", command: typed }: Next): void => {
+  const show = ({ label, text: reason = "", command: typed, action }: Next): void => {
     const why = text_in("p", reason);
     why.className = "why";
     why.hidden = sentence_text(reason) === "";
     text.replaceWith(why);
     text = why;
     command.textContent = typed;
-    command.hidden = shared.action_of !== undefined;
+    command.hidden = shared.doing !== undefined;
     button.textContent = label;
-    button.title = shared.action_of ? "" : t.page_copies;
-    button.hidden = shared.action_of?.(typed) === null;
+    button.title = shared.doing ? "" : t.page_copies;
+    act = shared.doing?.(action);
+    button.hidden = act === null;
   };
   const made = element("div", { class: "next" }, text, element("div", { class: "do" }, button, command, message));
   return { element: made, show };

@@ -9,22 +9,61 @@ import type { Shared } from "./shared";
 import { micrometres } from "../drawing/text";
 import { language } from "../texts/texts";
 
-const acting_rows = ({ title, commands }: NonNullable<TextTable["acts"]>, action_of: NonNullable<Shared["action_of"]>) =>
+const acting_rows = ({ title, actions }: NonNullable<TextTable["acts"]>, doing: NonNullable<Shared["doing"]>) =>
   (made: HTMLTableRowElement, index: number): void => {
     const [cell] = made.cells;
-    const action = action_of(commands[index] ?? "");
-    if (cell && action) cell.replaceChildren(button(cell.textContent ?? "", title, action));
+    const act = doing(actions[index] ?? null);
+    if (cell && act) cell.replaceChildren(button(cell.textContent ?? "", title, act));
   };
+
+const marked_rows = ({ column, of }: NonNullable<TextTable["marks"]>) =>
+  (made: HTMLTableRowElement, index: number): void => {
+    made.cells[column]?.setAttribute("data-judgement", of[index] ?? "");
+  };
+
+// A box before each row, and a button that compares the two that are ticked: tests of one plane.
+const with_pairs = ({ label, title, tests }: NonNullable<TextTable["pairs"]>, doing: NonNullable<Shared["doing"]>) => {
+  const ticked = new Set<number>();
+  const boxes: HTMLInputElement[] = [];
+  const compare = button(label, title, () => {
+    const [before, after] = [...ticked].flatMap((k) => tests[k] ?? []).sort((a, b) => a.date.localeCompare(b.date));
+    if (before && after) doing({ action: "compare", before: before.files, after: after.files })?.();
+  });
+  const show = (): void => {
+    const planes = new Set([...ticked].map((k) => tests[k]?.plane));
+    compare.disabled = ticked.size !== 2 || planes.size !== 1;
+    for (const [k, box] of boxes.entries()) box.disabled = !box.checked && (ticked.size === 2 || (ticked.size === 1 && !planes.has(tests[k]?.plane)));
+  };
+  show();
+  const row = (made: HTMLTableRowElement, index: number): void => {
+    const box = element("input", { type: "checkbox", "aria-label": `${label}: ${made.cells[0]?.textContent ?? ""}` });
+    box.addEventListener("change", () => {
+      if (box.checked) ticked.add(index);
+      else ticked.delete(index);
+      show();
+    });
+    boxes[index] = box;
+    made.cells[0]?.prepend(box, " ");
+  };
+  return { row, button: compare };
+};
 
 const text_table = (table: TextTable, shared: Shared): HTMLElement => {
   if (table.choose) return table_of({ ...table, row: choosing_rows(table.choose, shared) });
-  return table_of(table.acts && shared.action_of ? { ...table, row: acting_rows(table.acts, shared.action_of) } : table);
+  const pairs = table.pairs && shared.doing && table.rows.length > 1 ? with_pairs(table.pairs, shared.doing) : null;
+  const rows = [
+    ...(table.acts && shared.doing ? [acting_rows(table.acts, shared.doing)] : []),
+    ...(table.marks ? [marked_rows(table.marks)] : []),
+    ...(pairs ? [pairs.row] : []),
+  ];
+  const made = table_of(rows.length > 0 ? { ...table, row: (one, k) => rows.forEach((each) => each(one, k)) } : table);
+  return pairs ? element("div", {}, made, element("div", { class: "buttons" }, pairs.button)) : made;
 };
 
 // A page that does the steps by itself shows no command.
 const sentences_of = ({ sentences = [], command }: Section, shared: Shared): HTMLElement[] => {
   const [first, ...rest] = sentences.map((sentence) => text_in("p", sentence));
-  const typed = command && !shared.action_of ? [element("pre", { class: "command", tabindex: "0" }, command)] : [];
+  const typed = command && !shared.doing ? [element("pre", { class: "command", tabindex: "0" }, command)] : [];
   return [...(first ? [first] : []), ...typed, ...rest];
 };
 
@@ -34,9 +73,13 @@ interface Parts {
 }
 
 // What follows the sentences.
-const parts_of = (section: Section, proof: string | undefined, shared: Shared): Parts => {
-  const { pictures = [], tables = [] } = section;
+const parts_of = (section: Section, first: Section["first"], shared: Shared): Parts => {
+  const { pictures = [] } = section;
+  const proof = first?.picture;
+  // What is not on the first screen is in the section.
+  const tables = [...(section.first?.table && !first ? [section.first.table] : []), ...(section.tables ?? [])];
   const made: Parts = { proof: [], rest: (section.above ?? []).map((table) => text_table(table, shared)) };
+  if (first?.table) made.proof.push(text_table(first.table, shared));
   const of_none = ({ choose }: TextTable): boolean => !pictures.some(({ name }) => name === choose?.picture);
   for (const picture of pictures) {
     const figure = figure_of(picture, shared);
@@ -65,8 +108,9 @@ export interface MadeSection {
 }
 
 export const section_of = (section: Section, on_first_screen: boolean, shared: Shared): MadeSection => {
-  const proof = on_first_screen ? section.first?.picture : undefined;
-  const parts = parts_of(section, proof, shared);
+  const first = on_first_screen ? section.first : undefined;
+  const proof = first?.picture;
+  const parts = parts_of(section, first, shared);
   const head = [
     element("h2", { id: `${section.id}-heading` }, section.heading),
     element("span", { class: "result" }, micrometres(section.result)),

@@ -2,15 +2,15 @@
 import type { Figure } from "../figure/figure";
 import { without_turns } from "../drawing/text";
 import type { PageState } from "../figure/view";
-import type { Range } from "../picture";
+import type { PageAction, Range } from "../picture";
 
 export interface Shared extends PageState {
   readonly figures: ReadonlyMap<string, Figure>;
   add(figure: Figure): void;
   clear(but?: readonly Figure[]): void; // the page goes on without its figures, or with some of them
   look(dark: boolean): void;
-  // What does a command's step on this page; null: nothing does. Where it is not there, commands are copied.
-  action_of?: (command: string) => (() => void) | null;
+  // What does it on this page; null: nothing does, for these data. Where it is not there, commands are copied.
+  doing?: (action: PageAction | null) => (() => void) | null;
   asked?: string; // the options that the report was made with, where they are known
 }
 

@@ -26,6 +26,7 @@ const result_of = (recordings: readonly Recording[]): string => {
 const next_of = (report: Report): Next => ({
   label: t.recordings_next,
   command: command_of(report.machine_errors ? "errors" : "diagnose", data_files(report)),
+  action: report.machine_errors ? { action: "show", section: "machine-errors" } : { action: "find" },
 });
 
 export const recordings_section = (report: Report): Section[] => {

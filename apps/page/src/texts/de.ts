@@ -1225,14 +1225,19 @@ export const de: Texts = {
   live_promise: ({ rmse }: { rmse: string }) => `dann RMSE ${rmse} µm`,
   live_add_all: "Alle zusammen (*)",
   live_add_all_title: ({ effects }: { effects: string }) => `Den wahrscheinlichsten Satz hinzufügen: ${effects}`,
-  live_gap: ({ column, from_min, to_min, most_min }) =>
-    `Nicht angepasst: ${column} hat keinen Wert zwischen ${from_min} und ${to_min} min, und eine Anpassung interpoliert über höchstens ${most_min} min.`,
-  live_across: ({ gap_min }) => `Über Lücken bis ${gap_min} min anpassen`,
   live_across_title: "Interpoliert die Signale über Lücken dieser Länge. Was darin geschah, ist nicht bekannt.",
   live_keep: "Trotzdem behalten",
   live_keep_title: "Fügt es hinzu, obwohl die Daten es nicht stützen. Der Befund sagt es dann.",
   live_unsupported: ({ effects }: { effects: string }) => `Das Modell enthält ${effects}, was die Daten nicht stützten. Ein Befund gilt nur, wenn es wirklich da ist.`,
-  live_add_named: ({ effects }: { effects: string }) => `${effects} hinzufügen`,
+  live_gap: ({ column, from, length }: { column: string; from: string; length: string }) =>
+    `${column} hat Lücken, die zum Interpolieren zu lang sind. Die längste, ${length}, beginnt nach ${from}.`,
+  live_across: ({ length }: { length: string }) => `Über Lücken bis ${length} anpassen`,
+  live_next_add: ({ effects }: { effects: string }) => `${effects} hinzufügen`,
+  live_next_try: ({ effects }: { effects: string }) => `${effects} versuchen`,
+  live_next_free: ({ parameters }: { parameters: string }) => `${parameters} mit anpassen`,
+  live_next_promise: ({ rmse }: { rmse: string }) => `: RMSE ${rmse} µm`,
+  live_add_tried: "Ins Modell aufnehmen",
+  live_add_tried_title: "Nimmt es auf, was immer die Prüfung sagt. „Rückgängig“ nimmt es zurück.",
   live_add_title: ({ effect }: { effect: string }) => `${effect} zum Modell hinzufügen`,
 
   // live: next test

@@ -1065,14 +1065,19 @@ export const en = {
   live_promise: ({ rmse }: { rmse: string }) => `then RMSE ${rmse} µm`,
   live_add_all: "All of these (*)",
   live_add_all_title: ({ effects }: { effects: string }) => `Add the most probable set: ${effects}`,
-  live_gap: ({ column, from_min, to_min, most_min }: { column: string; from_min: number; to_min: number; most_min: number }) =>
-    `Not fitted: ${column} has no value between ${from_min} and ${to_min} min, and a fit interpolates over ${most_min} min at most.`,
-  live_across: ({ gap_min }: { gap_min: number }) => `Fit across gaps up to ${gap_min} min`,
   live_across_title: "Interpolates the signals over gaps of this length. What happened within them is not known.",
   live_keep: "Keep it all the same",
   live_keep_title: "Adds it although the data do not support it. The verdict then says so.",
   live_unsupported: ({ effects }: { effects: string }) => `The model contains ${effects}, which the data did not support. A verdict holds only if it is real.`,
-  live_add_named: ({ effects }: { effects: string }) => `Add ${effects}`,
+  live_gap: ({ column, from, length }: { column: string; from: string; length: string }) =>
+    `${column} has gaps too long to be interpolated. The longest, of ${length}, begins after ${from}.`,
+  live_across: ({ length }: { length: string }) => `Fit across gaps up to ${length}`,
+  live_next_add: ({ effects }: { effects: string }) => `Add ${effects}`,
+  live_next_try: ({ effects }: { effects: string }) => `Try ${effects}`,
+  live_next_free: ({ parameters }: { parameters: string }) => `Fit ${parameters} too`,
+  live_next_promise: ({ rmse }: { rmse: string }) => `: RMSE ${rmse} µm`,
+  live_add_tried: "Add it to the model",
+  live_add_tried_title: "Adds it, whatever the test says. Undo takes it back.",
   live_add_title: ({ effect }: { effect: string }) => `Add ${effect} to the model`,
 
   // live: next test

@@ -1171,14 +1171,19 @@ export const zh: Texts = {
   live_promise: ({ rmse }: { rmse: string }) => `加入后 RMSE ${rmse} µm`,
   live_add_all: "以上全部（*）",
   live_add_all_title: ({ effects }: { effects: string }) => `加入最可能的一组：${effects}`,
-  live_gap: ({ column, from_min, to_min, most_min }) =>
-    `未拟合：${column} 在 ${from_min} 至 ${to_min} min 之间没有值，而拟合最多只跨 ${most_min} min 插值。`,
-  live_across: ({ gap_min }) => `跨越不超过 ${gap_min} min 的间隙进行拟合`,
   live_across_title: "在这么长的间隙中对信号插值；其间发生的情况未知。",
   live_keep: "仍然保留",
   live_keep_title: "尽管数据不支持也加入；结论会注明。",
   live_unsupported: ({ effects }: { effects: string }) => `模型中含有 ${effects}，数据并不支持：只有它确实存在，结论才成立。`,
-  live_add_named: ({ effects }: { effects: string }) => `加入 ${effects}`,
+  live_gap: ({ column, from, length }: { column: string; from: string; length: string }) =>
+    `${column} 的间隙太长，无法插值。最长的间隙为 ${length}，始于 ${from} 之后。`,
+  live_across: ({ length }: { length: string }) => `跨越不超过 ${length} 的间隙进行拟合`,
+  live_next_add: ({ effects }: { effects: string }) => `加入 ${effects}`,
+  live_next_try: ({ effects }: { effects: string }) => `尝试 ${effects}`,
+  live_next_free: ({ parameters }: { parameters: string }) => `一并拟合 ${parameters}`,
+  live_next_promise: ({ rmse }: { rmse: string }) => `：RMSE ${rmse} µm`,
+  live_add_tried: "加入模型",
+  live_add_tried_title: "无论检验结果如何都加入；可以撤销。",
   live_add_title: ({ effect }: { effect: string }) => `将 ${effect} 加入模型`,
 
   // live: next test

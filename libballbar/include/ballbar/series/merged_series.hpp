@@ -32,6 +32,15 @@ struct RowsWithout {
 };
 std::vector<RowsWithout> rows_without_signal(std::span<const Series> parts, std::optional<double> max_gap_s);
 
+// A stretch with rows, between two values of a signal.
+struct SignalGap {
+  std::string signal;
+  double from_s = 0.0, to_s = 0.0;
+};
+// Where merged() throws for the rows within gaps: the longest gap, with which as max_gap_s it keeps all rows. nullopt:
+// it does not throw for them.
+std::optional<SignalGap> longest_gap(std::span<const Series> parts, std::optional<double> max_gap_s);
+
 // merged() of one series, keeping the start of its clock. Returns the series itself, not a copy, if it has no gap.
 std::shared_ptr<const Series> with_gaps_closed(std::shared_ptr<const Series> series, std::optional<double> max_gap_s);
 

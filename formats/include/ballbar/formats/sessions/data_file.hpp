@@ -12,6 +12,7 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/reader.hpp"
+#include "ballbar/series/merged_series.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -41,5 +42,9 @@ bool stands_for_runs(const Source& source, std::span<const Reader> readers = kno
 // The same for a series or a session that is already open. A series without gaps is not copied.
 ModelData model_data_of(const DriftData& source, const std::string& name, const DriftOptions& options,
                         std::optional<double> max_gap_s, std::span<const Reader> readers = known_readers());
+
+// Where model_data_of() throws for the rows within gaps: the longest, as longest_gap() of its parts.
+std::optional<SignalGap> longest_gap(const DriftData& source, std::optional<double> max_gap_s,
+                                     std::span<const Reader> readers = known_readers());
 
 }  // namespace ballbar

@@ -1,6 +1,7 @@
 // What a user states about a log (log.hpp) in addition to its file.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,7 @@ struct LogRecipe {
   std::optional<char> delimiter;     // ' ': runs of blanks
   std::optional<char> decimal;       // ',' or '.'
   std::optional<bool> month_first;   // 03/04/2026 is the fourth of March
+  std::size_t header_line = 0;       // line of the names, from 1; what is above is not read; 0: detected
   std::string time;                  // header of the time column; "none": rows are numbered
   std::string time_unit;             // for numeric times: "s", "ms", "min", "h", "d"
   std::optional<double> every_s;     // interval of the rows without a time column
