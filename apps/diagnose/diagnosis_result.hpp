@@ -99,6 +99,7 @@ inline constexpr auto kResult<NextAction> =
     ResultType{"NextAction", "What to do next.",
                std::tuple{Field{"action", &NextAction::action, "add, try, free, plan"},
                           Field{"effects", &NextAction::effects, "to add, or to try, as `add` takes them"},
+                          Field{"labels", &NextAction::labels, "of these effects, as the candidates have them"},
                           Field{"parameters", &NextAction::parameters, "to free"},
                           Field{"promised_rmse_um", &NextAction::promised_rmse_um,
                                 "that the model leaves then; null: not known"}}};

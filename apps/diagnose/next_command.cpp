@@ -143,16 +143,13 @@ bool says_a_name(const Diagnosis& found) {
   return found.verdict == Verdict::named || found.verdict == Verdict::probable;
 }
 
-// That the next command adds, or tries; "": one that cannot be typed.
-std::vector<std::string> effects_to_add(const Diagnosis& found) {
+// That the next command adds, or tries.
+std::vector<BoundEffect> bounds_to_add(const Diagnosis& found) {
   if (found.verdict == Verdict::nothing || found.verdict == Verdict::untestable) return {};
   const std::vector<BoundEffect>& certain = found.verdict == Verdict::named ? found.named : found.probable;
   std::vector<BoundEffect> bounds = says_a_name(found) ? certain : worth_a_try(found);
   std::erase_if(bounds, [&](const BoundEffect& bound) { return is_in_model(bound, found); });
-  std::vector<std::string> effects;
-  effects.reserve(bounds.size());
-  for (const BoundEffect& bound : bounds) effects.push_back(text_of(bound, found));
-  return effects;
+  return bounds;
 }
 
 }  // namespace
@@ -182,20 +179,23 @@ std::string_view name_of(Action action) {
 }
 
 std::string next_command(const ModelOptions& options, const Diagnosis& found) {
-  const std::vector<std::string> effects = effects_to_add(found);
-  if (effects.empty()) return "";
+  const std::vector<BoundEffect> bounds = bounds_to_add(found);
+  if (bounds.empty()) return "";
   std::vector<std::string> words;
-  words.reserve(effects.size());
-  for (const std::string& effect : effects) words.push_back(typed(effect));
+  words.reserve(bounds.size());
+  for (const BoundEffect& bound : bounds) words.push_back(word_of(bound, found));
   return command_of("add", words, options, found.target, !says_a_name(found));
 }
 
 std::optional<NextAction> next_action(const ModelOptions& options, const Diagnosis& found) {
-  const std::vector<std::string> effects = effects_to_add(found);
-  const bool can_be_told = std::find(effects.begin(), effects.end(), "") == effects.end();
-  if (!effects.empty() && can_be_told)
-    return NextAction{says_a_name(found) ? Action::add : Action::try_out, effects, {}, {}};
-  NextAction free{Action::free, {}, {}, {}};
+  NextAction add{says_a_name(found) ? Action::add : Action::try_out, {}, {}, {}, {}};
+  for (const BoundEffect& bound : bounds_to_add(found)) {
+    add.effects.push_back(text_of(bound, found));
+    add.labels.push_back(label_of(bound));
+  }
+  const bool can_be_told = std::find(add.effects.begin(), add.effects.end(), "") == add.effects.end();
+  if (!add.effects.empty() && can_be_told) return add;
+  NextAction free{Action::free, {}, {}, {}, {}};
   for (const OwnValue& own : found.own) {
     if (!says_a_name(found) || !is_own_named(own, found) || options.model.empty()) continue;
     free.parameters.push_back({own.effect, own.parameter, own.fitted});

@@ -36,6 +36,7 @@ struct ParameterStart {
 struct NextAction {
   Action action = Action::plan;
   std::vector<std::string> effects;        // as `add` takes them; none is in doubt
+  std::vector<std::string> labels;         // of these, as the candidates have them
   std::vector<ParameterStart> parameters;  // to free, from there on
   std::optional<double> promised_rmse_um;  // that the model leaves then; nullopt: not known
 };

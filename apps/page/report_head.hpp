@@ -28,6 +28,7 @@ struct SignalsPart {
   Bulk time_s;
   std::vector<PageColumn> columns;
   MayLack<std::size_t> rows;
+  MayLack<std::string> started;
 };
 
 template <>
@@ -35,7 +36,8 @@ inline constexpr auto kResult<SignalsPart> =
     ResultType{"SeriesBlock", "Columns on one clock.",
                std::tuple{Field{"source", &SignalsPart::source, "the file"},
                           Field{"time_s", known(&SignalsPart::time_s), ""}, Field{"columns", &SignalsPart::columns, ""},
-                          Field{"rows", &SignalsPart::rows, "of the file, where not all are here"}}};
+                          Field{"rows", &SignalsPart::rows, "of the file, where not all are here"},
+                          Field{"started", &SignalsPart::started, "wall clock of time 0, where it is known"}}};
 
 struct ReportHead {
   std::string format, title, made_by, made_on;

@@ -63,10 +63,11 @@ SignalsPart signals_part(const std::string& source, const Series& series) {
   const bool thinned = series.time_s.size() > kMostRows;
   const std::vector<std::size_t> rows = thinned ? outline_rows(series) : std::vector<std::size_t>();
   const auto drawn = [&](const std::vector<double>& values) { return Bulk{thinned ? at_rows(values, rows) : values}; };
-  SignalsPart part{source, drawn(series.time_s), {}, {}};
+  SignalsPart part{source, drawn(series.time_s), {}, {}, {}};
   for (const Column& column : series.columns)
     part.columns.push_back({column.name, column.role, std::string(unit_of(column.name)), drawn(column.values)});
   if (thinned) part.rows.value = series.time_s.size();
+  part.started.value = series.started;
   return part;
 }
 

@@ -69,8 +69,14 @@ void by_regime(const Fit& fit, const Series& data, Groups& groups) {
   }
 }
 
-// Four digits, or as many as a tenth of the range needs, because a clock may have started long before.
+// Four digits, or as many as a tenth of the range needs, because a clock may have started long before. In minutes, of
+// short records in seconds, of long ones in hours or days.
 std::string printed_time(double time_s, double whole_s) {
+  constexpr double kHour_s = 3600.0, kDay_s = 86400.0;
+  if (whole_s >= 4.0 * kDay_s) {
+    const bool in_h = whole_s < 20.0 * kDay_s;
+    return fmt::format("{:.12g} {}", std::round(10.0 * time_s / (in_h ? kHour_s : kDay_s)) / 10.0, in_h ? "h" : "d");
+  }
   const bool in_s = whole_s < 600.0;
   const double time = in_s ? time_s : min_from_s(time_s);
   const std::string number =
@@ -103,9 +109,10 @@ void by_time(const Fit& fit, const Series& data, Groups& groups) {
 
 void by_signal(const Fit& fit, const Column& column, Groups& groups) {
   const std::string unit(unit_of(column.name));
-  const auto printed = [&](double value) {
-    const double rounded = std::stod(fmt::format("{:.4g}", value));  // 12000, not 1.2e+04
-    return fmt::format("{}{}{}", rounded, unit.empty() ? "" : " ", unit);
+  int digits = 4;
+  const auto rounded = [&](double value) { return std::stod(fmt::format("{:.{}g}", value, digits)); };
+  const auto printed = [&](double value) {  // 12000, not 1.2e+04
+    return fmt::format("{:.12g}{}{}", rounded(value), unit.empty() ? "" : " ", unit);
   };
   std::vector<double> sorted;
   for (const std::size_t row : fit.row) {
@@ -121,6 +128,8 @@ void by_signal(const Fit& fit, const Column& column, Groups& groups) {
     for (std::size_t k = 0; k <= kParts; ++k) bounds.push_back(sorted[(sorted.size() - 1) * k / kParts]);
     bounds.erase(std::unique(bounds.begin(), bounds.end()), bounds.end());
   }
+  const auto looks_same = [&](double low, double high) { return rounded(low) == rounded(high); };
+  while (digits < 10 && std::adjacent_find(bounds.begin(), bounds.end(), looks_same) != bounds.end()) ++digits;
   for (std::size_t k = 0; k + (by_value ? 0 : 1) < bounds.size(); ++k) {
     const double low = bounds[k], high = by_value ? low : bounds[k + 1];
     const bool end = by_value || k + 2 == bounds.size();

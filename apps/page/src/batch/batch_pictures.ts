@@ -6,7 +6,7 @@ import type { Picture, State, Toggle } from "../picture";
 import { time_axis, two_grids, whole_min } from "../drawing/axes";
 import { columns_of, columns_of_rows, grid_below } from "../drawing/parts";
 import type { BatchPart, Num } from "../report";
-import { axis, base, colours, curve_colour, minutes, shown, toggle, tooltip } from "../drawing/theme";
+import { axis, base, colours, curve_colour, minutes, shown, time_text, toggle, tooltip } from "../drawing/theme";
 import { t } from "../texts/texts";
 import { plain } from "../drawing/text";
 
@@ -47,7 +47,7 @@ export const prediction_picture = (batch: BatchPart): Picture => {
     const x = time_axis(look, window ?? whole);
     const one_grid = { grid: grid_below(look, toggles), xAxis: x, yAxis: axis(look, t.deviation_axis, "y") };
     return {
-      ...curves_base(state, toggles, { drawn: series, head: (at) => `${shown(at, 1)} min`, unit: "µm" }),
+      ...curves_base(state, toggles, { drawn: series, head: (at) => time_text(at, 1), unit: "µm" }),
       ...(below.length > 0 ? two_grids(look, x, t.deviation_axis, t.batch_difference_axis).drawn : one_grid),
       series,
     };
@@ -82,7 +82,7 @@ export const range_picture = (batch: BatchPart): Picture => {
         : [curve(label, colour(look.dark), dash, 1.8, decimated(time_min, values, window, look.width_px))];
     const series = [...line(T2, batch.T2_of_largest, "solid"), ...line(Q, batch.Q_of_largest, "dashed")];
     return {
-      ...curves_base(state, [T2, Q], { drawn: series, head: (at) => `${shown(at, 1)} min`, unit: "" }),
+      ...curves_base(state, [T2, Q], { drawn: series, head: (at) => time_text(at, 1), unit: "" }),
       grid: grid_below(look, [T2, Q]),
       xAxis: time_axis(look, window ?? whole),
       yAxis: {

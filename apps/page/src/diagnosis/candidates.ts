@@ -25,7 +25,7 @@ export const candidates_picture = (
   const strands = strands_of(checked);
   const { refit_um } = found;
   const all = ranked_candidates(found);
-  const best = all.filter((one) => one.starred);
+  const best = all.filter((one) => one.drawn);
   const named = set_name(found) ?? "best";
   const fixed = [residual_curve(checked.series.residual_um, best.length > 0), ...best_curves(best, refit_um, named)];
   const curves = (chosen: State["chosen"]): Curve[] => {

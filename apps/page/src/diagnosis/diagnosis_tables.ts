@@ -1,7 +1,7 @@
 // The table of candidates, with the figures that `ballbar diagnose` prints. A row that is hovered or focused chooses its
 // curve in the picture of the candidates, where there is one.
 import type { TextTable } from "../picture";
-import { type Ranked, ranked_candidates, set_name } from "./ranking";
+import { type Ranked, ranked_candidates } from "./ranking";
 import type { Diagnosed, Num } from "../report";
 import { rounded, shown, with_sigma } from "../drawing/theme";
 import { t } from "../texts/texts";
@@ -29,8 +29,7 @@ const inseparable_text = (one: Ranked, all: readonly Ranked[]): string => {
 export const candidate_table = (found: Diagnosed, left_out: string, picture: string | null): TextTable => {
   const ranked = ranked_candidates(found);
   const decimals = decimals_of(found.rmse_um);
-  const named = set_name(found);
-  const star = named === null ? [] : [named === "best" ? t.diagnosis_star_best : t.diagnosis_star_closest];
+  const star = ranked.some(({ starred }) => starred) ? [t.diagnosis_star] : [];
   return {
     title: t.diagnosis_candidates,
     about: [...star, t.diagnosis_columns({ left_out })].join(" "),

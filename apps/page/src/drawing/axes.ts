@@ -1,6 +1,6 @@
 // The axis of time that all pictures of a section have in common, so that they stand below one another.
 import type { Look, Range } from "../picture";
-import { axis, colours, kNarrow_px } from "./theme";
+import { axis, colours, kNarrow_px, shown } from "./theme";
 import { t } from "../texts/texts";
 
 // From the first to the last time of all clocks, with a little room for the marks at the ends.
@@ -15,13 +15,37 @@ export const whole_min = (clocks_min: readonly (readonly number[])[]): Range => 
 
 export const time_axis = (look: Look, shown_min: Range): Record<string, unknown> => {
   const common = axis(look, t.time_axis, "x");
-  return {
+  const ends = {
     ...common,
     min: shown_min[0],
     max: shown_min[1],
     splitLine: { show: false },
     // The ends of a window are no round numbers.
     axisLabel: { ...(common["axisLabel"] as Record<string, unknown>), showMinLabel: false, showMaxLabel: false },
+  };
+  return in_time(ends, look, shown_min);
+};
+
+const kHour_min = 60;
+const kDay_min = 1440;
+const kSteps_h = [0.5, 1, 2, 3, 6, 12]; // between ticks
+const kTicks = 8; // about
+const kTicks_narrow = 4;
+
+// An axis of minutes with its ticks and its name in the unit that suits: minutes up to three hours, hours up to four
+// days, then days.
+export const in_time = (made: Record<string, unknown>, look: Look, [from, to]: Range): Record<string, unknown> => {
+  const span_min = to - from;
+  if (!(span_min > 3 * kHour_min)) return { ...made, name: t.time_axis };
+  const in_hours = span_min <= 4 * kDay_min;
+  const unit_min = in_hours ? kHour_min : kDay_min;
+  const wanted = span_min / unit_min / (look.width_px < kNarrow_px ? kTicks_narrow : kTicks);
+  const step = in_hours ? (kSteps_h.find((one) => one >= wanted) ?? 24) : Math.max(1, round_up(wanted));
+  return {
+    ...made,
+    name: in_hours ? t.time_axis_h : t.time_axis_d,
+    interval: step * unit_min,
+    axisLabel: { ...(made["axisLabel"] as Record<string, unknown>), formatter: (min: number) => shown(min / unit_min) },
   };
 };
 
@@ -46,6 +70,8 @@ export const time_limits = (times: readonly number[]): Record<string, unknown> =
   const [first, last] = [times[0], times[times.length - 1]];
   return first !== undefined && last !== undefined && last > first ? { min: first, max: last } : {};
 };
+
+export const whole_of = (limits: Record<string, unknown>): Range => [Number(limits["min"] ?? 0), Number(limits["max"] ?? 0)];
 
 // An x axis. The ends of a window are no round numbers and so have no label; without a window `all` has the limits,
 // whose ends have none either unless they come with the interval of the ticks.

@@ -3,7 +3,7 @@
 import { decimated } from "./columns";
 import type { Numbers } from "../picture";
 import type { Checked, Num } from "../report";
-import { shown } from "./theme";
+import { shown, time_text } from "./theme";
 
 export interface Strand {
   recording: Num; // null: a drift
@@ -70,4 +70,4 @@ export const strand_numbers = (
 export const place_text =
   ({ level }: Checked, decimals: number) =>
   (at: number): string =>
-    `${shown(at, decimals)}${level === "recording" ? "°" : " min"}`;
+    level === "recording" ? `${shown(at, decimals)}°` : time_text(at, decimals);

@@ -72,6 +72,16 @@ export const rounded = (value: number | null, digits: number): string =>
 export const rmse_shown = (value: number | null): string =>
   shown(value, value !== null && value > 0 ? Math.min(4, Math.max(2, 2 - Math.floor(Math.log10(value)))) : 2);
 
+// A moment or a length of time: "124 min", "5 h 20 min", "81 d 16 h 15 min".
+export const time_text = (time_min: number, decimals?: number): string => {
+  if (Math.abs(time_min) < 180) return `${shown(time_min, decimals)} min`;
+  const whole = Math.round(Math.abs(time_min));
+  const days = whole >= 2880 ? Math.floor(whole / 1440) : 0;
+  const [hours, rest] = [Math.floor((whole - 1440 * days) / 60), whole % 60];
+  const parts = [...(days > 0 ? [`${days} d`] : []), ...(hours > 0 ? [`${hours} h`] : []), ...(rest > 0 ? [`${rest} min`] : [])];
+  return (time_min < 0 ? "-" : "") + parts.join(" ");
+};
+
 // "4.62 to 5.13", of the least and the largest; one number where they read the same.
 export const range_text = (values: readonly number[], decimals: number): string => {
   const [from, to] = [shown(Math.min(...values), decimals), shown(Math.max(...values), decimals)];

@@ -1,6 +1,6 @@
 // Axes of a drift: their names, order and colours, the same in every picture.
 import type { DriftPart, Num, ProbesPart } from "../report";
-import { decimals_for, minutes, shown, with_sigma } from "../drawing/theme";
+import { decimals_for, minutes, shown, time_text, with_sigma } from "../drawing/theme";
 import type { TimeCurve } from "./time_curves";
 import { clamped, unit_shown, words } from "../drawing/text";
 import { extent } from "../drawing/columns";
@@ -88,7 +88,7 @@ export const largest_of_each = (axes: readonly DriftAxis[]): Largest[] =>
     .sort((a, b) => Math.abs(b.axis.values[b.row] ?? 0) - Math.abs(a.axis.values[a.row] ?? 0))
     .map(({ axis, row }) => {
       const found = { value: text(axis, axis.values[row], row), unit: unit_shown(axis.unit), axis: words(axis.name) };
-      const at_text = `${shown(axis.time_min[row])} min`;
+      const at_text = time_text(axis.time_min[row] ?? 0);
       return { text: t.drift_in_axis(found), at_text, said: t.drift_at({ ...found, at: at_text }) };
     });
 

@@ -69,6 +69,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
   let of_words = ""; // with which it was understood
   let to_ask = false;
   let fault = "";
+  let asked_for: ReadonlySet<string> = new Set(); // options that the fault names
   let words: LogWords = []; // as they are chosen now
   let rows: { source: string; role: string; target: boolean }[] = [];
 
@@ -153,12 +154,20 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
     return [choice(t.live_columns_sheet, "sheet", t.live_columns_found, sheets.map((one) => [one, plain(one, 60)]))];
   };
 
+  // Of a circle whose file does not state it.
+  const radius_field = (): HTMLElement[] =>
+    asked_for.has("radius") || said(words, "radius") !== ""
+      ? [labelled(t.live_columns_radius, text("radius", said(words, "radius"), "100mm", (value) => say("radius", quantity(value))))]
+      : [];
+
   const log_fields = (): HTMLElement => {
     const listed = (names: Readonly<Record<string, string>>): [string, string][] => Object.entries(names);
     return element(
       "div",
       { class: "choices" },
       ...sheet_field(),
+      ...radius_field(),
+      labelled(t.live_columns_header_line, text("header-line", said(words, "header-line"), t.live_columns_found, (value) => say("header-line", value.replace(/\D/g, "")))),
       ...time_fields(),
       choice(t.live_columns_delimiter, "delimiter", t.live_columns_found, listed(t.live_columns_delimiters)),
       choice(t.live_columns_decimal, "decimal", t.live_columns_found, listed(t.live_columns_decimals)),
@@ -323,6 +332,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
     },
     refused(why) {
       if (!subject || !log) return null;
+      asked_for = new Set(options_in(why));
       fault = clamped(without_advice(why.replace(log.path, last_part(log.name))), 600) || t.live_columns_unread;
       open();
       focus_field([why]);

@@ -182,6 +182,15 @@ const titled = (files: readonly Held[]): string => {
   return files.length === 1 ? last_part(first.name) : `${last_part(first.name)} + ${files.length - 1}`;
 };
 
+const kFewest_runs = 3;
+const kNames = /[\p{L}][^,;\t|]*[,;\t|][^,;\t|]*[\p{L}]/u; // of two columns
+
+// As logs of one device have their line of names.
+const have_line_in_common = ([first, ...others]: readonly Held[]): boolean => {
+  const lines = (first?.head.split(/\r\n?|\n/) ?? []).filter((line) => kNames.test(line));
+  return lines.some((line) => others.every(({ head }) => head.includes(line)));
+};
+
 export const groups_of = (held: readonly Held[]): Group[] => {
   const taken = new Set<Held>();
   const models = held.filter(({ kind }) => kind === "model" || kind === "trained");
@@ -213,6 +222,15 @@ export const groups_of = (held: readonly Held[]): Group[] => {
     drops.set(drop, [...(drops.get(drop) ?? []), one]);
   }
   for (const files of drops.values()) add("recordings", titled(files), files.map(({ path }) => path), files);
+  // Logs of one folder with the same columns are runs too, all together; each is also opened by itself.
+  const folders = new Map<string, Held[]>();
+  for (const one of free("series")) folders.set(folder_of(one.path), [...(folders.get(folder_of(one.path)) ?? []), one]);
+  for (const files of folders.values()) {
+    const runs = [...files].sort((a, b) => a.path.localeCompare(b.path, "en", { numeric: true }));
+    if (runs.length < kFewest_runs || !have_line_in_common(runs)) continue;
+    add("runs", t.live_all_as_runs({ n: runs.length }), runs.map(({ path }) => path), runs);
+    for (const file of runs) taken.delete(file);
+  }
   for (const one of free("series")) add("series", last_part(one.name), [one.path], [one]);
   for (const one of free("report")) add("report", last_part(one.name), [one.path], [one]);
   return groups;

@@ -143,6 +143,8 @@ export interface ShelfOf {
   choose(group: Group): void;
 }
 
+const kMost_tabs = 6; // more groups are a list
+
 const row_of = (one: Held, fault: string | undefined): HTMLElement =>
   element(
     "li",
@@ -153,7 +155,8 @@ const row_of = (one: Held, fault: string | undefined): HTMLElement =>
   );
 
 export const shelf_of = ({ held, groups, faults, open, choose }: ShelfOf): HTMLElement => {
-  const tabs = groups.map((group) => {
+  const listed = groups.length > kMost_tabs;
+  const tabs = (listed ? [] : groups).map((group) => {
     const tab = button(plain(group.title, 60), t.live_open_group({ title: plain(group.title, 200) }), () => choose(group));
     tab.setAttribute("aria-pressed", String(group.key === open));
     return element("li", {}, tab, element("span", { class: "note" }, t.live_group_kinds[group.kind]));
@@ -161,5 +164,11 @@ export const shelf_of = ({ held, groups, faults, open, choose }: ShelfOf): HTMLE
   const list = element("ul", {}, ...held.map((one) => row_of(one, faults.get(one.path))));
   const files = details_of("live-files", t.live_files({ count: held.length }), list);
   files.open = faults.size > 0;
-  return element("div", { class: "live-shelf" }, ...(groups.length > 1 ? [element("ul", { class: "groups" }, ...tabs)] : []), files);
+  const names = groups.map(({ key, title, kind }) => [key, `${plain(title, 60)} (${t.live_group_kinds[kind]})`] as const);
+  const { label, select } = select_of(t.live_opened, names, (key) => {
+    const group = groups.find((one) => one.key === key);
+    if (group) choose(group);
+  });
+  select.value = open;
+  return element("div", { class: "live-shelf" }, ...(listed ? [label] : groups.length > 1 ? [element("ul", { class: "groups" }, ...tabs)] : []), files);
 };

@@ -148,7 +148,7 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
 };
 
 // The dropped files and the present model, stored in the browser until deleted, so that a crash or a reload loses
-// nothing. Without storage, as in a private window, everything else works.
+// nothing: a record a tab. Without storage, as in a private window, everything else works.
 
 export interface KeptState {
   when: number; // ms since 1970
@@ -167,6 +167,8 @@ export interface KeptState {
 }
 
 export interface Kept {
+  record: string;
+  own: boolean; // of this tab, before it was loaded again; else of one that is closed
   state: KeptState;
   files: { path: string; name: string; file: Blob }[];
 }
@@ -174,11 +176,15 @@ export interface Kept {
 export interface Store {
   put(path: string, name: string, file: Blob): Promise<void>;
   say(state: KeptState): Promise<void>;
-  kept(): Promise<Kept | null>;
-  clear(): Promise<void>;
+  kept(): Promise<Kept | null>; // of this tab, else the last of a tab that is closed
+  go_on(record: string): Promise<void>; // with that record as this tab's own
+  clear(record?: string): Promise<void>; // this tab's own
 }
 
 const kName = "ballbar";
+const kRecords = 5; // of closed tabs; older ones go
+const kTries = 5; // for a record that the page before the reload may still hold
+const kBetween_ms = 100;
 
 const done = <T>(request: IDBRequest<T>): Promise<T> =>
   new Promise((fulfil, fail) => {
@@ -186,32 +192,89 @@ const done = <T>(request: IDBRequest<T>): Promise<T> =>
     request.onerror = () => fail(request.error);
   });
 
+const lock_of = (record: string): string => `${kName} ${record}`;
+
+// Holds the record for as long as the tab lives. false: another tab has it.
+const held_by_tab = (record: string): Promise<boolean> =>
+  new Promise((known) => {
+    if (!navigator.locks) return known(true);
+    navigator.locks
+      .request(lock_of(record), { ifAvailable: true }, (lock) => {
+        known(lock !== null);
+        return lock ? new Promise(() => undefined) : undefined;
+      })
+      .catch(() => known(true));
+  });
+
+const wait = (ms: number): Promise<void> => new Promise((over) => setTimeout(over, ms));
+
+// That of the tab before a reload. A copy of a tab has its name too, and gets one of its own.
+const record_of_tab = async (): Promise<string> => {
+  const before = sessionStorage.getItem(kName);
+  for (let k = 0; before !== null && k < kTries; ++k) {
+    if (await held_by_tab(before)) return before;
+    await wait(kBetween_ms);
+  }
+  const record = `${Date.now()}-${Math.random()}`;
+  await held_by_tab(record);
+  sessionStorage.setItem(kName, record);
+  return record;
+};
+
+const records_in_use = async (): Promise<Set<string>> => {
+  const { held = [] } = (await navigator.locks?.query()) ?? {};
+  return new Set(held.flatMap(({ name }) => name ?? []));
+};
+
 // null: the browser stores nothing here.
 export const open_store = async (): Promise<Store | null> => {
   try {
-    const opening = indexedDB.open(kName, 1);
+    const opening = indexedDB.open(kName, 2);
     opening.onupgradeneeded = () => {
-      opening.result.createObjectStore("files", { keyPath: "path" });
+      for (const name of [...opening.result.objectStoreNames]) opening.result.deleteObjectStore(name);
+      opening.result.createObjectStore("files", { keyPath: ["record", "path"] });
       opening.result.createObjectStore("state");
     };
     const base = await done(opening);
+    base.onversionchange = () => base.close();
     const store = (name: string, mode: IDBTransactionMode): IDBObjectStore => base.transaction(name, mode).objectStore(name);
+    const of_record = (record: string): IDBKeyRange => IDBKeyRange.bound([record], [record, []]);
+    let own = await record_of_tab();
+    const clear = async (record: string): Promise<void> => {
+      await done(store("files", "readwrite").delete(of_record(record)));
+      await done(store("state", "readwrite").delete(record));
+    };
+    // Of closed tabs, the last first.
+    const free = async (): Promise<{ record: string; state: KeptState }[]> => {
+      const states = store("state", "readonly");
+      const [keys, all] = await Promise.all([done(states.getAllKeys()), done(states.getAll() as IDBRequest<KeptState[]>)]);
+      const used = await records_in_use();
+      return keys
+        .flatMap((key, k) => (all[k] ? [{ record: String(key), state: all[k] }] : []))
+        .filter(({ record }) => record !== own && !used.has(lock_of(record)))
+        .sort((a, b) => b.state.when - a.state.when);
+    };
     return {
       async put(path, name, file) {
-        await done(store("files", "readwrite").put({ path, name, file }));
+        await done(store("files", "readwrite").put({ record: own, path, name, file }));
       },
       async say(state) {
-        await done(store("state", "readwrite").put(state, "now"));
+        await done(store("state", "readwrite").put(state, own));
+        for (const { record } of (await free()).slice(kRecords)) await clear(record);
       },
       async kept() {
-        const state = (await done(store("state", "readonly").get("now"))) as KeptState | undefined;
-        const files = (await done(store("files", "readonly").getAll())) as Kept["files"];
-        return files.length === 0 || state === undefined ? null : { state, files };
+        const state = (await done(store("state", "readonly").get(own))) as KeptState | undefined;
+        const last = state === undefined ? (await free())[0] : { record: own, state };
+        if (!last) return null;
+        const files = (await done(store("files", "readonly").getAll(of_record(last.record)))) as Kept["files"];
+        return files.length === 0 ? null : { ...last, own: last.record === own, files };
       },
-      async clear() {
-        await done(store("files", "readwrite").clear());
-        await done(store("state", "readwrite").clear());
+      async go_on(record) {
+        if (record === own || !(await held_by_tab(record))) return;
+        own = record;
+        sessionStorage.setItem(kName, own);
       },
+      clear: (record = own) => clear(record),
     };
   } catch {
     return null;

@@ -1,7 +1,7 @@
 // Options of the program for an ambiguous log, one word each, such as "--role=T3=ambient". They follow the data in
 // every command on that log.
 
-const kOptions = ["sheet", "time", "time-unit", "every", "unit", "role", "scale", "leave-out", "missing", "skip-bad-rows", "delimiter", "decimal", "dates", "max-gap"];
+const kOptions = ["sheet", "header-line", "radius", "time", "time-unit", "every", "unit", "role", "scale", "leave-out", "missing", "skip-bad-rows", "delimiter", "decimal", "dates", "max-gap"];
 
 export type LogWords = readonly string[];
 

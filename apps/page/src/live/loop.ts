@@ -202,15 +202,31 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const promise = async (all: readonly Promised[]): Promise<void> => {
     const mine = ++promising;
     const of_subject = subject;
+    const known = new Map<string, number>(); // by label
     for (const one of all) {
       if (mine !== promising || of_subject !== subject) return;
       try {
-        one.show(await runs.rmse_with(of_subject, one.effects));
+        const rmse_um = await runs.rmse_with(of_subject, one.effects);
+        one.show(rmse_um);
+        if (one.effects.length === 1) known.set(one.effects[0] ?? "", rmse_um);
       } catch (error) {
         if (error instanceof Interrupted) return;
       }
     }
-    if (mine === promising) all_promised();
+    if (mine !== promising) return;
+    all_promised();
+    show_promised(known);
+  };
+  // In the table of the candidates too.
+  const show_promised = (known: ReadonlyMap<string, number>): void => {
+    if (!report?.diagnose || known.size === 0) return;
+    const with_rmse = (target: Diagnosed): Diagnosed => ({
+      ...target,
+      candidates: target.candidates.map((one) => ({ ...one, rmse_after_um: known.get(one.label) ?? one.rmse_after_um })),
+    });
+    const targets = report.diagnose.targets.map((target) => (target === found ? (found = with_rmse(target)) : target));
+    report = { ...report, diagnose: { targets } };
+    of.changed(report, subject);
   };
   // A search may take minutes. What else runs is soon done, and goes on.
   const stop_search = (): void => {

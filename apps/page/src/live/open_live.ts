@@ -90,14 +90,16 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
     if (answer === "save") await saves.save_all();
     return answer === "save" || answer === "delete";
   };
-  const kept_may_go = async (): Promise<boolean> =>
-    !kept?.state.unsaved || (await asked(t.live_ask_kept({ title: plain(kept.state.title, 80) }), [["delete", t.live_ask_delete], ["stay", t.live_ask_stay]])) === "delete";
+  const deleted_if_asked = async ({ state }: Kept): Promise<boolean> =>
+    (await asked(t.live_ask_kept({ title: plain(state.title, 80) }), [["delete", t.live_ask_delete], ["stay", t.live_ask_stay]])) === "delete";
+  // That of a closed tab stays as it is.
+  const kept_may_go = async (): Promise<boolean> => !kept?.own || !kept.state.unsaved || deleted_if_asked(kept);
 
   const forget_kept = (): void => {
     kept = null;
     start.querySelector(".kept")?.remove();
   };
-  // What was kept is of other files: either it is gone on with, or it goes. false: it is to stay.
+  // What was kept is of other files: either it is gone on with, or it goes, where it is this tab's. false: it is to stay.
   const anew = async (): Promise<boolean> => {
     leave_tour();
     if (intake.held().length > 0) return true;
@@ -136,13 +138,13 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
       { class: "kept buttons" },
       button(t.live_continue_with({ files: of.files.length, ago: ago_spoken(Date.now() - of.state.when) }), "", () => {
         forget_kept();
-        void opened.again(of);
+        void (store?.go_on(of.record) ?? Promise.resolve()).then(() => opened.again(of));
       }),
       button(t.live_delete_kept, t.live_delete_title, () =>
         void attempt(async () => {
-          if (!(await kept_may_go())) return;
+          if (of.state.unsaved && !(await deleted_if_asked(of))) return;
           forget_kept();
-          await store?.clear();
+          await store?.clear(of.record);
           tell(t.live_deleted);
         }),
       ),

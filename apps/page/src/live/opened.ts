@@ -264,6 +264,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
         group, data: group.data, model: model ?? "", target: "", compared: [], view: "", tolerance_um: null, log: [], targets: [], left_out: [],
         ...read_as.get(group.key), ...look, ...as,
       };
+      if (next.model !== "" || next.compared.length > 0) next.view = "";
       if (last?.group.key === group.key && last.log.join("\n") !== next.log.join("\n")) unsaved = true; // columns, by hand
       last = next;
       if (next.model !== "" && !models.has(next.model)) models.set(next.model, await text_of(next.model));
@@ -284,6 +285,12 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
         if (cut !== null) {
           intake.faults().set(group.data[0] ?? group.key, cut);
           return leave("");
+        }
+        // Not of one kind after all: the first by itself.
+        const alone = group.kind === "runs" && group.data.length > 1 ? groups().find(({ key }) => key === group.data[0]) : undefined;
+        if (alone) {
+          tell(reason(error));
+          return open(alone);
         }
         const several = group.kind === "recordings" && group.data.length > 1;
         const sound = several ? { ...group, data: await sound_of(group.data) } : group;
@@ -380,7 +387,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
         const { data, model, target, title, log = [], targets = [], compared = [], view, tolerance_um = null, left_out = [], saved_model } = kept.state;
         if (saved_model !== undefined) models.set(model, saved_model);
         const found = groups_of(intake.held()).find(({ key }) => key === data.join("\n"));
-        const look = compared.length > 0 ? { data, compared, view: "" } : view === undefined ? {} : { view };
+        const look: Partial<Subject> = compared.length > 0 ? { data, compared, view: "" } : view === undefined ? {} : { view };
         await open(found ?? group_of(title, intake.held(), compared.length > 0 ? [...data, ...compared] : data), { model, target, log, targets, tolerance_um, left_out, ...look });
       }),
     show: (given) => show_alone(null, given),

@@ -142,6 +142,21 @@ const stated_text = (key: string, value: string | number): string[] => {
   return [plain(named(t.stated, name).replaceAll("_", " "), 60), `${typeof value === "number" ? shown(value) : plain(value, 200)}${unit}`];
 };
 
+// "VMC 3 · 2026-01-15 08:00 · XY, bar of 100 mm · 2000 mm/min · calibrated 2025-03-02"
+export const made_with = ({ part, recordings }: ErrorTest): string => {
+  const { machine = "", started_s, last_calibrated = "" } = part.file ?? {};
+  const feeds = [...new Set(recordings.flatMap(({ feed_mm_per_min }) => (feed_mm_per_min ? [shown(feed_mm_per_min, 0)] : [])))];
+  return [
+    plain(machine, 60),
+    started_s === undefined ? "" : (stated_text("started_s", started_s)[1] ?? ""),
+    t.errors_made_bar({ plane: part.plane, length: shown(part.nominal_length_mm, 0) }),
+    feeds.length === 0 ? "" : `${feeds.join(", ")} mm/min`,
+    last_calibrated === "" ? "" : t.errors_made_calibrated({ date: plain(last_calibrated.slice(0, 10), 20) }),
+  ]
+    .filter((one) => one !== "")
+    .join(" · ");
+};
+
 export const stated_table = ({ part }: ErrorTest): TextTable[] => {
   const rows = Object.entries(part.file ?? {}).map(([key, value]) => stated_text(key, value));
   return rows.length === 0 ? [] : [{ title: t.errors_stated, heading: ["", ""], rows }];

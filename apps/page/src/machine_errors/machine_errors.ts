@@ -2,7 +2,7 @@
 import { error_tests, type ErrorTest, ranked_errors } from "./error_curves";
 import { error_name, group_name, leading_group, unit_shown } from "./error_names";
 import { error_page } from "./error_page";
-import { circle_table, errors_table, gains_table, stated_table } from "./error_tables";
+import { circle_table, errors_table, gains_table, made_with, stated_table } from "./error_tables";
 import { errors_picture, kErrors_picture, without_picture } from "./errors_pictures";
 import { headline, summary_table, worst_of } from "./summary";
 import { command_of } from "../drawing/command";
@@ -91,6 +91,7 @@ const conclusion_of = (report: Report, tests: readonly ErrorTest[], test: ErrorT
   const { part, recordings } = test;
   const largest = ranked_errors(part).find(({ first }) => first.rank !== null && first.remedy);
   return {
+    before: [made_with(test)],
     verdict: headline(report, tests, test),
     also: part.conclusion === "" ? "" : verdict_of(test),
     concluded: part.conclusion,

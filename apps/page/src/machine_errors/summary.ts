@@ -54,9 +54,12 @@ const judged = (rows: readonly Result[]): string => {
   return judgement ? `${values} (${limits}: ${t.judgements[judgement]})` : values;
 };
 
-// The test that is out most; there is one.
+// The circular deviation G of the direction that is out more.
+const largest_g_um = ({ recordings }: ErrorTest): number => Math.max(...recordings.map(({ circularity_um }) => circularity_um ?? 0));
+
+// The test that is out most, by the number that stands first; there is one.
 export const worst_of = (tests: readonly ErrorTest[]): ErrorTest =>
-  tests.reduce((worst, test) => ((test.part.circularity_um ?? 0) > (worst.part.circularity_um ?? 0) ? test : worst));
+  tests.reduce((worst, test) => (largest_g_um(test) > largest_g_um(worst) ? test : worst));
 
 const planes_of = (tests: readonly ErrorTest[]): string[] => tests.map(({ recordings: [first] }) => first?.plane ?? "");
 const of_planes = (tests: readonly ErrorTest[]): boolean => new Set(planes_of(tests)).size === tests.length;
@@ -106,6 +109,7 @@ const quantities = (fit: FitPart): Quantity[] => {
   return [
     { name: t.errors_g, of: (test) => judged(circular_deviations(iso_of(fit, test), test).map(({ row }) => row)), brief: true },
     { name: t.errors_g_both, of: by_keys("bidirectional_2005_um") },
+    { name: t.errors_both_runs, of: ({ part }) => shown(part.circularity_um, 2) },
     { name: t.errors_f_ccw, of: from_to("f_min_ccw_um", "f_max_ccw_um") },
     { name: t.errors_f_cw, of: from_to("f_min_cw_um", "f_max_cw_um") },
     { name: t.errors_hysteresis, of: by_keys("h_um") },

@@ -11,7 +11,7 @@ import type { Checked, Num, Report } from "../report";
 import type { Strand } from "../drawing/strands";
 import { labels_once, plain } from "../drawing/text";
 import { axis, base, colours, curve_colour, dashes, font, shown, toggle } from "../drawing/theme";
-import { time_limits, x_axis } from "../drawing/axes";
+import { in_time, time_limits, whole_of, x_axis } from "../drawing/axes";
 import { angle_limits } from "../recordings/unrolled_picture";
 import { t } from "../texts/texts";
 
@@ -143,7 +143,9 @@ export const contributions_picture = (
     return {
       ...curves_base(state, toggles(state.chosen), { drawn, head: (at) => `${shown(at, 1)} ${unit}`, unit: "µm" }),
       grid: grid_of(look),
-      xAxis: x_axis(look, over_angle ? t.angle_axis : t.time_axis, window, over_angle ? angle_limits(x) : time_limits(x)),
+      xAxis: over_angle
+        ? x_axis(look, t.angle_axis, window, angle_limits(x))
+        : in_time(x_axis(look, t.time_axis, window, time_limits(x)), look, window ?? whole_of(time_limits(x))),
       yAxis: axis(look, over_angle ? t.model_added_axis : t.model_added_since_axis, "y"),
       series,
     };

@@ -7,7 +7,7 @@ import { chosen_strands, recording_choice } from "../recordings/recording_groups
 import type { Checked, Num, Report } from "../report";
 import { place_text, points_of, type Strand, strand_numbers } from "../drawing/strands";
 import { colours, curve_colour, minutes, regime_colour, toggle } from "../drawing/theme";
-import { time_limits, two_grids, x_axis } from "../drawing/axes";
+import { in_time, time_limits, two_grids, whole_of, x_axis } from "../drawing/axes";
 import { angle_limits } from "../recordings/unrolled_picture";
 import { named, t } from "../texts/texts";
 import { plain } from "../drawing/text";
@@ -65,7 +65,8 @@ export const model_fit_picture = (
     const c = colours(look.dark);
     const colour = (k: number): string => curve_colour(k, look.dark);
     const all = over_angle ? angle_limits(shown_strands.flatMap((strand) => strand.x)) : time_limits(shown_strands[0]?.x ?? []);
-    const x = x_axis(look, over_angle ? t.angle_axis : t.time_axis, window, all);
+    const common = x_axis(look, over_angle ? t.angle_axis : t.time_axis, window, all);
+    const x = over_angle ? common : in_time(common, look, window ?? whole_of(all));
     const grids = two_grids(look, x, t.deviation_axis, t.residual_axis);
     const width = grids.width_px / Math.max(1, shown_strands.length);
     const below = { xAxisIndex: 1, yAxisIndex: 1 };

@@ -5,7 +5,7 @@ import { curves_base } from "../drawing/hover";
 import type { Picture } from "../picture";
 import type { Checked, Num } from "../report";
 import { labels_once, plain, unit_shown } from "../drawing/text";
-import { axis, colours, curve_colour, dashes, digits, mark_of, minutes, shown, toggle } from "../drawing/theme";
+import { axis, colours, curve_colour, dashes, digits, mark_of, minutes, shown, time_text, toggle } from "../drawing/theme";
 import { x_axis } from "../drawing/axes";
 import { columns_of, grid_of } from "../drawing/parts";
 import { t } from "../texts/texts";
@@ -39,7 +39,7 @@ export const steps_picture = (checked: Checked, name: string): Picture => {
       });
       const moment = lines_across([{ xAxis: 0 }], { show: false }, { color: colours(look.dark).faint, type: "dashed", width: 1 });
       return {
-        ...curves_base(state, toggles, { drawn, head: (at) => `${shown(at, 1)} min`, unit: "µm" }),
+        ...curves_base(state, toggles, { drawn, head: (at) => time_text(at, 1), unit: "µm" }),
         grid: grid_of(look),
         xAxis: x_axis(look, t.model_steps_axis, window, { min: "dataMin", max: "dataMax" }),
         yAxis: axis(look, t.model_added_axis, "y"),

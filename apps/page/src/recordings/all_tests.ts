@@ -6,7 +6,7 @@ import { kept_readings, picked } from "./recording_curves";
 import type { Choice, Numbers, State, Toggle } from "../picture";
 import { type Group, labels_of } from "./recording_groups";
 import type { Num, Recording } from "../report";
-import { colours, font, minutes, sequence_bar, sequence_colour, shown, toggle } from "../drawing/theme";
+import { colours, font, minutes, sequence_bar, sequence_colour, time_text, toggle } from "../drawing/theme";
 import { t } from "../texts/texts";
 
 export const kStretches = 180; // of a recording, up to four points each
@@ -35,7 +35,7 @@ export const places_of = (recordings: readonly Recording[]): number[] => {
 export const times_named = (recordings: readonly Recording[]): string[] => {
   const times = recordings.map((recording) => recording.time_s);
   const known = times.every((time) => time !== null) && new Set(times).size === times.length;
-  return known ? times.map((time) => `${shown(minutes(time ?? 0), 0)} min`) : labels_of(recordings);
+  return known ? times.map((time) => time_text(minutes(time ?? 0), 0)) : labels_of(recordings);
 };
 
 export const quantity_choice = (initial: "deviation" | "change"): Choice => ({
