@@ -16,10 +16,10 @@ const text_of = (file, encoding = "utf8") => readFileSync(file, encoding);
 // Base64 in short lines: no server that states another charset, and no mail program, changes it.
 const base64 = (bytes) => bytes.toString("base64").replace(/.{900}/g, "$&\n");
 const gzipped = (bytes) => base64(gzipSync(bytes, { level: 9 }));
-// What is large, and unpacked by a worker: src/packed.ts, which wants the size in the header.
+// What is large, and not needed at once: src/packed.ts, which wants the size in the header.
 const lzmaed = (bytes) => {
   const made = execFileSync("xz", ["--format=lzma", "-9e", "--stdout"], { input: bytes, maxBuffer: 1 << 28 });
-  made.writeBigUInt64LE(BigInt(bytes.length), 5);
+  made.writeBigUInt64LE(BigInt(Buffer.byteLength(bytes)), 5);
   return base64(made);
 };
 const hash = (text) => `sha256-${createHash("sha256").update(text).digest("base64")}`;
@@ -57,7 +57,8 @@ const marks = {
     carried("engine", lzmaed(readFileSync(join(engine, "engine.wasm")))) +
     carried("engine-worker", gzipped(worker)) +
     carried("notices", gzipped(readFileSync(join(made, "notices.txt")))) +
-    carried("samples", gzipped(JSON.stringify(samples))),
+    carried("samples", gzipped(JSON.stringify(samples.map(({ files, ...sample }) => sample)))) +
+    carried("sample-files", lzmaed(JSON.stringify(Object.fromEntries(samples.map(({ name, files }) => [name, files]))))),
 };
 const page = text_of(new URL("src/page.html", import.meta.url)).replace(/@([A-Z_]+)@/g, (_, name) => marks[name]);
 writeFileSync(out, page, "ascii");

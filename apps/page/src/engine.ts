@@ -1,6 +1,6 @@
 // The program compiled to WebAssembly, in a worker: runs commands as on a terminal, on files in memory. If the page
 // contains it, a user can drop files on the page and work with them.
-import { gunzipped } from "./packed";
+import { bytes_of_base64, gunzipped, unlzmaed } from "./packed";
 import type { Answer, Question, Start } from "./worker";
 
 // The output of a command. status: 0 success, 1 error in the input, 2 error in the command line, 3 a test fails its tolerance.
@@ -18,7 +18,6 @@ export interface Watch {
 export interface Sample {
   name: string; // of its folder
   title: string;
-  files: { path: string; text: string }[]; // one character per byte: bytes_of
   data: string[]; // the words for DATA
   model?: string;
 }
@@ -28,6 +27,7 @@ export interface Engine {
   // A report of the first sample, made to warm up the engine and the page. Never resolves without samples.
   warmed: Promise<string>;
   samples: () => Promise<readonly Sample[]>;
+  sample_files: (name: string) => readonly SampleFile[];
   // "ballbar" is not among the words. Rejects with Stopped when stopped, and with Failed when the module gave up.
   run(words: readonly string[], watch?: Watch): Promise<Ran>;
   // A call on the open subject, which the engine keeps (apps/report/page_calls.hpp). Stopping the call loses the
@@ -41,6 +41,11 @@ export interface Engine {
 }
 
 export const bytes_of = (text: string): Uint8Array<ArrayBuffer> => Uint8Array.from(text, (sign) => sign.charCodeAt(0));
+
+export interface SampleFile {
+  path: string;
+  text: string; // one character per byte: bytes_of
+}
 
 export class Stopped extends Error {}
 export class Failed extends Error {}
@@ -104,7 +109,7 @@ class InWorker implements Engine {
   private readonly files = new Map<string, Uint8Array | Blob>(); // the files of the worker, for the next worker
   private link: Promise<Link>;
   private readonly start: () => Promise<Link>;
-  private unpacked_samples: Promise<readonly Sample[]> | null = null;
+  private files_of_samples: Record<string, SampleFile[]> | null = null;
   private heap = 0;
   private readonly ended = new WeakSet<Link>();
 
@@ -122,13 +127,16 @@ class InWorker implements Engine {
     });
   }
 
-  // Decompressed once, on first use.
-  samples(): Promise<readonly Sample[]> {
+  async samples(): Promise<readonly Sample[]> {
     const text = block(this.page, "samples");
-    this.unpacked_samples ??= text
-      ? gunzipped(text).then((bytes) => JSON.parse(new TextDecoder().decode(bytes)) as Sample[])
-      : Promise.resolve([]);
-    return this.unpacked_samples;
+    return text ? (JSON.parse(new TextDecoder().decode(await gunzipped(text))) as Sample[]) : [];
+  }
+
+  // Decompressed once, on first use.
+  sample_files(name: string): readonly SampleFile[] {
+    const text = block(this.page, "sample-files") ?? "";
+    this.files_of_samples ??= text === "" ? {} : (JSON.parse(new TextDecoder().decode(unlzmaed(bytes_of_base64(text)))) as Record<string, SampleFile[]>);
+    return this.files_of_samples[name] ?? [];
   }
 
   run(words: readonly string[], watch: Watch = {}): Promise<Ran> {
@@ -197,7 +205,7 @@ class InWorker implements Engine {
   // Twice, because by the second time the browser knows which code to optimise. One request each, so that a new file
   // waits for at most one of them.
   private async warm(link: Link, warmed: (report: string) => void): Promise<void> {
-    const test = (await this.samples()).flatMap(({ files }) => files).find(({ path }) => path.endsWith(".b5r"));
+    const test = (await this.samples()).flatMap(({ name }) => this.sample_files(name)).find(({ path }) => path.endsWith(".b5r"));
     if (!test) return;
     for (const time of [1, 2]) {
       const answer = await link.ask({ kind: "warm", bytes: bytes_of(test.text) });

@@ -17,9 +17,11 @@ const both = (test: TestRow, ccw: string, cw: string): string => {
   const values = [number_of(test, ccw), number_of(test, cw)].filter((value) => value !== null);
   return values.length === 0 ? "–" : values.map((value) => shown(value, 2)).join(" / ");
 };
-const range = (test: TestRow, direction: string): string => {
-  const [from, to] = [number_of(test, `f_min_${direction}_um`), number_of(test, `f_max_${direction}_um`)];
-  return from === null || to === null ? "" : `${shown(from, 2)} … ${shown(to, 2)}`;
+// The radial deviation F, the least and the largest of both directions.
+const range = (test: TestRow): string => {
+  const ends = (end: "min" | "max"): number[] => ["ccw", "cw"].flatMap((direction) => number_of(test, `f_${end}_${direction}_um`) ?? []);
+  const [least, largest] = [ends("min"), ends("max")];
+  return least.length === 0 || largest.length === 0 ? "–" : `${shown(Math.min(...least), 2)} … ${shown(Math.max(...largest), 2)}`;
 };
 
 const size_of = ({ value, sigma, unit }: { value: Num; sigma: Num; unit: string }): string =>
@@ -39,6 +41,11 @@ const name_of = (test: TestRow, all: readonly TestRow[]): string => {
 
 const judgement_of = ({ passes }: TestRow): "pass" | "fail" | "" => (passes === null ? "" : passes ? "pass" : "fail");
 
+const result_of = (test: TestRow): string => {
+  const judgement = judgement_of(test);
+  return judgement === "" ? "–" : t.judgements[judgement];
+};
+
 interface Column {
   heading: string;
   of: (test: TestRow) => string;
@@ -49,13 +56,13 @@ const columns_of = (tests: readonly TestRow[]): Column[] => {
   return [
     { heading: t.errors_test, of: (test) => name_of(test, tests) },
     ...(any(({ machine }) => machine) ? [{ heading: t.stated.machine, of: ({ machine }: TestRow) => plain(machine, 40) || "–" }] : []),
-    { heading: t.tests_result, of: (test) => (judgement_of(test) === "" ? "–" : t.judgements[judgement_of(test) as "pass"]) },
+    ...(any(judgement_of) ? [{ heading: t.tests_result, of: result_of }] : []),
     { heading: t.history_plane, of: ({ plane }) => plane },
     { heading: t.history_date, of: day_of },
     { heading: t.tests_bar, of: ({ nominal_length_mm }) => shown(nominal_length_mm, 0) },
     { heading: "mm/min", of: ({ feed_mm_per_min }) => shown(feed_mm_per_min, 0) },
     { heading: t.tests_g, of: (test) => both(test, "g_ccw_um", "g_cw_um") },
-    { heading: t.tests_f, of: (test) => ["ccw", "cw"].map((one) => range(test, one)).filter((text) => text !== "").join(" / ") || "–" },
+    { heading: t.tests_f, of: range },
     { heading: t.tests_d, of: (test) => shown(number_of(test, "d_um"), 2) },
     { heading: t.tests_both_runs, of: ({ both_runs }) => shown(both_runs?.value ?? null, 2) },
     { heading: t.errors_largest, of: largest_of },
@@ -92,6 +99,10 @@ const verdict_of = (tests: readonly TestRow[], tolerance_um: Num): string => {
   return [first, ...(judged > 0 ? [said] : [])].join(" ");
 };
 
+// Whether a plane was tested on several days.
+const is_over_days = (tests: readonly TestRow[]): boolean =>
+  tests.some((one) => tests.some((other) => one.plane === other.plane && one.date !== null && other.date !== null && one.date.slice(0, 10) !== other.date.slice(0, 10)));
+
 export const test_table_sections = ({ test_table: of }: Report): Section[] => {
   if (!of) return [];
   const tests = [...of.tests].sort((a, b) => rank_um(b) - rank_um(a));
@@ -106,7 +117,7 @@ export const test_table_sections = ({ test_table: of }: Report): Section[] => {
         table,
         conclusion: () => ({
           verdict: capital(verdict_of(tests, of.tolerance_um)),
-          next: { label: t.change_history, command: command_of("history", ["."]), action: { action: "trend" } },
+          next: { label: t.tests_trend, command: command_of("history", ["."]), action: is_over_days(tests) ? { action: "trend" } : null },
         }),
       },
       lists: [

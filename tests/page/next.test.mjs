@@ -1,0 +1,195 @@
+// A button says what will happen and does it: Add adds, Try tries, with the RMSE that stands there; what is told can be
+// repaired where it is told, and the search goes on; a verdict stays when the language changes.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { at_rest, drop, kLong, live, rmse } from "./live_page.mjs";
+import { of_run } from "./reports.mjs";
+
+const noise = (seed) => {
+  let state = seed;
+  return () => {
+    let sum = 0;
+    for (let k = 0; k < 12; ++k) sum += (state = (state * 48271) % 2147483647) / 2147483647;
+    return sum - 6;
+  };
+};
+const table = (names, rows) => `${names.join(",")}\n${rows.map((row) => row.map((value) => (value === null ? "" : Number(value.toFixed(4)))).join(",")).join("\n")}\n`;
+const bearing = (k) => 34 + 12 * Math.sin(k / 190) + 4 * Math.sin(k / 87 + 1);
+
+// 0.5 um/K of the bearing, and a coolant that no column has: -6 um, 20 min, switched now and then.
+const hidden_coolant = () => {
+  const random = noise(11);
+  let [on, lag] = [0, 0];
+  return table(["time_s", "front_bearing_degC", "motor_degC", "z_um"], Array.from({ length: 1200 }, (_, k) => {
+    if (k % 197 === 140 || k % 311 === 150) on = 1 - on;
+    lag += (on - lag) / 20;
+    return [60 * k, bearing(k), 30 + 4 * Math.sin(k / 55 + 2), 0.5 * (bearing(k) - 34) - 6 * lag + 0.3 * random()];
+  }));
+};
+// The same without the coolant.
+const bearing_alone = () => {
+  const random = noise(5);
+  return table(["time_s", "front_bearing_degC", "motor_degC", "z_um"], Array.from({ length: 1200 }, (_, k) => [60 * k, bearing(k), 30 + 4 * Math.sin(k / 55 + 2), 0.5 * (bearing(k) - 34) + 0.3 * random()]));
+};
+
+const next = (page) => page.locator(".live-loop .verdict > button.act:visible");
+const said = (page) => page.innerText(".live-loop .said");
+const searched = async (page) => {
+  await page.getByRole("button", { name: "Find what is missing" }).click();
+  await page.waitForSelector('.live-loop[data-search="done"]', { timeout: kLong });
+  await at_rest(page);
+};
+
+test("Add adds, and the RMSE is what was promised; undo takes it back", async () => {
+  const { page, wrong, close } = await live();
+  await drop(page, { "alone.csv": bearing_alone() });
+  await at_rest(page);
+  await searched(page);
+  assert.equal(await next(page).getAttribute("data-action"), "add");
+  assert.match(await next(page).innerText(), /^Add .*front_bearing.*: RMSE 0\.\d+ µm$/);
+  const promised = Number(await next(page).getAttribute("data-rmse"));
+  await next(page).click();
+  await page.waitForSelector('.live-loop[data-revisions="2"], .live-loop[data-revisions="1"]', { timeout: kLong });
+  await at_rest(page);
+  assert.equal(await rmse(page), promised);
+  assert.ok((await page.$$eval(".live-model .effect bdi", (all) => all.map(({ title }) => title))).some((one) => one.startsWith("expansion(front_bearing_degC")));
+  assert.ok(!(await page.isDisabled('button:text-is("Undo")')));
+  // The table of candidates has what the list promised before; here nothing is left to add.
+  assert.equal(await next(page).count(), 0);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("what is only to be tried says Try, and adds nothing until it is added", async () => {
+  const { page, wrong, close } = await live();
+  await drop(page, { "coolant.csv": hidden_coolant() });
+  await at_rest(page);
+  await searched(page);
+  const before = await rmse(page);
+  assert.equal(await next(page).getAttribute("data-action"), "try");
+  assert.match(await next(page).innerText(), /^Try .*: RMSE [\d.]+ µm$/);
+  const promised = Number(await next(page).getAttribute("data-rmse"));
+  assert.ok(promised < before);
+  const stars = await page.$$eval(".live-candidates bdi", (all) => all.filter((one) => one.textContent.endsWith("*")).length);
+  assert.equal(stars, 1, "one proposal");
+  // In the table below too: the number, and one star.
+  const cells = await page.evaluate(() => {
+    document.querySelector('section[id^="diagnosis"] > details').open = true;
+    const rows = [...document.querySelectorAll('section[id^="diagnosis"] table')].find((one) => /2 ln B/.test(one.textContent)).querySelectorAll("tbody tr");
+    return [...rows].map((row) => [...row.cells].map((cell) => cell.textContent));
+  });
+  assert.match(cells[0][0], /^1\*$/);
+  assert.ok(cells.slice(1).every(([number]) => !number.includes("*")));
+  assert.ok(Math.abs(Number(cells[0][5]) - promised) < 0.01, String(cells[0]));
+  await next(page).click();
+  await page.waitForSelector(".live-loop .refusal:visible button", { timeout: kLong });
+  await at_rest(page);
+  assert.equal(await rmse(page), before);
+  assert.equal(await page.locator('.live-loop[data-revisions="0"]').count(), 1);
+  await page.getByRole("button", { name: "Add it to the model" }).click();
+  await page.waitForFunction((was) => document.querySelector(".live-fall .rmse").textContent !== was, await page.textContent(".live-fall .rmse"), { timeout: kLong });
+  await at_rest(page);
+  assert.equal(await rmse(page), promised);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("the verdict stays when the language changes, and comes back with it", async () => {
+  const { page, wrong, close } = await live();
+  await drop(page, { "alone.csv": bearing_alone() });
+  await at_rest(page);
+  await searched(page);
+  const english = await said(page);
+  assert.match(english, /sure/);
+  const speak = async (language) => {
+    await page.evaluate((language) => {
+      const select = [...document.querySelectorAll("select")].find((one) => [...one.options].some(({ value }) => value === "de"));
+      select.value = language;
+      select.dispatchEvent(new Event("change", { bubbles: true }));
+    }, language);
+    await page.waitForSelector(`html[lang^=${language}]`);
+    await at_rest(page);
+  };
+  await speak("de");
+  assert.match(await said(page), /% sicher/);
+  assert.match(await next(page).innerText(), /hinzufügen: RMSE 0,\d+ µm$/);
+  await speak("en");
+  assert.equal(await said(page), english);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("gaps of a signal: the longest is offered at once, one click fits across all, and the search goes on", async () => {
+  const random = noise(3);
+  const gone = (k) => (k > 60 && k < 200) || (k > 300 && k < 500) || (k > 560 && k < 690);
+  const text = table(["time_s", "front_bearing_degC", "z_um"], Array.from({ length: 720 }, (_, k) => [60 * k, gone(k) ? null : bearing(k), 0.5 * (bearing(k) - 34) + 0.3 * random()]));
+  const { page, wrong, close } = await live();
+  await drop(page, { "gaps.csv": text });
+  await at_rest(page);
+  await page.getByRole("button", { name: "Find what is missing" }).click();
+  const across = page.getByRole("button", { name: /^Fit across gaps up to 3 h 20 min$/ });
+  await across.waitFor({ timeout: kLong });
+  assert.match(await said(page), /front_bearing_degC has gaps too long to be interpolated\. The longest, of 3 h 20 min, begins after 5 h/);
+  await across.click();
+  await page.waitForSelector('.live-loop[data-search="done"]', { timeout: kLong });
+  await at_rest(page);
+  assert.match(await said(page), /sure/);
+  assert.equal(await page.getByRole("button", { name: /^Fit across gaps/ }).count(), 0);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("a header that was found wrongly is told by its line; the unit of counts is told; both are read at once", async () => {
+  const random = noise(9);
+  const rows = Array.from({ length: 300 }, (_, k) => `${10 * k};${bearing(k).toFixed(2)};${(22 + Math.sin(k / 30)).toFixed(2)};${(0.2 * (bearing(k) - 34) + 0.05 * random()).toFixed(3)}`).join("\n");
+  const text = `t s;front degC;room degC;probe um\nn1;n2;n3;n4\n${rows}\n`;
+  const { page, wrong, close } = await live();
+  await drop(page, { "two heads.csv": text });
+  await at_rest(page);
+  if (await page.locator(".live-columns").isHidden()) await page.getByRole("button", { name: "Columns" }).first().click();
+  const headers = () => page.$$eval(".live-columns tbody tr td:first-child", (all) => all.map((one) => one.textContent));
+  const read = async (line) => {
+    await page.locator('.live-columns [data-option="header-line"]').fill(line);
+    await page.locator('.live-columns [data-option="header-line"]').press("Tab");
+    await page.locator(".live-columns button[type=submit]").click();
+    await at_rest(page);
+    return headers();
+  };
+  assert.deepEqual((await read("2")).slice(-3), ["n2", "n3", "n4"]);
+  assert.deepEqual((await read("1")).slice(-3), ["front degC", "room degC", "probe um"]);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("a circle of deviations without its radius: the field is where it is told, and the circle opens", async () => {
+  const rows = Array.from({ length: 360 }, (_, deg) => `${deg},${(3 * Math.cos((deg * Math.PI) / 180) + 2 * Math.cos((2 * deg * Math.PI) / 180)).toFixed(3)}`).join("\n");
+  const { page, wrong, close } = await live();
+  await drop(page, { "circle.csv": `angle_deg,deviation_um\n${rows}\n` });
+  await at_rest(page);
+  const field = page.locator('.live-columns [data-option="radius"]');
+  await field.waitFor({ timeout: kLong });
+  await field.fill("100 mm");
+  await field.press("Tab");
+  await page.locator(".live-columns button[type=submit]").click();
+  await page.waitForSelector('figure[data-picture="machine-errors"], figure[data-picture="recording-circle"]', { timeout: kLong });
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("a record of weeks has days on its axis and in its words, one of a day hours", async () => {
+  const random = noise(2);
+  const of = (step_s) => table(["time_s", "room_degC", "z_um"], Array.from({ length: 600 }, (_, k) => [step_s * k, 21 + 2 * Math.sin(k / 23), 1.5 * Math.sin(k / 23) + 0.2 * random()]));
+  for (const [step_s, name, unit] of [[11763, "weeks.csv", "time, d"], [180, "day.csv", "time, h"]]) {
+    const { page, wrong, close } = await live();
+    await drop(page, { [name]: of(step_s) });
+    await at_rest(page);
+    const axis = await page.evaluate(() => {
+      const [figure] = [...window.ballbar.figures.values()].filter((one) => one.chart());
+      return figure.chart().getOption().xAxis.map((one) => one.name);
+    });
+    assert.ok(axis.includes(unit), String(axis));
+    assert.deepEqual(wrong, []);
+    await close();
+  }
+});
