@@ -29,7 +29,7 @@ test("a folder of tests: all rows with G, F, D, worst first, by the file's limit
   const g = await column(page, "G µm, CCW / CW");
   assert.equal(g.length, 10);
   assert.deepEqual(g.map(worst), g.map(worst).sort((a, b) => b - a), String(g));
-  const fitted = json_of("fit", of_run("machine-history", "2026-01-19", "XY.b5r")).iso230_4[0];
+  const fitted = json_of("fit", of_run("machine-history", "2026-01-19", "XY.b5r")).iso230_4;
   const shown = (await rows_of(page)).find((row) => /2026-01-19\/XY/.test(row[0]));
   assert.ok(shown.includes(`${fitted.g_ccw_um.toFixed(2)} / ${fitted.g_cw_um.toFixed(2)}`), shown.join(" | "));
   assert.ok(shown.includes(fitted.d_um.toFixed(2)), shown.join(" | "));
@@ -121,7 +121,7 @@ test("logs of one folder with the same columns open as runs, as on the terminal;
   assert.match(await page.innerText(".live-loop .said"), /T_housing|housing/);
   await select.selectOption({ index: 3 });
   await at_rest(page);
-  assert.match(await page.innerText("h1"), /run 3\.csv/);
+  assert.match(await page.innerText(".live-report h1"), /run 3\.csv/);
   assert.deepEqual(wrong, []);
   await close();
 });

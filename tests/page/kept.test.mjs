@@ -104,3 +104,32 @@ test("a saved model has every fitted value: opened, it is the same fit", async (
   assert.deepEqual(wrong, []);
   await close();
 });
+
+test("two tabs keep their own record; a reload of each goes on with its own", async () => {
+  const { page, wrong, close } = await changed();
+  const second = await page.context().newPage();
+  await second.goto(page.url());
+  await second.waitForSelector("html[data-ready]", { state: "attached" });
+  assert.equal(await second.locator(".kept").count(), 0, "what another tab has open is not offered");
+  await second.getByRole("button", { name: "qc20-style-b5r", exact: true }).click();
+  await second.waitForSelector(".live-report main", { timeout: kLong });
+  assert.equal(await second.locator("dialog.live-question").count(), 0);
+  await at_rest(second);
+  for (const [one, words] of [[page, /hidden-effect|01\/data|data\.csv/], [second, /b5r/]]) {
+    await one.reload();
+    await one.waitForSelector("html[data-ready]", { state: "attached" });
+    await one.getByRole("button", { name: /^Continue where you were/ }).click();
+    await one.waitForSelector(".live-report main", { timeout: kLong });
+    await at_rest(one);
+    assert.match(await one.textContent(".live-shelf"), words);
+  }
+  assert.ok((await page.$$eval(".live-model .effect bdi", (all) => all.map(({ title }) => title))).includes("lagged_expansion(T_room_degC)"));
+  // A closed tab's record is offered in a new one, and stays where other files are opened.
+  await second.close();
+  const third = await page.context().newPage();
+  await third.goto(page.url());
+  await third.waitForSelector("html[data-ready]", { state: "attached" });
+  await third.getByRole("button", { name: /^Continue where you were: 6 files/ }).waitFor();
+  assert.deepEqual(wrong, []);
+  await close();
+});
