@@ -39,7 +39,7 @@ const verdict = (page, pattern) =>
   );
 const table = (page) => page.$$eval(".first table tbody tr", (rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
 const choices = (page) =>
-  page.$$eval(".live-bar .choice", (all) => Object.fromEntries(all.map((one) => [one.querySelector("span").textContent, one.querySelector("select").selectedOptions[0].textContent])));
+  page.$$eval(".live-bar .choice", (all) => Object.fromEntries(all.filter((one) => one.querySelector("select")).map((one) => [one.querySelector("span").textContent, one.querySelector("select").selectedOptions[0].textContent])));
 const choose = (page, name, label) => page.locator(".live-bar .choice", { hasText: name }).locator("select").selectOption({ label });
 
 test("a second test that is dropped: what changed clearly, and that nothing else did", async () => {
@@ -122,17 +122,18 @@ test("stored results without readings: both values, and that what is clear is no
   await close();
 });
 
-test("a folder of a machine's tests is its history, from which a test is opened and compared", async () => {
+test("the trend of a folder of a machine's tests, from which a test is opened and compared", async () => {
   const { page, wrong, close } = await live();
   await page.setInputFiles("input[webkitdirectory]", of_run("machine-history"));
+  await verdict(page, "^Worst of 10 tests: XY, 2026-01-19 08:05, circular deviation G 6\\.65 / 6\\.38 µm");
+  await page.getByRole("button", { name: "Trend over time", exact: true }).first().click();
   await verdict(page, "^Backlash of X \\+ 3\\.88 ± 0\\.15 µm, .* per year");
-  assert.equal((await choices(page))["As"], "history");
   await page.evaluate(() => (document.querySelector("#tests > details").open = true));
   await page.getByRole("button", { name: "2026-01-19/XY.b5r" }).click();
   await verdict(page, "Correcting");
   await choose(page, "Compare with", "2025-01-20, 2025-01-20/XY.b5r");
   await verdict(page, "^Backlash of X grew from 0\\.\\d to 3\\.\\d µm, circularity grew from 4\\.7 to 6\\.7 µm\\. No other significant change\\.$");
-  await choose(page, "As", "history");
+  await page.getByRole("button", { name: "Trend over time", exact: true }).first().click();
   await verdict(page, "^Backlash of X \\+ 3\\.88");
   assert.deepEqual(wrong, []);
   await close();
@@ -141,8 +142,8 @@ test("a folder of a machine's tests is its history, from which a test is opened 
 test("tests of one day and plane are no history", async () => {
   const { page, close } = await live();
   await page.setInputFiles("input[webkitdirectory]", of_run("qc20-style-b5r"));
-  await verdict(page, "Correcting");
+  await verdict(page, "^Worst of 6 tests");
   assert.equal((await choices(page))["Test"], "all tests");
-  assert.equal(await page.locator("#history-1").count(), 0);
+  assert.equal(await page.getByRole("button", { name: "Trend over time" }).count(), 0);
   await close();
 });

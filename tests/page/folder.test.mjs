@@ -61,7 +61,7 @@ test("a click opens one, with machine, date, feed; back; two are compared; the t
   for (const name of ["2025-01-20/XY.b5r", "2026-01-19/XY.b5r"]) await boxes.nth(names.indexOf(name)).check();
   await compare.click();
   await page.waitForFunction(() => /^Backlash of X grew from 0\.\d to 3\.\d µm, circularity grew from 4\.7 to 6\.7 µm/.test(document.querySelector(".first .verdict")?.innerText ?? ""), null, { timeout: kLong });
-  await tab(page, "history").click();
+  await tab(page, "Trend over time").click();
   await page.waitForFunction(() => /^Backlash of X \+ 3\.88/.test(document.querySelector(".first .verdict")?.innerText ?? ""), null, { timeout: kLong });
   assert.deepEqual(wrong, []);
   await close();

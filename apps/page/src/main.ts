@@ -73,12 +73,14 @@ const open: Open = (report, shared, tools, by_hand) => {
   const proved = made.flatMap(({ section, figure, proof }): Proved[] =>
     section.first && proof.length > 0 ? [{ first: section.first, figure, proof }] : [],
   );
+  // A section whose only table is on the first screen has nothing to unfold.
+  const shown = made.filter(({ section: { first, lists = [] }, proof }) => !first?.table || proof.length === 0 || lists.some(({ items }) => items.length > 0));
   const main = element(
     "main",
     {},
     ...(own ? first_screen(proved, by_hand?.proves ? [] : report.summary, all, shared) : []),
     ...(by_hand ? [by_hand.element] : []),
-    ...made.map((one) => one.element),
+    ...shown.map((one) => one.element),
   );
   // Where there is no picture, as of a file that stores results alone, the only section is what there is to see.
   if (proved.length === 0 && made.length === 1) made[0]?.element.querySelector("details")?.setAttribute("open", "");
@@ -86,7 +88,7 @@ const open: Open = (report, shared, tools, by_hand) => {
   return {
     parts: [
       ...(sheet ? [sheet.sheet] : []),
-      contents_of(all, ...(sheet ? [sheet.print] : []), tools),
+      contents_of(shown.map(({ section }) => section), ...(sheet ? [sheet.print] : []), tools),
       header_of(report, first[0]?.companion !== undefined || first[0]?.first?.table !== undefined || by_hand?.proves === true),
       main,
     ],

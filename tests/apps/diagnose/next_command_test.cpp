@@ -165,6 +165,33 @@ TEST(NextCommand, without_a_model_file) {
   EXPECT_EQ(next_command(none, diagnosis), "ballbar add linear_drift 'run 1.csv' --target y_um --dry-run");
 }
 
+// What a page's button does: the same effects without a shell, an effect that is in doubt tried, a value freed.
+TEST(NextAction, is_the_next_command_as_data) {
+  Diagnosis diagnosis = found(Verdict::named);
+  diagnosis.named = {bound("expansion", {"T room_degC"})};
+  const auto add = next_action(options(), diagnosis);
+  ASSERT_TRUE(add);
+  EXPECT_EQ(add->action, Action::add);
+  EXPECT_EQ(add->effects, std::vector<std::string>{"expansion(T room_degC)"});
+  EXPECT_EQ(add->labels, add->effects);
+  EXPECT_FALSE(add->promised_rmse_um);
+  diagnosis.verdict = Verdict::equivalent;
+  diagnosis.equivalent = {{bound("linear_drift", {})}};
+  diagnosis.candidates = {candidate(bound("linear_drift", {}), 0.6)};
+  EXPECT_EQ(next_action(options(), diagnosis)->action, Action::try_out);
+  diagnosis.candidates.clear();
+  EXPECT_EQ(next_action(options(), diagnosis)->action, Action::plan);
+  EXPECT_FALSE(next_action(options(), found(Verdict::nothing)));
+  Diagnosis held = found(Verdict::named);
+  held.own.push_back({"speed_heating(speed_rpm)", "exponent", "1", 5.0 / 3.0, 1.02, {0.9, 1.1}, 0.95});
+  const auto free = next_action(options(), held);
+  ASSERT_TRUE(free);
+  EXPECT_EQ(free->action, Action::free);
+  ASSERT_EQ(free->parameters.size(), 1U);
+  EXPECT_EQ(free->parameters[0].parameter, "exponent");
+  EXPECT_EQ(free->parameters[0].start, 1.02);
+}
+
 TEST(NextCommand, words_are_quoted_where_a_shell_would_part_them) {
   EXPECT_EQ(shell_word("a_b-c./=:,+@%9"), "a_b-c./=:,+@%9");
   EXPECT_EQ(shell_word(""), "''");

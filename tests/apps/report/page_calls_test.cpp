@@ -311,6 +311,33 @@ TEST(PageCalls, times_that_are_left_out_are_left_out_of_every_fit) {
   EXPECT_THROW(calls.answer({{"call", "fitted"}, {"words", {desk.data, "--leave-out-times", "2h..1h"}}}), Error);
 }
 
+TEST(PageCalls, the_next_action_promises_the_rmse_that_add_leaves) {
+  const Desk desk(600);
+  PageCalls calls;
+  const Json next = calls.answer(desk.call("search"))["diagnose"]["targets"][0]["next_action"];
+  EXPECT_EQ(next["action"], "add");
+  EXPECT_EQ(next["labels"], Json({"expansion(T_room_degC)"}));
+  const Json added = calls.answer(desk.call("add", {{"effects", next["effects"]}}));
+  EXPECT_NEAR(rmse_um(added), next["promised_rmse_um"].get<double>(), 1e-6);
+}
+
+TEST(PageCalls, gaps_are_told_where_a_fit_is_refused_for_them) {
+  const ScratchFolder scratch;
+  std::string text = "time_s,T_degC,y_um\n";
+  for (int i = 0; i < 300; ++i) {
+    const std::string degC = i > 40 && i < 220 ? "" : fmt::format("{:.2f}", 20.0 + 0.01 * i);
+    text += fmt::format("{},{},{:.3f}\n", 60 * i, degC, 0.1 * i);
+  }
+  const std::string data = scratch.write("gaps.csv", text).string();
+  PageCalls calls;
+  const auto gaps = [&](const Json& words) { return calls.answer({{"call", "gaps"}, {"words", words}})["gap"]; };
+  const Json gap = gaps({data});
+  EXPECT_EQ(gap["signal"], "T_degC");
+  EXPECT_EQ(gap["from_s"], 2400.0);
+  EXPECT_EQ(gap["to_s"], 13200.0);
+  EXPECT_TRUE(gaps({data, "--max-gap", "3h"}).is_null());
+}
+
 TEST(PageCalls, a_call_of_another_name_is_refused) {
   const Desk desk;
   PageCalls calls;

@@ -488,6 +488,24 @@ TEST(log, a_few_rows_of_garbage_are_skipped_with_their_lines) {
   EXPECT_EQ(read_log(with(40), "log.csv", all).skipped_lines.size(), 40u);
 }
 
+TEST(log, a_user_states_the_line_of_the_names) {
+  const std::string text =
+      "t s;front degC;probe um\nn1;n2;n3\n0;20.5;1.25\n10;20.75;1.5\n20;21.25;1.75\n30;21.5;2.25\n";
+  const auto sources = [&](std::size_t line) {
+    LogRecipe recipe;
+    recipe.header_line = line;
+    std::vector<std::string> names;
+    for (const LogColumn& column : read_log(text, "log.csv", recipe).columns) names.push_back(column.source);
+    return names;
+  };
+  EXPECT_EQ(sources(1), (std::vector<std::string>{"front degC", "probe um"}));
+  EXPECT_EQ(sources(2).back(), "n3");
+  LogRecipe beyond;
+  beyond.header_line = 90;
+  EXPECT_EQ(said(text, beyond),
+            "log.csv:90: expected the names of the columns, as --header-line states, found no text.");
+}
+
 TEST(log, a_line_that_ends_within_a_number_gives_no_value) {
   const std::string text = table("time_s,z_um,T_degC", 200, [](std::size_t i) {
     return i == 50 ? fmt::format("{},1.25,2", i) : fmt::format("{},1.25,21.50", i);

@@ -140,6 +140,29 @@ std::string message_of(const std::vector<Series>& parts, double max_gap_s) {
   return "";
 }
 
+// Where it throws for gaps: the longest of all signals, with which it keeps all rows.
+TEST(Merged, the_longest_gap_is_known_where_too_many_rows_are_in_gaps) {
+  Series log;
+  Column t{"T_degC", Role::structure, {}}, u{"U_degC", Role::structure, {}}, z{"z_um", Role::measured, {}};
+  for (int row = 0; row < 300; ++row) {
+    log.time_s.push_back(60.0 * row);
+    const bool gone = (row > 20 && row < 80) || (row > 150 && row < 250);
+    t.values.push_back(gone ? kGap : 20.0 + row);
+    u.values.push_back(row > 90 && row < 110 ? kGap : 20.0);
+    z.values.push_back(row);
+  }
+  log.columns = {t, u, z};
+  const std::vector<Series> parts{log};
+  EXPECT_NE(message_of(parts, 600.0), "");
+  const auto longest = longest_gap(parts, 600.0);
+  ASSERT_TRUE(longest);
+  EXPECT_EQ(longest->signal, "T_degC");
+  EXPECT_EQ(longest->from_s, 9000.0);
+  EXPECT_EQ(longest->to_s, 15000.0);
+  EXPECT_EQ(merged(parts, longest->to_s - longest->from_s).time_s.size(), 300U);
+  EXPECT_FALSE(longest_gap(parts, 6000.0));
+}
+
 TEST(Merged, says_what_is_wrong) {
   EXPECT_EQ(message_of({drift(), drift()}, 800.0), "expected every column once, found x_um twice.");
   EXPECT_EQ(message_of({drift(), signals()}, 600.0),

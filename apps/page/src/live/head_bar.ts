@@ -101,7 +101,7 @@ export const head_bar = ({ take, close, saves, columns, work, message }: HeadOf)
         };
         const tabs = [
           tab(t.tests_tab_table, t.tests_tab_table_title, subject.view === "table", { ...group, view: "table" }),
-          ...(is_history(tests) ? [tab(t.change_history, t.tests_tab_history_title, subject.view === "history", { ...group, view: "history" })] : []),
+          ...(is_history(tests) ? [tab(t.tests_trend, t.tests_tab_history_title, subject.view === "history", { ...group, view: "history" })] : []),
           ...(folder === "" ? [] : [tab(t.live_as_session, t.tests_tab_session_title, subject.data[0] === folder, { ...alone_before, view: "", data: [folder] })]),
           tab(t.tests_tab_page, t.tests_tab_page_title, whole && subject.view === "", { ...group, view: "" }),
         ];

@@ -789,7 +789,6 @@ export const de: Texts = {
   change_sizes_caption: "Eine Zeile je Fehler, mit ± einem Sigma; durchgezogen: signifikanter Unterschied.",
   change_sizes_about: "Fehler, die eine Prüfung zeigt oder deren Unterschied signifikant ist.",
   change_all_tests: "alle Prüfungen",
-  change_history: "Verlauf",
   change_is_summary: ({ planes }) => `Prüfungen von ${planes} sind kein Vorher und Nachher: Sie werden zusammen gezeigt, als eine Maschine.`,
   change_choose_after: "Die wiederholte Prüfung wählen",
 
@@ -1185,7 +1184,6 @@ export const de: Texts = {
   live_model_of: "Modell",
   live_no_model: "keines",
   live_view: "Als",
-  live_as_tests: "einzelne Tests",
   live_as_session: "Drift von Test zu Test",
   live_compare_with: "Vergleichen mit",
   live_together_with: "Zusammen mit",

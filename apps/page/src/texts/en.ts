@@ -782,7 +782,6 @@ export const en = {
   change_sizes_caption: "One line per error, with ± one sigma. Solid: significant difference.",
   change_sizes_about: "Errors that a test shows or whose difference is significant.",
   change_all_tests: "all tests",
-  change_history: "history",
   change_is_summary: ({ planes }: { planes: string }) => `Tests of ${planes} are not before and after: they are shown together, as one machine.`,
   change_choose_after: "Choose the repeated test",
 
@@ -1026,7 +1025,6 @@ export const en = {
   live_model_of: "Model",
   live_no_model: "none",
   live_view: "As",
-  live_as_tests: "single tests",
   live_as_session: "drift from test to test",
   live_compare_with: "Compare with",
   live_together_with: "Together with",

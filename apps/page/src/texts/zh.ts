@@ -740,7 +740,6 @@ export const zh: Texts = {
   change_sizes_caption: "每行一项误差，± 一倍标准差；实线：差异显著。",
   change_sizes_about: "任一测试显示或差异显著的误差。",
   change_all_tests: "全部测试",
-  change_history: "历史",
   change_is_summary: ({ planes }) => `${planes} 的测试不是前后对比：它们作为同一台机床一起显示。`,
   change_choose_after: "选择重新做的测试",
 
@@ -1132,7 +1131,6 @@ export const zh: Texts = {
   live_model_of: "模型",
   live_no_model: "无",
   live_view: "作为",
-  live_as_tests: "单次测试",
   live_as_session: "各次测试间的漂移",
   live_compare_with: "比较对象",
   live_together_with: "合并",
