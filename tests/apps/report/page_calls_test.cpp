@@ -312,12 +312,22 @@ TEST(PageCalls, times_that_are_left_out_are_left_out_of_every_fit) {
 }
 
 TEST(PageCalls, the_next_action_promises_the_rmse_that_add_leaves) {
-  const Desk desk(600);
+  const ScratchFolder scratch;
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> normal(0.0, 0.3);
+  std::string text = "time_s,T_bearing_degC,T_motor_degC,y_um\n";
+  double warm = 0.0;  // a spindle that runs and stands still
+  for (int i = 0; i < 1200; ++i) {
+    warm += ((i / 130 % 2 == 0 ? 30.0 : 0.0) - warm) / 45.0;
+    text += fmt::format("{},{:.4f},{:.4f},{:.4f}\n", 60 * i, 20.0 + warm, 30.0 + 4.0 * std::sin(i / 55.0 + 2.0),
+                        0.5 * warm + normal(random));
+  }
+  const Json words = {scratch.write("run.csv", text).string(), "--diagnose"};
   PageCalls calls;
-  const Json next = calls.answer(desk.call("search"))["diagnose"]["targets"][0]["next_action"];
+  const Json next = calls.answer({{"call", "search"}, {"words", words}})["diagnose"]["targets"][0]["next_action"];
   EXPECT_EQ(next["action"], "add");
-  EXPECT_EQ(next["labels"], Json({"expansion(T_room_degC)"}));
-  const Json added = calls.answer(desk.call("add", {{"effects", next["effects"]}}));
+  EXPECT_EQ(next["labels"], Json({"expansion(T_bearing_degC)"}));
+  const Json added = calls.answer({{"call", "add"}, {"words", words}, {"effects", next["effects"]}});
   EXPECT_NEAR(rmse_um(added), next["promised_rmse_um"].get<double>(), 1e-6);
 }
 

@@ -498,7 +498,7 @@ TEST(log, a_user_states_the_line_of_the_names) {
     for (const LogColumn& column : read_log(text, "log.csv", recipe).columns) names.push_back(column.source);
     return names;
   };
-  EXPECT_EQ(sources(1), (std::vector<std::string>{"front degC", "probe um"}));
+  EXPECT_EQ(sources(1), (std::vector<std::string>{"t s", "front degC", "probe um"}));
   EXPECT_EQ(sources(2).back(), "n3");
   LogRecipe beyond;
   beyond.header_line = 90;
