@@ -28,6 +28,12 @@ export type ComparedAxis = With<results.ComparedAxis, "points", (results.Compare
   Record<string, unknown>;
 export type ComparePart = With<results.Comparison, "axes", Record<string, ComparedAxis>>;
 
+// The wall clock of time 0, of all signals that know one; undefined: none, or several.
+export const started_of = ({ signals }: Pick<Report, "signals">): string | undefined => {
+  const known = new Set(signals.flatMap(({ started }) => started ?? []));
+  return known.size === 1 ? [...known][0] : undefined;
+};
+
 export interface Diagnosed extends results.DiagnosisPart {
   verdict: "named" | "probable" | "driver" | "equivalent" | "unexplained" | "untestable" | "nothing";
   not_diagnosed?: string; // why; then nothing else is there

@@ -8,6 +8,7 @@ import { grid_below } from "../drawing/parts";
 import { type Ranked, ranked_candidates, set_name, type SetName } from "./ranking";
 import { chosen_strands, recording_choice } from "../recordings/recording_groups";
 import type { Checked, Diagnosed, Num, Report } from "../report";
+import { started_of } from "../report";
 import { place_text, points_of, strand_numbers, strands_of } from "../drawing/strands";
 import { plain } from "../drawing/text";
 import { axis, colours, dashes, shown, toggle } from "../drawing/theme";
@@ -44,7 +45,7 @@ export const candidates_picture = (
     );
     // Of recordings drawn together the nearest point is read, whichever it belongs to.
     const several = over_angle && shown_strands.length > 1;
-    const head = several ? (at: number) => t.diagnosis_one_of_recordings({ at: shown(at, 1) }) : place_text(checked, 1);
+    const head = several ? (at: number) => t.diagnosis_one_of_recordings({ at: shown(at, 1) }) : place_text(checked, 1, started_of(report));
     return {
       ...curves_base(state, curves(chosen).map((one) => one.toggle), { drawn: series, head, unit: "µm" }),
       grid: grid_below(look, drawn.map((one) => one.toggle)),

@@ -6,6 +6,7 @@ import type { Picture, State, Toggle } from "../picture";
 import { best_set, set_name } from "./ranking";
 import { chosen_strands, recording_choice } from "../recordings/recording_groups";
 import type { Checked, Diagnosed, Num, Report } from "../report";
+import { started_of } from "../report";
 import { place_text, points_of, strand_numbers, strands_of } from "../drawing/strands";
 import { plain } from "../drawing/text";
 import { shown, toggle } from "../drawing/theme";
@@ -80,7 +81,7 @@ export const with_without_picture = (report: Report, checked: Checked, found: Di
       ...(with_um && left_um ? lines(with_set, with_um, left_um, 4) : []),
     ];
     return {
-      ...curves_base(state, toggles, { drawn, head: place_text(checked, 1), unit: "µm" }),
+      ...curves_base(state, toggles, { drawn, head: place_text(checked, 1, started_of(report)), unit: "µm" }),
       ...grids.drawn,
       series: [zero_series(look, below), ...drawn],
     };

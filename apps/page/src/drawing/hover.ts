@@ -1,6 +1,6 @@
 // The text under the mouse: where, and the value of each curve there. Drawn text, so names are shown as they are.
 import type { Look, State, Toggle } from "../picture";
-import { base, decimals_for, legend, shown, time_text, tooltip, with_sigma } from "./theme";
+import { base, decimals_for, legend, shown, time_and_clock, tooltip, with_sigma } from "./theme";
 import { t } from "../texts/texts";
 
 type Series = Record<string, unknown>;
@@ -129,7 +129,7 @@ const line_of = (item: Item, unit: string): string => {
 };
 
 export const reading_in =
-  (unit: string) =>
+  (unit: string, started?: string) =>
   (hovered: unknown): string => {
     const items = (Array.isArray(hovered) ? (hovered as Item[]) : [hovered as Item]).filter(
       (item) => item.seriesName && place(item, 1) !== null,
@@ -137,5 +137,5 @@ export const reading_in =
     const time_min = items[0] ? place(items[0], 0) : null;
     if (time_min === null) return "";
     const rest = items.length > kLines ? [t.hover_more({ more: items.length - kLines })] : [];
-    return [time_text(time_min), ...items.slice(0, kLines).map((item) => line_of(item, unit)), ...rest].join("\n");
+    return [time_and_clock(time_min, started), ...items.slice(0, kLines).map((item) => line_of(item, unit)), ...rest].join("\n");
   };

@@ -3,7 +3,7 @@
 import { decimated } from "./columns";
 import type { Numbers } from "../picture";
 import type { Checked, Num } from "../report";
-import { shown, time_text } from "./theme";
+import { shown, time_and_clock } from "./theme";
 
 export interface Strand {
   recording: Num; // null: a drift
@@ -68,6 +68,6 @@ export const strand_numbers = (
 
 // A place on the x axis, in words.
 export const place_text =
-  ({ level }: Checked, decimals: number) =>
+  ({ level }: Checked, decimals: number, started?: string) =>
   (at: number): string =>
-    level === "recording" ? `${shown(at, decimals)}°` : time_text(at, decimals);
+    level === "recording" ? `${shown(at, decimals)}°` : time_and_clock(at, started, decimals);

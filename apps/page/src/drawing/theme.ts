@@ -82,6 +82,13 @@ export const time_text = (time_min: number, decimals?: number): string => {
   return (time_min < 0 ? "-" : "") + parts.join(" ");
 };
 
+// The same with the wall clock, where the clock of the data is known: "5 h 20 min (2026-03-09 11:20)".
+export const time_and_clock = (time_min: number, started: string | undefined, decimals?: number): string => {
+  const at = new Date(Date.parse(`${started}Z`) + 60_000 * time_min);
+  const clock = Number.isNaN(at.getTime()) ? "" : ` (${at.toISOString().slice(0, 16).replace("T", " ")})`;
+  return time_text(time_min, decimals) + clock;
+};
+
 // "4.62 to 5.13", of the least and the largest; one number where they read the same.
 export const range_text = (values: readonly number[], decimals: number): string => {
   const [from, to] = [shown(Math.min(...values), decimals), shown(Math.max(...values), decimals)];

@@ -3,6 +3,7 @@ import { extent } from "../drawing/columns";
 import { command_of, data_files, report_command } from "../drawing/command";
 import type { First, Picture, Range, Section } from "../picture";
 import type { Column, Report } from "../report";
+import { started_of } from "../report";
 import { clamped, plain, slug, split_name, words } from "../drawing/text";
 import { minutes, rounded, shown } from "../drawing/theme";
 import { named as named_of, t } from "../texts/texts";
@@ -151,7 +152,7 @@ const in_groups = (curves: readonly TimeCurve[], signals: readonly Signal[], nam
 const by_unit = (report: Report, signals: readonly Signal[], whole_min: Range, head: (unit: string) => Omit<TimeCurves, "unit" | "curves" | "whole_min">): Picture[] =>
   [...new Set(signals.map(({ column }) => column.unit))].map((unit) => {
     const of = signals.filter(({ column }) => column.unit === unit);
-    return time_curves({ ...head(unit), unit, curves: in_groups(curves_of(of), of, named_columns(report)), whole_min });
+    return time_curves({ ...head(unit), unit, curves: in_groups(curves_of(of), of, named_columns(report)), whole_min, started: started_of(report) });
   });
 
 // Of all that a page has over time outside of a model, so that its pictures stand below one another.

@@ -26,6 +26,7 @@ export interface TimeCurves extends Pick<Picture, "name" | "title" | "caption" |
   curves: readonly TimeCurve[];
   whole_min: Range;
   step?: boolean; // a value holds until the next one
+  started?: string; // wall clock of time 0
 }
 
 const toggle_of = ({ key, label, colour, dash, on, quiet, group }: TimeCurve): Toggle => ({
@@ -54,7 +55,7 @@ const series_of = (one: TimeCurve, state: State, step: boolean): Record<string, 
   return [marked ? sigma_bars(points, colour) : sigma_band(points, colour), line];
 };
 
-export const time_curves = ({ quantity, unit: file_unit, curves, whole_min, step = false, ...head }: TimeCurves): Picture => {
+export const time_curves = ({ quantity, unit: file_unit, curves, whole_min, step = false, started, ...head }: TimeCurves): Picture => {
   const toggles = curves.map(toggle_of);
   const unit = unit_shown(file_unit);
   const visible = (state: State): TimeCurve[] => curves.filter((one) => !state.hidden.has(one.key));
@@ -66,7 +67,7 @@ export const time_curves = ({ quantity, unit: file_unit, curves, whole_min, step
       ...base(state.look),
       legend: legend(state, toggles),
       grid: { ...grid_below(state.look, visible(state)), outerBoundsMode: "none" },
-      tooltip: { ...tooltip(state.look), trigger: "axis", formatter: reading_in(unit) },
+      tooltip: { ...tooltip(state.look), trigger: "axis", formatter: reading_in(unit, started) },
       xAxis: time_axis(state.look, state.window ?? whole_min),
       yAxis: value_axis(state.look, t.model_in_unit({ name: quantity, unit })),
       series: visible(state).flatMap((one) => series_of(one, state, step)),

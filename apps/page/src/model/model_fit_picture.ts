@@ -5,6 +5,7 @@ import { curves_base } from "../drawing/hover";
 import type { Picture, State, Toggle } from "../picture";
 import { chosen_strands, recording_choice } from "../recordings/recording_groups";
 import type { Checked, Num, Report } from "../report";
+import { started_of } from "../report";
 import { place_text, points_of, type Strand, strand_numbers } from "../drawing/strands";
 import { colours, curve_colour, minutes, regime_colour, toggle } from "../drawing/theme";
 import { in_time, time_limits, two_grids, whole_of, x_axis } from "../drawing/axes";
@@ -120,7 +121,7 @@ export const model_fit_picture = (
       markLine: { silent: true, symbol: "none", data: marks },
     });
     return {
-      ...curves_base(state, toggles_of(checked, ways), { drawn, head: place_text(checked, 2), unit: "µm" }),
+      ...curves_base(state, toggles_of(checked, ways), { drawn, head: place_text(checked, 2, started_of(report)), unit: "µm" }),
       ...grids.drawn,
       series: [...regime_bands(series.regimes, hidden, look.dark), lines, ...drawn],
     };
