@@ -153,11 +153,11 @@ test("added twice and taken back twice at once: once, and the page shows what th
     await page.keyboard.press("Escape"); // the search of the new model
   };
   const effects = await page.locator(".live-model > li").count();
-  const line = "ballbar add 'lagged_expansion(T_room_degC)' hidden-effect/01/data.csv --model hidden-effect/01/model.toml";
-  await page.evaluate((line) => {
-    window.ballbar.action_of(line)();
-    window.ballbar.action_of(line)();
-  }, line);
+  await page.evaluate(() => {
+    const add = { action: "add", effects: ["lagged_expansion(T_room_degC)"], labels: ["lagged_expansion(T_room_degC)"], parameters: [], promised_rmse_um: null };
+    window.ballbar.doing(add)();
+    window.ballbar.doing(add)();
+  });
   await settled(effects + 1);
   assert.ok((await rmse(page)) < before);
   await page.keyboard.press("Control+z");

@@ -4,7 +4,7 @@ import { command_of, data_files, report_command } from "../drawing/command";
 import type { First, Picture, Range, Section } from "../picture";
 import type { Column, Report } from "../report";
 import { started_of } from "../report";
-import { clamped, plain, slug, split_name, words } from "../drawing/text";
+import { capital, clamped, plain, slug, split_name, words } from "../drawing/text";
 import { minutes, rounded, shown } from "../drawing/theme";
 import { named as named_of, t } from "../texts/texts";
 import { time_curves, type TimeCurve, type TimeCurves } from "./time_curves";
@@ -176,7 +176,7 @@ const signals_of = (report: Report): Signal[] => {
 const measured_pictures = (report: Report, signals: readonly Signal[], whole_min: Range): Picture[] =>
   by_unit(report, signals.filter(measured), whole_min, (unit) => ({
     name: unit === "um" ? "measured" : `measured-${slug(unit)}`,
-    title: unit === "um" ? t.drift_measured_displacements : t.drift_measured_in({ unit: clamped(unit, 20) }),
+    title: unit === "um" ? t.drift_measured_displacements : unit === "" ? capital(t.measured) : t.drift_measured_in({ unit: clamped(unit, 20) }),
     caption: t.drift_measured_caption,
     quantity: unit === "um" ? t.drift_quantity_displacement : t.measured,
     height_px: 360,

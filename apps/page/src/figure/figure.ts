@@ -226,6 +226,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     box,
     whole: () => (picture.zoom === "time" ? page.time_whole() : picture.zoom === "own" ? whole : null),
     window: () => state.window,
+    stretch: () => state.stretch,
     selecting: () => selecting,
     x_at: (px) => (chart ? x_at(chart, px) : NaN),
     in_plot: (x, y) => [0, 1, 2, 3].some((gridIndex) => chart?.containPixel({ gridIndex }, [x, y]) ?? false),

@@ -1,5 +1,6 @@
-// Mouse, pen and fingers on a chart: a drag moves, two fingers or the wheel zoom, a double click shows all, a drag with
-// shift selects a stretch. The wheel alone scrolls the page until the chart has the focus.
+// Mouse, pen and fingers on a chart: where all is seen a drag zooms, else it moves; two fingers or the wheel zoom, a
+// double click shows all, a drag with shift selects a stretch. The wheel alone scrolls the page until the chart has the
+// focus.
 import type { Numbers, Range, State } from "../picture";
 import type { View } from "./view";
 import type { Num } from "../report";
@@ -7,12 +8,14 @@ import { shown } from "../drawing/theme";
 import { split_name, words } from "../drawing/text";
 
 interface Drag {
-  kind: "move" | "select" | "pinch";
+  kind: "move" | "zoom" | "select" | "pinch";
   from_px: number; // where it began, from the left of the box
   from: number; // the same on the x axis
   window: Range | null; // then
   spread_px: number; // two fingers, then
 }
+
+const kLeast_px = 8; // of a drag that zooms
 
 const wheel_factor = ({ deltaMode, deltaY }: WheelEvent): number =>
   Math.exp(-Math.max(-200, Math.min(200, deltaY * (deltaMode === 1 ? 16 : 1))) * 0.003);
@@ -21,6 +24,7 @@ export const listen_to_pointer = (view: View): void => {
   const { box } = view;
   const down = new Map<number, number>(); // pointers that are down, from the left of the box
   let drag: Drag | null = null;
+  let stretch: Range | null = null; // that was selected before
 
   const x_px = (event: MouseEvent): number => event.clientX - box.getBoundingClientRect().left;
   const y_px = (event: MouseEvent): number => event.clientY - box.getBoundingClientRect().top;
@@ -28,6 +32,7 @@ export const listen_to_pointer = (view: View): void => {
   const spread = (): number => Math.max(20, Math.max(...down.values()) - Math.min(...down.values()));
 
   const begin = (kind: Drag["kind"]): void => {
+    stretch = view.stretch();
     drag = { kind, from_px: middle(), from: view.x_at(middle()), window: view.window(), spread_px: spread() };
   };
 
@@ -36,7 +41,8 @@ export const listen_to_pointer = (view: View): void => {
     down.set(event.pointerId, x_px(event));
     box.setPointerCapture(event.pointerId);
     if (down.size > 1) begin("pinch");
-    else begin(event.shiftKey || view.selecting() ? "select" : "move");
+    else if (event.shiftKey || view.selecting()) begin("select");
+    else begin(view.window() || event.pointerType === "touch" ? "move" : "zoom");
   });
 
   box.addEventListener("pointermove", (event) => {
@@ -48,6 +54,7 @@ export const listen_to_pointer = (view: View): void => {
     down.set(event.pointerId, x_px(event));
     const [from, to] = drag.window ?? whole;
     switch (drag.kind) {
+      case "zoom":
       case "select":
         if (Math.abs(middle() - drag.from_px) > 2) view.select(ordered(drag.from, view.x_at(middle())), false);
         break;
@@ -67,6 +74,11 @@ export const listen_to_pointer = (view: View): void => {
     if (!down.has(event.pointerId)) return;
     if (drag?.kind === "select" && Math.abs(middle() - drag.from_px) > 2) {
       view.select(ordered(drag.from, view.x_at(middle())), true);
+    }
+    if (drag?.kind === "zoom" && Math.abs(middle() - drag.from_px) > kLeast_px) {
+      const window = ordered(drag.from, view.x_at(middle()));
+      view.select(stretch, true);
+      view.see(window);
     }
     down.delete(event.pointerId);
     drag = null;

@@ -5,6 +5,7 @@ export interface View {
   box: HTMLElement; // of the chart
   whole(): Range | null; // of the x axis; null: this picture does not zoom
   window(): Range | null;
+  stretch(): Range | null; // that is selected
   selecting(): boolean; // a drag selects a stretch, as with shift held
   x_at(px: number): number; // of a pixel from the left of the box
   in_plot(x_px: number, y_px: number): boolean;

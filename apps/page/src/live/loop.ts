@@ -35,6 +35,8 @@ export interface LoopOf {
   put(path: string, bytes: Uint8Array): Promise<void>;
   plan: NextTestOf["plan"];
   steps?: Steps; // of a loop of the same data before this one
+  has_unit(target: string): boolean;
+  state_unit(): void; // the dialogue of the columns
   across(gap_s: number, search: boolean): void; // opens the data again, interpolated over gaps of this length; and searches
   add_figure(figure: Figure): void;
   changed(report: Report, subject: Subject): void; // the page below is to be drawn anew
@@ -119,6 +121,12 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     say(t.live_gap({ column: plain(gap.signal, 60), from: time_spoken(gap.from_s ?? 0), length: time_spoken(gap_s) }));
     across.textContent = t.live_across({ length: time_spoken(gap_s) });
     across.hidden = false;
+  };
+  // Where the target is of counts or steps, and all sizes are said in um.
+  const no_unit = element("p", { class: "refusal" }, element("span", {}), " ", button(t.live_state_unit, "", () => of.state_unit()));
+  const show_unit = (target: string): void => {
+    no_unit.hidden = target === "" || of.has_unit(target);
+    no_unit.querySelector("span")?.replaceChildren(t.live_no_unit({ column: plain(target, 60) }));
   };
   const told = (error: unknown): void => {
     say(reason(error));
@@ -293,7 +301,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const all_promised = (): void => {
     all.dataset.promised = "true";
   };
-  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, refusal, sentence, across, next), element("div", { class: "by-hand" }, element("div", {}, place, rows.element), hand), two.element);
+  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, no_unit, refusal, sentence, across, next), element("div", { class: "by-hand" }, element("div", {}, place, rows.element), hand), two.element);
 
   const now = (): Now => ({
     report: report as Report,
@@ -390,6 +398,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     report = next;
     const checked = of_target(next.check?.targets, subject.target);
     all.classList.toggle("no-model", !checked);
+    show_unit(checked?.target ?? subject.target);
     all.classList.toggle("wide", checked !== undefined);
     asked.hidden = checked !== undefined;
     if (checked && checked !== fitted) {

@@ -183,6 +183,8 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       put: (path, bytes) => engine.put(path, bytes),
       plan: planned_with(engine, work, runs),
       ...(steps && { steps }),
+      has_unit: (target) => measured_in(first).every(({ name, unit }) => name !== target || unit !== ""),
+      state_unit: () => columns.button.click(),
       across(gap_s, search) {
         const of = last;
         if (!of) return;

@@ -29,7 +29,7 @@ export const de: Texts = {
   figure_png_title: "Bild als Rastergrafik speichern (.png)",
   figure_csv_title: "Zahlen als Tabelle speichern (.csv)",
   figure_keys:
-    "Strg+Rad, + − Zoom · Ziehen, ← → verschieben · 0, Doppelklick alles · Umschalt+Ziehen wählt Abschnitt · , . Werte lesen",
+    "Ziehen, Strg+Rad, + − Zoom · dann Ziehen, ← → verschieben · 0, Doppelklick alles · Umschalt+Ziehen wählt Abschnitt · , . Werte lesen",
   figure_magnify_keys: "Strg+Mausrad, + − vergrößern · nach einem Klick ins Bild das Rad allein · 0, Doppelklick automatisch",
   figure_curves: "Kurven",
   figure_all: "alle",
@@ -1266,6 +1266,8 @@ export const de: Texts = {
   live_gap: ({ column, from, length }: { column: string; from: string; length: string }) =>
     `${column} hat Lücken, die zum Interpolieren zu lang sind. Die längste, ${length}, beginnt nach ${from}.`,
   live_across: ({ length }: { length: string }) => `Über Lücken bis ${length} anpassen`,
+  live_no_unit: ({ column }: { column: string }) => `${column} hat keine Einheit: µm steht für seine eigene Einheit.`,
+  live_state_unit: "Angeben, was eine Einheit ist",
   live_next_add: ({ effects }: { effects: string }) => `${effects} hinzufügen`,
   live_next_try: ({ effects }: { effects: string }) => `${effects} versuchen`,
   live_next_free: ({ parameters }: { parameters: string }) => `${parameters} mit anpassen`,

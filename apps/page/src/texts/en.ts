@@ -33,7 +33,7 @@ export const en = {
   figure_png_title: "Save the picture as an image (.png)",
   figure_csv_title: "Save the numbers as a table (.csv)",
   figure_keys:
-    "Ctrl+wheel, + − zoom · drag, ← → move · 0, double click show all · Shift+drag selects a stretch · , . read the values",
+    "Drag, Ctrl+wheel, + − zoom · then drag, ← → move · 0, double click show all · Shift+drag selects a stretch · , . read the values",
   figure_magnify_keys: "Ctrl+wheel, + − magnify · the wheel alone once the picture is clicked · 0, double click automatic",
   figure_curves: "Curves",
   figure_all: "all",
@@ -1107,6 +1107,8 @@ export const en = {
   live_gap: ({ column, from, length }: { column: string; from: string; length: string }) =>
     `${column} has gaps too long to be interpolated. The longest, of ${length}, begins after ${from}.`,
   live_across: ({ length }: { length: string }) => `Fit across gaps up to ${length}`,
+  live_no_unit: ({ column }: { column: string }) => `${column} has no unit: µm stands for its own unit.`,
+  live_state_unit: "State what one unit is",
   live_next_add: ({ effects }: { effects: string }) => `Add ${effects}`,
   live_next_try: ({ effects }: { effects: string }) => `Try ${effects}`,
   live_next_free: ({ parameters }: { parameters: string }) => `Fit ${parameters} too`,

@@ -28,7 +28,7 @@ export const zh: Texts = {
   figure_svg_title: "将图保存为矢量图（.svg）",
   figure_png_title: "将图保存为图像（.png）",
   figure_csv_title: "将数据保存为表格（.csv）",
-  figure_keys: "Ctrl+滚轮、+ − 缩放 · 拖动、← → 平移 · 0、双击显示全部 · Shift+拖动选择区段 · , . 逐点读数",
+  figure_keys: "拖动、Ctrl+滚轮、+ − 缩放 · 之后拖动、← → 平移 · 0、双击显示全部 · Shift+拖动选择区段 · , . 逐点读数",
   figure_magnify_keys: "Ctrl+滚轮、+ − 放大 · 点击图后可直接用滚轮 · 0、双击恢复自动",
   figure_curves: "曲线",
   figure_all: "全部",
@@ -1213,6 +1213,8 @@ export const zh: Texts = {
   live_gap: ({ column, from, length }: { column: string; from: string; length: string }) =>
     `${column} 的间隙太长，无法插值。最长的间隙为 ${length}，始于 ${from} 之后。`,
   live_across: ({ length }: { length: string }) => `跨越不超过 ${length} 的间隙进行拟合`,
+  live_no_unit: ({ column }: { column: string }) => `${column} 没有单位：µm 代表它自己的单位。`,
+  live_state_unit: "说明一个单位是多少",
   live_next_add: ({ effects }: { effects: string }) => `加入 ${effects}`,
   live_next_try: ({ effects }: { effects: string }) => `尝试 ${effects}`,
   live_next_free: ({ parameters }: { parameters: string }) => `一并拟合 ${parameters}`,
