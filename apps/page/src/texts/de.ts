@@ -635,8 +635,6 @@ export const de: Texts = {
     nothing: "nichts fehlt",
     "by hand": "von Hand",
   },
-  diagnosis_next_try: "Das Nächstliegende versuchen",
-  diagnosis_next_add: "Ins Modell aufnehmen",
   diagnosis_next_where: "Ansehen, wo das Modell versagt",
   diagnosis_next_plan: "Die entscheidende Prüfung planen",
   diagnosis_not_diagnosed: "nicht diagnostiziert",

@@ -622,8 +622,6 @@ export const en = {
       "nothing", "by hand",
     ),
   },
-  diagnosis_next_try: "Try the closest",
-  diagnosis_next_add: "Add it to the model",
   diagnosis_next_where: "See where the model fails",
   diagnosis_next_plan: "Plan the test that decides",
   diagnosis_not_diagnosed: "not diagnosed",

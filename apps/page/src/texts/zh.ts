@@ -597,8 +597,6 @@ export const zh: Texts = {
     nothing: "无缺失",
     "by hand": "手动",
   },
-  diagnosis_next_try: "尝试最接近者",
-  diagnosis_next_add: "加入模型",
   diagnosis_next_where: "查看模型失效之处",
   diagnosis_next_plan: "规划判定性测试",
   diagnosis_not_diagnosed: "未诊断",
