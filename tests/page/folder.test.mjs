@@ -51,7 +51,7 @@ test("a click opens one, with machine, date, feed; back; two are compared; the t
   await table(page);
   await page.getByRole("button", { name: "2026-01-19/XY.b5r" }).click();
   await page.waitForSelector('figure[data-picture="machine-errors"]', { timeout: kLong });
-  assert.match(await page.innerText(".first .verdict .before"), /2026-01-19 \d\d:\d\d · XY, bar of 100 mm · 1000 mm\/min/);
+  assert.match(await page.innerText(".first .verdict .made-with"), /2026-01-19 \d\d:\d\d · XY, bar of 100 mm · 1000 mm\/min/);
   await tab(page, "all tests").click();
   await table(page);
   const boxes = page.locator(`${kTable} tbody input[type=checkbox]`);

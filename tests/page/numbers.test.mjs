@@ -226,7 +226,7 @@ test("compare --plot: of 50 000 values the largest is drawn, in a small file", a
   // And the difference, far below.
   const of_a = lines(drawn, scale, await colour("comparison-x", "a")).filter((one) => one.length > 1000).flat();
   const [x, value] = of_a.reduce((most, one) => (one[1] > most[1] ? one : most));
-  close_to([x], [12_345], "time of the largest", 2 * scale.x.per_px);
+  close_to([1440 * x], [12_345], "time of the largest, on an axis of days", 2 * 1440 * scale.x.per_px);
   close_to([value], [9 - 1], "the largest, as a change since the first", scale.y.per_px);
   assert.ok(statSync(file).size < 400_000, `${statSync(file).size} bytes`);
 });

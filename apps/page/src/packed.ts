@@ -146,7 +146,7 @@ export const unlzmaed = (from: Uint8Array): Uint8Array<ArrayBuffer> => {
         else rep0 += direct(bits - 4) * 16 + reversed(kAlign, 4);
       }
     }
-    if (rep0 >= end) throw new Error("the page is not whole");
+    if (rep0 >= end) throw new RangeError(); // it is not whole
     for (const last = Math.min(size, end + count); end < last; ++end) to[end] = to[end - rep0 - 1] as number;
   }
   return to;

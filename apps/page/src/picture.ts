@@ -158,6 +158,7 @@ export interface First {
 }
 
 export interface Conclusion {
+  made_with?: string; // above all, on one line: machine, date, feed
   before?: readonly Sentence[]; // above it, in smaller letters: what it does not rest on
   verdict: Sentence;
   also?: Sentence; // below it, in smaller letters

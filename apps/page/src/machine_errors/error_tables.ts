@@ -149,7 +149,7 @@ export const made_with = ({ part, recordings }: ErrorTest): string => {
   return [
     plain(machine, 60),
     started_s === undefined ? "" : (stated_text("started_s", started_s)[1] ?? ""),
-    t.errors_made_bar({ plane: part.plane, length: shown(part.nominal_length_mm, 0) }),
+    ...(recordings[0]?.plane && part.nominal_length_mm ? [t.errors_made_bar({ plane: recordings[0].plane, length: shown(part.nominal_length_mm, 0) })] : []),
     feeds.length === 0 ? "" : `${feeds.join(", ")} mm/min`,
     last_calibrated === "" ? "" : t.errors_made_calibrated({ date: plain(last_calibrated.slice(0, 10), 20) }),
   ]

@@ -78,7 +78,7 @@ const conclusion_of = (report: Report, tests: readonly ErrorTest[], test: ErrorT
   const { part, recordings } = test;
   const largest = ranked_errors(part).find(({ first }) => first.rank !== null && first.remedy);
   return {
-    before: [made_with(test)],
+    ...(tests.length === 1 ? { made_with: made_with(test) } : {}),
     verdict: headline(report, tests, test),
     also: part.conclusion === "" ? "" : verdict_of(test),
     concluded: part.conclusion,

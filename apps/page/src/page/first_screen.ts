@@ -54,7 +54,8 @@ const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: 
     const sentence = first_sentence(text);
     const before = now.before ?? [];
     const also = sentence_text(now.also ?? "");
-    const all = [...before.map(sentence_text), text, also].join("\n");
+    const { made_with = "" } = now;
+    const all = [made_with, ...before.map(sentence_text), text, also].join("\n");
     if (all !== shown) {
       const above = before.map((one) => {
         const paragraph = text_in("p", one);
@@ -63,7 +64,8 @@ const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: 
       });
       const below = text_in("p", typeof now.also === "object" ? english(first_sentence(also)) : first_sentence(also));
       below.className = "also";
-      verdict.replaceChildren(...above, text_in("p", typeof now.verdict === "string" ? sentence : english(sentence)), ...(also === "" ? [] : [below]));
+      const made = made_with === "" ? [] : [element("p", { class: "made-with", title: made_with }, made_with)];
+      verdict.replaceChildren(...made, ...above, text_in("p", typeof now.verdict === "string" ? sentence : english(sentence)), ...(also === "" ? [] : [below]));
     }
     shown = all;
     concluded = now.concluded ?? text;
