@@ -1,6 +1,6 @@
 #!/bin/sh
 # From a fresh Debian 12 to an error that falls: installs the packages, builds, finds the effect that a model of sample data
-# does not have, adds it, and draws a page.
+# does not have, adds it, and draws a page. Where the page cannot be built, the last lines say so, and all else is done.
 #
 #   sh apps/quickstart.sh [--no-page]      without the page: 110 packages instead of 480
 set -eu
@@ -13,15 +13,21 @@ case ${1:-} in
     exit 2
     ;;
 esac
+if command -v ninja >/dev/null; then export CMAKE_GENERATOR=Ninja; fi # of a new folder
 
 step() { printf '\n== %s\n' "$1"; }
 
 step 'Install the packages'
 # shellcheck disable=SC2086  # nothing where there is no page
-sh apps/install-packages.sh build $page
+sh apps/install-packages.sh build $page || sh apps/install-packages.sh build
 
 step 'Build (Release, in build/)'
-cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DBALLBAR_PAGE=$with_page
+mkdir -p build
+configured=build/configured.log
+cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DBALLBAR_PAGE=$with_page >$configured || { cat $configured && exit 1; }
+cat $configured
+no_page=$(sed -n 's/^-- \(Left out: the page of .*\)/\1/p' $configured)
+[ -z "$no_page" ] || page=''
 cmake --build build -j "$(nproc)"
 
 # The sample data stay as they are: `add` writes into the model's file.
@@ -56,3 +62,7 @@ if [ -n "$page" ]; then
   echo "$PWD/$out/after.html    the model with it, and the ledger"
 fi
 echo "$PWD/sample-runs/hidden-effect/README.md    the same, step by step"
+if [ -n "$no_page" ]; then
+  printf '\n%s\nEverything else works. Where Node.js, npm and its registry can be used, this adds the page:\n' "$no_page"
+  echo '  sh apps/quickstart.sh'
+fi

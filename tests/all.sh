@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What tests/run.sh leaves out, after it: slow tests, studies, the page in browsers, all sanitizer tests, clang-tidy, fuzz
-# targets, WebAssembly, packages, an empty Debian, benchmarks. Ends with the time of each step and the summaries of ctest.
+# What tests/run.sh leaves out, after it: long tests, studies, all sanitizer tests, clang-tidy, fuzz targets, WebAssembly,
+# packages, an empty Debian, benchmarks. Ends with the time of each step and the summaries of ctest.
 #
 # BALLBAR_SECONDS   seconds within which all steps must end: those that would not are left out; without it none is
 # BALLBAR_SLOWNESS  time of the check here, in percent of 20 minutes
@@ -20,17 +20,17 @@ fits() {
   return 1
 }
 
-if fits 700 'Slow tests'; then
-  step 'Slow tests, tutorials and the page, Release'
+if fits 500 'Long tests'; then
+  step 'Long tests and studies, Release'
   cmake -S . -B build-tests -DBALLBAR_STUDIES=ON >/dev/null
   cmake --build build-tests -j "$jobs"
-  keep_summary 'Slow tests' ctest --test-dir build-tests --output-on-failure -j "$jobs" -L 'slow|page|study' -LE tool \
-    --output-junit "$PWD/build-tests/slow.xml" --test-output-size-passed 1000000
-  python3 tests/skipped.py build-tests/slow.xml build-tests/configured.log
+  keep_summary 'Long tests' ctest --test-dir build-tests --output-on-failure -j "$jobs" -L 'long|study' -LE tool \
+    --output-junit "$PWD/build-tests/long.xml" --test-output-size-passed 1000000
+  python3 tests/skipped.py build-tests/long.xml build-tests/configured.log
 fi
 
-# What another machine could change: nothing in the environment, each BLAS of Debian by turns.
-if fits 200 'Each BLAS'; then
+# What another machine could change: nothing in the environment, each BLAS of Debian by turns but the one of the run above.
+if fits 150 'Each BLAS'; then
   step 'Tests as on another machine, by each BLAS'
   sh tests/strangers.sh build-tests -LE 'slow|tool'
 fi
@@ -91,7 +91,8 @@ if fits 400 'An empty Debian'; then
   sh tests/empty_root.sh build-tests
 fi
 
-if fits 200 'Benchmarks'; then
+# By hand and with --all alone: no figure is judged here.
+if [[ -z $budget ]]; then
   step 'Benchmarks run (figures of a reduced run; nothing is judged by them)'
   sh apps/install-packages.sh bench
   BALLBAR_BUILD=build-tests sh tests/bench/run.sh --reduced

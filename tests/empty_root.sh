@@ -29,7 +29,7 @@ set -eux
 cd "$source"
 sh apps/quickstart.sh
 sh tests/run.sh
-sh tests/run.sh -L 'slow|page'
+sh tests/run.sh -L 'long|tool'
 END_OF_FILE
 else
   build=$(realpath "$build")
@@ -42,7 +42,7 @@ set -eux
 cd "$source"
 sh apps/install-packages.sh build page images mat pdf python fleet hal test
 node --version
-ctest --test-dir "$build" --output-on-failure -j "$(nproc)" -R '^cli|^readme|^terms|^page_' -LE slow
+ctest --test-dir "$build" --output-on-failure -j "$(nproc)" -R '^cli|^readme|^terms|^page_' -LE 'slow|long'
 END_OF_FILE
 fi
 mkdir "$carried/certificates"

@@ -23,11 +23,11 @@ Outputs are compared by same.py. An output line that begins as one of these has 
 ends a text that ends without a newline. A shell that exits with 77 skips its section; the last line it printed on
 standard error says why.
 
-    python3 transcript.py PROGRAM [FILE [WORD]] [--update] [--slow | --quick] [--without PAGE,PDF]
+    python3 transcript.py PROGRAM [FILE [WORD]] [--update] [--slow | --quick] [--first] [--without PAGE,PDF]
 
 FILE: one transcript, fit.txt; all otherwise. WORD: only sections whose names hold it. --update writes outputs anew where
 they are not the same: read the difference (git diff) before keeping it. --slow runs only slow sections, --quick none of
-them. --without names what the program is built without.
+them, --first one of each file. --without names what the program is built without.
 """
 import argparse
 import concurrent.futures
@@ -256,6 +256,8 @@ def run_file(path, options):
               and not (options.slow and not section.slow) and not (options.quick and section.slow)]
     lacking = set(options.without.split(",")) & kComponents
     here = [section for section in chosen if not section.needs & lacking and section.lacks <= lacking]
+    if options.first:
+        chosen = here = here[:1]
     wrong, failed = [], 0
     with concurrent.futures.ThreadPoolExecutor(kAtOnce) as pool:
         for lines, of_section in pool.map(lambda section: result(section, options.program), here):
@@ -278,6 +280,7 @@ def main():
     parser.add_argument("--update", action="store_true")
     parser.add_argument("--slow", action="store_true")
     parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--first", action="store_true")
     parser.add_argument("--without", default="")
     options = parser.parse_args()
     paths = [kHere / options.file] if options.file else transcripts()

@@ -53,6 +53,11 @@ class Runs(unittest.TestCase):
         self.fails("# a: A.\n\n  $ ballbar out err 0\n  out\n  err\n", "stdout", "-err", "stderr", "+err")
         self.fails("# a: A.\n\n  $ ballbar out err 0\n  other\n  ! err\n", "-other", "+out")
 
+    def test_the_first_section_alone(self):
+        text = "# a: A.\nwith PDF\n\n  $ echo 1\n  2\n\n# b: B.\n\n  $ echo 1\n  1\n\n# c: C.\n\n  $ echo 1\n  2\n"
+        code, printed = self.ended(text, "--first", "--without=PDF")
+        self.assertEqual((code, printed), (0, "some.txt: 1 sections, 0 differ\n"))
+
     def test_a_shell_with_further_lines_goes_on_after_a_failure(self):
         self.holds("# a: A.\n\n  $ word=x\n  $ cat <<END\n  > one $word\n  >\n  > two\n  > END\n  one x\n\n  two\n  $ false\n  [1]\n"
                    "\nA remark.\n\n  $ echo $word; ls\n  x\n  sample-runs\n\n# b: B.\n\n  $ echo \"$word\"\n\n")

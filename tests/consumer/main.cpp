@@ -88,7 +88,8 @@ bool fit_and_where_it_fails() {
   constant.targets = {"Z_um"};
   const ballbar::Fit fit = ballbar::fit(constant, log);
   const std::vector<ballbar::Misfit> where = ballbar::where_it_fails(fit, log);
-  std::cout << "a constant leaves " << fit.rmse_um << " um, most " << ballbar::worst_place(fit, where) << '\n';
+  std::cout << "a constant leaves " << fit.rmse_um << " um, most where " << ballbar::worst_place(fit, where)->what
+            << " is from " << ballbar::worst_place(fit, where)->from << '\n';
   return fit.rmse_um > 1.0 && !ballbar::is_adequate(fit, ballbar::whiteness(fit));
 }
 

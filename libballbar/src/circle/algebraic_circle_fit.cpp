@@ -20,7 +20,8 @@ Eigen::Vector4d constrained_minimum(const Eigen::Matrix4d& factor, const Eigen::
   const auto upper = factor.triangularView<Eigen::Upper>();
   const Eigen::Matrix4d inverse = upper.solve(Eigen::Matrix4d::Identity());
   const Eigen::Matrix4d whitened = inverse.transpose() * constraint * inverse;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(0.5 * (whitened + whitened.transpose()));
+  const Eigen::MatrixXd symmetric = 0.5 * (whitened + whitened.transpose());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric);
   return inverse * eigen.eigenvectors().col(3);
 }
 
@@ -46,19 +47,19 @@ PlaneCircle algebraic_circle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
   if (!(scale > 0.0) || !std::isfinite(scale))
     throw Error("a circle needs points that are finite and not all the same");
 
-  Eigen::MatrixX4d design(n, 4);
+  Eigen::MatrixXd design(n, 4);
   design.col(1) = (x - mean_x) / scale;
   design.col(2) = (y - mean_y) / scale;
   design.col(0) = design.col(1).cwiseAbs2() + design.col(2).cwiseAbs2();
   design.col(3).setOnes();
   const double mean_z = design.col(0).mean();
   Eigen::Matrix4d factor = Eigen::Matrix4d::Zero();
-  const Eigen::HouseholderQR<Eigen::MatrixX4d> qr(design);
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(design);
   const Eigen::Index rank_rows = std::min<Eigen::Index>(n, 4);
   factor.topRows(rank_rows) = qr.matrixQR().topRows(rank_rows).triangularView<Eigen::Upper>();
 
-  const Eigen::JacobiSVD<Eigen::Matrix4d> svd(factor, Eigen::ComputeFullV);
-  const Eigen::Vector4d& singular = svd.singularValues();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(factor, Eigen::ComputeFullV);
+  const Eigen::VectorXd& singular = svd.singularValues();
   const bool on_a_circle = singular[3] < 1e-13 * singular[0];  // exact: the null vector
   const Eigen::Vector4d abc =
       on_a_circle ? Eigen::Vector4d(svd.matrixV().col(3)) : constrained_minimum(factor, constraint_of(mean_z));

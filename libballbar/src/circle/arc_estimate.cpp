@@ -56,12 +56,11 @@ struct Point {
   ArcUnknownsCovariance covariance;
 };
 
-template <class Columns>
-Triangle triangle_of(const Columns& columns) {
-  const Eigen::HouseholderQR<Columns> qr(columns);
+Triangle triangle_of(const Eigen::MatrixXd& columns) {
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns);
   Triangle triangle = Triangle::Zero();
   const Eigen::Index rows = std::min<Eigen::Index>(kArcColumns, columns.rows());
-  triangle.topRows(rows) = qr.matrixQR().topRows(rows).template triangularView<Eigen::Upper>();
+  triangle.topRows(rows) = qr.matrixQR().topRows(rows).triangularView<Eigen::Upper>();
   return triangle;
 }
 
@@ -70,8 +69,7 @@ Triangle triangle_of(const Columns& columns) {
 Point point_of(const Triangle& white, double log_determinant, double rows, double variance,
                const Eigen::Vector4d& sizes_um) {
   constexpr double kNothing_um = 1e-6;
-  Eigen::Matrix<double, kArcColumns + 4, kArcColumns> stacked =
-      Eigen::Matrix<double, kArcColumns + 4, kArcColumns>::Zero();
+  Eigen::MatrixXd stacked = Eigen::MatrixXd::Zero(kArcColumns + 4, kArcColumns);
   stacked.topRows<kArcColumns>() = white / std::sqrt(variance);
   double log_sizes = 0.0;
   for (int k = 0; k < 4; ++k) {

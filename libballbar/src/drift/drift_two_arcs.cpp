@@ -76,39 +76,33 @@ Arc arc_of(const Recording& recording, const Circle& circle, bool about_c) {
   return arc;
 }
 
-// Both arcs, one after the other, as the rows of one problem.
-struct BothArcs {
-  const Arc& c;
-  const Arc& a;
-
-  Eigen::Index size() const { return c.size() + a.size(); }
-
-  template <class Vector, class Part>
-  void fill(Eigen::Index first, const Vector& p, Part& rows) const {
-    const Eigen::Index from_c = std::clamp<Eigen::Index>(c.size() - first, 0, rows.rows());
-    auto top = rows.topRows(from_c);
-    auto bottom = rows.bottomRows(rows.rows() - from_c);
-    if (from_c > 0) c.fill(first, p, top);
-    if (from_c < rows.rows()) a.fill(first + from_c - c.size(), p, bottom);
-  }
-};
-
-// The same problem in fewer unknowns, p = origin + map q.
-template <int Q, class Rows>
-struct Fewer {
-  const Rows& rows;
+// The arcs, one after the other, as the rows of one problem in the unknowns q, p = origin + map q.
+struct JointRows {
+  std::vector<const Arc*> arcs;
   Vector5d origin;
-  Eigen::Matrix<double, 5, Q> map;
+  Eigen::Matrix<double, 5, Eigen::Dynamic> map;
 
-  Eigen::Index size() const { return rows.size(); }
-  Vector5d at(const Eigen::Vector<double, Q>& q) const { return origin + map * q; }
+  Eigen::Index size() const {
+    Eigen::Index size = 0;
+    for (const Arc* arc : arcs) size += arc->size();
+    return size;
+  }
+  Vector5d at(const Eigen::VectorXd& q) const { return origin + map * q; }
 
   template <class Part>
-  void fill(Eigen::Index first, const Eigen::Vector<double, Q>& q, Part& part) const {
+  void fill(Eigen::Index first, const Eigen::VectorXd& q, Part& part) const {
     least_squares::RowBlock<5> full(part.rows(), 6);
-    rows.fill(first, at(q), full);
-    part.template leftCols<Q>() = full.leftCols<5>() * map;
-    part.col(Q) = full.col(5);
+    const Vector5d p = at(q);
+    Eigen::Index of_arc = first, row = 0;  // of_arc: the reading of the arc from which `row` comes
+    for (const Arc* arc : arcs) {
+      const Eigen::Index count = std::clamp<Eigen::Index>(arc->size() - of_arc, 0, part.rows() - row);
+      auto rows = full.middleRows(row, count);
+      if (count > 0) arc->fill(of_arc, p, rows);
+      row += count;
+      of_arc += count - arc->size();
+    }
+    part.leftCols(map.cols()) = full.leftCols<5>().lazyProduct(map);
+    part.col(map.cols()) = full.col(5);
   }
 };
 
@@ -160,9 +154,9 @@ Eigen::Matrix3d of_spindle_ball(const Eigen::Matrix3d& circle_covariance_um2) {
   return sign.asDiagonal() * circle_covariance_um2 * sign.asDiagonal();
 }
 
-template <int Q, class Rows>
-void solve(const Rows& rows, TwoArcs& fit, bool& determined) {
-  const auto solution = least_squares::minimise<Q>(rows, Eigen::Vector<double, Q>::Zero(), least_squares::Start::near);
+void solve(const JointRows& rows, TwoArcs& fit, bool& determined) {
+  const Eigen::VectorXd start = Eigen::VectorXd::Zero(rows.map.cols());
+  const auto solution = least_squares::minimise<Eigen::Dynamic>(rows, start, least_squares::Start::near);
   fit.p = rows.at(solution.p);
   fit.converged = fit.converged && solution.converged;
   determined = solution.determined;
@@ -197,22 +191,18 @@ TwoArcs fit_two_arcs(const Recording& c_arc, const Recording& a_arc, const Drift
   Vector5d start;
   start << -fit.c_circle.centre_a_um, -fit.c_circle.centre_b_um, -fit.a_circle.centre_b_um,
       um_from_mm(fit.c_circle.radius_mm) - c.radius_um, um_from_mm(fit.a_circle.radius_mm) - a.radius_um;
-  bool determined = false;
+  JointRows rows{{&c, &a}, start, Matrix5d::Identity()};
   if (options.sequential) {
-    Eigen::Matrix<double, 5, 2> map = Eigen::Matrix<double, 5, 2>::Zero();
-    map(2, 0) = map(4, 1) = 1.0;
-    solve<2>(Fewer<2, Arc>{a, start, map}, fit, determined);
+    rows.arcs = {&a};
+    rows.map.setZero(5, 2);
+    rows.map(2, 0) = rows.map(4, 1) = 1.0;
   } else if (options.equal_radii) {
-    Eigen::Matrix<double, 5, 4> map = Eigen::Matrix<double, 5, 4>::Zero();
-    map.topLeftCorner<4, 4>().setIdentity();
-    map(4, 3) = 1.0;
-    start[4] = start[3] + c.radius_um - a.radius_um;
-    const BothArcs both{c, a};
-    solve<4>(Fewer<4, BothArcs>{both, start, map}, fit, determined);
-  } else {
-    const BothArcs both{c, a};
-    solve<5>(Fewer<5, BothArcs>{both, start, Matrix5d::Identity()}, fit, determined);
+    rows.map.setIdentity(5, 4);
+    rows.map(4, 3) = 1.0;
+    rows.origin[4] = start[3] + c.radius_um - a.radius_um;
   }
+  bool determined = false;
+  solve(rows, fit, determined);
   fit.covariance_um2.setConstant(kInfinite);
   if (!determined) return fit;
   const Residuals residuals{weighted_residual(c, fit.p), weighted_residual(a, fit.p)};

@@ -44,38 +44,36 @@ SettlingRows settling_data(std::span<const double> time_s, std::span<const doubl
 }
 
 // c, then amplitude and ln of the time constant of each curve.
-template <int curves>
-using Settling = Eigen::Matrix<double, 1 + 2 * curves, 1>;
+using Settling = Eigen::VectorXd;
 
-template <int curves>
-double tau_s(const Settling<curves>& of, int k) {
-  return std::exp(of[2 + 2 * k]);
-}
+Eigen::Index curves_of(const Settling& of) { return of.size() / 2; }
+
+double tau_s(const Settling& of, Eigen::Index k) { return std::exp(of[2 + 2 * k]); }
 
 // d(t) - c
-template <int curves>
-double distance(const Settling<curves>& of, double time_s) {
+double distance(const Settling& of, double time_s) {
   double sum = 0.0;
-  for (int k = 0; k < curves; ++k) sum += of[1 + 2 * k] * std::exp(-time_s / tau_s<curves>(of, k));
+  for (Eigen::Index k = 0; k < curves_of(of); ++k) sum += of[1 + 2 * k] * std::exp(-time_s / tau_s(of, k));
   return sum;
 }
 
 // Residuals and Jacobian, for ceres::TinySolver.
-template <int curves>
 struct SettlingCost {
   using Scalar = double;
-  enum { NUM_PARAMETERS = 1 + 2 * curves, NUM_RESIDUALS = Eigen::Dynamic };
+  enum { NUM_PARAMETERS = Eigen::Dynamic, NUM_RESIDUALS = Eigen::Dynamic };
   const SettlingRows& rows;
+  Eigen::Index size;  // of Settling
 
+  int NumParameters() const { return static_cast<int>(size); }
   int NumResiduals() const { return static_cast<int>(rows.time_s.size()); }
   bool operator()(const double* values, double* residuals, double* jacobian) const {
-    const Settling<curves> of = Settling<curves>::Map(values);
+    const Settling of = Settling::Map(values, size);
     Eigen::Map<Eigen::ArrayXd> left(residuals, rows.time_s.size());
     left = of[0] - rows.drift_um;
-    Eigen::MatrixXd slopes(rows.time_s.size(), static_cast<Eigen::Index>(NUM_PARAMETERS));
+    Eigen::MatrixXd slopes(rows.time_s.size(), size);
     slopes.col(0).setOnes();
-    for (int k = 0; k < curves; ++k) {
-      const Eigen::ArrayXd age = rows.time_s / tau_s<curves>(of, k), curve = (-age).exp();
+    for (Eigen::Index k = 0; k < curves_of(of); ++k) {
+      const Eigen::ArrayXd age = rows.time_s / tau_s(of, k), curve = (-age).exp();
       left += of[1 + 2 * k] * curve;
       slopes.col(1 + 2 * k) = curve.matrix();
       slopes.col(2 + 2 * k) = (of[1 + 2 * k] * curve * age).matrix();
@@ -92,75 +90,72 @@ struct SettlingFit {
 };
 
 // The last time at which the curve is the band away from c; 0: it never is.
-template <int curves>
-double last_crossing_s(const Settling<curves>& of, double band_um) {
+double last_crossing_s(const Settling& of, double band_um) {
   double largest = 0.0, longest_s = 0.0;
-  for (int k = 0; k < curves; ++k) {
+  for (Eigen::Index k = 0; k < curves_of(of); ++k) {
     largest += std::abs(of[1 + 2 * k]);
-    longest_s = std::max(longest_s, tau_s<curves>(of, k));
+    longest_s = std::max(longest_s, tau_s(of, k));
   }
   if (largest <= band_um) return 0.0;
   const double beyond_s = longest_s * std::log(largest / band_um);  // there the sum of the sizes is the band
   constexpr int kSteps = 200;
   for (int i = kSteps; i > 0; --i) {
     double low_s = beyond_s * (i - 1) / kSteps, high_s = beyond_s * i / kSteps;
-    if (std::abs(distance<curves>(of, low_s)) < band_um) continue;
+    if (std::abs(distance(of, low_s)) < band_um) continue;
     for (int step = 0; step < 40; ++step) {
       const double middle_s = 0.5 * (low_s + high_s);
-      (std::abs(distance<curves>(of, middle_s)) < band_um ? high_s : low_s) = middle_s;
+      (std::abs(distance(of, middle_s)) < band_um ? high_s : low_s) = middle_s;
     }
     return high_s;
   }
   return 0.0;
 }
 
-// Least squares of c and the amplitudes for given time constants.
-template <int curves>
-std::pair<double, Settling<curves>> with_taus(const SettlingRows& rows, const std::array<double, curves>& taus) {
-  Eigen::Matrix<double, Eigen::Dynamic, 1 + curves> x(rows.time_s.size(), 1 + curves);
+// Least squares of c and the amplitudes for given time constants, and the sum of squares that they leave.
+std::pair<double, Settling> with_taus(const SettlingRows& rows, const std::vector<double>& taus) {
+  const auto curves = static_cast<Eigen::Index>(taus.size());
+  Eigen::MatrixXd x(rows.time_s.size(), 1 + curves);
   x.col(0).setOnes();
-  for (int k = 0; k < curves; ++k) x.col(1 + k) = (-rows.time_s / taus[static_cast<std::size_t>(k)]).exp().matrix();
-  const Eigen::Matrix<double, 1 + curves, 1> gains =
-      (x.transpose() * x).ldlt().solve(x.transpose() * rows.drift_um.matrix());
-  Settling<curves> start;
+  for (Eigen::Index k = 0; k < curves; ++k)
+    x.col(1 + k) = (-rows.time_s / taus[static_cast<std::size_t>(k)]).exp().matrix();
+  const Eigen::VectorXd drift_um = rows.drift_um.matrix(), products = x.transpose() * drift_um;
+  const Eigen::MatrixXd equations = x.transpose() * x;
+  const Eigen::VectorXd gains = equations.ldlt().solve(products);
+  Settling start(1 + 2 * curves);
   start[0] = gains[0];
-  for (int k = 0; k < curves; ++k) {
+  for (Eigen::Index k = 0; k < curves; ++k) {
     start[1 + 2 * k] = gains[1 + k];
     start[2 + 2 * k] = std::log(taus[static_cast<std::size_t>(k)]);
   }
-  return {(rows.drift_um.matrix() - x * gains).squaredNorm(), start};
+  return {(drift_um - x * gains).squaredNorm(), start};
 }
 
-template <int curves>
-std::optional<SettlingFit> settling_fit(const SettlingRows& rows, const std::vector<double>& grid_s, double band_um) {
-  const Eigen::Index n = rows.time_s.size();
-  constexpr Eigen::Index kFree = 1 + 2 * curves;
-  if (n < kFree + 2) return std::nullopt;
-  std::pair<double, Settling<curves>> best{std::numeric_limits<double>::infinity(), Settling<curves>::Zero()};
-  const auto try_taus = [&](const std::array<double, curves>& taus) {
-    const auto one = with_taus<curves>(rows, taus);
+std::optional<SettlingFit> settling_fit(const SettlingRows& rows, int curves, const std::vector<double>& grid_s,
+                                        double band_um) {
+  const Eigen::Index n = rows.time_s.size(), unknowns = 1 + 2 * curves;
+  if (n < unknowns + 2) return std::nullopt;
+  std::pair<double, Settling> best{std::numeric_limits<double>::infinity(), Settling::Zero(unknowns)};
+  const auto try_taus = [&](const std::vector<double>& taus) {
+    const auto one = with_taus(rows, taus);
     if (one.first < best.first) best = one;
   };
   for (std::size_t k = 0; k < grid_s.size(); ++k) {
-    if constexpr (curves == 1) {
-      try_taus({grid_s[k]});
-    } else {
-      for (std::size_t m = k + 2; m < grid_s.size(); ++m) try_taus({grid_s[k], grid_s[m]});
-    }
+    if (curves == 1) try_taus({grid_s[k]});
+    for (std::size_t m = k + 2; curves == 2 && m < grid_s.size(); ++m) try_taus({grid_s[k], grid_s[m]});
   }
-  const SettlingCost<curves> cost{rows};
-  ceres::TinySolver<SettlingCost<curves>> solver;
+  const SettlingCost cost{rows, unknowns};
+  ceres::TinySolver<SettlingCost> solver;
   solver.options.function_tolerance = 1e-14;
   solver.options.max_num_iterations = 200;
-  Settling<curves> of = best.second;
+  Settling of = best.second;
   solver.Solve(cost, &of);
   Eigen::VectorXd left(n);
-  Eigen::MatrixXd slopes(n, kFree);
+  Eigen::MatrixXd slopes(n, unknowns);
   // The sum of squares tells the values to half of the digits; steps of Gauss and Newton tell the rest, so that every
   // build has one answer.
   for (int step = 0; step < kLastSteps; ++step) {
     if (!cost(of.data(), left.data(), slopes.data())) return std::nullopt;
-    const Settling<curves> by = -slopes.colPivHouseholderQr().solve(left);
+    const Settling by = -slopes.colPivHouseholderQr().solve(left);
     if (!by.allFinite() || by.norm() > 1e-3 * of.norm()) break;
     of += by;
   }
@@ -168,30 +163,30 @@ std::optional<SettlingFit> settling_fit(const SettlingRows& rows, const std::vec
   const double squares = std::max(left.squaredNorm(), 1e-18);
   const double r = std::clamp(left.head(n - 1).dot(left.tail(n - 1)) / squares, 0.0, 0.9);
   // The variance of Student's t: the noise is known from few rows.
-  const auto freedom = static_cast<double>(n - kFree);
+  const auto freedom = static_cast<double>(n - unknowns);
   const double student = freedom > 2.0 ? freedom / (freedom - 2.0) : 3.0;
   const double variance = student * squares / freedom * (1.0 + r) / (1.0 - r);
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> parts;
   parts.setThreshold(kCollinearCurves);
   parts.compute(slopes);
-  if (parts.rank() < kFree) return std::nullopt;
+  if (parts.rank() < unknowns) return std::nullopt;
   const Eigen::MatrixXd inverse = parts.colsPermutation() * parts.matrixR()
-                                                                .topLeftCorner(kFree, kFree)
+                                                                .topLeftCorner(unknowns, unknowns)
                                                                 .triangularView<Eigen::Upper>()
-                                                                .solve(Eigen::MatrixXd::Identity(kFree, kFree));
+                                                                .solve(Eigen::MatrixXd::Identity(unknowns, unknowns));
   const Eigen::MatrixXd covariance = variance * inverse * inverse.transpose();
 
   SettlingFit result;
   const auto independent = static_cast<double>(n) * (1.0 - r) / (1.0 + r);
   result.log_likelihood = -0.5 * independent * std::log(squares / static_cast<double>(n)) -
-                          0.5 * static_cast<double>(kFree) * std::log(static_cast<double>(n));
+                          0.5 * static_cast<double>(unknowns) * std::log(static_cast<double>(n));
   result.left_um = std::sqrt(squares / freedom);
-  result.time_s = last_crossing_s<curves>(of, band_um);
-  Settling<curves> gradient = Settling<curves>::Zero(), of_final = gradient;
+  result.time_s = last_crossing_s(of, band_um);
+  Settling gradient = Settling::Zero(unknowns), of_final = gradient;
   double slope = 0.0;
-  for (int k = 0; k < curves; ++k) {
-    const double age = result.time_s / tau_s<curves>(of, k), curve = std::exp(-age);
-    slope -= of[1 + 2 * k] * curve / tau_s<curves>(of, k);
+  for (Eigen::Index k = 0; k < curves; ++k) {
+    const double age = result.time_s / tau_s(of, k), curve = std::exp(-age);
+    slope -= of[1 + 2 * k] * curve / tau_s(of, k);
     gradient[1 + 2 * k] = curve;
     gradient[2 + 2 * k] = of[1 + 2 * k] * curve * age;
     of_final[1 + 2 * k] = -1.0;
@@ -199,7 +194,7 @@ std::optional<SettlingFit> settling_fit(const SettlingRows& rows, const std::vec
   }
   if (result.time_s > 0.0) result.time_variance = gradient.dot(covariance * gradient) / (slope * slope);
   result.final_variance = of_final.dot(covariance * of_final);
-  result.share_at_end = result.final_um == 0.0 ? 1.0 : 1.0 + distance<curves>(of, rows.time_s[n - 1]) / result.final_um;
+  result.share_at_end = result.final_um == 0.0 ? 1.0 : 1.0 + distance(of, rows.time_s[n - 1]) / result.final_um;
   return result;
 }
 
@@ -228,7 +223,7 @@ std::optional<StableTime> stable_time(std::span<const double> time_s, std::span<
   for (int k = 0; k < kTaus; ++k)
     grid_s.push_back(0.5 * step_s * std::pow(2.0 * kLongest * length_s / step_s, static_cast<double>(k) / (kTaus - 1)));
   std::vector<SettlingFit> fits;
-  for (const auto& one : {settling_fit<1>(rows, grid_s, band_um), settling_fit<2>(rows, grid_s, band_um)}) {
+  for (const auto& one : {settling_fit(rows, 1, grid_s, band_um), settling_fit(rows, 2, grid_s, band_um)}) {
     // Two curves that the rows do not tell apart say nothing of the time.
     const double most_s = one ? std::max(kMostShare * one->time_s, step_s) : 0.0;
     if (one && one->time_variance <= most_s * most_s) fits.push_back(*one);

@@ -100,10 +100,14 @@ void remove_last(ErrorDesign& design, ErrorFit kind) {
 void refresh(ErrorDesign& design, const Indices& changed) {
   const Indices spikes = columns_of(design, {ErrorFit::at_reversals});
   design.products.conservativeResize(design.x.size(), design.x.size());
-  design.products(changed, Eigen::all) = design.z(Eigen::all, changed).eval().transpose() * design.x.values;
+  // Matrices of their own, for whose products Eigen has kernels.
+  const Eigen::MatrixXd z = design.z(Eigen::all, changed), of_changed = z.transpose() * design.x.values;
+  design.products(changed, Eigen::all) = of_changed;
   const bool is_all = static_cast<Eigen::Index>(changed.size()) == design.x.size();
-  if (!is_all && changed != spikes)
-    design.products(Eigen::all, changed) = design.z.transpose() * design.x.values(Eigen::all, changed).eval();
+  if (!is_all && changed != spikes) {
+    const Eigen::MatrixXd values = design.x.values(Eigen::all, changed), of_all = design.z.transpose() * values;
+    design.products(Eigen::all, changed) = of_all;
+  }
   const Indices others = columns_of(design, {ErrorFit::together, ErrorFit::along_the_travel, ErrorFit::where_it_shows});
   design.products(others, spikes).setZero();
 }
@@ -128,24 +132,27 @@ GainEstimate gain_estimate(const ErrorDesign& design, const Indices& columns, co
   // least 1 / its norm.
   if (!cyclic.empty()) {
     const Eigen::VectorXd scale = equations.diagonal()(cyclic).cwiseSqrt().cwiseInverse();
-    const Eigen::MatrixXd unscaled =
-        scale.cwiseInverse().asDiagonal() * inverse(cyclic, cyclic) * scale.cwiseInverse().asDiagonal();
+    const Eigen::MatrixXd of_cyclic = inverse(cyclic, cyclic);
+    const Eigen::MatrixXd unscaled = scale.cwiseInverse().asDiagonal() * of_cyclic * scale.cwiseInverse().asDiagonal();
     if (!(unscaled.norm() < 1.0 / kDetermined)) {
+      const Eigen::MatrixXd between = equations(cyclic, others);
       const Eigen::MatrixXd of_others =
-          equations(others, others).partialPivLu().solve(Eigen::MatrixXd(equations(others, cyclic)));
-      const Eigen::MatrixXd alone = equations(cyclic, cyclic) - equations(cyclic, others) * of_others;
-      const Eigen::JacobiSVD<Eigen::MatrixXd> solved(scale.asDiagonal() * alone * scale.asDiagonal(),
-                                                     Eigen::ComputeFullU | Eigen::ComputeFullV);
+          Eigen::MatrixXd(equations(others, others)).partialPivLu().solve(Eigen::MatrixXd(equations(others, cyclic)));
+      const Eigen::MatrixXd alone = Eigen::MatrixXd(equations(cyclic, cyclic)) - between * of_others;
+      const Eigen::MatrixXd scaled = scale.asDiagonal() * alone * scale.asDiagonal();
+      const Eigen::JacobiSVD<Eigen::MatrixXd> solved(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
       const Eigen::Index determined = (solved.singularValues().array() >= kDetermined).count();
       // T = right (left' A right)^-1 left': the others, then the determined combinations.
-      const auto combinations = [&](const Eigen::MatrixXd& of_cyclic) {
-        Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size, size - of_cyclic.rows() + determined);
+      const auto combinations = [&](const Eigen::MatrixXd& vectors) {
+        Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size, size - vectors.rows() + determined);
         for (std::size_t k = 0; k < others.size(); ++k) all(others[k], static_cast<Eigen::Index>(k)) = 1.0;
-        all(cyclic, Eigen::lastN(determined)) = scale.asDiagonal() * of_cyclic.leftCols(determined);
+        const Eigen::MatrixXd scaled_vectors = scale.asDiagonal() * vectors.leftCols(determined);
+        all(cyclic, Eigen::lastN(determined)) = scaled_vectors;
         return all;
       };
       const Eigen::MatrixXd left = combinations(solved.matrixU()), right = combinations(solved.matrixV());
-      inverse = right * (left.transpose() * equations * right).partialPivLu().solve(Eigen::MatrixXd(left.transpose()));
+      const Eigen::MatrixXd combined = left.transpose() * equations * right;
+      inverse = right * combined.partialPivLu().solve(Eigen::MatrixXd(left.transpose()));
       estimate.held = solved.matrixV().rightCols(alone.cols() - determined);
     }
   }
@@ -188,12 +195,13 @@ double best_shape(const Effect& effect, const std::vector<double>& shapes, const
     const Indices kept = present_of(normal.diagonal() / readings, fine);
     if (kept.empty()) continue;
     if (beside != nullptr) {
-      const Eigen::MatrixXd of_columns = weighted.transpose() * design->x.values(Eigen::all, beside->columns);
+      const Eigen::MatrixXd values = design->x.values(Eigen::all, beside->columns);
+      const Eigen::MatrixXd of_columns = weighted.transpose() * values;
       normal -= of_columns * (beside->t * (design->z.transpose() * columns));
     }
     normal.diagonal() *= 1.0 + kRidge;
-    const Eigen::VectorXd right = (weighted.transpose() * left)(kept);
-    const double lowers = right.dot(normal(kept, kept).ldlt().solve(right));
+    const Eigen::VectorXd products = weighted.transpose() * left, right = products(kept);
+    const double lowers = right.dot(Eigen::MatrixXd(normal(kept, kept)).ldlt().solve(right));
     if (lowers > most) most = lowers, best = shape;
   }
   return best;

@@ -27,10 +27,12 @@ void free_of_second_order(JointErrorFit& fitted, const ErrorColumns& circle, con
   const Eigen::VectorXd measured = fitted.rows.deviation_um;
   const Eigen::MatrixXd columns = circle.values.leftCols(3), fine = circle.fine.leftCols(3);
   const Eigen::MatrixXd weighted = fitted.rows.count.asDiagonal() * columns;
-  const Eigen::LDLT<Eigen::MatrixXd> root(columns.transpose() * weighted);
+  const Eigen::MatrixXd equations = columns.transpose() * weighted;
+  const Eigen::LDLT<Eigen::MatrixXd> root(equations);
   fitted.second_order_um.resize(fine.rows());
   for (int step = 0; step < 3; ++step) {
-    const Eigen::Vector3d fit = root.solve(weighted.transpose() * fitted.rows.deviation_um);
+    const Eigen::VectorXd products = weighted.transpose() * fitted.rows.deviation_um;
+    const Eigen::Vector3d fit = root.solve(products);
     const double radius_mm = set_up.length_mm + mm_from_um(fit[0]);
     for (Eigen::Index i = 0; i < fine.rows(); ++i) {
       const double a_mm = mm_from_um(fit[1]) + radius_mm * fine(i, 1),
@@ -55,7 +57,8 @@ std::vector<const Effect*> effects_fitted(ErrorFit where) {
 // What an estimate leaves of the rows.
 Eigen::VectorXd rest_of(const ErrorRows& rows, const ErrorDesign& design, const GainEstimate& estimate) {
   const Eigen::VectorXd gains = estimate.t * (design.z.transpose() * rows.deviation_um);
-  return rows.deviation_um - design.x.values(Eigen::all, estimate.columns) * gains;
+  const Eigen::MatrixXd columns = design.x.values(Eigen::all, estimate.columns);
+  return rows.deviation_um - columns * gains;
 }
 
 void add_cyclic(ErrorDesign& design, const ErrorRows& rows, const ErrorSetUp& set_up, const Eigen::VectorXd& left) {
@@ -122,7 +125,8 @@ void choose_where_they_show(ErrorDesign& design, const ErrorRows& rows, const st
   const GainEstimate all = gain_estimate(design, all_of(design));
   for (FittedEffect& effect : design.effects) {
     if (effect.effect->rules.error_fit != ErrorFit::where_it_shows) continue;
-    const Eigen::MatrixXd weights = design.z * all.t(effect.columns, Eigen::all).transpose();
+    const Eigen::MatrixXd of_effect = all.t(effect.columns, Eigen::all);
+    const Eigen::MatrixXd weights = design.z * of_effect.transpose();
     const double p = p_of(weights.transpose() * rows.deviation_um, scatter_of(weights, rows, noise));
     effect.in_the_fit = effect.searched * effect.looked_at * p < kFalseErrors;
   }
@@ -271,11 +275,14 @@ void free_of_centre(JointErrorFit& fitted, const Series& trace) {
     if (name.starts_with("centre_a") || name.starts_with("centre_b")) fitted.centres.push_back(circle.back());
   }
   if (fitted.centre_of_fit) {
-    fitted.centre_map = fitted.map(fitted.centres, Eigen::all) * fitted.design.z.transpose();
+    const Eigen::MatrixXd of_centres = fitted.map(fitted.centres, Eigen::all);
+    fitted.centre_map = of_centres * fitted.design.z.transpose();
   } else {
-    const Eigen::MatrixXd weighted = fitted.rows.count.asDiagonal() * x.values(Eigen::all, circle);
-    const Eigen::MatrixXd normal = x.values(Eigen::all, circle).transpose() * weighted;
-    fitted.centre_map = normal.ldlt().solve(Eigen::MatrixXd(weighted.transpose()))(fitted.centres, Eigen::all);
+    const Eigen::MatrixXd columns = x.values(Eigen::all, circle);
+    const Eigen::MatrixXd weighted = fitted.rows.count.asDiagonal() * columns;
+    const Eigen::MatrixXd normal = columns.transpose() * weighted;
+    const Eigen::MatrixXd of_circle = normal.ldlt().solve(Eigen::MatrixXd(weighted.transpose()));
+    fitted.centre_map = of_circle(fitted.centres, Eigen::all);
   }
   // The centre at the angle of each reading; all else at that of its fine row.
   const Eigen::VectorXd centre_um = fitted.centre_map * fitted.rows.deviation_um;
@@ -311,13 +318,18 @@ void free_of_centre(JointErrorFit& fitted, const Series& trace) {
 }  // namespace
 
 Eigen::VectorXd JointErrorFit::centre_curve(const Eigen::VectorXd& fine) const {
-  return design.x.fine(Eigen::all, centres) * (centre_map * rows.means(fine));
+  const Eigen::MatrixXd of_centres = design.x.fine(Eigen::all, centres), centre = centre_map * rows.means(fine);
+  return of_centres * centre;
 }
 
 Eigen::VectorXd JointErrorFit::fine_curve(const Effect* effect) const {
   Eigen::VectorXd curve = Eigen::VectorXd::Zero(design.x.fine.rows());
   for (const FittedEffect& one : design.effects) {
-    if (one.effect == effect) curve += design.x.fine(Eigen::all, one.columns) * curve_gains(one.columns);
+    if (one.effect == effect) {
+      const Eigen::MatrixXd columns = design.x.fine(Eigen::all, one.columns);
+      const Eigen::VectorXd of_columns = curve_gains(one.columns);
+      curve += columns * of_columns;
+    }
   }
   return curve;
 }

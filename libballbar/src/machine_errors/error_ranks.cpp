@@ -88,7 +88,9 @@ Eigen::VectorXd fitted_curve(const JointErrorFit& fitted, const std::set<const E
   Eigen::VectorXd curve = Eigen::VectorXd::Zero(fitted.rows.size());
   for (const FittedEffect& effect : fitted.design.effects) {
     if (!effect.in_the_fit || !effects.contains(effect.effect)) continue;
-    curve += fitted.design.x.values(Eigen::all, effect.columns) * fitted.curve_gains(effect.columns);
+    const Eigen::MatrixXd columns = fitted.design.x.values(Eigen::all, effect.columns);
+    const Eigen::VectorXd gains = fitted.curve_gains(effect.columns);
+    curve += columns * gains;
   }
   return curve;
 }

@@ -153,14 +153,14 @@ template <int P, class Rows>
 Unknowns<P> unknowns_at(const Rows& rows, const Eigen::Vector<double, P>& p0, Basis basis, bool& determined) {
   const EveryNth<Rows> some{rows, (rows.size() + kEnoughReadings - 1) / kEnoughReadings};
   const Eigen::Index size = p0.size();
-  Eigen::Matrix<double, Eigen::Dynamic, P> jacobian(some.size(), size);
+  Eigen::MatrixXd jacobian(some.size(), size);
   const auto take = [&](Eigen::Index first, const auto& part) {
     jacobian.middleRows(first, part.rows()) = part.leftCols(size);
   };
   some.step == 1 ? for_each_block<P>(rows, p0, take) : for_each_block<P>(some, p0, take);
   const Eigen::Vector<double, P> norm = jacobian.colwise().norm().cwiseMax(1e-300);
   jacobian *= norm.cwiseInverse().asDiagonal();
-  const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, P>> qr(jacobian);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian);
   Unknowns<P> unknowns{p0, norm.cwiseInverse().asDiagonal()};
   const double smallest = jacobian.rows() < size ? 0.0 : std::abs(qr.matrixQR()(size - 1, size - 1));
   determined = smallest > 1e-13 * qr.maxPivot() && norm.minCoeff() > 1e-150 && norm.allFinite();

@@ -46,7 +46,7 @@ VectorXd dense_slope(MatrixXd x, VectorXd y, const RegressionSettings& settings)
   const Eigen::Index n = x.rows(), m = x.cols(), p = static_cast<Eigen::Index>(settings.components);
   switch (settings.method) {
     case RegressionMethod::pcr: {
-      const Eigen::BDCSVD<MatrixXd> svd(x, Eigen::ComputeThinU | Eigen::ComputeThinV);
+      const Eigen::JacobiSVD<MatrixXd> svd(x, Eigen::ComputeThinU | Eigen::ComputeThinV);
       const VectorXd along = svd.matrixU().leftCols(p).transpose() * y;
       return svd.matrixV().leftCols(p) * (along.array() / svd.singularValues().head(p).array()).matrix();
     }
