@@ -84,7 +84,7 @@ Message cause_of(DifferenceKind kind, const DifferencePart& part, const AxisComp
   return messages::cause_drift(amount);
 }
 
-// Empty where nothing stands out. Largest first.
+// The significant parts, the largest first.
 Paragraph structure_of(const AxisComparison& axis) {
   Paragraph text;
   if (!axis.structure || !axis.structure->stands_out) return text;
