@@ -178,6 +178,7 @@ TEST(EffectTest, a_stated_range_holds_the_shape) {
                                lagged.effect->parameters.begin());
   lagged.settings[time].lower = 400.0;
   lagged.settings[time].upper = 900.0;
+  lagged.settings[time].start = 600.0;
   const EffectTest found = effect_test(constant(), {lagged}, data);
   EXPECT_LE(found.added[0].parameters[time].value, 900.0);
   EXPECT_GE(found.added[0].parameters[time].value, 400.0);
