@@ -40,12 +40,16 @@ export const in_time = (made: Record<string, unknown>, look: Look, [from, to]: R
   const in_hours = span_min <= 4 * kDay_min;
   const unit_min = in_hours ? kHour_min : kDay_min;
   const wanted = span_min / unit_min / (look.width_px < kNarrow_px ? kTicks_narrow : kTicks);
-  const step = in_hours ? (kSteps_h.find((one) => one >= wanted) ?? 24) : Math.max(1, round_up(wanted));
+  const step_min = unit_min * (in_hours ? (kSteps_h.find((one) => one >= wanted) ?? 24) : Math.max(1, round_up(wanted)));
+  // The chart would begin with its ticks at the end of the axis, which is no round number.
+  const first = Math.ceil(from / step_min);
+  const customValues = Array.from({ length: Math.floor(to / step_min) - first + 1 }, (_, k) => (first + k) * step_min);
+  const { showMinLabel: _first, showMaxLabel: _last, ...label } = (made["axisLabel"] ?? {}) as Record<string, unknown>;
   return {
     ...made,
     name: in_hours ? t.time_axis_h : t.time_axis_d,
-    interval: step * unit_min,
-    axisLabel: { ...(made["axisLabel"] as Record<string, unknown>), formatter: (min: number) => shown(min / unit_min) },
+    axisTick: { ...((made["axisTick"] ?? {}) as Record<string, unknown>), customValues },
+    axisLabel: { ...label, customValues, formatter: (min: number) => shown(min / unit_min) },
   };
 };
 
