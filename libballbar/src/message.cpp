@@ -51,6 +51,14 @@ Paragraph list_of(std::string_view name, const std::vector<MessageValue>& parts)
 
 }  // namespace
 
+Paragraph::Paragraph() = default;
+Paragraph::Paragraph(const Paragraph& other) = default;
+Paragraph::Paragraph(Paragraph&& other) noexcept = default;
+Paragraph& Paragraph::operator=(const Paragraph& other) = default;
+Paragraph& Paragraph::operator=(Paragraph&& other) noexcept = default;
+Paragraph::~Paragraph() = default;
+bool Paragraph::empty() const { return messages.empty(); }
+
 Paragraph::Paragraph(Message message) { messages.push_back(std::move(message)); }
 
 Paragraph& Paragraph::operator+=(Paragraph other) {

@@ -88,9 +88,9 @@ test("a series with a long gap is shown, with why it is not fitted and a step ac
   const blank = (line) => line.split(",").map((cell, k) => (k === speed ? "" : cell)).join(",");
   const data = lines.map((line) => (parseFloat(line) > 600 * 60 && parseFloat(line) < 1200 * 60 ? blank(line) : line)).join("\n");
   await drop(page, { "data.csv": data, "model.toml": readFileSync(of_run("hidden-effect", "01", "model.toml"), "utf8") });
-  const across = page.getByRole("button", { name: "Fit across gaps up to 601 min" });
+  const across = page.getByRole("button", { name: "Fit across gaps up to 10 h" });
   await across.waitFor({ timeout: kLong });
-  assert.match(await page.innerText(".live-loop .said"), /^Not fitted: speed_rpm has no value between 600 and 1200 min, and a fit interpolates over 10 min at most\.$/);
+  assert.match(await page.innerText(".live-loop .said"), /speed_rpm has gaps too long to be interpolated\. The longest, of 10 h, begins after 10 h\.$/);
   assert.equal(await page.locator('figure[data-picture="measured"], main figure').first().isVisible(), true);
   assert.ok(await page.isDisabled('button:text-is("Back to the optimum")'));
   await across.click();

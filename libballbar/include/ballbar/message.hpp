@@ -23,10 +23,16 @@ struct Message;
 struct Paragraph {
   std::vector<Message> messages;
 
-  Paragraph() = default;
+  // Defined where Message is complete.
+  Paragraph();
+  Paragraph(const Paragraph& other);
+  Paragraph(Paragraph&& other) noexcept;
+  Paragraph& operator=(const Paragraph& other);
+  Paragraph& operator=(Paragraph&& other) noexcept;
+  ~Paragraph();
   Paragraph(Message message);
   Paragraph& operator+=(Paragraph other);
-  bool empty() const { return messages.empty(); }
+  bool empty() const;
 };
 
 // An effect with its columns, "expansion(T_room_degC)", for which languages have names.
