@@ -63,7 +63,7 @@ BaseColumns BaseModel::at(const std::vector<double>& parameters, const std::vect
     result.y.array() -= *model_.constant_um;
   }
   for (std::size_t t = 0; t < model_.terms.size(); ++t) {
-    const std::size_t place = rows_.offset(t);
+    const auto place = static_cast<std::size_t>(rows_.offset(t));
     Eigen::MatrixXd slopes;
     Eigen::VectorXd values = rows_.term(t, parameters.data() + place, &slopes);
     const std::size_t count = model_.terms[t].settings.size();

@@ -24,7 +24,7 @@ Model with_set(const Problem& problem, const EffectSet& set) {
   if (set.freed) {
     const std::size_t parameter = problem.held[*set.freed].parameter;
     const std::size_t t = problem.base_model->term_of(parameter);
-    model.terms[t].settings[parameter - problem.base_model->rows().offset(t)].held = false;
+    model.terms[t].settings[parameter - static_cast<std::size_t>(problem.base_model->rows().offset(t))].held = false;
   }
   for (const std::size_t i : set.signatures) {
     const Signature& one = problem.library.signatures[i];
@@ -190,7 +190,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
   for (std::size_t t = problem.model.terms.size(); t < result.model.terms.size(); ++t) {
     Term& term = result.model.terms[t];
     begin_beside(term, {result.model.terms.data(), t},
-                 std::span(best.parameters).subspan(rows.offset(t), term.settings.size()));
+                 std::span(best.parameters).subspan(static_cast<std::size_t>(rows.offset(t)), term.settings.size()));
   }
   result.together_um = together.maxCoeff() - together.minCoeff();
   return result;
