@@ -62,11 +62,11 @@ const EffectSet& set_with(const Posterior& posterior, const EffectSet& alone) {
 void test_added(Inference& found, const std::vector<Term>& terms, const Series& data, std::size_t target,
                 EffectTest& result) {
   const std::vector<BoundEffect> bounds = bounds_of(terms);
-  for (std::size_t t = 1; t < terms.size(); ++t) {
-    const auto twice = std::find(bounds.begin(), bounds.begin() + static_cast<std::ptrdiff_t>(t), bounds[t]);
-    if (*twice == bounds[t] && twice - bounds.begin() < static_cast<std::ptrdiff_t>(t))
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const auto first = static_cast<std::size_t>(std::find(bounds.begin(), bounds.end(), bounds[t]) - bounds.begin());
+    if (first != t)
       throw Error(fmt::format("{} and {}: expected an effect once in a revision; add one, then the other",
-                              label_of(terms[static_cast<std::size_t>(twice - bounds.begin())]), label_of(terms[t])));
+                              label_of(terms[first]), label_of(terms[t])));
   }
   const EffectSet* alone = set_of_all(found, bounds);
   if (alone == nullptr) {

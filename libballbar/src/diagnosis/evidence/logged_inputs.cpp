@@ -11,6 +11,7 @@
 
 #include "ballbar/internal/numerics/interruption.hpp"
 #include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/internal/numerics/range.hpp"
 #include "ballbar/internal/series/signal_kind.hpp"
 #include "ballbar/series/series.hpp"
 #include "noise/linear_filter.hpp"
@@ -22,11 +23,6 @@ namespace {
 
 bool is_whole(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
-}
-
-double range_within(const std::vector<double>& values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return *high - *low;
 }
 
 // Rows for which a logger holds a value: all changes are so many rows apart or a multiple of it; 1: it does not.
@@ -80,7 +76,7 @@ bool is_even(const std::vector<double>& time_s) {
 // Changes of more than a share of the range; adjacent ones are joined up to the length of a ramp.
 std::vector<Jump> jumps_of(const std::vector<double>& time_s, const std::vector<double>& values, std::size_t held,
                            double longest_s, const Tuning& tuning) {
-  const double least = tuning.jump * range_within(values);
+  const double least = tuning.jump * range_of(values);
   std::vector<Jump> jumps;
   for (std::size_t i = 1; i < values.size(); ++i) {
     if (!(std::abs(values[i] - values[i - 1]) > least)) continue;
@@ -310,7 +306,7 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
   ramped = std::max<std::size_t>(1, ramped);
   for (Column& column : result.series.columns) {
     if (std::find(targets.begin(), targets.end(), column.name) != targets.end()) continue;
-    if (!is_whole(column.values) || !(range_within(column.values) > 0.0)) continue;
+    if (!is_whole(column.values) || !(range_of(column.values) > 0.0)) continue;
     LoggedInput input;
     input.column = column.name;
     if (column.role == Role::speed || column.role == Role::load) {
