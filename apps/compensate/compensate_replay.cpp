@@ -89,13 +89,6 @@ void print(const Replay& replay, const CompensationOptions& options, const Recor
                           stretches_text(replay))));
 }
 
-ReplayResult result_of(const Replay& replay, const CompensationOptions& options, const Recorded& recorded) {
-  ReplayResult result{replay.rows, std::nullopt, {}};
-  if (!options.fit.empty()) result.in_sample = is_in_sample(options, recorded.files);
-  for (const ReplayedAxis& axis : replay.axes) result.axes.emplace_back(axis.name, axis);
-  return result;
-}
-
 // All axes on the times of all of them; a gap where one has no value.
 Series table_of(const Replay& replay) {
   Series series;
@@ -122,6 +115,20 @@ Series table_of(const Replay& replay) {
 
 }  // namespace
 
+TableOf<ReplayedAxis> replayed_axes(const Replay& replay) {
+  TableOf<ReplayedAxis> axes;
+  for (const ReplayedAxis& axis : replay.axes) axes.emplace_back(axis.name, axis);
+  return axes;
+}
+
+TableOf<std::size_t> rows_by_hold(const ReplayedAxis& axis) {
+  TableOf<std::size_t> rows;
+  for (std::size_t kind = 1; kind < kHoldKinds; ++kind) {
+    if (axis.rows_held[kind] > 0) rows.emplace_back(name_of(Hold(kind)), axis.rows_held[kind]);
+  }
+  return rows;
+}
+
 void compensate_replay(const CompensationOptions& options, const ReplayOptions& replay) {
   const Recorded recorded = open_recorded(replay.data);
   std::vector<std::filesystem::path> inputs = recorded.files;
@@ -133,7 +140,9 @@ void compensate_replay(const CompensationOptions& options, const ReplayOptions& 
       replay.data.name(), [&] { return replay_of(axes, options.limits, recorded.signals, recorded.measured); });
   for (const std::string& path : replay.out) write_bytes(path, write_series(table_of(result)));
   if (replay.json) {
-    print_json(json_of(result_of(result, options, recorded)), -1);
+    std::optional<bool> in_sample;
+    if (!options.fit.empty()) in_sample = is_in_sample(options, recorded.files);
+    print_json(json_of(ReplayResult{result, in_sample}), -1);
   } else {
     print(result, options, recorded);
   }

@@ -214,10 +214,7 @@ void compensate_write(const CompensationOptions& options, const WriteOptions& wr
                                    kHeadWidth));
   write_bytes(write.out.front(), control_file(asked.control, line));
   if (write.json) {
-    WrittenResult written{
-        std::string(kind.word), write.out.front(),        axis.name,   target,      std::nullopt,
-        result.line.sensors,    result.line.increment.um, result.rows, result.runs, result.from_model_um,
-        result.fitted,          result.left_out};
+    WrittenResult written{std::string(kind.word), write.out.front(), axis.name, target, std::nullopt, result};
     if (!options.fit.empty()) written.in_sample = is_in_sample(options, data.files);
     print_json(json_of(written), -1);
   } else {

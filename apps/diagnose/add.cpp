@@ -123,8 +123,8 @@ Added added_of(const Additions& additions) {
   const LedgerRow& before =
       additions.effect_tests.empty() ? additions.grown->before : additions.effect_tests.back().after;
   for (LedgerEntry& entry : ledger_of(additions.grown->rows, &before).rows) added.rows.push_back(std::move(entry));
-  added.growth.value = steps_of(*additions.grown);
-  added.sentence.value = conclusion(*additions.grown, causes_of(additions), additions.drivers);
+  added.growth = steps_of(*additions.grown);
+  added.sentence = conclusion(*additions.grown, causes_of(additions), additions.drivers);
   return added;
 }
 
@@ -205,9 +205,9 @@ void run(AddArguments options) {
   if (changed && to.is_path()) write_bytes(out, additions.model.text());
   if (options.effect.json) {
     Added added = added_of(additions);
-    if (options.automatic) added.stopped.value = {verdict, stopped};
+    if (options.automatic) added.stopped = {verdict, stopped};
     if (changed && to.is_path()) added.written = out;
-    if (changed && !to.is_path()) added.text.value = additions.model.text();
+    if (changed && !to.is_path()) added.text = additions.model.text();
     print_json(json_of(added));
   } else {
     print_text(additions, stopped, data.title, options.details);

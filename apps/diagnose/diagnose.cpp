@@ -41,7 +41,8 @@ DiagnosisReport diagnosed(const DiagnoseArguments& options, const Model& of_one_
 
 // The text or JSON of one of several targets; why there is none where it cannot be fitted, as without values.
 void show_one_of_several(const DiagnoseArguments& options, const Model& model,
-                         const std::shared_ptr<const ModelData>& data, std::size_t target, DiagnosedTargets& all) {
+                         const std::shared_ptr<const ModelData>& data, std::size_t target,
+                         Targets<std::variant<DiagnosisReport, NotDiagnosed>>& all) {
   if (target > 0 && !options.json) fmt::print("\n");
   try {
     const DiagnosisReport diagnosis_report =
@@ -98,7 +99,7 @@ void run(DiagnoseArguments options) {
     options.json ? print_json(json_of(diagnosis_report)) : print_text(diagnosis_report, data->title, {options.details});
     return;
   }
-  DiagnosedTargets all;
+  Targets<std::variant<DiagnosisReport, NotDiagnosed>> all;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     show_one_of_several(options, model, data, target, all);
   }

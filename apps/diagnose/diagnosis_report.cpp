@@ -34,10 +34,10 @@ constexpr std::size_t kShownSoFar = 12;
 constexpr double kClearlyBetter = 0.95;  // of the error of the model in left-out cycles
 
 // For a page, which draws it.
-void show_so_far(const std::vector<ProbableSoFar>& effects) {
-  PosteriorSoFar so_far{effects};
-  so_far.posterior.resize(std::min(effects.size(), kShownSoFar));
-  show_progress(json_of(so_far).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+void show_so_far(std::vector<ProbableSoFar> effects) {
+  effects.resize(std::min(effects.size(), kShownSoFar));
+  const nlohmann::ordered_json so_far{{"posterior", json_value(effects)}};  // the most probable first
+  show_progress(so_far.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 std::set<std::string> labels_of(const Model& model) {
@@ -205,7 +205,11 @@ Paragraph next_test(const DiagnosisReport& diagnosis_report) {
   const Diagnosis& found = diagnosis_report.diagnosis;
   if (found.verdict == Verdict::named && found.equivalent.empty()) return {};  // nothing is left to tell
   if (diagnosis_report.next_measurement) return message_of(*diagnosis_report.next_measurement);
-  return diagnosis_report.is_for_plan ? Paragraph(messages::decide_by_run()) : Paragraph();
+  Paragraph text;
+  if (diagnosis_report.is_for_plan) text += messages::decide_by_run();
+  for (const std::vector<std::string>& columns : equal_columns_in_question(found))
+    text += messages::decide_equal_columns(enumerated({columns.begin(), columns.end()}));
+  return text;
 }
 
 std::string predicted_text(const DiagnosisReport& report) {
@@ -309,8 +313,8 @@ std::optional<DecidingTest> deciding_test(const DiagnosisReport& report) {
     const std::string& command = report.plan_command;
     return DecidingTest{next_test(report), {command.empty() ? std::nullopt : std::optional(command)}};
   }
-  if (!report.next_measurement) return std::nullopt;
-  return DecidingTest{message_of(*report.next_measurement), {}};
+  const Paragraph text = next_test(report);
+  return text.empty() ? std::nullopt : std::optional(DecidingTest{text, {}});
 }
 
 }  // namespace ballbar

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/internal/number_text.hpp"
 #include "ballbar/message_catalogue.hpp"
 #include "diagnose/doubt_text.hpp"
+#include "errors/quantity_text.hpp"
 #include "model/residual_sentences.hpp"
 
 namespace ballbar {
@@ -27,24 +28,6 @@ double p_of(const Diagnosis& d, const BoundEffect& bound) {
 double said_um(const Diagnosis& d, double amplitude_um) {
   return d.explained_um > 0.0 ? std::min(amplitude_um, d.explained_um) : amplitude_um;
 }
-
-// "Free expansion with one temperature." within a sentence
-std::string in_words(const Effect& effect) {
-  std::string words = effect.explanation.summary;
-  if (words.ends_with('.')) words.pop_back();
-  if (words.size() > 1 && std::isupper(static_cast<unsigned char>(words[1])) == 0) {
-    words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
-  }
-  return words;
-}
-
-Message percent(double p) {
-  if (p >= 0.995) return messages::percent_over();
-  if (p < 0.005) return messages::percent_under();
-  return messages::percent(fmt::format("{:.0f}", 100.0 * p));
-}
-
-Message sure(double p) { return messages::sure(percent(p)); }
 
 // "The model fails most while warming."
 Paragraph where_sentence(const Diagnosis& d) {
@@ -80,7 +63,7 @@ Paragraph jump_of(const Diagnosis& d, const Candidate& one) {
   });
   if (onset == one.parameters.end() || !one.bound.effect->time_only) return {};
   return messages::effect_jump(EffectLabel{label_of(one.bound)}, size_text(one.parameters.front().value),
-                               duration_text(onset->value), sure(p_of(d, one.bound)));
+                               duration_text(onset->value), sure_of(p_of(d, one.bound)));
 }
 
 // "expansion(T_room_degC), free expansion with one temperature: 3.2 um (98 % sure)"
@@ -90,11 +73,11 @@ Paragraph effect_of(const Diagnosis& d, const BoundEffect& bound) {
     if (Paragraph jump = jump_of(d, *one); !jump.empty()) return jump;
   }
   const EffectLabel label{label_of(bound)};
-  const Message what =
-      effect_text(name_of(bound.effect->level), bound.effect->name, "summary", in_words(*bound.effect));
+  const Message what = effect_text(name_of(bound.effect->level), bound.effect->name, "summary",
+                                   within_sentence(bound.effect->explanation.summary));
   const double p = p_of(d, bound);
-  if (one == nullptr) return messages::effect_found_unsized(label, what, sure(p), Paragraph());
-  const Message how_sure = one->minor ? messages::sure_minor(percent(p)) : sure(p);
+  if (one == nullptr) return messages::effect_found_unsized(label, what, sure_of(p), Paragraph());
+  const Message how_sure = one->minor ? messages::sure_minor(percent_of(p)) : sure_of(p);
   if (!(one->amplitude_um > 0.0)) return messages::effect_found_unsized(label, what, how_sure, time_of(*one));
   const double size_um = said_um(d, one->amplitude_um);
   return messages::effect_found(label, what, size_um < one->amplitude_um ? Paragraph() : coefficient_of(*one),
@@ -117,7 +100,7 @@ Message group_of(const Diagnosis& d, const std::vector<BoundEffect>& group) {
   if (group.size() > 1) possibly = messages::group_possibly(EffectLabel{label_of(group[1])});
   if (group.size() == 3) more = messages::group_one_more();
   if (group.size() > 3) more = messages::group_more(group.size() - 2);
-  return messages::group(EffectLabel{label_of(group.front())}, percent(p_of(d, group.front())), possibly, more);
+  return messages::group(EffectLabel{label_of(group.front())}, percent_of(p_of(d, group.front())), possibly, more);
 }
 
 // "A further effect is open as well: most likely A (65 %)." Of all groups behind the first.
@@ -145,9 +128,7 @@ Paragraph slow_drift_of(const Diagnosis& d) {
   if (!d.discrepancy_parameter.empty()) time = time_message(d.discrepancy_parameter, d.discrepancy_time_s);
   if (!d.discrepancy_like.empty()) like = messages::slow_drift_like(EffectLabel{d.discrepancy_like}, time);
   const std::string size = size_text(d.discrepancy_um);
-  Paragraph text = d.target.empty() ? messages::slow_drift(size, like) : messages::slow_drift_of(size, d.target, like);
-  text += messages::log_more();
-  return text;
+  return d.target.empty() ? messages::slow_drift(size, like) : messages::slow_drift_of(size, d.target, like);
 }
 
 // One sentence for each wrong held value.
@@ -157,9 +138,10 @@ Paragraph held_values_of(const Diagnosis& d, double least) {
   const auto digits = [](double value) { return fmt::format("{:.4g}", value); };
   for (const OwnValue& own : d.own) {
     if (own.p < least) continue;
-    text += messages::held_value_wrong(model_of(d), own.parameter, EffectLabel{own.effect}, digits(own.held),
-                                       digits(own.fitted), digits(own.interval.low), digits(own.interval.high),
-                                       sure(own.p));
+    const std::string unit = own.unit == "1" ? "" : " " + own.unit;
+    text += messages::held_value_wrong(model_of(d), own.parameter, EffectLabel{own.effect}, digits(own.held) + unit,
+                                       digits(own.fitted) + unit, digits(own.interval.low), digits(own.interval.high),
+                                       sure_of(own.p));
   }
   return text;
 }
@@ -182,12 +164,9 @@ Paragraph driver_verdict(const Diagnosis& d) {
     });
     if (reads && one.in_best_set) size_um = std::max(size_um, said_um(d, one.amplitude_um));
   }
-  Paragraph columns;
-  for (const std::string& name : names)
-    columns = columns.empty() ? messages::one(name) : messages::list_last(columns, name);
-  Paragraph text = messages::driven(columns, names.size(),
+  Paragraph text = messages::driven(enumerated({names.begin(), names.end()}), names.size(),
                                     size_um > 0.0 ? messages::part_sized(size_text(size_um)) : messages::part(),
-                                    model_of(d), sure(least));
+                                    model_of(d), sure_of(least));
   text += d.equivalent.empty() ? messages::form_open(names.size())
                                : messages::form_open_likely(names.size(), group_of(d, d.equivalent.front()));
   text += further_of(d);
@@ -200,7 +179,7 @@ Paragraph likely_drivers_of(const Diagnosis& d) {
   constexpr std::size_t kMost = 2;
   std::vector<MessageValue> likely;
   for (const Driver& driver : d.drivers) {
-    if (likely.size() < kMost) likely.emplace_back(messages::column_with_p(driver.column, percent(driver.p)));
+    if (likely.size() < kMost) likely.emplace_back(messages::column_with_p(driver.column, percent_of(driver.p)));
   }
   return likely.empty() ? Paragraph() : messages::likely_drivers(likely.size(), listed(likely));
 }
@@ -214,11 +193,12 @@ Paragraph equivalent_verdict(const Diagnosis& d) {
     }
   }
   const std::vector<BoundEffect>& first = d.equivalent.front();
-  const Message how_sure = sure(1.0 - d.p_nothing);
+  const Message how_sure = sure_of(1.0 - d.p_nothing);
   Paragraph text = size_um > 0.0 ? messages::something_missing_sized(size_text(size_um), model_of(d), how_sure)
                                  : messages::something_missing(model_of(d), how_sure);
-  text += first.size() == 1 ? messages::not_certain_what(group_of(d, first))
-                            : messages::not_certain_which(first.size(), group_of(d, first));
+  text += first.size() == 1 && p_of(d, first.front()) >= kNamed ? messages::not_certain_doubt(group_of(d, first))
+          : first.size() == 1                                   ? messages::not_certain_what(group_of(d, first))
+                              : messages::not_certain_which(first.size(), group_of(d, first));
   text += further_of(d);
   text += likely_drivers_of(d);
   text += where_sentence(d);
@@ -241,27 +221,12 @@ Paragraph best_candidate_of(const Diagnosis& d) {
   double p = 0.0;
   if (!d.candidates.empty()) {
     p = d.candidates.front().p;
-    text = messages::best_not_proven(EffectLabel{d.candidates.front().label}, percent(p));
+    text = messages::best_not_proven(EffectLabel{d.candidates.front().label}, percent_of(p));
   }
   for (const OwnValue& own : d.own) {
     if (own.p <= p) continue;
     p = own.p;
-    text = messages::best_value_not_proven(own.parameter, EffectLabel{own.effect}, percent(p));
-  }
-  return text;
-}
-
-// What was not used is said first.
-Paragraph not_used_of(const Diagnosis& d) {
-  Paragraph text;
-  for (const ColumnNotSearched& one : d.columns_not_searched)
-    text += messages::not_searched(one.column, why_not_searched(one));
-  for (const Saturated& one : d.saturated) text += messages::saturated(one.column, percent(one.share));
-  if (d.set_aside == 1) text += messages::reading_set_aside();
-  if (d.set_aside > 1) text += messages::readings_set_aside(d.set_aside);
-  if (d.level_jumps > 0) {
-    text +=
-        messages::target_jumps(target_of(d, messages::the_target_first()), d.level_jumps, size_text(d.level_jump_um));
+    text = messages::best_value_not_proven(own.parameter, EffectLabel{own.effect}, percent_of(p));
   }
   return text;
 }
@@ -271,6 +236,7 @@ Paragraph unexplained_verdict(const Diagnosis& d) {
   const Paragraph drivers = likely_drivers_of(d), drifts = drifts_of(d);
   if (has_slow_drift(d)) {
     text = slow_drift_of(d);
+    text += messages::log_more();
     text += drivers;
   } else if (d.p_nothing >= kNothing && d.level_jumps == 0) {
     return messages::error_above_sigma(target_of(d, messages::the_target()));
@@ -279,7 +245,7 @@ Paragraph unexplained_verdict(const Diagnosis& d) {
   } else if (!drifts.empty() && drivers.empty()) {
     text = messages::time_alone_missing(model_of(d), drifts);
   } else {
-    text = messages::still_missing(model_of(d), percent(1.0 - d.p_nothing), size_text(d.base.rmse_um));
+    text = messages::still_missing(model_of(d), percent_of(1.0 - d.p_nothing), size_text(d.base.rmse_um));
     text += drivers.empty() ? best_candidate_of(d) : drivers;
   }
   text += where_sentence(d);
@@ -307,7 +273,7 @@ Paragraph missing_verdict(const Diagnosis& d) {
   return text;
 }
 
-Paragraph verdict_sentences(const Diagnosis& d) {
+Paragraph of_verdict(const Diagnosis& d) {
   switch (d.verdict) {
     case Verdict::named:
     case Verdict::probable:
@@ -323,7 +289,7 @@ Paragraph verdict_sentences(const Diagnosis& d) {
     case Verdict::nothing:
       break;
   }
-  Paragraph text = messages::nothing_missing(model_of(d), sure(d.p_nothing));
+  Paragraph text = messages::nothing_missing(model_of(d), sure_of(d.p_nothing));
   if (d.hidden_um > 0.0 && d.hidden.effect != nullptr) {
     const EffectLabel hidden{label_of(d.hidden)};
     text += d.hidden_um > kImitated * d.base.rmse_um
@@ -335,15 +301,46 @@ Paragraph verdict_sentences(const Diagnosis& d) {
 
 }  // namespace
 
-Paragraph sentence_of(const Diagnosis& d) {
+std::vector<Paragraph> not_used_sentences(const Diagnosis& d) {
+  std::vector<Paragraph> sentences;
+  if (!d.has_clock) sentences.emplace_back(messages::no_clock());
+  for (const ColumnNotSearched& one : d.columns_not_searched)
+    sentences.emplace_back(messages::not_searched(one.column, why_not_searched(one)));
+  for (const Saturated& one : d.saturated)
+    sentences.emplace_back(one.is_stuck ? messages::stuck(one.column, percent_of(one.share))
+                                        : messages::saturated(one.column, percent_of(one.share)));
+  if (d.set_aside == 1) sentences.emplace_back(messages::reading_set_aside());
+  if (d.set_aside > 1) sentences.emplace_back(messages::readings_set_aside(d.set_aside));
+  if (d.level_jumps > 0) {
+    sentences.emplace_back(
+        messages::target_jumps(target_of(d, messages::the_target_first()), d.level_jumps, size_text(d.level_jump_um)));
+  }
+  return sentences;
+}
+
+Paragraph verdict_sentences(const Diagnosis& d) {
   if (d.obstacle == Obstacle::still_readings) return messages::still_readings();
-  Paragraph text = not_used_of(d);
+  Paragraph text = of_verdict(d);
+  if (d.verdict == Verdict::unexplained || !has_slow_drift(d)) return text;
+  text += slow_drift_of(d);
+  text += messages::log_more();
+  return text;
+}
+
+Paragraph slow_drift_beside(const Diagnosis& d) {
+  if (!has_slow_drift(d)) return {};
+  return d.verdict == Verdict::unexplained ? messages::log_more() : slow_drift_of(d);
+}
+
+Paragraph sentence_of(const Diagnosis& d) {
+  Paragraph text;
+  for (Paragraph& sentence : not_used_sentences(d)) text += std::move(sentence);
   text += verdict_sentences(d);
-  if (d.verdict != Verdict::unexplained && has_slow_drift(d)) text += slow_drift_of(d);
   return text;
 }
 
 Paragraph why_not_searched(const ColumnNotSearched& column) {
+  if (column.is_words) return messages::column_of_words();
   return column.has_gaps ? messages::column_has_gaps() : messages::column_unread();
 }
 

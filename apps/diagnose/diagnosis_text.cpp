@@ -191,14 +191,15 @@ std::string_view details_of_diagnosis() {
   return "all candidates and probabilities, what the columns mean and what cannot be tested";
 }
 
-// The sentence tells what is set aside: saturated sensors, readings of the target far off, its jumps.
+// The sentence tells what is set aside: saturated and stuck sensors, readings of the target far off, its jumps.
 std::string unsaid_faults_text(const DiagnosisReport& diagnosis_report) {
   ResidualReport report = diagnosis_report.residual_report;
   const Diagnosis& found = diagnosis_report.diagnosis;
   std::erase_if(report.faults, [&](const ColumnFault& fault) {
-    return fault.kind == FaultKind::clipped &&
+    const bool is_stuck = fault.kind == FaultKind::stuck;
+    return (is_stuck || fault.kind == FaultKind::clipped) &&
            std::any_of(found.saturated.begin(), found.saturated.end(),
-                       [&](const Saturated& one) { return one.column == fault.column; });
+                       [&](const Saturated& one) { return one.column == fault.column && one.is_stuck == is_stuck; });
   });
   return faults_text(report, found.level_jumps > 0 ? std::vector{FaultKind::jumps} : std::vector<FaultKind>{});
 }
@@ -225,7 +226,7 @@ void print_text(const DiagnosisReport& diagnosis_report, const std::string& titl
   print_reasons(found, details);
   print_gains_by_run(found);
   if (details && found.verdict != Verdict::untestable) fmt::print("\n{}", wrapped(posterior_text(found)));
-  fmt::print("\n");
+  fmt::print("\n{}", found.candidates.empty() ? "" : "The model as it is:\n");
   print_sentences(diagnosis_report.residual_report);
   const std::string untestable = untestable_text(found);
   if (details && !untestable.empty()) fmt::print("\n{}", wrapped("Not testable here: " + untestable + "."));

@@ -15,18 +15,17 @@ struct Sighting {
 };
 
 template <>
-inline constexpr auto kResult<Sighting> =
-    ResultType{"Sighting", "What a diagnosis makes of an effect that is there.",
-               std::tuple{Field{"verdict", &Sighting::verdict, "of the diagnosis"},
-                          Field{"seen", &Sighting::sight,
-                                "named, probable, in the reported set, driver, candidate, unexplained, not seen"}}};
+inline constexpr auto kResult<Sighting> = ResultType(
+    "Sighting", "What a diagnosis makes of an effect that is there.",
+    Field{"verdict", &Sighting::verdict, "of the diagnosis"},
+    Field{"seen", &Sighting::sight, "named, probable, in the reported set, driver, candidate, unexplained, not seen"});
 
 template <>
-inline constexpr auto kResult<DetectionLimit> = ResultType{
-    "SmallestSeen", "From which amplitude on an effect is seen.",
-    std::tuple{Field{"not_seen_um", &DetectionLimit::undetected_um, "the largest that was tried and not seen"},
+inline constexpr auto kResult<DetectionLimit> =
+    ResultType("SmallestSeen", "From which amplitude on an effect is seen.",
+               Field{"not_seen_um", &DetectionLimit::undetected_um, "the largest that was tried and not seen"},
                Field{"seen_um", &DetectionLimit::detected_um, "the smallest that was seen; null: none"},
-               Field{"diagnoses", &DetectionLimit::diagnoses, "that were made"}}};
+               Field{"diagnoses", &DetectionLimit::diagnoses, "that were made"});
 
 // An effect added to data, with the diagnoses before and after.
 struct Injected {
@@ -46,22 +45,19 @@ std::string answer_text(const Injected& result);  // whole sentences
 TableOf<double> shapes_of(const Injection& injection);
 
 template <>
-inline constexpr auto kResult<Injected> = ResultType{
+inline constexpr auto kResult<Injected> = ResultType(
     "Injected", "An effect put into data, and whether it is seen.",
-    std::tuple_cat(
-        std::tuple{Field{"target", [](const Injected& of) { return of.without.target; }, "column that it is added to"}},
-        fields_through([](const Injected& of) -> const BoundEffect& { return of.injection.bound; },
-                       kResult<BoundEffect>.fields),
-        std::tuple{Field{"shapes", [](const Injected& of) { return shapes_of(of.injection); }, "of the effect"},
-                   Field{"amplitude_um", &Injected::amplitude_um, "largest less smallest of what was added"},
-                   Field{"d", &Injected::d, "of that, beside the noise of the model's residual"},
-                   Field{"detectable_um", [](const Injected& of) { return of.amplitude_of_um(kDetectable); },
-                         "amplitude of d = 5"},
-                   Field{"identifiable_um", [](const Injected& of) { return of.amplitude_of_um(kIdentifiable); },
-                         "amplitude of d = 7.5"},
-                   Field{"without", [](const Injected& of) { return of.sighting(of.without); }, "as measured"},
-                   Field{"with", [](const Injected& of) { return of.sighting(of.with); }, "with it"},
-                   Field{"answer", [](const Injected& of) { return answer_text(of); }, "what it says in plain words"},
-                   Field{"smallest", &Injected::smallest, "amplitude that is seen"}})};
+    Field{"target", in(&Injected::without, &Diagnosis::target), "column that it is added to"},
+    fields_of(in(&Injected::injection, &Injection::bound), kResult<BoundEffect>.fields),
+    Field{"shapes", in(&Injected::injection, &shapes_of), "of the effect"},
+    Field{"amplitude_um", &Injected::amplitude_um, "largest less smallest of what was added"},
+    Field{"d", &Injected::d, "of that, beside the noise of the model's residual"},
+    Field{"detectable_um", [](const Injected& of) { return of.amplitude_of_um(kDetectable); }, "amplitude of d = 5"},
+    Field{"identifiable_um", [](const Injected& of) { return of.amplitude_of_um(kIdentifiable); },
+          "amplitude of d = 7.5"},
+    Field{"without", [](const Injected& of) { return of.sighting(of.without); }, "as measured"},
+    Field{"with", [](const Injected& of) { return of.sighting(of.with); }, "with it"},
+    Field{"answer", [](const Injected& of) { return answer_text(of); }, "what it says in plain words"},
+    Field{"smallest", &Injected::smallest, "amplitude that is seen"});
 
 }  // namespace ballbar

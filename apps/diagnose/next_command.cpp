@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -26,6 +27,13 @@ std::string text_of(const std::string& label, const std::vector<std::string>& co
   const bool has_comma = std::any_of(columns.begin(), columns.end(),
                                      [](const std::string& column) { return column.find(',') != std::string::npos; });
   return has_comma ? "" : label;
+}
+
+// The effect on the columns that stand for those which measure the same quantity.
+BoundEffect on_one_of_equal(const Diagnosis& found, BoundEffect effect) {
+  for (const EqualColumns& one : found.equal_columns)
+    std::replace(effect.columns.begin(), effect.columns.end(), one.other, one.column);
+  return effect;
 }
 
 std::string typed(const std::string& effect) { return effect.empty() ? "" : shell_word(effect); }
@@ -213,7 +221,34 @@ std::string replace_command(const ModelOptions& options, const Replacement& repl
   return command.empty() ? "" : fmt::format("{} --replace {}", command, shell_word(replacement.label));
 }
 
+std::vector<std::vector<std::string>> equal_columns_in_question(const Diagnosis& found) {
+  std::vector<std::vector<std::string>> classes;
+  for (const EqualColumns& one : found.equal_columns) {
+    if (!classes.empty() && classes.back().front() == one.column)
+      classes.back().push_back(one.other);
+    else
+      classes.push_back({one.column, one.other});
+  }
+  std::erase_if(classes, [&](const std::vector<std::string>& columns) {
+    return std::none_of(found.equivalent.begin(), found.equivalent.end(), [&](const std::vector<BoundEffect>& group) {
+      std::set<std::string> read;
+      for (const BoundEffect& effect : group) read.insert(effect.columns.begin(), effect.columns.end());
+      return std::count_if(columns.begin(), columns.end(),
+                           [&](const std::string& column) { return read.contains(column); }) > 1;
+    });
+  });
+  return classes;
+}
+
 bool is_for_plan(const Diagnosis& found) {
+  const auto is_one = [&](const std::vector<BoundEffect>& group) {
+    return group.size() > 1 && std::all_of(group.begin(), group.end(), [&](const BoundEffect& effect) {
+             return on_one_of_equal(found, effect) == on_one_of_equal(found, group.front());
+           });
+  };
+  if (!found.equivalent.empty() && found.probable.empty() &&
+      std::all_of(found.equivalent.begin(), found.equivalent.end(), is_one))
+    return false;
   if (found.verdict == Verdict::unexplained && found.equivalent.empty()) return false;  // another sensor decides
   return found.verdict != Verdict::nothing && found.verdict != Verdict::untestable &&
          (found.verdict != Verdict::named || !found.equivalent.empty() || !found.probable.empty());

@@ -53,6 +53,9 @@ bool is_proposed(const Candidate& candidate);
 // Whether another run of the machine would tell more.
 bool is_for_plan(const Diagnosis& found);
 
+// Columns that measure the same quantity, of which several are in question: no run tells them apart.
+std::vector<std::vector<std::string>> equal_columns_in_question(const Diagnosis& found);
+
 // `ballbar plan` for these data; empty: the data have no name.
 std::string plan_command(const ModelOptions& options, const Diagnosis& found);
 

@@ -32,7 +32,7 @@ void run(const UndoArguments& options) {
   if (options.model.is_path()) write_bytes(name, before);
   if (options.json) {
     Undone result{name, revision, undone.change, {}};
-    if (!options.model.is_path()) result.text.value = before;
+    if (!options.model.is_path()) result.text = before;
     print_json(json_of(result));
     return;
   }

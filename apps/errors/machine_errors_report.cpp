@@ -4,8 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -51,13 +49,12 @@ void read_into(ErrorsReports& reports, const Source& source, const ErrorsOptions
   RecordingFile read = open_recording(source, known_readers(), options.circle);
   std::move(read.remarks.begin(), read.remarks.end(), std::back_inserter(reports.remarks));
   if (read.recordings.empty() && read.b5r) {
-    StoredAlone alone{file, {}, {options.tolerance_um, std::nullopt, {}, limit_checks(*read.b5r)}};
-    if (const std::optional<StoredFeature> round = stored_circularity(*read.b5r)) {
+    StoredAlone alone{results_alone_of(file, std::move(*read.b5r)), {options.tolerance_um, std::nullopt, {}, {}}};
+    alone.check.limits = limit_checks(alone.of.b5r);
+    if (const std::optional<StoredFeature> round = stored_circularity(alone.of.b5r)) {
       alone.check.circularity_um = round->value;
       alone.check.stored_in = round->parent;
     }
-    alone.stored = std::move(read.b5r->stored);
-    std::erase_if(alone.stored, [](const StoredFeature& feature) { return !feature.valid; });
     reports.results_alone.push_back(std::move(alone));
     return;
   }
@@ -74,11 +71,6 @@ void read_into(ErrorsReports& reports, const Source& source, const ErrorsOptions
   }
 }
 
-std::string number_word(std::size_t number) {
-  constexpr std::array kWords{"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"};
-  return number < kWords.size() ? kWords[number] : fmt::format("{}", number);
-}
-
 std::vector<const RankedError*> significant_of(const MachineErrors& found) {
   std::vector<const RankedError*> significant;
   for (const RankedError& one : found.ranked) {
@@ -88,14 +80,16 @@ std::vector<const RankedError*> significant_of(const MachineErrors& found) {
 }
 
 ErrorRow row_of(const ErrorsReport& report, const MachineError& error, const RankedError* ranked) {
-  ErrorRow row{error, std::nullopt, stored_value_of(report, error), same_as_stored(report, error), {}, {}, {}};
+  ErrorRow row{error, std::nullopt, stored_value_of(report, error), same_as_stored(report, error), {}, {}, {}, {}};
+  if (error.as_instrument)
+    row.as_instrument = {*error.as_instrument, ranked == nullptr ? std::nullopt : ranked->as_instrument};
   if (ranked == nullptr) return row;
   row.ranked = *ranked;
   row.stored_rank = stored_rank_of(report, *ranked);
   const std::string& effect = ranked->effect->name;
   if (report.b5r) row.stored_individual_circularity_um = stored_individual_circularity_um(*report.b5r, effect);
   const std::set<std::string>& in_the_model = report.options.in_the_model;
-  if (!in_the_model.empty()) row.in_the_model.value = in_the_model.contains(effect);
+  if (!in_the_model.empty()) row.in_the_model = in_the_model.contains(effect);
   return row;
 }
 
@@ -158,53 +152,51 @@ bool is_of(const ErrorGroup& group, const std::optional<NextMeasurement>& next) 
 }
 
 // By the measurement that would tell: what these recordings lack.
-std::string what_cannot_tell(const ErrorsReport& report, const ErrorGroup& group) {
-  if (!is_of(group, report.found.next)) return "these readings";
+Message what_cannot_tell(const ErrorsReport& report, const ErrorGroup& group) {
+  if (!is_of(group, report.found.next)) return messages::these_readings();
   double longest_rad = 0.0;
   for (const Recording& one : report.recordings) longest_rad = std::max(longest_rad, arc_rad(one));
   switch (report.found.next->measurement) {
     case Measurement::other_direction:
-      return "one direction";
+      return messages::one_direction();
     case Measurement::full_circle:
-      return fmt::format("an arc of {:.0f} deg", deg_from_rad(longest_rad));
+      return messages::an_arc(fmt::format("{:.0f}", deg_from_rad(longest_rad)));
     default:
-      return "one feed";
+      return messages::one_feed();
   }
 }
 
-Message either_of(const ErrorGroup& group, Plane plane) {
-  Message all = error_of(group.effects.front()->name, plane);
-  for (std::size_t k = 1; k < group.effects.size(); ++k)
-    all = messages::error_or(std::move(all), error_of(group.effects[k]->name, plane));
-  return all;
+// "A or B or C"
+Message either_of(std::vector<Message> all) {
+  Message text = std::move(all.front());
+  for (std::size_t k = 1; k < all.size(); ++k) text = messages::error_or(std::move(text), std::move(all[k]));
+  return text;
 }
 
-std::string names_of(const ErrorGroup& group, Plane plane) {
-  std::vector<std::string> names;
-  names.reserve(group.effects.size());
-  for (const Effect* effect : group.effects) names.push_back(plain_name(effect->name, plane));
-  return fmt::format("{}", fmt::join(names, " or "));
+Message either_of(const ErrorGroup& group, Plane plane) {
+  std::vector<Message> all;
+  all.reserve(group.effects.size());
+  for (const Effect* effect : group.effects) all.push_back(error_of(effect->name, plane));
+  return either_of(std::move(all));
 }
 
 }  // namespace
 
-std::string group_text(const ErrorsReport& report, const ErrorGroup& group) {
+Message group_sentence(const ErrorsReport& report, const ErrorGroup& group) {
   const Plane plane = report.recordings.front().plane;
-  std::vector<std::string> members;
-  const Effect* last = nullptr;
-  for (const MachineError& alone : group.alone) {
-    const std::string value =
-        fmt::format("{} {}", with_sigma(alone.value, alone.sigma, decimals_showing(2, alone.sigma, 4)), alone.unit);
-    if (alone.effect == last) {
-      members.back() += " and " + value;
-    } else {
-      members.push_back(fmt::format("{} of {}", plain_name(alone.effect->name, plane), value));
+  std::vector<Message> members;
+  for (std::size_t k = 0; k < group.alone.size();) {
+    const Effect* const effect = group.alone[k].effect;
+    std::vector<MessageValue> values;
+    for (; k < group.alone.size() && group.alone[k].effect == effect; ++k) {
+      const MachineError& alone = group.alone[k];
+      values.emplace_back(messages::amount_of_unit(
+          with_sigma(alone.value, alone.sigma, decimals_showing(2, alone.sigma, 4)), alone.unit));
     }
-    last = alone.effect;
+    const auto name = error_of(effect->name, plane, members.empty() ? FirstLetter::capital : FirstLetter::small);
+    members.push_back(messages::error_of_size(name, enumerated(values)));
   }
-  std::string text = fmt::format("{}", fmt::join(members, " or "));
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + fmt::format(": {} cannot tell.", what_cannot_tell(report, group));
+  return messages::errors_cannot_tell(either_of(std::move(members)), what_cannot_tell(report, group));
 }
 
 const RankedError* first_of(const MachineErrors& found) {
@@ -263,61 +255,68 @@ std::string verdict_of(const ErrorsReport& report) {
 
 namespace {
 
+std::string um_text(double value_um) { return fmt::format("{:.1f}", value_um); }
+
 // What the significant errors say.
-std::string significant_text(const ErrorsReport& report) {
+Paragraph significant_sentences(const ErrorsReport& report) {
   const MachineErrors& found = report.found;
   const std::vector<const RankedError*> significant = significant_of(found);
   const RankedError& most = *significant.front();
   const Plane plane = report.recordings.front().plane;
-  std::string words = with_axes(most.effect->explanation.summary, plane);
-  if (words.ends_with('.')) words.pop_back();
-  words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
-  const std::string first = fmt::format("{} ({})", plain_name(most.effect->name, plane), words);
-  std::string text = most.rank ? fmt::format("Correcting {} lowers the circularity from {:.1f} to {:.1f} um. ", first,
-                                             found.circularity_um, most.circularity_without_um)
-                               : fmt::format("The circularity is {:.1f} um. Correcting {} alone does not lower it. ",
-                                             found.circularity_um, first);
-  const std::size_t count = significant.size() + found.groups.size();
-  if (count == 1) return text + "No other error is significant.";
-  std::vector<std::string> others;
-  for (std::size_t k = 1; k < significant.size(); ++k)
-    others.push_back(plain_name(significant[k]->effect->name, plane));
-  for (const ErrorGroup& group : found.groups) others.push_back(names_of(group, plane));
-  const std::string all = count == 2 ? "both" : "all " + number_word(count);
-  if (found.circularity_without_all_um > most.circularity_without_um + kMore_um) {
-    text += fmt::format(
-        "Correcting {} significant errors leaves {:.1f} um, more than this one alone: at some angles the "
-        "readings do not follow their curves.",
-        all, found.circularity_without_all_um);
+  const Message first = error_of(most.effect->name, plane), what = summary_of(*most.effect, plane);
+  Paragraph text;
+  if (most.rank) {
+    text =
+        messages::correcting_lowers(first, what, um_text(found.circularity_um), um_text(most.circularity_without_um));
   } else {
-    text +=
-        fmt::format("Correcting {} significant errors lowers it to {:.1f} um.", all, found.circularity_without_all_um);
+    text = messages::circularity_is(um_text(found.circularity_um));
+    text += messages::correcting_alone(first, what);
   }
-  text += fmt::format(" The other{}: {}.", others.size() == 1 ? "" : "s", fmt::join(others, ", "));
+  std::vector<MessageValue> others;
+  for (std::size_t k = 1; k < significant.size(); ++k)
+    others.emplace_back(error_of(significant[k]->effect->name, plane));
+  for (const ErrorGroup& group : found.groups) others.emplace_back(either_of(group, plane));
+  if (others.empty()) {
+    text += messages::no_other_error();
+    return text;
+  }
+  const Message all = others.size() == 1 ? messages::both() : messages::all_of(others.size() + 1);
+  const std::string left = um_text(found.circularity_without_all_um);
+  text += found.circularity_without_all_um > most.circularity_without_um + kMore_um
+              ? messages::correcting_all_leaves(all, left)
+              : messages::correcting_all_lowers(all, left);
+  text += messages::other_errors(others.size(), listed(others));
   return text;
 }
 
 }  // namespace
 
-std::string conclusion(const ErrorsReport& report) {
+Paragraph conclusion(const ErrorsReport& report) {
   const MachineErrors& found = report.found;
   const bool any = !significant_of(found).empty();
-  std::string leading, following;
+  Paragraph leading, following;
   for (const ErrorGroup& group : found.groups) {
-    std::string text = group_text(report, group);
-    if (is_of(group, found.next)) text += " " + text_of(message_of(*found.next));
+    Paragraph text = group_sentence(report, group);
+    if (is_of(group, found.next)) text += message_of(*found.next);
     if (!leading.empty() || (any && group.rank != std::size_t{1})) {
-      following += " " + text;
+      following += text;
       continue;
     }
-    leading = text + " ";
-    leading += group.rank ? fmt::format("Correcting them lowers the circularity from {:.1f} to {:.1f} um. ",
-                                        found.circularity_um, group.circularity_without_um)
-                          : fmt::format("The circularity is {:.1f} um. ", found.circularity_um);
+    leading = text;
+    leading += group.rank ? messages::correcting_them_lowers(um_text(found.circularity_um),
+                                                             um_text(group.circularity_without_um))
+                          : messages::circularity_is(um_text(found.circularity_um));
   }
-  if (any) return leading + significant_text(report) + following;
-  if (!leading.empty()) return leading + "No single error of the axes is significant." + following;
-  return fmt::format("The circularity is {:.1f} um. No error of the axes is significant.", found.circularity_um);
+  if (any) {
+    leading += significant_sentences(report);
+  } else if (!leading.empty()) {
+    leading += messages::no_single_error();
+  } else {
+    leading = messages::circularity_is(um_text(found.circularity_um));
+    leading += messages::no_error_significant();
+  }
+  leading += following;
+  return leading;
 }
 
 Paragraph left_sentences(const ErrorsReport& report) {

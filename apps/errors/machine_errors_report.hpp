@@ -13,6 +13,7 @@
 #include "ballbar/message.hpp"
 #include "errors/feed_forecast.hpp"
 #include "errors/tolerance_check.hpp"
+#include "measure/recording_fits.hpp"
 
 namespace ballbar {
 
@@ -33,10 +34,9 @@ struct ErrorsReport {
   ErrorsOptions options;
 };
 
-// The valid results of a file without readings.
+// A file without readings, by the tolerance and by its limits.
 struct StoredAlone {
-  std::string file;
-  std::vector<StoredFeature> stored;
+  ResultsAlone of;
   ToleranceCheck check;
 };
 
@@ -51,7 +51,7 @@ struct ErrorsReports {
 ErrorsReports errors_reports_of(const std::vector<Source>& files, const ErrorsOptions& options);
 
 // The members of a group with the value that each would have alone, and why these readings cannot separate them.
-std::string group_text(const ErrorsReport& report, const ErrorGroup& group);
+Message group_sentence(const ErrorsReport& report, const ErrorGroup& group);
 
 // The stored values of the file for each row and effect.
 std::optional<double> stored_value_of(const ErrorsReport& report, const MachineError& error);
@@ -68,7 +68,7 @@ const RankedError* first_of(const MachineErrors& found);
 std::vector<std::string> difference_texts(const ErrorsReport& report);
 
 // Whole sentences: the most important errors, and the residual.
-std::string conclusion(const ErrorsReport& report);
+Paragraph conclusion(const ErrorsReport& report);
 Paragraph left_sentences(const ErrorsReport& report);
 
 // "named", "equivalent", "unexplained", "nothing": as the other verdicts.

@@ -254,13 +254,11 @@ void print_text(const ErrorsReports& reports, bool details) {
   }
   for (const StoredAlone& alone : reports.results_alone) {
     fmt::print("{}{}\nNo readings in this file. Results stored by the instrument software:\n\n", first ? "" : "\n",
-               alone.file);
+               alone.of.file);
     first = false;
     Table table({"stored", "value", "unit", "run or analysis"});
-    for (const StoredFeature& feature : alone.stored) {
-      table.add({one_line(feature.name), fmt::format("{:g}", feature.value),
-                 std::string(unit_of_data_type(feature.data_type)), one_line(feature.parent)});
-    }
+    for (const StoredValue& one : alone.of.stored)
+      table.add({one_line(one.name), fmt::format("{:g}", one.value), one.unit, one_line(one.of)});
     if (!details) table.shorten(kStoredRows);
     fmt::print("{}", table.text(table_width(kWidest)));
     print_tolerances(alone.check);

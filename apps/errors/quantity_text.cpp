@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <ctime>
+#include <utility>
 
 #include "ballbar/message_catalogue.hpp"
 #include "terminal/terminal_table.hpp"
@@ -35,7 +36,7 @@ std::string signed_text(double value, int decimals) {
   return text.starts_with('-') ? text : '+' + text;
 }
 
-Message error_of(std::string_view effect, Plane plane) {
+Message error_of(std::string_view effect, Plane plane, FirstLetter first) {
   std::string axis;
   if (effect.ends_with("_a") || effect.ends_with("_b")) {
     axis = name_of(plane)[effect.back() == 'a' ? 0 : 1];
@@ -43,6 +44,8 @@ Message error_of(std::string_view effect, Plane plane) {
   }
   EffectLabel label{std::string(effect), std::string(effect)};
   std::replace(label.english.begin(), label.english.end(), '_', ' ');
+  char& letter = label.english.front();
+  if (first == FirstLetter::capital) letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
   return axis.empty() ? messages::effect(std::move(label)) : messages::error_of_axis(std::move(label), axis);
 }
 
@@ -56,6 +59,22 @@ std::string with_axes(std::string_view summary, Plane plane) {
     if (alone && (text[k] == 'A' || text[k] == 'B')) text[k] = axes[text[k] == 'A' ? 0 : 1];
   }
   return text;
+}
+
+Message summary_of(const Effect& effect, Plane plane) {
+  Message text = effect_text(name_of(effect.level), effect.name, "summary",
+                             within_sentence(with_axes(effect.explanation.summary, plane)));
+  const std::string_view axes = name_of(plane);
+  text.values = {{"a", axes.substr(0, 1)}, {"b", axes.substr(1, 1)}};
+  return text;
+}
+
+std::string within_sentence(std::string sentence) {
+  const auto is_capital = [](char sign) { return std::isupper(static_cast<unsigned char>(sign)) != 0; };
+  if (sentence.ends_with('.')) sentence.pop_back();
+  if (sentence.size() > 1 && !is_capital(sentence[1]))
+    sentence[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence[0])));
+  return sentence;
 }
 
 Paragraph message_of(const NextMeasurement& next) {

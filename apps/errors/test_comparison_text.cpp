@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ballbar/internal/number_text.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "errors/quantity_text.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -15,14 +16,12 @@ namespace {
 
 std::string number_text(double value, const std::string& unit) { return fixed(value, decimals_in(unit)); }
 
-// "fell from 8.10 to 1.20 um"
-std::string change_text(double before, double after, const std::string& unit, bool with_verb) {
-  const bool turned = before * after < 0.0;
-  const std::string verb = !with_verb                           ? ""
-                           : turned                             ? "changed "
-                           : std::abs(after) < std::abs(before) ? "fell "
-                                                                : "grew ";
-  return fmt::format("{}from {} to {} {}", verb, number_text(before, unit), number_text(after, unit), unit);
+// "squareness fell from 8.10 to 1.20 um"
+Message change_of(const MessageValue& quantity, double before, double after, const std::string& unit) {
+  const std::string from = number_text(before, unit), to = number_text(after, unit);
+  if (before * after < 0.0) return messages::quantity_changed(quantity, from, to, unit);
+  return std::abs(after) < std::abs(before) ? messages::quantity_fell(quantity, from, to, unit)
+                                            : messages::quantity_grew(quantity, from, to, unit);
 }
 
 const QuantityDifference* circularity_of(const TestComparison& comparison) {
@@ -58,25 +57,23 @@ std::string head_text(const MachineTest& test) {
 
 }  // namespace
 
-std::string conclusion(const TestComparison& comparison) {
+Paragraph conclusion(const TestComparison& comparison) {
   const QuantityDifference* const round = circularity_of(comparison);
   if (comparison.judged == 0) {
-    std::string text = "Stored results have no uncertainty, so the significance of a difference is unknown.";
+    Paragraph text = messages::stored_without_sigma();
     if (round != nullptr)
-      text += fmt::format(" Circularity {}.", change_text(round->before, round->after, "um", false));
+      text += messages::circularity_from_to(number_text(round->before, "um"), number_text(round->after, "um"));
     return text;
   }
-  std::vector<std::string> parts;
-  for (const ClearChange& one : clear_changes(comparison)) {
-    parts.push_back(one.name + ' ' + change_text(one.before, one.after, one.unit, true));
-  }
-  const bool round_is_clear = round != nullptr && round->clear.value_or(false);
-  if (round_is_clear) parts.push_back("circularity " + change_text(round->before, round->after, "um", true));
-  if (!parts.empty()) return fmt::format("{}. No other significant difference.", fmt::join(parts, ", "));
-  if (round == nullptr) return "No significant difference.";
-  return fmt::format("No significant difference: circularity {} and {} um.",
-                     with_sigma(round->before, round->before_sigma, 2),
-                     with_sigma(round->after, round->after_sigma, 2));
+  std::vector<MessageValue> changes;
+  for (const ClearChange& one : clear_changes(comparison))
+    changes.emplace_back(change_of(EffectLabel{one.name}, one.before, one.after, one.unit));
+  if (round != nullptr && round->clear.value_or(false))
+    changes.emplace_back(change_of(messages::circularity(), round->before, round->after, "um"));
+  if (!changes.empty()) return messages::changed_alone(listed(changes));
+  if (round == nullptr) return messages::no_significant_difference();
+  return messages::no_significant_difference_of(with_sigma(round->before, round->before_sigma, 2),
+                                                with_sigma(round->after, round->after_sigma, 2));
 }
 
 std::vector<std::string> condition_texts(const TestComparison& comparison) {

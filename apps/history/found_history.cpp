@@ -69,14 +69,14 @@ bool are_of_one_machine(const std::vector<MachineTest>& tests) {
 }  // namespace
 
 FoundHistory found_history(TestFiles files, const std::vector<std::string>& folders, HistoryOptions how) {
-  FoundHistory found{std::move(files), {}, {}};
+  FoundHistory found{std::move(files), {}, std::nullopt};
   std::vector<MachineTest>& tests = found.files.tests;
   expect_known(how.tolerances, tests);
   name_by_folder(tests, folders);
   const bool of_one_machine = are_of_one_machine(tests);
   how.every_quantity = of_one_machine || are_stored(tests);
   found.history = history_of(tests, how);
-  if (of_one_machine) found.geometry = machine_geometry(tests);
+  if (found.history.machines.size() == 1) found.geometry = machine_geometry(tests);
   return found;
 }
 

@@ -1,6 +1,7 @@
 // The tests in folders and the history of their machines, for `history` and the page.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace ballbar {
 struct FoundHistory {
   TestFiles files;
   History history;
-  MachineGeometry geometry;  // of one machine
+  std::optional<MachineGeometry> geometry;  // of one machine
 };
 
 // With several `folders`, tests without a machine name belong to the machine of their folder. A single machine has all

@@ -165,16 +165,12 @@ void run(const HistoryArguments& options) {
   TestFiles read = read_tests(options.folders, options.strict, options.circle);
   expect_no_input(options.out, read.files);
   const FoundHistory found = found_history(std::move(read), options.folders, std::move(how));
-  const auto& [files, history, geometry] = found;
-  HistoryResult result{history, {}, files.remarks, files.skipped};
-  if (history.machines.size() == 1) result.geometry.value = geometry;
   for (const std::string& path : options.out) {
     write_bytes(path, is_page(path)            ? history_page(title_of(options.folders), found)
-                      : path.ends_with(".csv") ? test_table_csv(files.tests)
-                                               : json_of(result).dump(2) + '\n');
+                      : path.ends_with(".csv") ? test_table_csv(found.files.tests)
+                                               : json_of(found).dump(2) + '\n');
   }
-  options.json ? print_json(json_of(result))
-               : fmt::print("{}", history_text(files, history, geometry, options.details));
+  options.json ? print_json(json_of(found)) : fmt::print("{}", history_text(found, options.details));
   for (const std::string& path : options.out) wrote_line(path);
 }
 

@@ -56,15 +56,15 @@ DrawnQuantity drawn_quantity(const MachineHistory& machine, std::size_t place, b
   DrawnQuantity quantity{series.name, series.unit, tests, {}, {}, {}, {}};
   if (in_ranking) {
     quantity.name = fmt::format("{} {}", series.name, name_of(series.plane));
-    quantity.trend.value = CurveOverYears{tests.year, series.fitted, std::vector<double>(n, series.level_sigma)};
+    quantity.trend = CurveOverYears{tests.year, series.fitted, std::vector<double>(n, series.level_sigma)};
   } else if (series.trend) {
-    quantity.trend.value = trend_curve(series, outlook);
+    quantity.trend = trend_curve(series, outlook);
   }
   const std::vector<double> marks = marks_of(machine, place);
-  if (in_ranking || !marks.empty()) quantity.marks.value = marks;
+  if (in_ranking || !marks.empty()) quantity.marks = marks;
   if (outlook != nullptr) {
-    quantity.lower.value = outlook->tolerance.lower;
-    quantity.upper.value = outlook->tolerance.upper;
+    quantity.lower = outlook->tolerance.lower;
+    quantity.upper = outlook->tolerance.upper;
   }
   return quantity;
 }
@@ -139,28 +139,28 @@ DrawnTest drawn_test(const MachineTest& test) {
   return drawn;
 }
 
-FleetReport fleet_report(const std::string& title, const std::vector<std::filesystem::path>& files,
-                         const History& history, const std::vector<std::string>& remarks) {
-  FleetReport report{head_of(title, files, conclusion(history)), {ranking_heading(), {}, {}}};
+HistoryReport fleet_report(const std::string& title, const std::vector<std::filesystem::path>& files,
+                           const History& history, const std::vector<std::string>& remarks) {
+  HistoryReport report{head_of(title, files, conclusion(history)), std::nullopt, FleetPart{ranking_heading(), {}, {}}};
   for (const std::string& remark : remarks) report.head.summary.emplace_back(as_it_is(remark));
   for (const MachineHistory& machine : history.machines) {
     if (machine.need == Need::nothing) continue;
-    report.fleet.rows.push_back(ranking_row(machine));
-    if (report.fleet.machines.size() < kPictures) report.fleet.machines.push_back(drawn_machine(machine));
+    report.fleet->rows.push_back(ranking_row(machine));
+    if (report.fleet->machines.size() < kPictures) report.fleet->machines.push_back(drawn_machine(machine));
   }
   return report;
 }
 
 }  // namespace
 
-std::variant<HistoryReport, FleetReport> history_report(const std::string& title, const FoundHistory& found) {
+HistoryReport history_report(const std::string& title, const FoundHistory& found) {
   const auto& [files, history, geometry] = found;
   if (history.machines.size() != 1) return fleet_report(title, files.files, history, {});
-  HistoryReport report{head_of(title, files.files, machine_conclusion(history)), {}};
-  HistoryPart& part = report.history;
+  HistoryReport report{head_of(title, files.files, machine_conclusion(history)), HistoryPart(), std::nullopt};
+  HistoryPart& part = *report.history;
   const MachineHistory& machine = history.machines.front();
   for (std::size_t i = 0; i < machine.groups.size(); ++i) part.groups.push_back(drawn_group(machine, i));
-  const GeometryTexts texts = geometry_texts(files, geometry);
+  const GeometryTexts texts = geometry_texts(files, *geometry);
   part.geometry = texts.sentences;
   part.geometry_rows = texts.rows;
   for (const SkippedTest& test : files.skipped) part.skipped.push_back(test.sentence);
@@ -172,7 +172,7 @@ std::variant<HistoryReport, FleetReport> history_report(const std::string& title
 }
 
 std::string history_page(const std::string& title, const FoundHistory& found) {
-  return std::visit([](const auto& report) { return page_of(json_of(report), nullptr); }, history_report(title, found));
+  return page_of(json_of(history_report(title, found)), nullptr);
 }
 
 std::string ranking_page(const std::string& title, const std::vector<std::filesystem::path>& files,

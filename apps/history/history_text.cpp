@@ -319,9 +319,9 @@ std::vector<std::string> quantity_row(const MachineHistory& machine, std::size_t
   return row;
 }
 
-std::string history_text(const TestFiles& files, const History& history, const MachineGeometry& geometry, bool all) {
-  std::string text =
-      history.machines.size() == 1 ? machine_text(files, history, geometry, all) : ranking_text(history, all);
+std::string history_text(const FoundHistory& found, bool all) {
+  const auto& [files, history, geometry] = found;
+  std::string text = geometry ? machine_text(files, history, *geometry, all) : ranking_text(history, all);
   if (history.machines.size() > 1 && are_stored(files.tests)) text += stored_machines_text(files, history, all);
   if (!history.without_date.empty()) {
     text += "\nNo date, so not part of any change or trend:\n" + list_text(history.without_date);

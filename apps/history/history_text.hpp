@@ -7,12 +7,13 @@
 #include "ballbar/history/history.hpp"
 #include "ballbar/message.hpp"
 #include "errors/test_files.hpp"
+#include "history/found_history.hpp"
 
 namespace ballbar {
 
 // One machine: the conclusion, one table per group, squareness and scales. Several machines: the ranking. Then undated
 // tests and skipped files. `all`: also quantities without findings, and all machines.
-std::string history_text(const TestFiles& files, const History& history, const MachineGeometry& geometry, bool all);
+std::string history_text(const FoundHistory& found, bool all);
 
 // One machine, for the page and the text: the conclusion above the tables, and the rows of the table of a group. Its
 // columns are quantity, unit, last, change, sigmas, a year, tolerance, met; "-": no value.

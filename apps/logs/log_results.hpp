@@ -15,37 +15,28 @@
 
 namespace ballbar {
 
-// Of a column that the series has, or of one that it has not.
-template <class Type>
-constexpr auto if_taken(Type LogColumn::*member, bool taken = true) {
-  return [member, taken](const LogColumn& of) {
-    return MayLack<Type>{of.name.empty() == taken ? std::nullopt : std::optional(of.*member)};
-  };
-}
-
-template <class Value>
-MayLack<Value> if_any(const Value& value) {
-  return {value.empty() ? std::nullopt : std::optional(value)};
-}
+// Of a column that the series has.
+inline bool is_left_out(const LogColumn& of) { return of.name.empty(); }
+inline bool is_taken(const LogColumn& of) { return !is_left_out(of); }
+constexpr auto if_taken(auto get) { return where(&is_taken, get); }
 
 template <>
-inline constexpr auto kResult<LogColumn> = ResultType{
+inline constexpr auto kResult<LogColumn> = ResultType(
     "LogColumn", "A column of a log, and its interpretation.",
-    std::tuple{
-        Field{"source", &LogColumn::source, "its header in the log"},
-        Field{"found_unit", [](const LogColumn& of) { return if_any(of.found_unit); }, "as the log writes it"},
-        Field{"left_out", if_taken(&LogColumn::why, false), "why it is not in the series; then nothing else is there"},
-        Field{"name", if_taken(&LogColumn::name), "in the series"}, Field{"unit", if_taken(&LogColumn::unit), ""},
-        Field{"role", if_taken(&LogColumn::role), ""}, Field{"why", if_taken(&LogColumn::why), "what tells the role"},
-        Field{"gaps", if_taken(&LogColumn::gaps), "cells without a value"},
-        Field{"first", if_taken(&LogColumn::first), "its first values, at most five"}}};
+    Field{"source", &LogColumn::source, "its header in the log"},
+    Field{"found_unit", may_lack(&LogColumn::found_unit), "as the log writes it"},
+    Field{"left_out", where(&is_left_out, &LogColumn::why), "why it is not in the series; then nothing else is there"},
+    Field{"name", if_taken(&LogColumn::name), "in the series"}, Field{"unit", if_taken(&LogColumn::unit)},
+    Field{"role", if_taken(&LogColumn::role)}, Field{"why", if_taken(&LogColumn::why), "what tells the role"},
+    Field{"gaps", if_taken(&LogColumn::gaps), "cells without a value"},
+    Field{"first", if_taken(&LogColumn::first), "its first values, at most five"});
 
 inline std::vector<double> first_times_s(const Log& log) {
   const std::span<const double> all = log.series.time_s, first = all.first(std::min(kShownRows, all.size()));
   return {first.begin(), first.end()};
 }
 
-inline std::vector<std::string> targets(const Log& log) {
+inline std::vector<std::string> targets_of(const Log& log) {
   std::vector<std::string> names;
   for (const LogColumn& column : log.columns) {
     if (!column.name.empty() && column.role == Role::measured) names.push_back(column.name);
@@ -59,30 +50,25 @@ struct ImportedLog {
   std::vector<ColumnFault> faults;
 };
 
+constexpr auto of_log(auto... get) { return in(&ImportedLog::log, get...); }
+
 template <>
-inline constexpr auto kResult<ImportedLog> = ResultType{
-    "Imported", "The interpretation of a log.",
-    std::tuple{
-        Field{"file", &ImportedLog::file, ""},
-        Field{"shape", [](const ImportedLog& of) { return of.log.shape; }, "how the values stand"},
-        Field{"time", [](const ImportedLog& of) { return of.log.time; }, "where the time is"},
-        Field{"started", [](const ImportedLog& of) { return MayLack<std::string>{of.log.series.started}; },
-              "wall clock of time 0"},
-        Field{"rows", [](const ImportedLog& of) { return of.log.series.time_s.size(); }, "how many"},
-        Field{"first_row_line", [](const ImportedLog& of) { return of.log.first_row_line; }, ""},
-        Field{"clock", [](const ImportedLog& of) { return of.log.series.has_clock; }, "false: the rows are numbered"},
-        Field{"first_times_s", [](const ImportedLog& of) { return first_times_s(of.log); },
-              "of the first rows, at most five"},
-        Field{"sheet", [](const ImportedLog& of) { return if_any(of.log.recipe.sheet); }, "of the workbook"},
-        Field{"sheets", [](const ImportedLog& of) { return if_any(of.log.sheets); }, "of the workbook, all"},
-        Field{"columns", [](const ImportedLog& of) { return of.log.columns; }, "of the log, that of the time left out"},
-        Field{"targets", [](const ImportedLog& of) { return targets(of.log); }, "columns that are measured"},
-        Field{"unclear", [](const ImportedLog& of) { return of.log.unclear; }, "what a user should state"},
-        Field{"skipped_lines", [](const ImportedLog& of) { return of.log.skipped_lines; },
-              "numbers of the lines that are no rows of numbers"},
-        Field{"remarks", [](const ImportedLog& of) { return of.log.remarks; },
-              "what looks broken, what was mended, what was assumed"},
-        Field{"faults", &ImportedLog::faults, "of columns"}}};
+inline constexpr auto kResult<ImportedLog> = ResultType(
+    "Imported", "The interpretation of a log.", Field{"file", &ImportedLog::file},
+    Field{"shape", of_log(&Log::shape), "how the values stand"}, Field{"time", of_log(&Log::time), "where the time is"},
+    Field{"started", may_lack(of_log(&Log::series, &Series::started)), "wall clock of time 0"},
+    Field{"rows", count(of_log(&Log::series, &Series::time_s)), "how many"},
+    Field{"first_row_line", of_log(&Log::first_row_line)},
+    Field{"clock", of_log(&Log::series, &Series::has_clock), "false: the rows are numbered"},
+    Field{"first_times_s", of_log(&first_times_s), "of the first rows, at most five"},
+    Field{"sheet", may_lack(of_log(&Log::recipe, &LogRecipe::sheet)), "of the workbook"},
+    Field{"sheets", may_lack(of_log(&Log::sheets)), "of the workbook, all"},
+    Field{"columns", of_log(&Log::columns), "of the log, that of the time left out"},
+    Field{"targets", of_log(&targets_of), "columns that are measured"},
+    Field{"unclear", of_log(&Log::unclear), "what a user should state"},
+    Field{"skipped_lines", of_log(&Log::skipped_lines), "numbers of the lines that are no rows of numbers"},
+    Field{"remarks", of_log(&Log::remarks), "what looks broken, what was mended, what was assumed"},
+    Field{"faults", &ImportedLog::faults, "of columns"});
 
 struct MergedPart {
   std::string file;
@@ -92,41 +78,25 @@ struct MergedPart {
   std::optional<ZoneShift> zone;  // proposed, not applied
 };
 
-constexpr auto of_zone(double ZoneShift::*member) {
-  return [member](const MergedPart& of) {
-    return MayLack<double>{of.zone ? std::optional((*of.zone).*member) : std::nullopt};
-  };
+template <class Shift>
+std::vector<std::string> both_columns(const Shift& of) {
+  return {of.column, of.other};
 }
-
-constexpr auto of_lag(double ClockLag::*member) {
-  return [member](const MergedPart& of) {
-    return MayLack<double>{of.lag ? std::optional((*of.lag).*member) : std::nullopt};
-  };
-}
+constexpr auto of_lag(auto get) { return may_lack(in(&MergedPart::lag, get)); }
+constexpr auto of_zone(auto get) { return may_lack(in(&MergedPart::zone, get)); }
 
 template <>
-inline constexpr auto kResult<MergedPart> = ResultType{
-    "MergedPart", "A log, and how its clock was set.",
-    std::tuple{
-        Field{"file", &MergedPart::file, ""}, Field{"moved_s", &MergedPart::moved_s, "what was added to its times"},
-        Field{"by_date_s", [](const MergedPart& of) { return MayLack<double>{of.by_date_s}; }, "by the dates alone"},
-        Field{"lag_s", of_lag(&ClockLag::lag_s), "by what both logs show"},
-        Field{"lag_sigma_s", of_lag(&ClockLag::sigma_s), ""}, Field{"correlation", of_lag(&ClockLag::correlation), ""},
-        Field{"compared",
-              [](const MergedPart& of) {
-                return MayLack<std::vector<std::string>>{
-                    of.lag ? std::optional(std::vector{of.lag->column, of.lag->other}) : std::nullopt};
-              },
-              "columns of the first log and of this one"},
-        Field{"proposed_shift_s", of_zone(&ZoneShift::shift_s),
-              "by which --shift may set it, because two temperatures change together then"},
-        Field{"shift_correlation", of_zone(&ZoneShift::correlation), "of their changes with that shift"},
-        Field{"shift_compared",
-              [](const MergedPart& of) {
-                return MayLack<std::vector<std::string>>{
-                    of.zone ? std::optional(std::vector{of.zone->column, of.zone->other}) : std::nullopt};
-              },
-              "columns of the first log and of this one"}}};
+inline constexpr auto kResult<MergedPart> =
+    ResultType("MergedPart", "A log, and how its clock was set.", Field{"file", &MergedPart::file},
+               Field{"moved_s", &MergedPart::moved_s, "what was added to its times"},
+               Field{"by_date_s", may_lack(&MergedPart::by_date_s), "by the dates alone"},
+               Field{"lag_s", of_lag(&ClockLag::lag_s), "by what both logs show"},
+               Field{"lag_sigma_s", of_lag(&ClockLag::sigma_s)}, Field{"correlation", of_lag(&ClockLag::correlation)},
+               Field{"compared", of_lag(&both_columns<ClockLag>), "columns of the first log and of this one"},
+               Field{"proposed_shift_s", of_zone(&ZoneShift::shift_s),
+                     "by which --shift may set it, because two temperatures change together then"},
+               Field{"shift_correlation", of_zone(&ZoneShift::correlation), "of their changes with that shift"},
+               Field{"shift_compared", of_zone(&both_columns<ZoneShift>), "columns of the first log and of this one"});
 
 struct MergedSeries {
   Series series;
@@ -134,10 +104,9 @@ struct MergedSeries {
 };
 
 template <>
-inline constexpr auto kResult<MergedSeries> =
-    ResultType{"Merged", "Logs made one series.",
-               std::tuple{Field{"rows", [](const MergedSeries& of) { return of.series.time_s.size(); }, "how many"},
-                          Field{"columns", [](const MergedSeries& of) { return of.series.columns.size(); }, "how many"},
-                          Field{"parts", &MergedSeries::parts, "the logs"}}};
+inline constexpr auto kResult<MergedSeries> = ResultType(
+    "Merged", "Logs made one series.", Field{"rows", count(in(&MergedSeries::series, &Series::time_s)), "how many"},
+    Field{"columns", count(in(&MergedSeries::series, &Series::columns)), "how many"},
+    Field{"parts", &MergedSeries::parts, "the logs"});
 
 }  // namespace ballbar

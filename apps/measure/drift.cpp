@@ -205,7 +205,7 @@ void run(const DriftArguments& options) {
   const DriftSheet sheet = sheet_of_session(*data.session, series, options.stable_um);
   if (options.json) {
     DriftOfSession result{series, sheet, {}};
-    if (!data.session->skipped.empty()) result.skipped.value = data.session->skipped;
+    if (!data.session->skipped.empty()) result.skipped = data.session->skipped;
     print_json(json_of(result));
   } else {
     print_text(session, series, sheet, options);

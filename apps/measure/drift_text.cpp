@@ -38,17 +38,16 @@ std::string speeds_text(const std::vector<double>& speeds) {
   return fmt::format("{} speeds of {} to {} rpm", each.size(), each.front(), each.back());
 }
 
-std::string course_text(const AxisCourse& of) {
-  const Course& course = of.course;
+std::string course_text(const Course& course) {
   const auto with_unit = [](const Estimate& one, const char* unit) {
     return fmt::format("{} {}", with_sigma(one.value_um, one.sigma_um, decimals_showing(2, one.sigma_um, 4)), unit);
   };
   if (course.shape == CourseShape::none) {
     return fmt::format(
         "{}: wanders; a trend, a curve that settles or steps leave {:.2g} um, the readings scatter by {:.2g} um",
-        of.axis, course.left_um, course.noise_um);
+        course.axis, course.left_um, course.noise_um);
   }
-  std::string text = of.axis + ": ";
+  std::string text = course.axis + ": ";
   switch (course.shape) {
     case CourseShape::still:
       text += fmt::format("no trend ({})", with_unit(course.trend_um_per_h, "um/h"));
@@ -130,10 +129,10 @@ Message largest_sentence(const LargestDrift& largest) {
                                  time_text(largest.time_s));
 }
 
-std::vector<std::string> course_texts(const std::vector<AxisCourse>& courses) {
+std::vector<std::string> course_texts(const std::vector<Course>& courses) {
   std::vector<std::string> texts;
   texts.reserve(courses.size());
-  for (const AxisCourse& one : courses) texts.push_back(course_text(one));
+  for (const Course& one : courses) texts.push_back(course_text(one));
   return texts;
 }
 

@@ -23,7 +23,7 @@ std::vector<std::string> largest_texts(const std::vector<LargestDrift>& largest)
 Message largest_sentence(const LargestDrift& largest);
 
 // "OD: a trend of 2.20 ± 0.05 um/h (99 %), a step of -9.5 ± 0.4 um at 4 h 27 min; noise 0.9 um"
-std::vector<std::string> course_texts(const std::vector<AxisCourse>& courses);
+std::vector<std::string> course_texts(const std::vector<Course>& courses);
 
 // Which thermal test it is with its speeds, the temperatures, and what the record lacks: a sentence each.
 std::vector<std::string> thermal_test_texts(const ThermalTest& test);

@@ -235,8 +235,7 @@ std::string fits_text(const Fitted& fitted, const FitArguments& options) {
 
 std::string alone_text(const ResultsAlone& alone) {
   Table table({fmt::format("stored in {}", alone.file), "value", "unit", "of"});
-  for (const ValueAlone& one : values_alone(alone))
-    table.add({one.name, fmt::format("{}", one.value), one.unit, one.of});
+  for (const StoredValue& one : alone.stored) table.add({one.name, fmt::format("{}", one.value), one.unit, one.of});
   return table.text(table_width(150)) + '\n' + wrapped(alone.file + ": no readings, so there is nothing to fit.");
 }
 

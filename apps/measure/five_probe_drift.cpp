@@ -34,11 +34,10 @@ std::string heading(const DriftAxis& axis) { return fmt::format("{} {}", axis.na
 
 std::string cell(const std::optional<Estimate>& estimate) { return estimate ? with_sigma(*estimate) : "-"; }
 
-Table range_table(const TableOf<AxisRange>& ranges, const std::string& of) {
+Table range_table(const TableOf<DriftRange>& ranges, const std::string& of) {
   Table table({of, "first 60 min", "after 60 min", "last 60 min", "total", "first to last"});
-  for (const auto& [name, axis] : ranges) {
-    const DriftRange& range = axis.range;
-    table.add({fmt::format("{} {}", name, axis.unit), cell(range.first_60_min), cell(range.after_60_min),
+  for (const auto& [name, range] : ranges) {
+    table.add({fmt::format("{} {}", name, range.unit), cell(range.first_60_min), cell(range.after_60_min),
                cell(range.last_60_min), cell(range.total), cell(range.at_end)});
   }
   return table;

@@ -131,7 +131,7 @@ void add_file(Fitted& fitted, const Source& source, const CircleOptions& options
   const std::string& file = source.name();
   std::move(opened.remarks.begin(), opened.remarks.end(), std::back_inserter(fitted.remarks));
   if (opened.recordings.empty() && opened.b5r) {
-    fitted.results_alone.push_back({file, std::move(*opened.b5r)});
+    fitted.results_alone.push_back(results_alone_of(file, std::move(*opened.b5r)));
     next_of_pair = fitted.recordings.size();
     return;
   }
@@ -166,6 +166,16 @@ std::string place_of(const B5r& test, const std::string& parent) {
 
 }  // namespace
 
+ResultsAlone results_alone_of(std::string file, B5r b5r) {
+  ResultsAlone alone{std::move(file), std::move(b5r), {}};
+  for (const StoredFeature& feature : alone.b5r.stored) {
+    if (!feature.valid) continue;
+    alone.stored.push_back({place_of(alone.b5r, feature.parent), feature.name, feature.value,
+                            std::string(unit_of_data_type(feature.data_type))});
+  }
+  return alone;
+}
+
 std::vector<Compared> stored_iso(const B5r& b5r) {
   std::vector<Compared> results;
   for (const IsoNumber& one : kIsoNumbers) {
@@ -198,22 +208,29 @@ Fitted fit_files(const std::vector<Source>& files, const CircleOptions& options,
   return fitted;
 }
 
-MayLack<TableOf<double>> stored_results(const std::vector<Compared>& results) {
+TableOf<double> stored_results(const std::vector<Compared>& results) {
   TableOf<double> stored;
   for (const Compared& result : results) {
     if (result.stored) stored.emplace_back(result.key, *result.stored);
   }
-  return {stored.empty() ? std::nullopt : std::optional(stored)};
+  return stored;
 }
 
-std::vector<ValueAlone> values_alone(const ResultsAlone& alone) {
-  std::vector<ValueAlone> values;
-  for (const StoredFeature& feature : alone.b5r.stored) {
-    if (!feature.valid) continue;
-    values.push_back({place_of(alone.b5r, feature.parent), feature.name, feature.value,
-                      std::string(unit_of_data_type(feature.data_type))});
-  }
-  return values;
+KeysOf<double> keys_of(const std::vector<Compared>& results) {
+  KeysOf<double> keys;
+  for (const Compared& result : results) keys.values.emplace_back(result.key, result.ours);
+  return keys;
+}
+
+std::optional<FittedPair> only_pair(const std::vector<FittedPair>& pairs) {
+  if (pairs.size() != 1) return std::nullopt;
+  FittedPair pair = pairs.front();
+  pair.file.clear();
+  return pair;
+}
+
+std::vector<FittedPair> several_pairs(const std::vector<FittedPair>& pairs) {
+  return pairs.size() > 1 ? pairs : std::vector<FittedPair>{};
 }
 
 }  // namespace ballbar

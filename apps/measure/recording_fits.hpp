@@ -42,11 +42,21 @@ struct FittedPair {
   std::vector<std::string> remarks;
 };
 
+// A value that a `.b5r` stores.
+struct StoredValue {
+  std::string of;  // run, with its direction, or analysis
+  std::string name;
+  double value = 0.0;
+  std::string unit;
+};
+
 // A `.b5r` without readings: nothing to fit.
 struct ResultsAlone {
   std::string file;
   B5r b5r;
+  std::vector<StoredValue> stored;  // the valid ones
 };
+ResultsAlone results_alone_of(std::string file, B5r b5r);
 
 struct Fitted {
   std::vector<FittedRecording> recordings;

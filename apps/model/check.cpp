@@ -156,7 +156,7 @@ void run(const CheckArguments& options) {
     all.push_back(with_source(options.model.data.front().name(), [&] { return bench.check(); }));
   }
   if (options.json) {
-    print_json(all.size() == 1 ? json_of(all.front()) : json_of(CheckedTargets{all}));
+    print_json(all.size() == 1 ? json_of(all.front()) : json_of(Targets<ResidualReport>{all}));
   } else if (all.size() == 1) {
     print_text(all.front(), data->title, options.details);
   } else {

@@ -19,16 +19,14 @@ std::string fault_text(const ColumnFault& fault);
 std::string lines_of(const std::vector<ColumnFault>& faults);
 
 template <>
-inline constexpr auto kResult<ColumnFault> = ResultType{
-    "ColumnFault", "What looks wrong with a column.",
-    std::tuple{Field{"column", &ColumnFault::column, "empty: the time"},
-               Field{"what", [](const ColumnFault& of) { return what_text(of); }, ""},
-               Field{"kind", [](const ColumnFault& of) { return std::string(name_of(of.kind)); },
-                     "pauses, few_values, gaps, constant, stuck, far_off, clipped, jumps"},
+inline constexpr auto kResult<ColumnFault> =
+    ResultType("ColumnFault", "What looks wrong with a column.",
+               Field{"column", &ColumnFault::column, "empty: the time"}, Field{"what", &what_text},
+               Field{"kind", &ColumnFault::kind, "pauses, few_values, gaps, constant, stuck, far_off, clipped, jumps"},
                Field{"count", &ColumnFault::count, "pauses, rows or jumps"},
                Field{"value", &ColumnFault::value,
                      "at which it stands; far_off: the first; jumps: their median size; pauses: the longest, in s; "
                      "gaps: their share"},
-               Field{"at_s", &ColumnFault::at_s, "of the first; pauses: of the longest"}}};
+               Field{"at_s", &ColumnFault::at_s, "of the first; pauses: of the longest"});
 
 }  // namespace ballbar

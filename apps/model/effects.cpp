@@ -104,7 +104,7 @@ void print_list(bool details) {
 }
 
 void print_terms(bool json) {
-  if (json) return print_json(json_of(ExplainedTerms{{std::begin(kTerms), std::end(kTerms)}}));
+  if (json) return print_json(json_of(EffectPages{{}, {std::begin(kTerms), std::end(kTerms)}}));
   Table table({"term", "meaning"});
   for (const ExplainedTerm& term : kTerms) table.add({std::string(term.name), std::string(term.meaning)});
   fmt::print("{}", table.left_aligned(table_width()));
@@ -182,9 +182,9 @@ void run(const EffectsArguments& options) {
                                            in_quotes(options.name), nearest_name(options.name, names)));
   }
   if (options.json) {
-    EffectPages pages;
-    for (const Effect* effect : chosen) pages.effects.push_back(*effect);
-    print_json(json_value(pages.effects));
+    Json pages = Json::array();
+    for (const Effect* effect : chosen) pages.push_back(json_value(*effect));
+    print_json(pages);
   } else if (options.name.empty()) {
     print_list(options.details);
   } else {

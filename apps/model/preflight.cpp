@@ -133,7 +133,7 @@ void show_preflight(const ModelOptions& options, const Model& model, const Model
   }
   show_progress({});
   if (json) {
-    print_json(results.size() == 1 ? json_of(results.front()) : json_of(PreflightTargets{results}));
+    print_json(results.size() == 1 ? json_of(results.front()) : json_of(Targets<Preflight>{results}));
   } else if (results.size() == 1) {
     print_text(results.front(), data.title, details);
   } else {

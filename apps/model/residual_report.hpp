@@ -47,63 +47,47 @@ int decimals_of(double rmse_um);
 std::optional<double> floor_um(const ResidualReport& report);
 
 template <>
-inline constexpr auto kResult<Coefficient> = ResultType{
-    "Coefficient", "The coefficient of an effect of one temperature.",
-    std::tuple{Field{"effect", &Coefficient::effect, ""}, Field{"column", &Coefficient::column, ""},
-               Field{"value_um_per_K", [](const Coefficient& of) { return of.value.value_um; }, ""},
-               Field{"sigma_um_per_K", [](const Coefficient& of) { return of.value.sigma_um; }, "null: held"},
-               Field{"span_K", &Coefficient::span_K, "of the column in the fitted rows"},
-               Field{"change_um", &Coefficient::size_um, "of the effect there, largest less smallest"},
-               Field{"rising_um_per_K", value_um(&Coefficient::rising), "while the effect rises"},
-               Field{"rising_sigma_um_per_K", sigma_um(&Coefficient::rising), ""},
-               Field{"falling_um_per_K", value_um(&Coefficient::falling), "while it falls"},
-               Field{"falling_sigma_um_per_K", sigma_um(&Coefficient::falling), ""},
-               Field{"is_usual", &is_usual, "within the range of the page of the effect, or none is known"}}};
+inline constexpr auto kResult<Coefficient> = ResultType(
+    "Coefficient", "The coefficient of an effect of one temperature.", Field{"effect", &Coefficient::effect},
+    Field{"column", &Coefficient::column}, Field{"value_um_per_K", in(&Coefficient::value, &Estimate::value_um)},
+    Field{"sigma_um_per_K", in(&Coefficient::value, &Estimate::sigma_um), "null: held"},
+    Field{"span_K", &Coefficient::span_K, "of the column in the fitted rows"},
+    Field{"change_um", &Coefficient::size_um, "of the effect there, largest less smallest"},
+    estimate("rising_um_per_K", "rising_sigma_um_per_K", "while the effect rises", &Coefficient::rising),
+    estimate("falling_um_per_K", "falling_sigma_um_per_K", "while it falls", &Coefficient::falling),
+    Field{"is_usual", &is_usual, "within the range of the page of the effect, or none is known"});
+
+constexpr auto of_fit(auto... get) { return in(&ResidualReport::fit, get...); }
 
 // What `check --json` prints of one target.
-inline constexpr auto kResidualReportFigures =
-    std::tuple{Field{"target", [](const ResidualReport& of) { return of.fit.target; }, "column that is explained"},
-               Field{"target_unit", [](const ResidualReport& of) { return std::string(unit_of(of.fit.target)); },
-                     "for which um stands in the other keys; empty: the column states none"},
-               Field{"rmse_um", [](const ResidualReport& of) { return of.fit.rmse_um; }, "of the residual"},
-               Field{"floor_um", &floor_um, "the noise, which no model explains; null: not known"},
-               Field{"floor_source", [](const ResidualReport& of) { return of.fit.floor.source; },
-                     "where the noise is taken from"},
-               Field{"n", [](const ResidualReport& of) { return of.fit.residual_um.size(); }, "readings"},
-               Field{"n_effective", [](const ResidualReport& of) { return of.fit.n_effective; },
-                     "independent readings that they are worth"},
-               Field{"adequate", [](const ResidualReport& of) { return is_adequate(of.fit, of.whiteness); },
-                     "whether the model leaves noise alone"}};
-inline constexpr auto kResidualReportDetails =
-    std::tuple{Field{"where", &ResidualReport::where, "where it fails"},
-               Field{"parameters", [](const ResidualReport& of) { return of.fit.parameters; }, ""},
-               Field{"correlation", [](const ResidualReport& of) { return correlation_of(of.fit); },
-                     "of the parameters, row by row"},
-               Field{"noise", [](const ResidualReport& of) { return of.fit.noise; }, "of the residual"},
-               Field{"whiteness", &ResidualReport::whiteness, ""},
-               Field{"sentences", [](const ResidualReport& of) { return sentences(of.fit, of.where, of.whiteness); },
-                     "error against noise, where worst, what the residual is"}};
-inline constexpr auto kResidualReportEnd = std::tuple{
-    Field{"converged", [](const ResidualReport& of) { return of.fit.converged; }, "whether the fit came to an end"}};
+inline constexpr std::tuple kResidualReportFigures{
+    Field{"target", of_fit(&Fit::target), "column that is explained"},
+    Field{"target_unit", of_fit(&Fit::target, &unit_of),
+          "for which um stands in the other keys; empty: the column states none"},
+    Field{"rmse_um", of_fit(&Fit::rmse_um), "of the residual"},
+    Field{"floor_um", &floor_um, "the noise, which no model explains; null: not known"},
+    Field{"floor_source", of_fit(&Fit::floor, &Floor::source), "where the noise is taken from"},
+    Field{"n", count(of_fit(&Fit::residual_um)), "readings"},
+    Field{"n_effective", of_fit(&Fit::n_effective), "independent readings that they are worth"},
+    Field{"adequate", [](const ResidualReport& of) { return is_adequate(of.fit, of.whiteness); },
+          "whether the model leaves noise alone"}};
+inline constexpr Field kConverged{"converged", of_fit(&Fit::converged), "whether the fit came to an end"};
 
 template <>
-inline constexpr auto kResult<ResidualReport> = ResultType{
-    "Checked", "A model fitted, and where it fails.",
-    std::tuple_cat(
-        kResidualReportFigures, kResidualReportDetails, kResidualReportEnd,
-        std::tuple{Field{"n_set_aside", [](const ResidualReport& of) { return of.fit.set_aside.size(); },
-                         "readings far from their neighbours, which are not in n"},
-                   Field{"coefficients", &ResidualReport::coefficients, "um/K of each effect of one temperature"},
-                   Field{"faults", &ResidualReport::faults, "of columns, that bear on what is said"},
-                   Field{"remarks", [](const ResidualReport& of) { return of.fit.remarks; }, ""}})};
-
-struct CheckedTargets {
-  std::vector<ResidualReport> targets;
-};
+inline constexpr auto kResult<ResidualReport> = ResultType(
+    "Checked", "A model fitted, and where it fails.", kResidualReportFigures,
+    Field{"where", &ResidualReport::where, "where it fails"}, Field{"parameters", of_fit(&Fit::parameters)},
+    Field{"correlation", of_fit(&correlation_of), "of the parameters, row by row"},
+    Field{"noise", of_fit(&Fit::noise), "of the residual"}, Field{"whiteness", &ResidualReport::whiteness},
+    Field{"sentences", [](const ResidualReport& of) { return sentences(of.fit, of.where, of.whiteness); },
+          "error against noise, where worst, what the residual is"},
+    kConverged,
+    Field{"n_set_aside", count(of_fit(&Fit::set_aside)), "readings far from their neighbours, which are not in n"},
+    Field{"coefficients", &ResidualReport::coefficients, "um/K of each effect of one temperature"},
+    Field{"faults", &ResidualReport::faults, "of columns, that bear on what is said"},
+    Field{"remarks", of_fit(&Fit::remarks)});
 
 template <>
-inline constexpr auto kResult<CheckedTargets> =
-    ResultType{"CheckedTargets", "A model of several targets fitted, and where it fails.",
-               std::tuple{Field{"targets", &CheckedTargets::targets, "of several targets, each as of one"}}};
+inline constexpr std::string_view kTargetsName<ResidualReport> = "CheckedTargets";
 
 }  // namespace ballbar

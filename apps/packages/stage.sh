@@ -32,18 +32,18 @@ notices() (
 # What ballbar.html holds beside them, where it is packed.
 in_tool() { if [ -e "$folder/usr/share/ballbar/ballbar.html" ]; then cat "$source/apps/page/engine/compiled_in.txt"; fi; }
 
-# What the page inside the program holds: the notice that Apache's licence asks for, and the texts of the other two.
+# What the page inside the program holds: the licence of each, and the notice that Apache's licence asks for.
 page_notices() (
   folder=$1
-  for file in echarts/NOTICE echarts/LICENSE echarts/licenses/LICENSE-d3 zrender/LICENSE tslib/LICENSE.txt; do
+  for file in echarts/NOTICE echarts/LICENSE echarts/licenses/LICENSE-d3 zrender/LICENSE @preact/signals-core/LICENSE tslib/LICENSE.txt; do
     text=$modules/$file
     [ -f "$text" ] || { [ "${file%%/*}" = tslib ] && continue; }
-    cp "$text" "$folder/$(echo "$file" | tr '/' '-' | tr '[:upper:]' '[:lower:]' | sed 's/\.txt$//').txt"
+    cp "$text" "$folder/$(echo "${file#@}" | tr '/' '-' | tr '[:upper:]' '[:lower:]' | sed 's/\.txt$//').txt"
   done
   echo
   echo "The page of \`ballbar report\`, inside the program, holds Apache ECharts, under the Apache License, Version 2.0"
   echo "(/usr/share/common-licenses/Apache-2.0, with what it adds in notices/echarts-license.txt), with parts of D3 and"
-  echo "with ZRender and tslib, under the licences in notices/. The notice of Apache ECharts:"
+  echo "with ZRender, signals-core and tslib, under the licences in notices/. The notice of Apache ECharts:"
   echo
   sed 's/^/  /; s/ *$//' "$modules/echarts/NOTICE"
   echo
@@ -68,6 +68,10 @@ copyright_of() (
       # shellcheck disable=SC2086,SC2046  # the lists are meant to be split
       notices "$doc/notices" $(printf '%s\n' $in_program $more | sort -u)
       if [ -d "$modules/echarts" ]; then page_notices "$doc/notices"; fi
+      if [ "$package" = ballbar ] && [ -n "$more" ]; then
+        echo "ballbar.html is unpacked by xz-decompress, under the MIT licence, which is among the notices in it."
+        echo
+      fi
       ;;
     *)
       # shellcheck disable=SC2086

@@ -36,7 +36,7 @@ cmake --build "$made/engine" --target ballbar -j "$jobs"
 
 step 'The page around it'
 mkdir -p "$made/page"
-cp apps/page/package.json apps/page/package-lock.json apps/page/.npmrc apps/page/build.mjs apps/page/tool.mjs \
+cp apps/page/package.json apps/page/package-lock.json apps/page/.npmrc apps/page/build.mjs apps/page/catalogues.mjs apps/page/tool.mjs \
   apps/page/tsconfig.json "$made/page/"
 rm -rf "$made/page/src" "$made/page/engine" "$made/page/messages"
 cp -R apps/page/src apps/page/engine formats/messages "$made/page/"
@@ -50,5 +50,11 @@ while read -r package; do
   echo "=== $package"
   cat "/usr/share/doc/$package/copyright"
 done <apps/page/engine/compiled_in.txt >"$made/page/notices.txt"
+# The module is unpacked by a package that names its licence, MIT, and leaves out the text, which is the same for all.
+{
+  printf '=== xz-decompress (c) Tim Perry, Steve Sanderson\n'
+  sed -n '/^\/\*!/,/\*\//p' "$made/page/node_modules/xz-decompress/dist/package/xz-decompress.js"
+  sed '1,/^Copyright/d' "$made/page/node_modules/@preact/signals-core/LICENSE"
+} >>"$made/page/notices.txt"
 version=$(sed -n 's/^project(ballbar VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 node "$made/page/tool.mjs" "$made/page" "$made/engine/apps" sample-runs "$version" "$made/ballbar.html"

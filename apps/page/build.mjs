@@ -3,6 +3,7 @@ import { build } from "esbuild";
 import { readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { catalogue_of, page_texts } from "./catalogues.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const out = process.argv[2];
@@ -11,6 +12,11 @@ if (!out) {
   process.exit(2);
 }
 
+page_texts();
+const catalogues = {
+  name: "catalogues",
+  setup: ({ onLoad }) => onLoad({ filter: /\.toml$/ }, ({ path }) => ({ contents: JSON.stringify(catalogue_of(path)), loader: "json" })),
+};
 // ASCII only: the program may write the bytes wherever it likes.
 const common = {
   bundle: true,
@@ -18,11 +24,12 @@ const common = {
   target: "es2020",
   legalComments: "eof",
   charset: "ascii",
-  loader: { ".html": "text", ".toml": "text" },
+  loader: { ".html": "text" },
+  plugins: [catalogues],
   logLevel: "warning",
 };
-// The licences under which a page may hold the chart library and its parts, with every page.
-const notices = ["echarts/NOTICE", "echarts/LICENSE", "echarts/licenses/LICENSE-d3", "zrender/LICENSE"].map((file) =>
+// The licences under which a page may hold what it is made of, with every page.
+const notices = ["echarts/NOTICE", "echarts/LICENSE", "echarts/licenses/LICENSE-d3", "zrender/LICENSE", "@preact/signals-core/LICENSE"].map((file) =>
   readFileSync(join(here, "node_modules", file), "ascii").replaceAll("*/", "* /"),
 );
 const footer = { js: ["/*!", ...notices, "*/"].join("\n") };

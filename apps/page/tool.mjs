@@ -16,12 +16,8 @@ const text_of = (file, encoding = "utf8") => readFileSync(file, encoding);
 // Base64 in short lines: no server that states another charset, and no mail program, changes it.
 const base64 = (bytes) => bytes.toString("base64").replace(/.{900}/g, "$&\n");
 const gzipped = (bytes) => base64(gzipSync(bytes, { level: 9 }));
-// What is large, and not needed at once: src/packed.ts, which wants the size in the header.
-const lzmaed = (bytes) => {
-  const made = execFileSync("xz", ["--format=lzma", "-9e", "--stdout"], { input: bytes, maxBuffer: 1 << 28 });
-  made.writeBigUInt64LE(BigInt(Buffer.byteLength(bytes)), 5);
-  return base64(made);
-};
+// What is large, and unpacked by the worker.
+const xz = (bytes) => base64(execFileSync("xz", ["-9e", "--check=crc32", "--stdout"], { input: bytes, maxBuffer: 1 << 28 }));
 const hash = (text) => `sha256-${createHash("sha256").update(text).digest("base64")}`;
 
 // Of each sample run the files that its first use reads; "*.csv" are all of the folder.
@@ -54,11 +50,11 @@ const marks = {
   SCRIPT: boot,
   CARRIED:
     carried("page-script", gzipped(script), ` data-hash="${hash(script)}"`) +
-    carried("engine", lzmaed(readFileSync(join(engine, "engine.wasm")))) +
+    carried("engine", xz(readFileSync(join(engine, "engine.wasm")))) +
     carried("engine-worker", gzipped(worker)) +
     carried("notices", gzipped(readFileSync(join(made, "notices.txt")))) +
     carried("samples", gzipped(JSON.stringify(samples.map(({ files, ...sample }) => sample)))) +
-    carried("sample-files", lzmaed(JSON.stringify(Object.fromEntries(samples.map(({ name, files }) => [name, files]))))),
+    carried("sample-files", xz(JSON.stringify(Object.fromEntries(samples.map(({ name, files }) => [name, files]))))),
 };
 const page = text_of(new URL("src/page.html", import.meta.url)).replace(/@([A-Z_]+)@/g, (_, name) => marks[name]);
 writeFileSync(out, page, "ascii");

@@ -37,7 +37,7 @@ void print_text(const PlanReport& report, const ModelData& data, const std::stri
   const auto shown = [&](std::size_t all, std::size_t most) { return details ? all : std::min(all, most); };
   for (std::size_t k = 0; k < shown(plan.tests.size(), kTests); ++k) {
     const ExpectedTest& test = plan.tests[k];
-    tests.add({name_of(test), fmt::format("{:g}", test.hours),
+    tests.add({text_of(name_of(test)), fmt::format("{:g}", test.hours),
                fmt::format("{:.2f} ± {:.2f}", test.p_right, test.p_right_sigma), fmt::format("{:.2f}", test.p_part),
                fmt::format("{:.2f}", test.p_wrong), fmt::format("{}", test.truths)});
   }
@@ -74,8 +74,8 @@ PlanContents contents_of(const PlanReport& report, const PlanArguments& options,
   const TestPlan& plan = report.plan;
   PlanContents contents;
   contents.schedule = plan.tests.front().schedule;
-  contents.title = fmt::format("What is missing in {}: {}", target, name_of(plan.tests.front()));
-  contents.text = report.sentence;
+  contents.title = fmt::format("What is missing in {}: {}", target, text_of(name_of(plan.tests.front())));
+  contents.text = text_of(report.sentence);
   for (const ExpectedCurve& curve : plan.curves) {
     contents.curves.push_back(
         {label_of(curve), curve.p, plan.time_s, curve.um, std::vector<double>(plan.time_s.size(), plan.sigma_um)});
@@ -113,7 +113,7 @@ void run(PlanArguments options) {
   if (!options.json || progress_is_taken()) {
     options.plan.search.progress = [](std::string_view step) { show_progress(std::string(step)); };
     options.plan.simulating = [](const ExpectedTest& test, std::size_t done, std::size_t count) {
-      show_progress(fmt::format("simulating {:g} h of {}, {} of {}", test.hours, name_of(test), done, count));
+      show_progress(fmt::format("simulating {:g} h of {}, {} of {}", test.hours, text_of(name_of(test)), done, count));
     };
   }
   PlanReport report;

@@ -291,7 +291,7 @@ void predict_by_temperatures(const PredictOptions& options) {
       batch_job(options.model.data.front(), options.model.model, options.model.max_gap_s, options.anyway);
   const std::string by = fmt::format("{}, {} batches", label_of(model.settings), model.batches.size());
   PredictedTarget result;
-  result.broken.value = job.prediction.broken;
+  result.broken = job.prediction.broken;
   print_and_write(job, options, {by, {}, {}}, 0, std::move(result));
 }
 
@@ -328,9 +328,9 @@ void predict_by_effects(const PredictOptions& options) {
   const auto first_new =
       prediction.holds ? std::upper_bound(time_s.begin(), time_s.end(), model.end_s) : time_s.begin();
   PredictedTarget result;
-  result.goes_on.value = prediction.goes_on;
-  result.holds.value = prediction.holds;
-  result.drivers.value = prediction.drivers;
+  result.goes_on = prediction.goes_on;
+  result.holds = prediction.holds;
+  result.drivers = prediction.drivers;
   print_and_write(job, options,
                   {fmt::format("effects ({}), trained on {} rows", dictionary_text(model), model.rows),
                    start_text(model, prediction, job.data, from.has_value()), drivers_text(model, prediction)},

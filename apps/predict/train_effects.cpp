@@ -270,6 +270,11 @@ bool lists_batches(const std::vector<Source>& data) {
   return first == "run" || first == "file";
 }
 
+std::optional<ForecastTest> forecast_test(const EffectRegression& regression) {
+  if (!regression.forecasts) return std::nullopt;
+  return ForecastTest{*regression.forecasts, is_predicted(regression)};
+}
+
 void train_effects(const TrainOptions& options) {
   const std::optional<OpenedBatches> opened = opened_list(options);
   std::vector<Contender> contenders;
@@ -317,10 +322,7 @@ void train_effects(const TrainOptions& options) {
   if (trained.left_out && trained.left_out->worst < data.names.size())
     worst = WorstRun{data.names[trained.left_out->worst], trained.left_out->worst_um};
   if (options.json) {
-    TrainedOnEffects result{of,       std::nullopt, worst, trained.drivers, trained.named, trained.start, contenders,
-                            {choice}, faults,       said,  expectation(of)};
-    if (of.forecasts) result.forecasts = {*of.forecasts, is_predicted(of)};
-    print_json(json_of(result));
+    print_json(json_of(TrainedOnEffects{trained, worst, contenders, choice, faults, said, expectation(of)}));
   } else {
     std::vector<ScreenPart> parts{
         {fmt::format("{}\n{} from {} columns by {}; {} rows{}\n", options.title(), target, of.model.trained.size(),

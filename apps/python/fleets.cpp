@@ -14,7 +14,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/history/history.hpp"
 #include "errors/test_files.hpp"
-#include "errors/test_result.hpp"
+#include "errors/test_results.hpp"
 #include "history/history_page.hpp"
 #include "history/history_result.hpp"
 #include "history/history_text.hpp"

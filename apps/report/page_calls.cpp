@@ -5,10 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <utility>
-#include <variant>
 
 #include "ballbar/error.hpp"
-#include "errors/test_comparison_result.hpp"
+#include "errors/test_results.hpp"
 #include "history/found_history.hpp"
 #include "history/history_page.hpp"
 #include "terminal/command_line.hpp"
@@ -32,11 +31,11 @@ ReportRequest request_of(Texts words) {
   return request;
 }
 
-TestHeads tests_of(const nlohmann::json& call) {
+std::vector<TestHead> tests_of(const nlohmann::json& call) {
   const ReportRequest request = request_of(call.at("words").get<Texts>());
   TestFiles files = test_heads_below(names_of(request.model.data), request.model.circle);
-  TestHeads heads;
-  for (MachineTest& test : files.tests) heads.tests.push_back({std::move(test)});
+  std::vector<TestHead> heads;
+  for (MachineTest& test : files.tests) heads.push_back({std::move(test)});
   return heads;
 }
 
@@ -44,18 +43,17 @@ nlohmann::ordered_json history_of(const nlohmann::json& call) {
   const ReportRequest request = request_of(call.at("words").get<Texts>());
   const Texts names = names_of(request.model.data);
   const FoundHistory found = found_history(read_tests(names, false, request.model.circle), {}, {});
-  return std::visit([](const auto& report) { return json_of(report); },
-                    history_report(call.at("title").get<std::string>(), found));
+  return json_of(history_report(call.at("title").get<std::string>(), found));
 }
 
-SignalGaps gaps_of(const nlohmann::json& call) {
+std::optional<SignalGap> longest_gap_of(const nlohmann::json& call) {
   const ReportRequest request = request_of(call.at("words").get<Texts>());
-  SignalGaps longest;
+  std::optional<SignalGap> longest;
   for (const Source& source : request.model.data) {
     if (is_recording_file(source)) continue;
     const std::optional<SignalGap> one = longest_gap(open_drift_data(source), request.model.max_gap_s);
-    if (!one || (longest.gap && longest.gap->to_s - longest.gap->from_s >= one->to_s - one->from_s)) continue;
-    longest.gap = one;
+    if (!one || (longest && longest->to_s - longest->from_s >= one->to_s - one->from_s)) continue;
+    longest = one;
   }
   return longest;
 }
@@ -87,24 +85,24 @@ ReportSubject& PageCalls::subject_of(const nlohmann::json& call) {
 
 nlohmann::ordered_json PageCalls::answer(const nlohmann::json& call) {
   const auto name = call.at("call").get<std::string>();
-  if (name == "tests") return json_of(tests_of(call));
+  if (name == "tests") return {{"tests", json_value(tests_of(call))}};
   if (name == "history") return history_of(call);
   if (name == "table") return json_of(table_of(call));
-  if (name == "gaps") return json_of(gaps_of(call));
+  if (name == "gaps") return {{"gap", json_value(longest_gap_of(call))}};
   ReportSubject& subject = subject_of(call);
   if (name == "report") return json_of(subject.report(false).page);
   if (name == "fitted") return json_of(subject.fitted());
   if (name == "search") return json_of(subject.found());
-  if (name == "hold") return json_of(subject.held(call.at("settings").get<Texts>()));
+  if (name == "hold") return {{"check", json_value(subject.held(call.at("settings").get<Texts>()))}};
   if (name == "add") return json_of(subject.add(call.at("effects").get<Texts>()));
-  if (name == "with") return json_of(subject.with(call.at("effects").get<Texts>()));
+  if (name == "with") return {{"rmse_um", json_value(subject.with(call.at("effects").get<Texts>()))}};
   if (name == "change") {
     return json_of(
         subject.change({call.value("removed", Texts()), call.value("held", Texts()), call.value("freed", Texts())}));
   }
-  if (name == "choices") return json_of(subject.choices());
+  if (name == "choices") return {{"effects", json_value(subject.choices())}};
   if (name == "compare") return json_of(subject.compare(call.at("hypotheses").get<std::vector<Texts>>()));
-  if (name == "text") return json_of(subject.text_as_fitted());
+  if (name == "text") return {{"text", subject.text_as_fitted()}};
   if (name == "revise") return json_of(subject.revise(call.at("model").get<std::string>(), call.value("keep", false)));
   if (name != "take_back") throw Error(fmt::format("expected a call of a page, found {}.", name));
   subject.take_back();

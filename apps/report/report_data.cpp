@@ -33,10 +33,10 @@ namespace fs = std::filesystem;
 // Of several tests the page says each conclusion with its table.
 void add_machine_errors(Report& made, const Fitted& fitted, const StatedCircle& stated) {
   MachineErrorsPart part = machine_errors_part(fitted, stated);
-  for (const std::string& remark : part.remarks) made.page.fit.value->remarks.push_back(remark);
+  for (const std::string& remark : part.remarks) made.page.fit->remarks.push_back(remark);
   if (part.tests.empty()) return;
-  if (part.conclusions.size() == 1) made.conclude(as_it_is(part.conclusions.front()));
-  made.page.machine_errors.value = std::move(part.tests);
+  if (part.conclusions.size() == 1) made.conclude(part.conclusions.front());
+  made.page.machine_errors = std::move(part.tests);
 }
 
 // Of files without readings the page has what they store.
@@ -51,7 +51,7 @@ void add_skipped(Report& made, const std::vector<SkippedFile>& skipped) {
   for (const SkippedFile& one : skipped) {
     std::string why = one.why;
     if (why.starts_with(one.file)) why.replace(0, one.file.size(), file_name(one.file));
-    made.page.fit.value->remarks.push_back("Left out: " + why);
+    made.page.fit->remarks.push_back("Left out: " + why);
     value_of(made.page.skipped).push_back({file_name(one.file), why});
   }
   made.skipped.insert(made.skipped.end(), skipped.begin(), skipped.end());
@@ -60,13 +60,13 @@ void add_skipped(Report& made, const std::vector<SkippedFile>& skipped) {
 // Before and after: the errors of all tests, and those of a plane against each other.
 void add_test_comparisons(Report& made, const Fitted& fitted, const ReportRequest& options) {
   MachineErrorsPart part = machine_errors_part(fitted, options.model.circle);
-  for (const std::string& remark : part.remarks) made.page.fit.value->remarks.push_back(remark);
+  for (const std::string& remark : part.remarks) made.page.fit->remarks.push_back(remark);
   std::vector<std::string> without;
   std::vector<ComparedTests> compared = compared_tests_of(fitted, part.tests, names_of(options.compare), without);
-  for (const ComparedTests& one : compared) made.conclude(as_it_is(conclusion(one.comparison)));
+  for (const ComparedTests& one : compared) made.conclude(conclusion(one.comparison));
   for (const std::string& sentence : without) made.conclude(as_it_is(sentence));
-  made.page.test_comparisons.value = std::move(compared);
-  if (!part.tests.empty()) made.page.machine_errors.value = std::move(part.tests);
+  made.page.test_comparisons = std::move(compared);
+  if (!part.tests.empty()) made.page.machine_errors = std::move(part.tests);
 }
 
 // "XY: before.b5r → after.b5r"
@@ -92,7 +92,7 @@ void add_recordings(Report& made, const ReportRequest& options) {
   std::vector<Source> files = options.model.data;
   files.insert(files.end(), options.compare.begin(), options.compare.end());
   const Fitted fitted = fit_files(files, {}, Faults::skip, options.model.circle);
-  made.page.fit.value = recordings_part(fitted);
+  made.page.fit = recordings_part(fitted);
   if (options.compare.empty()) {
     add_machine_errors(made, fitted, options.model.circle);
     add_results_alone(made, fitted);
@@ -101,8 +101,8 @@ void add_recordings(Report& made, const ReportRequest& options) {
   }
   add_skipped(made, fitted.skipped);
   const std::string test_name = test_name_of(fitted);
-  if (made.page.test_comparisons.value) {
-    made.page.head.title = as_it_is(title_of(*made.page.test_comparisons.value));
+  if (made.page.test_comparisons) {
+    made.page.head.title = as_it_is(title_of(*made.page.test_comparisons));
   } else if (!test_name.empty()) {
     made.page.head.title = as_it_is(test_name);
   } else if (options.model.data.size() > 1) {
@@ -122,17 +122,17 @@ void add_session(Report& made, const SessionFiles& files, const ReportRequest& o
   std::vector<std::string> recordings;
   for (const TestFile& one : files.recordings) recordings.push_back(one.file.string());
   const Fitted fitted = fit_files({recordings.begin(), recordings.end()}, {});
-  made.page.fit.value = recordings_part(fitted, files);
+  made.page.fit = recordings_part(fitted, files);
   add_machine_errors(made, fitted, options.model.circle);
   add_results_alone(made, fitted);
   add_skipped(made, files.skipped);
   const DriftSeries drift = drift_of(session);
-  made.page.drift.value = drift;
+  made.page.drift = drift;
   for (const LargestDrift& largest : largest_drifts(drift)) made.conclude(largest_sentence(largest));
-  if (options.model.model.empty() && drift.points.size() > 1) made.page.thermal.value = sheet_of_session(files, drift);
+  if (options.model.model.empty() && drift.points.size() > 1) made.page.thermal = sheet_of_session(files, drift);
   if (files.five_probe) {
     const Series probes = open_series(*files.five_probe);
-    made.page.five_probe.value =
+    made.page.five_probe =
         five_point_of(probes, place_of(probes, options.probes, files.ball), file_name(files.five_probe->path()));
   }
   for (const Source& signals : files.signals) {
@@ -145,11 +145,11 @@ void add_series(Report& made, const Series& series, const ReportRequest& options
   made.page.head.title = as_it_is(file_name(path));
   if (is_five_probe(series) || options.probes.any()) {
     const Series with = stated(series, options.probes);
-    made.page.five_probe.value = five_point_of(with, place_of(with, options.probes), file_name(path));
-    if (options.model.model.empty()) made.page.thermal.value = sheet_of_log(*made.page.five_probe.value, with);
+    made.page.five_probe = five_point_of(with, place_of(with, options.probes), file_name(path));
+    if (options.model.model.empty()) made.page.thermal = sheet_of_log(*made.page.five_probe, with);
   } else if (options.model.model.empty() && series.has_clock) {
     const MeasuredDrift drift = measured_drift_of(series, {}, file_name(path));
-    if (!drift.axes.empty()) made.page.thermal.value = sheet_of_log(drift, series);
+    if (!drift.axes.empty()) made.page.thermal = sheet_of_log(drift, series);
   }
   made.page.head.signals.push_back(signals_part(file_name(path), series));
 }
@@ -173,14 +173,13 @@ void add_comparison(Report& made, const ReportRequest& options) {
   const ComparedDrifts both = compared_drifts_of(drifts);
   made.files.insert(made.files.end(), both.files.begin(), both.files.end());
   const Comparison comparison = compare(both.a, both.b);
-  made.page.compare.value = comparison;
+  made.page.compare = comparison;
   made.conclude(messages::one_against_other(comparison.a, comparison.b, conclusion(comparison)));
 }
 
 void add_batch(Report& made, const ReportRequest& options) {
-  made.page.batch.value =
-      batch_job(options.model.data.front(), options.model.model, options.model.max_gap_s, options.anyway);
-  const BatchJob& batch = *made.page.batch.value;
+  made.page.batch = batch_job(options.model.data.front(), options.model.model, options.model.max_gap_s, options.anyway);
+  const BatchJob& batch = *made.page.batch;
   if (options.model.model.is_path()) made.files.push_back(options.model.model.path());
   made.conclude(messages::batch_by(batch.job.target, label_of(batch.model.settings), batch.model.batches.size()));
   for (const std::string& warning : batch.job.warnings) made.conclude(as_it_is(warning));

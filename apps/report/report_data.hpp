@@ -39,8 +39,8 @@ struct Report {
 
 // Of a part that the first thing in it makes.
 template <class Part>
-Part& value_of(MayLack<Part>& part) {
-  return part.value ? *part.value : part.value.emplace();
+Part& value_of(std::optional<Part>& part) {
+  return part ? *part : part.emplace();
 }
 
 // A page is mailed: where its files lay stays at home.

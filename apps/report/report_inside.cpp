@@ -61,7 +61,7 @@ Json files_inside(const std::vector<fs::path>& files, const std::vector<std::str
   PageFiles inside_page;
   for (const fs::path& file : all) inside_page.files.push_back({inside(file), base64(read_bytes(file, kMostInside))});
   for (const std::string& word : data) inside_page.data.push_back(inside(word));
-  if (!model.empty()) inside_page.model.value = inside(model);
+  if (!model.empty()) inside_page.model = inside(model);
   return json_of(inside_page);
 }
 

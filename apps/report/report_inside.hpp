@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,22 +15,22 @@ struct PageFile {
 };
 
 template <>
-inline constexpr auto kResult<PageFile> =
-    ResultType{"CarriedFile", "A file inside a page.",
-               std::tuple{Field{"path", &PageFile::path, "below the common folder of all"},
-                          Field{"base64", &PageFile::base64, "its bytes"}}};
+inline constexpr auto kResult<PageFile> = ResultType("CarriedFile", "A file inside a page.",
+                                                     Field{"path", &PageFile::path, "below the common folder of all"},
+                                                     Field{"base64", &PageFile::base64, "its bytes"});
 
 struct PageFiles {
   std::vector<PageFile> files;
   std::vector<std::string> data;
-  MayLack<std::string> model;
+  std::optional<std::string> model;
 };
 
 template <>
-inline constexpr auto kResult<PageFiles> =
-    ResultType{"CarriedFiles", "The files that a page was made of, inside it.",
-               std::tuple{Field{"files", &PageFiles::files, ""}, Field{"data", &PageFiles::data, "the words for DATA"},
-                          Field{"model", &PageFiles::model, "where there is one"}}};
+inline constexpr auto kResult<PageFiles> = ResultType("CarriedFiles", "The files that a page was made of, inside it.",
+                                                      Field{"files", &PageFiles::files},
+                                                      Field{"data", &PageFiles::data, "the words for DATA"},
+                                                      Field{"model", may_lack(&PageFiles::model),
+                                                            "where there is one"});
 
 inline constexpr std::size_t kMostInside = std::size_t{8} << 20;  // bytes of all files: a page is mailed
 

@@ -115,14 +115,14 @@ CheckPart check_part(const ResidualReport& residual_report, const Model& model, 
                        {},
                        inputs_of(fit, data),
                        is_series ? regime_stretches(drawn) : std::vector<RegimeStretch>()};
-  if (!fit.sigma_um.empty()) series.sigma_um.value = Bulk{fit.sigma_um};
+  if (!fit.sigma_um.empty()) series.sigma_um = Bulk{fit.sigma_um};
   for (std::size_t t = 0; t < model.terms.size(); ++t)
     series.contributions.push_back({label_of(model.terms[t]), {fit.contribution_um[t]}});
   CheckPart part{residual_report, std::string(name_of(model.level)), floor_sentences(fit), std::move(series), {}, {}};
   if (!is_series) return part;
   // Between the tests as well, where a session's signals go on.
   if (fit.row.size() < data.series->time_s.size())
-    part.curve.value = {{drawn.time_s}, {predict(model, fit.parameters, *data.series).predicted_um}};
+    part.curve = {{drawn.time_s}, {predict(model, fit.parameters, *data.series).predicted_um}};
   part.steps = steps_of(fit, model, *data.series);
   return part;
 }
@@ -130,15 +130,11 @@ CheckPart check_part(const ResidualReport& residual_report, const Model& model, 
 DiagnosisPart diagnosis_part(const DiagnosisReport& diagnosis_report, const ModelData& data) {
   const Diagnosis& found = diagnosis_report.diagnosis;
   const Fit& fit = diagnosis_report.residual_report.fit;
-  DiagnosisPart part{diagnosis_report,
-                     {},
-                     drawn(found.candidates, fit, *data.series),
-                     // Noise with a long memory lets the model's parameters stand off the readings; beside what is
-                     // missing they do not.
-                     {model_parts_um(fit, {fit.residual_um}).front()},
-                     coherence_of(found)};
-  for (const EffectProbability& one : found.effects) part.effects.push_back({one});
-  return part;
+  // Noise with a long memory lets the model's parameters stand off the readings; beside what is missing they do not.
+  return {diagnosis_report,
+          drawn(found.candidates, fit, *data.series),
+          {model_parts_um(fit, {fit.residual_um}).front()},
+          coherence_of(found)};
 }
 
 }  // namespace ballbar

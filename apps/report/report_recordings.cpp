@@ -39,7 +39,7 @@ Trace trace_of_length(const FittedRecording& fitted) {
   std::vector<double> residual = deviation;
   for (double& value : residual) value -= mean_um;
   Trace trace{{}, {deviation}, {residual}, {std::vector<double>(residual.size(), mean_um)}, {}, {}};
-  if (!fitted.recording.time_s.empty()) trace.time_s.value = Bulk{fitted.recording.time_s};
+  if (!fitted.recording.time_s.empty()) trace.time_s = Bulk{fitted.recording.time_s};
   return trace;
 }
 
@@ -79,9 +79,9 @@ FitPart part(const Fitted& fitted, const SessionFiles* session) {
     part.results.push_back({"ISO 230-4, " + file, pair.results});
     for (const std::string& remark : pair.remarks) part.remarks.push_back(fmt::format("{}: {}", file, remark));
   }
-  if (!fitted.results_alone.empty()) part.stored_alone.value = fitted.results_alone;
-  if (part.stored_alone.value) {
-    for (ResultsAlone& alone : *part.stored_alone.value) alone.file = file_name(alone.file);
+  if (!fitted.results_alone.empty()) part.stored_alone = fitted.results_alone;
+  if (part.stored_alone) {
+    for (ResultsAlone& alone : *part.stored_alone) alone.file = file_name(alone.file);
   }
   part.iso230_4 = fitted.pairs;
   return part;

@@ -59,6 +59,11 @@ Bulk sigmas_of(const DriftAxis& axis) {
   return sigmas;
 }
 
+std::optional<Bulk> measured_of(const PredictedJob& job) {
+  const Column* const measured = find_column(job.data, job.target);
+  return measured == nullptr ? std::nullopt : std::optional(Bulk{measured->values});
+}
+
 SignalsPart signals_part(const std::string& source, const Series& series) {
   const bool thinned = series.time_s.size() > kMostRows;
   const std::vector<std::size_t> rows = thinned ? outline_rows(series) : std::vector<std::size_t>();
@@ -66,8 +71,8 @@ SignalsPart signals_part(const std::string& source, const Series& series) {
   SignalsPart part{source, drawn(series.time_s), {}, {}, {}};
   for (const Column& column : series.columns)
     part.columns.push_back({column.name, column.role, std::string(unit_of(column.name)), drawn(column.values)});
-  if (thinned) part.rows.value = series.time_s.size();
-  part.started.value = series.started;
+  if (thinned) part.rows = series.time_s.size();
+  part.started = series.started;
   return part;
 }
 

@@ -26,7 +26,7 @@ void overlay_effects(ModelPart& made, const Fit& fit, const Model& model, const 
   if (model.level != Level::recording) return;
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
     if (model.terms[t].effect->rules.is_base) continue;  // drawn as itself
-    overlay(*made.fit.value, label_of(model.terms[t]), fit.contribution_um[t], fit, data);
+    overlay(*made.fit, label_of(model.terms[t]), fit.contribution_um[t], fit, data);
   }
 }
 
@@ -36,7 +36,7 @@ void overlay_candidates(ModelPart& made, const DiagnosisReport& found, const Mod
     if (!candidate.in_best_set) continue;
     const std::vector<double> curve = curve_of(candidate, found.residual_report.fit, *data.series);
     if (curve.empty()) continue;
-    overlay(*made.fit.value, "candidate " + label_of(candidate.bound), curve, found.residual_report.fit, *data.series);
+    overlay(*made.fit, "candidate " + label_of(candidate.bound), curve, found.residual_report.fit, *data.series);
   }
 }
 
@@ -157,7 +157,7 @@ void ReportSubject::add_model(ModelPart& made, Parts parts) {
   const auto rows = read_ledger(
       models_.size() == 1 && models_.front() ? models_.front()->text() : request_.model.model.bytes(kLargestText),
       request_.model.model.name(), request_.model.catalogue);
-  if (!rows.empty()) made.ledger.value = ledger_of(rows);
+  if (!rows.empty()) made.ledger = ledger_of(rows);
 }
 
 std::vector<fs::path> ReportSubject::files() const {
@@ -180,7 +180,7 @@ Report ReportSubject::report(bool search) {
   ModelPart& model = made.page.model = of_model(search ? Parts::all : Parts::fitted);
   made.page.head.files = model.files;
   made.page.head.summary = model.summary;
-  if (model.fit.value) made.page.fit = std::move(model.fit);
+  if (model.fit) made.page.fit = std::move(model.fit);
   made.files = files();
   return made;
 }
@@ -193,11 +193,11 @@ ModelPart ReportSubject::fitted() {
 ModelPart ReportSubject::found() {
   only_one();
   ModelPart part = of_model(Parts::all);
-  part.check.value.reset();
+  part.check.reset();
   return part;
 }
 
-HeldPart ReportSubject::held(const std::vector<std::string>& settings) {
+Targets<CheckPart> ReportSubject::held(const std::vector<std::string>& settings) {
   Workbench& bench = only_one().bench();
   const Model model = with_held_values(bench.model(), settings);
   const ResidualReport checked = residual_report_of(model, bench.data(), 0, {});
@@ -213,10 +213,10 @@ ModelPart ReportSubject::add(const std::vector<std::string>& effects) {
 
 void ReportSubject::take_back() { only_one().take_back(); }
 
-WithPart ReportSubject::with(const std::vector<std::string>& effects) {
+double ReportSubject::with(const std::vector<std::string>& effects) {
   RevisedModel& model = only_one();
   for (const std::string& effect : effects) expect_known_effect(effect);
-  return {model.bench().rmse_um_with(terms_of(effects, model.model(), *data_.for_model))};
+  return model.bench().rmse_um_with(terms_of(effects, model.model(), *data_.for_model));
 }
 
 ModelPart ReportSubject::change(const HandChange& change) {
@@ -248,18 +248,20 @@ RevisedPart ReportSubject::revise(const std::string& file, bool keep) {
   return part;
 }
 
-EffectChoices ReportSubject::choices() {
+std::vector<EffectChoice> ReportSubject::choices() {
   const Model& model = only_one().model();
   const ModelData& data = *data_.for_model;
-  EffectChoices all;
+  std::vector<EffectChoice> all;
   for (const auto& effect : request_.model.catalogue) {
     if (effect->level != model.level || effect->rules.is_base) continue;
     if (data.motion && !applies_to(*effect, *data.motion)) continue;
-    EffectChoice one{effect->name, choices_of(*effect, model, *data.series)};
-    if (model.level == Level::recording) {  // columns bind by themselves
-      for (BoundEffect& bound : one.choices) bound.columns.clear();
+    EffectChoice one{effect->name, {}, {}};
+    for (BoundEffect& bound : choices_of(*effect, model, *data.series)) {
+      if (model.level == Level::recording) bound.columns.clear();  // they bind by themselves
+      one.labels.push_back(label_of(bound));
+      one.columns.push_back(std::move(bound.columns));
     }
-    all.effects.push_back(std::move(one));
+    all.push_back(std::move(one));
   }
   return all;
 }
@@ -291,6 +293,6 @@ Hypotheses ReportSubject::compare(const std::vector<std::vector<std::string>>& h
   return both;
 }
 
-ModelText ReportSubject::text_as_fitted() { return {only_one().text_as_fitted()}; }
+std::string ReportSubject::text_as_fitted() { return only_one().text_as_fitted(); }
 
 }  // namespace ballbar

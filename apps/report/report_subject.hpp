@@ -27,18 +27,18 @@ class ReportSubject {
   Report report(bool search);
 
   // Parts of a report, by its keys. Each throws Error if there is not exactly one target.
-  ModelPart fitted();                                       // the fit
-  ModelPart found();                                        // the diagnosis
-  HeldPart held(const std::vector<std::string>& settings);  // the fit with these values, as --set has them
-  ModelPart add(const std::vector<std::string>& effects);   // the fit with them; the file does not change
-  WithPart with(const std::vector<std::string>& effects);   // the RMSE after add()
-  ModelPart change(const HandChange& change);               // the fit after it; the file does not change
+  ModelPart fitted();                                                 // the fit
+  ModelPart found();                                                  // the diagnosis
+  Targets<CheckPart> held(const std::vector<std::string>& settings);  // the fit with these values, as --set has them
+  ModelPart add(const std::vector<std::string>& effects);             // the fit with them; the file does not change
+  double with(const std::vector<std::string>& effects);               // the RMSE after add()
+  ModelPart change(const HandChange& change);                         // the fit after it; the file does not change
   // Writes the result of add() or change() to the file. Reverts an addition that the data do not support, unless keep.
   RevisedPart revise(const std::string& file, bool keep);
   void take_back();                                                             // reverts add() or change()
-  EffectChoices choices();                                                      // effects that can be added
+  std::vector<EffectChoice> choices();                                          // effects that can be added
   Hypotheses compare(const std::vector<std::vector<std::string>>& hypotheses);  // effects of each; the model stays
-  ModelText text_as_fitted();                                                   // of the model's file
+  std::string text_as_fitted();                                                 // of the model's file
 
   // Whether the request is for the same data with the same recipe, and no file has changed since.
   bool is_of(const ReportRequest& request) const;

@@ -19,15 +19,14 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/results/schema.hpp"
+#include "ballbar/formats/results/result_type.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "compensate/compensation_results.hpp"
 #include "diagnose/diagnosis_result.hpp"
 #include "diagnose/inject_result.hpp"
 #include "diagnose/revision_results.hpp"
 #include "errors/machine_errors_result.hpp"
-#include "errors/test_comparison_result.hpp"
-#include "errors/test_result.hpp"
+#include "errors/test_results.hpp"
 #include "history/history_page.hpp"
 #include "history/history_result.hpp"
 #include "logs/log_results.hpp"
@@ -63,7 +62,7 @@ std::vector<PythonClass> python_classes() {
           {"History", "history", {"History"}},
           {"Imported", "import_log", {"Imported", "Merged"}},
           {"Simulated", "simulate", {"Simulated", "SimulatedFleet", "BlindMade", "BlindScore"}},
-          {"Effects", "effects", {"Effects", "Effect", "ExplainedTerms"}},
+          {"Effects", "effects", {"Effects", "Effect"}},
           {"Preflight", "could", {"Preflight", "PreflightTargets", "Injected"}},
           {"Checked", "Model.fit", {"Checked"}},
           {"Diagnosis", "Fit.diagnose", {"Diagnosed"}, "Checked"},
@@ -108,14 +107,13 @@ std::string with_tables(std::string page, const std::vector<ResultSchema>& schem
 }
 
 std::vector<ResultSchema> all_schemas() {
-  return schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsReports, PosteriorSoFar, CheckedTargets,
-                    PreflightTargets, EffectPages, ExplainedTerms, PlanReport, EffectTest, Added, Ledger, Undone,
-                    Injected, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, TestComparison, TestHeads,
-                    HistoryResult, History, ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet,
-                    TrainedOnTemperatures, TrainedOnEffects, TrainedForJob, Series, PredictedTarget, ReplayResult,
-                    WrittenResult, MadeSets, ScoredSets, MeanPointsResult, ShaftPart, PageReport, ModelPart, HeldPart,
-                    WithPart, RevisedPart, EffectChoices, Hypotheses, ModelText, HistoryReport, FleetReport,
-                    TestsReport, SignalGaps, PageFiles>();
+  return schemas_of<
+      DiagnosisReport, Targets<std::variant<DiagnosisReport, NotDiagnosed>>, ErrorsOfOne, ErrorsReports, ProbableSoFar,
+      Targets<ResidualReport>, Targets<Preflight>, EffectPages, PlanReport, EffectTest, Added, Ledger, Undone, Injected,
+      Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, TestComparison, TestHead, FoundHistory, History,
+      ImportedLog, MergedSeries, SimulatedRun, SimulatedFleet, TrainedOnTemperatures, TrainedOnEffects, TrainedForJob,
+      Series, PredictedTarget, ReplayResult, WrittenResult, MadeSets, ScoredSets, MeanPointsResult, ShaftPart,
+      PageReport, ModelPart, RevisedPart, EffectChoice, Hypotheses, HistoryReport, TestsReport, SignalGap, PageFiles>();
 }
 
 int run_readmes(const std::filesystem::path& folder, bool update) {

@@ -10,6 +10,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/profile_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "ballbar/temperature/temperature.hpp"
 #include "shaft_picture/shaft_result.hpp"
 #include "terminal/caller.hpp"
@@ -30,54 +31,41 @@ std::string elongation_text(const ShaftState& state) {
 }
 
 // Of the first state whose scale ends too early; empty where there is none.
-std::string saturation(const std::vector<ShaftState>& states) {
+Paragraph saturation(const std::vector<ShaftState>& states) {
   for (const ShaftState& state : states) {
     if (!state.from || !(state.from->image.saturated_cold || state.from->image.saturated_hot)) continue;
     const TemperatureImage& image = state.from->image;
     const auto share = [&](std::size_t pixels) {
       return fixed(100.0 * static_cast<double>(pixels) / static_cast<double>(image.used), 1);
     };
-    const std::string in = states.size() > 1 ? fmt::format(" in {}", shortened(state.name, 40)) : "";
-    if (image.saturated_cold && image.saturated_hot) {
-      return fmt::format(
-          " {} % of the pixels{} crowd at the cold end of the scale and {} % at its hot end, and may be colder and "
-          "hotter than it reaches: the mean has no bound and the place may be another, so there is no sigma.",
-          share(image.at_cold_end), in, share(image.at_hot_end));
-    }
-    const bool hot = image.saturated_hot;
-    return fmt::format(
-        " {} % of the pixels{} crowd at the {} end of the scale and may be {} than it reaches: the mean is only {} "
-        "bound and the place may be another, so there is no sigma.",
-        share(hot ? image.at_hot_end : image.at_cold_end), in, hot ? "hot" : "cold", hot ? "hotter" : "colder",
-        hot ? "a lower" : "an upper");
+    Paragraph in;
+    if (states.size() > 1) in = messages::mean_point_in(shortened(state.name, 40));
+    if (!image.saturated_hot) return messages::mean_point_cold_end(share(image.at_cold_end), in);
+    if (!image.saturated_cold) return messages::mean_point_hot_end(share(image.at_hot_end), in);
+    return messages::mean_point_both_ends(share(image.at_cold_end), in, share(image.at_hot_end));
   }
-  return "";
+  return {};
 }
 
-std::string conclusion(const ShaftPictureArguments& options, const std::vector<ShaftState>& states,
-                       const std::optional<BestPoint>& best) {
+Paragraph conclusion(const ShaftPictureArguments& options, const std::vector<ShaftState>& states,
+                     const std::optional<BestPoint>& best) {
+  Paragraph text;
   if (best) {
     double largest = 0.0;
     for (const double error : best->error_um) largest = std::max(largest, std::abs(error));
-    return fmt::format(
-        "One sensor for all {} states belongs at x = {} mm: what it reads tells the axial elongation to {} um (root "
-        "mean square over the states, at most {} um); each mm that it is off adds up to {} um.{}",
-        states.size(), fixed(best->x_mm, 2), fixed(best->rms_um, 2), fixed(largest, 2),
-        fixed(best->misplaced_um_per_mm, 3), saturation(states));
+    text = messages::mean_point_of_all(states.size(), fixed(best->x_mm, 2), fixed(best->rms_um, 2), fixed(largest, 2),
+                                       fixed(best->misplaced_um_per_mm, 3));
+    text += saturation(states);
+    return text;
   }
   const ShaftState& state = states.front();
-  std::string text =
-      fmt::format("The sensor belongs at x = {} mm: there the temperature is the mean of the whole length, {} degC.",
-                  value_text(state.places.front().point.x_mm, state.places.front().sigma_mm, 2),
-                  value_text(state.mean_degC, state.sigma_mean_degC, 2));
-  if (options.of.start_degC) {
-    text +=
-        fmt::format(" Since {:g} degC the axial elongation is {} um.", *options.of.start_degC, elongation_text(state));
-  }
-  if (state.places.size() > 1) {
-    text += fmt::format(" There are {} such places; this one forgives a misplaced sensor most.", state.places.size());
-  }
-  return text + saturation(states);
+  text = messages::mean_point_of_one(value_text(state.places.front().point.x_mm, state.places.front().sigma_mm, 2),
+                                     value_text(state.mean_degC, state.sigma_mean_degC, 2));
+  if (options.of.start_degC)
+    text += messages::mean_point_elongation(fmt::format("{:g}", *options.of.start_degC), elongation_text(state));
+  if (state.places.size() > 1) text += messages::mean_point_places(state.places.size());
+  text += saturation(states);
+  return text;
 }
 
 void print_points(const ShaftState& state) {
@@ -222,8 +210,8 @@ void show_shaft_picture(const ShaftPictureArguments& options) {
   if (!options.out.empty()) write_bytes(options.out, write_profiles(profiles));
   if (!options.plot.empty()) plot_shaft(states, best, conclusion(options, states, best), options.plot);
   if (options.json) {
-    print_json(json_of(MeanPointsResult{
-        conclusion(options, states, best), options.of.expansion_ppm_per_K, options.of.start_degC, {best}, states}));
+    print_json(json_of(MeanPointsResult{conclusion(options, states, best), options.of.expansion_ppm_per_K,
+                                        options.of.start_degC, best, states}));
   } else {
     print_text(options, states, best);
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/message.hpp"
 #include "ballbar/temperature/temperature.hpp"
 
 namespace ballbar {
@@ -72,11 +73,11 @@ void expect_shaft_plot(const std::string& path);
 // scale's span over the height of the region) and lines at the mean-value points. Throws Error: no node, several
 // pictures or a table for a .png, the file cannot be written.
 void plot_shaft(const std::vector<ShaftState>& states, const std::optional<BestPoint>& best,
-                const std::string& conclusion, const std::string& path);
+                const Paragraph& conclusion, const std::string& path);
 
 // The data of the .svg, a part of a report, and the picture of the .png.
 nlohmann::ordered_json mean_point_part(const std::vector<ShaftState>& states, const std::optional<BestPoint>& best,
-                                       const std::string& conclusion);
+                                       const Paragraph& conclusion);
 Picture marked_picture(const ShaftState& state);
 
 }  // namespace ballbar

@@ -114,10 +114,9 @@ void expect_shaft_plot(const std::string& path) {
 }
 
 nlohmann::ordered_json mean_point_part(const std::vector<ShaftState>& states, const std::optional<BestPoint>& best,
-                                       const std::string& conclusion) {
-  ShaftPart part{conclusion, {}, {}};
+                                       const Paragraph& conclusion) {
+  ShaftPart part{conclusion, best, {}};
   for (const ShaftState& state : states) part.states.push_back({state});
-  if (best) part.best.value = {*best};
   return json_of(part);
 }
 
@@ -131,10 +130,10 @@ Picture marked_picture(const ShaftState& state) {
 }
 
 void plot_shaft(const std::vector<ShaftState>& states, const std::optional<BestPoint>& best,
-                const std::string& conclusion, const std::string& path) {
+                const Paragraph& conclusion, const std::string& path) {
   expect_shaft_plot(path);
   if (ending_of(path) == ".svg") {
-    write_bytes(path, plot_of({{"mean_point", mean_point_part(states, best, conclusion)}}, conclusion));
+    write_bytes(path, plot_of({{"mean_point", mean_point_part(states, best, conclusion)}}, text_of(conclusion)));
     return;
   }
   if (states.size() != 1 || !states.front().from) {

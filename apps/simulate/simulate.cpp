@@ -74,7 +74,7 @@ SimulatedRun result_of(const VirtualMachine& machine, const SimulatedSession& si
                        const std::vector<SimulatedFile>& files, const SimulateArguments& options,
                        const fs::path& truth) {
   SimulatedRun result{std::string(method_name(machine)), {}, {}, machine.seed, options.out, {}, truth.string()};
-  (machine.series ? result.rows : result.tests).value =
+  (machine.series ? result.rows : result.tests) =
       machine.series ? simulated.series.time_s.size() : machine.test_s.size();
   for (const SimulatedFile& file : files) result.files.push_back(file.name);
   return result;

@@ -149,7 +149,7 @@ void add_table_options(CLI::App& command, const Recipe& recipe) {
   add(command, recipe, "--header-line", "line that holds the names of the columns, from 1", "LINE",
       [](LogRecipe& to, const std::string& line) { to.header_line = std::stoul(line); })
       ->check(CLI::Range(1, 1000000).description(""));
-  add_repeated(command, recipe, "--missing", "text that marks a missing value", "TEXT",
+  add_repeated(command, recipe, "--missing", "text or number that marks a missing value", "TEXT",
                [](LogRecipe& to, const std::string& text) { to.missing.push_back(text); });
   add_flag(command, recipe, "--skip-bad-rows", "skip any number of rows without numbers", &LogRecipe::skip_bad_rows);
   add_repeated(command, recipe, "--join", "add the columns of another file, row by row", "FILE",

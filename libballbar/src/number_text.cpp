@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/message_catalogue.hpp"
+
 namespace ballbar {
 
 std::string duration_text(double duration_s) {
@@ -29,13 +31,15 @@ std::string grouped_text(double value) {
   return digits;
 }
 
-std::string percent_text(double p) {
-  if (p >= 0.995) return "over 99 %";
-  if (p < 0.005) return "under 1 %";
-  return fmt::format("{:.0f} %", 100.0 * p);
+std::string percent_text(double p) { return text_of(percent_of(p)); }
+
+Message percent_of(double p) {
+  if (p >= 0.995) return messages::percent_over();
+  if (p < 0.005) return messages::percent_under();
+  return messages::percent(fmt::format("{:.0f}", 100.0 * p));
 }
 
-std::string sure_text(double p) { return percent_text(p) + " sure"; }
+Message sure_of(double p) { return messages::sure(percent_of(p)); }
 
 std::string p_text(double p) {
   constexpr double kLeast = 1e-6;

@@ -39,9 +39,9 @@ void history_of_folder(benchmark::State& state) {
   ballbar::HistoryOptions how;
   how.every_quantity = true;
   for (auto _ : state) {
-    const ballbar::TestFiles tests = ballbar::read_tests({folder.path.string()}, true);
-    benchmark::DoNotOptimize(ballbar::history_text(tests, ballbar::history_of(tests.tests, how),
-                                                   ballbar::machine_geometry(tests.tests), false));
+    const ballbar::FoundHistory found =
+        ballbar::found_history(ballbar::read_tests({folder.path.string()}, true), {folder.path.string()}, how);
+    benchmark::DoNotOptimize(ballbar::history_text(found, false));
   }
   state.SetItemsProcessed(state.iterations() * files);
 }

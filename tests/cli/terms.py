@@ -51,12 +51,12 @@ for name, text in outputs:
     text = "\n".join(line for line in text.split("\n") if not re.match(r'\s*("|[a-z_]+ = |#)', line))
     for word in words_in(text):
         printed.setdefault(word, f"section {name}")
-for page in sorted((source / "apps/page/src").rglob("*.ts")):
+for page in [*sorted((source / "apps/page/src").rglob("*.ts")), source / "apps/page/src/texts/en.toml"]:
     for line in page.read_text(encoding="utf-8").split("\n"):
         spoken = " ".join(one for one in re.findall(r'"(?:[^"\\]|\\.)*"|`[^`]*`', line) if " " in one)
-        if line.lstrip().startswith(("//", "import")):
+        if line.lstrip().startswith(("//", "import", "#")):
             continue
-        for word in words_in(re.sub(r"\$\{[^}]*\}", "", spoken)):
+        for word in words_in(re.sub(r"\$?\{[^}]*\}", "", spoken)):
             printed.setdefault(word, str(page.relative_to(source)))
 
 page = subprocess.run([program, "effects", "--terms"], stdout=subprocess.PIPE, text=True, check=True).stdout

@@ -40,12 +40,12 @@ TEST(NumberText, a_small_p) {
 }
 
 TEST(NumberText, how_sure) {
-  EXPECT_EQ(sure_text(1.0), "over 99 % sure");
-  EXPECT_EQ(sure_text(0.98), "98 % sure");
-  EXPECT_EQ(sure_text(0.83), "83 % sure");
-  EXPECT_EQ(sure_text(0.51), "51 % sure");
-  EXPECT_EQ(sure_text(0.2), "20 % sure");
-  EXPECT_EQ(sure_text(0.001), "under 1 % sure");
+  EXPECT_EQ(text_of(sure_of(1.0)), "over 99 % sure");
+  EXPECT_EQ(text_of(sure_of(0.98)), "98 % sure");
+  EXPECT_EQ(text_of(sure_of(0.83)), "83 % sure");
+  EXPECT_EQ(text_of(sure_of(0.51)), "51 % sure");
+  EXPECT_EQ(text_of(sure_of(0.2)), "20 % sure");
+  EXPECT_EQ(text_of(sure_of(0.001)), "under 1 % sure");
 }
 
 TEST(NumberText, decimals_that_show_so_many_digits) {

@@ -124,6 +124,43 @@ test("the verdict stays when the language changes, and comes back with it", asyn
   await close();
 });
 
+test("of two targets the one that is chosen is searched, drawn and chosen still in another language", async () => {
+  const random = noise(5);
+  const motor = (k) => 30 + 4 * Math.sin(k / 55 + 2);
+  const row = (k) => [60 * k, bearing(k), motor(k), 0.5 * (bearing(k) - 20) + 0.3 * random(), 0.4 * (motor(k) - 30) + 0.1 * random()];
+  const { page, wrong, close } = await live();
+  await drop(page, { "two.csv": table(["time_s", "front_bearing_degC", "motor_degC", "z_um", "x_um"], Array.from({ length: 1200 }, (_, k) => row(k))) });
+  await at_rest(page);
+  await searched(page);
+  const target = page.getByRole("combobox", { name: "Explains" });
+  const sections = () => page.$$eval('section[id^="model-"]', (all) => all.map(({ id }) => id));
+  assert.equal(await target.inputValue(), "z_um");
+  assert.deepEqual(await sections(), ["model-z_um"]);
+  const of_z = await rmse(page);
+  await target.selectOption("x_um");
+  await page.locator(".page-tools select").selectOption("de");
+  await page.waitForSelector('.live-loop[lang="de"]');
+  assert.equal(await page.getByRole("combobox", { name: "Erklärt" }).inputValue(), "x_um");
+  await page.locator(".page-tools select").selectOption("en");
+  await page.waitForSelector('.live-loop[lang="en"]');
+  await searched(page);
+  assert.deepEqual(await sections(), ["model-x_um"]);
+  assert.notEqual(await rmse(page), of_z);
+  assert.equal(await page.getAttribute(".live-candidates li bdi", "title"), "expansion(motor_degC)");
+  // Of searches one upon the other the last counts.
+  await page.evaluate(() => {
+    for (const target of ["x_um", "z_um", "z_um"]) window.ballbar.doing({ action: "find", target })();
+  });
+  await page.waitForSelector("section#model-z_um", { state: "attached", timeout: kLong });
+  await at_rest(page);
+  assert.deepEqual(await sections(), ["model-z_um"]);
+  assert.equal(await rmse(page), of_z);
+  assert.equal(await page.getAttribute(".live-loop", "data-search"), "done");
+  assert.doesNotMatch(await said(page), /Stopped/);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
 test("gaps of a signal: the longest is offered at once, one click fits across all, and the search goes on", async () => {
   const text = log(() => 0, (k) => (k > 60 && k < 200) || (k > 300 && k < 500) || (k > 560 && k < 690));
   const { page, wrong, close } = await live();
@@ -133,6 +170,13 @@ test("gaps of a signal: the longest is offered at once, one click fits across al
   const across = page.getByRole("button", { name: /^Fit across gaps up to 3 h 20 min$/ });
   await across.waitFor({ timeout: kLong });
   assert.match(await said(page), /front_bearing_degC has gaps too long to be interpolated\. The longest, of 3 h 20 min, begins after 5 h/);
+  const speak = (language) => page.locator(".page-tools select").selectOption(language);
+  await speak("de");
+  await page.waitForSelector('.live-loop[lang="de"]');
+  assert.match(await said(page), /^front_bearing_degC hat Lücken/);
+  await speak("en");
+  await page.waitForSelector('.live-loop[lang="en"]');
+  assert.match(await said(page), /^front_bearing_degC has gaps/);
   await across.click();
   await page.waitForSelector('.live-loop[data-search="done"]', { timeout: kLong });
   await at_rest(page);

@@ -14,7 +14,7 @@ const noise = (i) => (Math.sin(i * i) + Math.sin(1.7 * i * i + 1) + Math.sin(2.9
 
 const row_of = (i) => {
   const room = 21 + 1.5 * Math.sin(i / 80);
-  const wall = Math.min(24, 20 + 6 * (1 - Math.exp(-i / 200)) + 0.6 * Math.sin(i / 37));
+  const wall = Math.min(25.6, 20 + 6 * (1 - Math.exp(-i / 200)) + 0.6 * Math.sin(i / 37));
   const door = i < 6 ? "" : String(Number(Math.floor(i / 90) % 3 === 1));
   const slow = -9 * Math.exp(-i / 180) + 2 * Math.sin(i / 130 + 1);
   const jumps = kJumps.filter(([row]) => i >= row).reduce((sum, [, size]) => sum + size, 0);

@@ -9,33 +9,30 @@ if (!process.env.BALLBAR_PAGE_SOURCE) throw new Error("expected BALLBAR_PAGE_SOU
 export const source = join(process.env.BALLBAR_PAGE_SOURCE, "src");
 export const catalogues = join(process.env.BALLBAR_PAGE_SOURCE, "../../formats/messages");
 
+export const { catalogue_of, expect_translated } = await import(join(process.env.BALLBAR_PAGE_SOURCE, "catalogues.mjs"));
+
 export const texts = () => {
   const folder = mkdtempSync(join(tmpdir(), "ballbar-texts-"));
   try {
     const compilerOptions = { module: ts.ModuleKind.CommonJS, target: ts.ScriptTarget.ES2022 };
     for (const inside of ["src/texts", "messages"]) mkdirSync(join(folder, inside), { recursive: true });
-    for (const file of readdirSync(join(source, "texts"))) {
+    for (const file of readdirSync(join(source, "texts")).filter((name) => name.endsWith(".ts"))) {
       const text = readFileSync(join(source, "texts", file), "utf8");
       writeFileSync(join(folder, "src/texts", file.replace(/ts$/, "js")), ts.transpileModule(text, { compilerOptions }).outputText);
     }
-    for (const file of readdirSync(catalogues).filter((name) => name.endsWith(".toml"))) {
-      const text = JSON.stringify(readFileSync(join(catalogues, file), "utf8"));
-      writeFileSync(join(folder, "messages", file), `exports.default = ${text};`);
+    for (const [from, to] of [[join(source, "texts"), "src/texts"], [catalogues, "messages"]]) {
+      for (const file of readdirSync(from).filter((name) => name.endsWith(".toml"))) {
+        writeFileSync(join(folder, to, file), `exports.default = ${JSON.stringify(catalogue_of(join(from, file)))};`);
+      }
     }
     const of_file = createRequire(join(folder, "src/texts/"));
-    const { speak, said, explained_by } = of_file("./texts.js");
-    return { en: of_file("./en.js").en, de: of_file("./de.js").de, zh: of_file("./zh.js").zh, speak, said, explained_by };
+    const { speak, said, explained_by, in_all_languages } = of_file("./texts.js");
+    const [en, de, zh] = in_all_languages((all) => all);
+    return { en, de, zh, speak, said, explained_by };
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }
 };
 
-// An argument of a text: any of its names gives a mark, and is remembered.
-const asked = (seen) => new Proxy({}, { get: (_, name) => (seen.add(String(name)), `§${String(name)}§`) });
-
-// What an entry says: { said, names } with marks for what it is given.
-export const told = (entry) => {
-  const names = new Set();
-  const said = typeof entry === "function" ? entry(asked(names)) : entry;
-  return { said, names: [...names].sort() };
-};
+// What an entry says, with marks for its places.
+export const told = (entry) => (typeof entry === "function" ? entry(new Proxy({}, { get: (_, name) => `§${String(name)}§` })) : entry);

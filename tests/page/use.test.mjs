@@ -18,8 +18,8 @@ after(() => browser.close());
 const state = (name) =>
   page.evaluate((name) => {
     const one = window.ballbar.figures.get(name);
-    const { chosen, hidden, window: part, stretch } = one.state();
-    return { chosen, hidden: [...hidden], window: part, stretch };
+    const { chosen, hidden, window: part, stretch, heights } = one.state();
+    return { chosen, hidden: [...hidden], window: part, stretch, heights };
   }, name);
 
 // Where a point of the first plot is on the screen.
@@ -161,6 +161,44 @@ test("zoom: wheel, keys, drag, double click; all pictures over time go with it",
   assert.equal((await state("drift")).window, null);
 });
 
+test("zoom: a drag up or down takes a part of the heights, across and down a frame; Alt goes on, a double click shows all", async () => {
+  const shown = await seen(page, "drift");
+  const drag = async ([x, y], by_x, by_y) => {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + by_x, y + by_y, { steps: 4 });
+    const framed = await shown.locator(".frame").isVisible();
+    await page.mouse.up();
+    await drawn(page);
+    assert.equal(await shown.locator(".frame").isVisible(), false);
+    return framed;
+  };
+  const start = await at("drift", 60, 15);
+  assert.ok(await drag(start, 2, 90));
+  const upright = await state("drift");
+  assert.equal(upright.window, null);
+  assert.ok(Math.abs(upright.heights.range[1] - 15) < 0.3 && upright.heights.range[0] < 13, JSON.stringify(upright.heights));
+  const seen_at = await at("drift", 60, upright.heights.range[1]);
+  assert.ok(seen_at[1] < start[1] - 10, "what was taken fills the plot");
+  for (const key of ["ArrowLeft", "ArrowRight"]) await shown.locator(".chart").press(key);
+  await drawn(page);
+  assert.deepEqual((await state("drift")).heights, upright.heights, "all of the time is seen: there is nowhere to go");
+  await drag(await at("drift", 60, 14), 0, 30);
+  const moved = (await state("drift")).heights.range;
+  assert.ok(moved[0] > upright.heights.range[0] && Math.abs(span(moved) - span(upright.heights.range)) < 1e-9, "a drag moves it");
+  await page.keyboard.down("Alt");
+  assert.ok(await drag(await at("drift", 60, (moved[0] + moved[1]) / 2), 120, 60));
+  await page.keyboard.up("Alt");
+  const both = await state("drift");
+  assert.ok(Math.abs(both.window[0] - 60) < 1 && span(both.heights.range) < span(moved));
+  const svg = await saved(page, "drift", "SVG");
+  assert.doesNotMatch(readFileSync(svg.path, "utf8"), /NaN/);
+  await page.mouse.dblclick(...start);
+  await drawn(page);
+  assert.deepEqual([(await state("drift")).window, (await state("drift")).heights], [null, null]);
+  assert.ok(await shown.getByRole("button", { name: "Show all" }).isDisabled());
+});
+
 test("zoom: of a recording against its angle, by itself", async () => {
   await seen(page, "recording-unrolled");
   await chart("recording-unrolled").focus();
@@ -188,6 +226,22 @@ test("switches: by mouse and by key; the numbers follow, the focus stays", async
   assert.ok(await box.isChecked());
   assert.ok(await box.evaluate((one) => one === document.activeElement));
   assert.ok(!(await state("drift")).hidden.includes("y_um"));
+});
+
+test("switches: a double click on a name shows its curve alone, and all again", async () => {
+  const legend = (await seen(page, "drift")).locator(".legend");
+  const before = await state("drift");
+  const all = await legend.locator("input").evaluateAll((boxes) => boxes.map(({ dataset }) => dataset.curve));
+  assert.ok(all.length > 1);
+  await legend.locator("label bdi").first().dblclick();
+  await drawn(page);
+  assert.deepEqual((await state("drift")).hidden.sort(), all.slice(1).sort());
+  assert.equal(await legend.locator("input:checked").count(), 1);
+  await legend.locator("label bdi").first().dblclick();
+  assert.deepEqual((await state("drift")).hidden, []);
+  await drawn(page);
+  for (const key of before.hidden) await legend.locator(`input[data-curve="${key}"]`).click();
+  await drawn(page);
 });
 
 test("choices: another recording is another caption, and other numbers", async () => {
@@ -361,6 +415,28 @@ test("files: SVG, PNG and CSV of every kind of picture", async () => {
   }
   assert.deepEqual(lacking.wrong, []);
   await lacking.close();
+});
+
+test("copy: the picture is an image on the clipboard; where that is not allowed, it is saved", async () => {
+  const shown = await seen(page, "drift");
+  const copy = shown.getByRole("button", { name: "Copy", exact: true });
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  await copy.click();
+  await shown.getByRole("button", { name: "✓ Copied", exact: true }).waitFor();
+  assert.deepEqual(await page.evaluate(async () => (await navigator.clipboard.read()).flatMap(({ types }) => types)), ["image/png"]);
+  await copy.waitFor();
+  await page.evaluate(() => (navigator.clipboard.write = () => Promise.reject(new Error("not allowed"))));
+  const [download] = await Promise.all([page.waitForEvent("download"), copy.click()]);
+  assert.equal(download.suggestedFilename(), "drift.png");
+  await page.evaluate(() => {
+    window.ClipboardItem = class {
+      constructor() {
+        throw new TypeError("expected a Blob");
+      }
+    };
+  });
+  const [again] = await Promise.all([page.waitForEvent("download"), copy.click()]);
+  assert.equal(again.suggestedFilename(), "drift.png");
 });
 
 test("of a narrow window: the tools are there, and the drawing is as wide as the window", async () => {

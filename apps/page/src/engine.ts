@@ -1,6 +1,6 @@
 // The program compiled to WebAssembly, in a worker: runs commands as on a terminal, on files in memory. If the page
 // contains it, a user can drop files on the page and work with them.
-import { bytes_of_base64, gunzipped, unlzmaed } from "./packed";
+import { gunzipped } from "./packed";
 import type { Answer, Question, Start } from "./worker";
 
 // The output of a command. status: 0 success, 1 error in the input, 2 error in the command line, 3 a test fails its tolerance.
@@ -27,7 +27,7 @@ export interface Engine {
   // A report of the first sample, made to warm up the engine and the page. Never resolves without samples.
   warmed: Promise<string>;
   samples: () => Promise<readonly Sample[]>;
-  sample_files: (name: string) => readonly SampleFile[];
+  sample_files: (name: string) => Promise<readonly SampleFile[]>;
   // "ballbar" is not among the words. Rejects with Stopped when stopped, and with Failed when the module gave up.
   run(words: readonly string[], watch?: Watch): Promise<Ran>;
   // A call on the open subject, which the engine keeps (apps/report/page_calls.hpp). Stopping the call loses the
@@ -109,7 +109,7 @@ class InWorker implements Engine {
   private readonly files = new Map<string, Uint8Array | Blob>(); // the files of the worker, for the next worker
   private link: Promise<Link>;
   private readonly start: () => Promise<Link>;
-  private files_of_samples: Record<string, SampleFile[]> | null = null;
+  private files_of_samples: Promise<Record<string, SampleFile[]>> | null = null;
   private heap = 0;
   private readonly ended = new WeakSet<Link>();
 
@@ -133,10 +133,20 @@ class InWorker implements Engine {
   }
 
   // Decompressed once, on first use.
-  sample_files(name: string): readonly SampleFile[] {
-    const text = block(this.page, "sample-files") ?? "";
-    this.files_of_samples ??= text === "" ? {} : (JSON.parse(new TextDecoder().decode(unlzmaed(bytes_of_base64(text)))) as Record<string, SampleFile[]>);
-    return this.files_of_samples[name] ?? [];
+  async sample_files(name: string): Promise<readonly SampleFile[]> {
+    this.files_of_samples ??= this.unpacked("sample-files");
+    try {
+      return (await this.files_of_samples)[name] ?? [];
+    } catch (error) {
+      this.files_of_samples = null; // its worker was stopped
+      throw error;
+    }
+  }
+  private async unpacked(id: string): Promise<Record<string, SampleFile[]>> {
+    const packed = block(this.page, id);
+    if (!packed) return {};
+    const answer = await (await this.link).ask({ kind: "unpack", packed });
+    return answer.kind === "unpacked" ? (JSON.parse(answer.text) as Record<string, SampleFile[]>) : {};
   }
 
   run(words: readonly string[], watch: Watch = {}): Promise<Ran> {
@@ -205,7 +215,8 @@ class InWorker implements Engine {
   // Twice, because by the second time the browser knows which code to optimise. One request each, so that a new file
   // waits for at most one of them.
   private async warm(link: Link, warmed: (report: string) => void): Promise<void> {
-    const test = (await this.samples()).flatMap(({ name }) => this.sample_files(name)).find(({ path }) => path.endsWith(".b5r"));
+    const files = await Promise.all((await this.samples()).map(({ name }) => this.sample_files(name)));
+    const test = files.flat().find(({ path }) => path.endsWith(".b5r"));
     if (!test) return;
     for (const time of [1, 2]) {
       const answer = await link.ask({ kind: "warm", bytes: bytes_of(test.text) });

@@ -3,8 +3,8 @@ declare module "*.html" {
   export default text;
 }
 
-// A catalogue of formats/messages, as text.
+// A catalogue of sentences, as catalogues.mjs reads it.
 declare module "*.toml" {
-  const text: string;
-  export default text;
+  const catalogue: Readonly<Record<string, string>>;
+  export default catalogue;
 }

@@ -80,7 +80,7 @@ const open: Open = (report, shared, tools, by_hand) => {
   const main = element(
     "main",
     {},
-    ...(own ? first_screen(proved, by_hand?.proves ? [] : concluded_of(report), all, shared) : []),
+    ...(own ? first_screen(proved, by_hand?.proves ? [] : concluded_of(report), shared) : []),
     ...(by_hand ? [by_hand.element] : []),
     ...shown.map((one) => one.element),
   );
@@ -108,7 +108,7 @@ const warm_up = (report: Report): void => {
   const made = all.map((section) => ({ section, ...section_of(section, first.includes(section), shared) }));
   for (const { section, figure, proof } of made) {
     if (!section.first || !figure) continue;
-    first_screen([{ first: section.first, figure, proof }], concluded_of(report), all, shared);
+    first_screen([{ first: section.first, figure, proof }], concluded_of(report), shared);
     const state = figure.state();
     const look = { ...state.look, width_px: 640, height_px: 520 };
     canvas_of(drawn(figure.picture, { ...state, look }), look.width_px, look.height_px, 1);

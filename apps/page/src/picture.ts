@@ -20,7 +20,14 @@ export interface State {
   chosen: Readonly<Record<string, string>>; // of the choices, by key
   hidden: ReadonlySet<string>; // toggles that are off, by key
   window: Range | null; // of the x axis, in the unit of the table's first column; null: all
-  stretch: Range | null; // selected, same unit; stretch.ts adds its band
+  stretch: Range | null; // selected, same unit; still.ts adds its band
+  heights: Heights | null; // of one y axis; null: all
+}
+
+// A part of the y axis with this number.
+export interface Heights {
+  axis: number;
+  range: Range;
 }
 
 // One of several: a recording, an axis to plot against.
@@ -162,7 +169,7 @@ export interface Conclusion {
   before?: readonly Sentence[]; // above it, in smaller letters: what it does not rest on
   verdict: Sentence;
   also?: Sentence; // below it, in smaller letters
-  concluded?: string; // the program's own sentence, where the verdict says it in the page's words
+  concluded?: string; // the program's sentence that the verdict is
   next: Next;
 }
 

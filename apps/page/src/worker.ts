@@ -1,8 +1,10 @@
 // The worker of the engine: its own bundle, put behind the module's script. It knows files and commands, no page.
-import { bytes_of_base64, unlzmaed } from "./packed";
+import { XzReadableStream } from "xz-decompress";
+import { bytes_of_base64 } from "./packed";
 
 export type Question =
   | { kind: "wait" }
+  | { kind: "unpack"; packed: string } // a text
   | { kind: "warm"; bytes: Uint8Array } // a ballbar test, whose report is answered
   | { kind: "run"; words: string[] } // a command
   | { kind: "call"; call: object } // of apps/report/page_calls.hpp
@@ -14,6 +16,7 @@ export type Start = { kind: "start" } & ({ packed: string } | { module: WebAssem
 export type Answer = { id: number } & (
   | { kind: "done" }
   | { kind: "progress"; line: string }
+  | { kind: "unpacked"; text: string }
   | { kind: "warmed"; report: string }
   | { kind: "failed"; why: string }
   | {
@@ -142,9 +145,12 @@ const done = (made: Module, question: Question & { id: number }): void => {
   answer({ id, kind: "done" });
 };
 
+const unpacked = (packed: string, type: string): Response =>
+  new Response(new XzReadableStream(new Blob([bytes_of_base64(packed)]).stream()), { headers: { "Content-Type": type } });
+
 const compiled_of = async (start: Start): Promise<WebAssembly.Module> => {
   if ("module" in start) return start.module;
-  const compiled = await WebAssembly.compile(unlzmaed(bytes_of_base64(start.packed)));
+  const compiled = await WebAssembly.compileStreaming(unpacked(start.packed, "application/wasm"));
   postMessage({ kind: "compiled", module: compiled });
   return compiled;
 };
@@ -154,10 +160,12 @@ onmessage = ({ data }: MessageEvent<({ id: number } & Question) | Start>) => {
     module = compiled_of(data).then(started);
     return;
   }
+  const done_with = async (made: Module): Promise<void> => {
+    if (data.kind === "unpack") return answer({ id: data.id, kind: "unpacked", text: await unpacked(data.packed, "text/plain").text() });
+    running = data.id;
+    done(made, data);
+  };
   module
-    .then((made) => {
-      running = data.id;
-      done(made, data);
-    })
+    .then(done_with)
     .catch((error: unknown) => answer({ id: data.id, kind: "failed", why: String(error) }));
 };

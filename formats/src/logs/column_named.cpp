@@ -20,7 +20,7 @@ constexpr std::string_view kCounts[] = {"step",       "steps",     "count", "cou
 
 // The same of all spellings of a unit.
 std::string unit_key(std::string_view unit) {
-  const auto known = log_unit(unit);
+  const auto known = scaled_unit(unit);
   return known ? fmt::format("{} {} {}", known->canonical, known->factor, known->offset) : folded_unit(unit);
 }
 

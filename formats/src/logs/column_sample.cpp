@@ -8,6 +8,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
 #include "logs/log_cells.hpp"
+#include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"
 #include "logs/time_stamp.hpp"
 #include "text/cells.hpp"
@@ -41,6 +42,13 @@ void look_at(std::string_view cell, char decimal, ColumnSample& sample) {
     if (digits && cell.size() == 6 && time_stamp(cell, DateOrder::day_first)) ++sample.packed_clocks;
     return;
   }
+  if (const auto clock = clock_of_dots(cell, decimal == ',')) {
+    ++sample.dotted_clocks;
+    const double clock_s = time_stamp(*clock, DateOrder::day_first)->clock_s.value_or(0.0);
+    sample.dotted_clocks_fall = sample.dotted_clocks_fall || clock_s < sample.last_clock_s;
+    sample.last_clock_s = clock_s;
+    if (sample.last_fields.size() < 2) sample.last_fields.insert(clock->substr(clock->rfind(':') + 1, 2));
+  }
   const auto stamp = time_stamp(cell, DateOrder::day_first);
   if (!stamp) {
     ++sample.texts;
@@ -59,6 +67,34 @@ void look_at(std::string_view cell, char decimal, ColumnSample& sample) {
   ++(stamp->day && stamp->clock_s ? sample.stamps : stamp->day ? sample.dates : sample.clocks);
 }
 
+bool names_a_clock(std::string_view header) {
+  constexpr std::string_view kNames =
+      "time|zeit|uhrzeit|ora|ore|orario|tempo|hora|heure|tid|tidspunkt|klokkeslaet|klokkeslett|klokken|klo|kl|aika|"
+      "kello|"
+      "kellonaika|clock|time of day|elapsed|laufzeit|messzeit|时间|時間|時刻";
+  const NameAndUnit split = name_and_unit(header);
+  return !time_unit_s(split.unit) && is_one_of(kNames, folded(split.name));
+}
+
+// Under a name of a clock 07.05.00 is one, unless all cells are dates of one year but 2000, 07.05.26, or would be
+// clocks that fall.
+void find_dotted_clocks(const std::vector<std::string>& headers, std::vector<ColumnSample>& samples) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    ColumnSample& sample = samples[i];
+    const bool is_one_year = sample.last_fields.size() == 1 && *sample.last_fields.begin() != "00";
+    const bool are_dates = sample.dates == sample.dotted_clocks && (is_one_year || sample.dotted_clocks_fall);
+    if (sample.dotted_clocks == 0 || sample.dotted_clocks + sample.clocks != sample.written() || are_dates ||
+        !names_a_clock(headers[i]))
+      continue;
+    sample.has_dotted_clocks = true;
+    sample.clocks += sample.dotted_clocks;
+    sample.dates = sample.texts = 0;
+    sample.words.clear();
+    sample.first_s.reset();
+    sample.last_s.reset();
+  }
+}
+
 }  // namespace
 
 std::vector<ColumnSample> samples_of(const LogShape& shape, std::size_t rows) {
@@ -69,6 +105,7 @@ std::vector<ColumnSample> samples_of(const LogShape& shape, std::size_t rows) {
     for (std::size_t i = 0; i < std::min(cells.size(), samples.size()); ++i)
       look_at(cells[i], shape.decimal, samples[i]);
   }
+  find_dotted_clocks(shape.headers, samples);
   return samples;
 }
 
@@ -93,15 +130,24 @@ bool counts_rows(const ColumnSample& sample, bool gaps) {
   return all_whole(sample) && (next == steps || (gaps && next * 10 >= steps * 9));
 }
 
-void find_decimal(const std::string& name, const LogRecipe& recipe, LogShape& shape) {
+void find_decimal(const std::string& name, std::span<const HeadLine> above, const LogRecipe& recipe, LogShape& shape) {
   std::vector<std::string_view> cells;
+  std::vector<bool> is_clock(shape.headers.size(), false);
+  for (const HeadLine& line : above) {
+    split_cells(line.text, shape.delimiter, cells);
+    for (std::size_t i = 0; i < std::min(cells.size(), is_clock.size()); ++i)
+      is_clock[i] = is_clock[i] || names_a_clock(trimmed_cell(cells[i]));
+  }
   std::size_t sure_comma = 0, sure_point = 0, commas = 0, points = 0, integers = 0;
   std::string example;
   std::size_t example_line = 0;
   for (const HeadLine& row : shape.rows) {
     split_cells(row.text, shape.delimiter, cells);
-    for (const std::string_view cell : cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::string_view cell = cells[i];
       const NumberLook look = look_of(cell);
+      const bool may_be_clock = look.decimal == '.' && i < is_clock.size() && is_clock[i];
+      if (may_be_clock && clock_of_dots(trimmed_cell(cell), true)) continue;
       sure_comma += look.decimal == ',';
       sure_point += look.decimal == '.';
       commas += look.kind == NumberLook::Kind::comma;
@@ -119,7 +165,7 @@ void find_decimal(const std::string& name, const LogRecipe& recipe, LogShape& sh
   }
   const auto refuse = [&](const std::string& what, const std::string& found) {
     throw Error(fmt::format("{}:{}: expected {}, found {}. State --decimal comma or --decimal point.", name,
-                            example_line, what, in_quotes(found)));
+                            example_line > 0 ? example_line : shape.first_row_line, what, in_quotes(found)));
   };
   if (sure_comma > 0 && sure_point > 0) {
     // "1.234" of thousands beside "1,5" is sure by the comma; "0.5" beside "0,5" is two hands.

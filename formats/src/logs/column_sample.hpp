@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,16 @@ struct ColumnSample {
   bool rises = true, ever_rises = false;  // numbers
   bool day_first = false, month_first = false, either = false;
   std::size_t packed_dates = 0, packed_clocks = 0, two_fields = 0;  // 20261122, 130510, 05:10
-  std::size_t midnights = 0;                                        // stamps at 0:00
-  std::optional<double> first_s, last_s;                            // stamps and clocks
-  std::size_t switches = 0;                                         // "on", "off"; among texts or missing
-  std::set<std::string> switch_words, words;                        // of the texts: the first 1000 that differ
+  std::size_t dotted_clocks = 0;                                    // 07.05.00, of the clocks; or dates
+  bool dotted_clocks_fall = false;
+  double last_clock_s = 0.0;
+  std::set<std::string> last_fields;          // of these, "00"
+  std::size_t midnights = 0;                  // stamps at 0:00
+  std::optional<double> first_s, last_s;      // stamps and clocks
+  std::size_t switches = 0;                   // "on", "off"; among texts or missing
+  std::set<std::string> switch_words, words;  // of the texts: the first 1000 that differ
+
+  bool has_dotted_clocks = false;
 
   // A column of two words at most for on and off, and no number. Of "off" alone too: it may be on later.
   [[nodiscard]] bool is_switch() const {
@@ -46,7 +53,8 @@ bool counts_rows(const ColumnSample& sample, bool gaps);
 bool runs_as_long(const ColumnSample& numbers, double unit_s, const ColumnSample& stamps);
 
 // Sets shape.decimal, the decimal sign, from the first rows: "0,125" and "1.234,5" are unambiguous, "1,234" alone is
-// not. Throws Error with name:line if both signs are possible.
-void find_decimal(const std::string& name, const LogRecipe& recipe, LogShape& shape);
+// not. 07.05 is no number where a line above the rows names a clock. Throws Error with name:line if both signs are
+// possible.
+void find_decimal(const std::string& name, std::span<const HeadLine> above, const LogRecipe& recipe, LogShape& shape);
 
 }  // namespace ballbar

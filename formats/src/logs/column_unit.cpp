@@ -14,7 +14,7 @@ std::optional<RenamedColumn> renamed(std::string_view stem, std::string_view uni
 }  // namespace
 
 std::optional<ColumnUnit> column_unit(std::string_view unit) {
-  const auto known = log_unit(unit);
+  const auto known = scaled_unit(unit);
   if (!known) return std::nullopt;
   return ColumnUnit{std::string(known->canonical), known->factor, known->offset};
 }

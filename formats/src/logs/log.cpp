@@ -17,6 +17,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/internal/nearest_name.hpp"
 #include "ballbar/internal/numerics/order_statistic.hpp"
+#include "logs/log_cells.hpp"
 #include "logs/log_channels.hpp"
 #include "logs/log_clock.hpp"
 #include "logs/log_columns.hpp"
@@ -30,6 +31,7 @@
 #include "logs/log_units.hpp"
 #include "logs/missing_values.hpp"
 #include "logs/text_fold.hpp"
+#include "text/cells.hpp"
 #include "text/head.hpp"
 #include "text/readers.hpp"
 
@@ -68,6 +70,27 @@ LogRecipe recipe_of(const Log& log, const LogShape& shape, const LogPlan& plan, 
                               column.role, column.name.empty()});
   }
   return recipe;
+}
+
+// Rows of another table above this one: its names, or their number, change where this one begins.
+void say_table_above(const LogShape& shape, Log& log) {
+  constexpr std::size_t kFewestRows = 10;
+  std::vector<std::string_view> cells;
+  std::size_t rows = 0, first = 0;
+  for (const HeadLine& line : shape.preamble) {
+    split_cells(line.text, shape.delimiter, cells);
+    const auto numbers = std::count_if(cells.begin(), cells.end(), [](std::string_view cell) {
+      return look_of(trimmed_cell(cell)).kind != NumberLook::Kind::other;
+    });
+    if (cells.size() < 2 || 2 * static_cast<std::size_t>(numbers) < cells.size()) continue;
+    if (rows++ == 0) first = line.number;
+  }
+  if (rows < kFewestRows) return;
+  log.remarks.push_back(
+      fmt::format("{} rows from line {} on are of another table and are not read, because its columns end before line "
+                  "{}. Split the "
+                  "file to read them.",
+                  rows, first, shape.first_row_line));
 }
 
 void say_lines(const LogTable& table, Log& log) {
@@ -205,6 +228,40 @@ void take_burst_means(Series& series, const std::string& name) {
   for (Column& column : series.columns) column.values = means(column.values);
 }
 
+// Columns of words: two that take turns, or one and nothing, are a switch; more are states that nothing reads.
+void take_words(LogTable& table, LogPlan& plan, Log& log) {
+  constexpr std::size_t kFewestRows = 10;  // of each word, about
+  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+    PlannedColumn& column = plan.columns[i];
+    std::vector<double>& values = table.values[i];
+    // Of numbers 1 alone: nothing stands where it is off.
+    const bool is_one = column.kind == ColumnKind::number && column.headed && !is_time(plan, i) &&
+                        std::all_of(values.begin(), values.end(), [](double v) { return std::isnan(v) || v == 1.0; });
+    if (column.kind != ColumnKind::words && !is_one) continue;
+    if (!is_one) column.kind = ColumnKind::left_out;
+    if (values.size() != table.rows) continue;  // of channels below each other
+    const std::vector<std::string> words = is_one ? std::vector<std::string>{"1"} : table.words[i];
+    const auto is_gap = [](double value) { return std::isnan(value); };
+    const auto gaps = static_cast<std::size_t>(std::count_if(values.begin(), values.end(), is_gap));
+    const std::size_t written = values.size() - gaps;
+    if (written < kFewestRows) continue;
+    if (words.size() == 1 && gaps > 0) {
+      for (double& value : values) value = is_gap(value) ? 0.0 : 1.0;
+      log.remarks.push_back(
+          fmt::format("{}: {} is read as 1, an empty cell as 0.", column.source, in_quotes(words.front())));
+    } else if (words.size() == 2 && gaps == 0) {
+      log.remarks.push_back(fmt::format("{}: {} is read as 0, {} as 1.", column.source, in_quotes(words.front()),
+                                        in_quotes(words.back())));
+    } else {
+      if (words.size() > 1 && words.size() < kMostStates && written >= words.size() * kFewestRows)
+        log.series.unread.push_back(column.source);
+      continue;
+    }
+    column.kind = ColumnKind::number;
+    column.is_switch = true;
+  }
+}
+
 // `joined`: columns that the recipe names may be in another file.
 Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   const std::string& name = source.name();
@@ -224,6 +281,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   log.time = plan.time.text;
   log.first_row_line = shape.first_row_line;
   log.names_from = shape.names_from;
+  say_table_above(shape, log);
   say_lines(table, log);
   log.skipped_lines = table.bad_lines;
   log.without_row = table.without_row;
@@ -231,6 +289,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   log.series.time_s = clock_s(table, plan, name, started_s, log.remarks);
   log.series.has_clock = !plan.time.numbered;
   if (started_s) log.series.started = stamp_text(*started_s);
+  take_words(table, plan, log);
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     if (plan.columns[i].kind != ColumnKind::number) continue;
     const auto say = [&](const std::string& gone) {
@@ -241,6 +300,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
     const auto unit = temperature_unit(plan.columns[i]);
     if (!unit) continue;
     say(take_failed_temperatures(table.values[i], unit->factor, unit->offset));
+    say(take_repeated_numbers(table.values[i]));
     say(take_single_outliers(table.values[i]));
   }
   take_fahrenheit(plan, table.values);
@@ -256,7 +316,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     const PlannedColumn& column = plan.columns[i];
     const bool is_no_value = column.kind != ColumnKind::number && column.kind != ColumnKind::left_out;
-    if (is_no_value || (plan.time.kind == TimePlan::Kind::number && i == plan.time.column)) continue;
+    if (is_no_value || is_time(plan, i)) continue;
     if (column.kind == ColumnKind::left_out) {
       log.columns.push_back({column.source, "", column.unit, "", Role::event, false, column.why, 0, {}});
     } else {

@@ -33,10 +33,6 @@ bool names_channels(const PlannedColumn& column) {
   return !column.headed || is_one_of(kNames, folded(column.name));
 }
 
-bool is_time(const LogPlan& plan, std::size_t i) {
-  return plan.time.kind == TimePlan::Kind::number && i == plan.time.column;
-}
-
 // Where each row belongs: its time, as its channel has it, and how often the channel had this time before.
 struct Place {
   double time;
@@ -124,11 +120,12 @@ void find_channel_names(const LogShape& shape, const std::vector<ColumnSample>& 
   std::optional<std::size_t> channel;
   for (std::size_t i = 0; i < plan.columns.size() && !channel; ++i) {
     const ColumnSample& sample = samples[i];
-    const bool is_text = plan.columns[i].kind == ColumnKind::left_out && !plan.columns[i].stated.left_out &&
-                         sample.texts > 0 && sample.texts == sample.written();
+    const PlannedColumn& column = plan.columns[i];
+    const bool may_name = column.kind == ColumnKind::words || column.kind == ColumnKind::left_out;
+    const bool is_text = may_name && !column.stated.left_out && sample.texts > 0 && sample.texts == sample.written();
     const std::set<double> ids(sample.values.begin(), sample.values.end());
-    const bool is_id = plan.columns[i].kind == ColumnKind::number && plan.columns[i].headed && sample.texts == 0 &&
-                       names_channels(plan.columns[i]) && all_whole(sample);
+    const bool is_id = column.kind == ColumnKind::number && column.headed && sample.texts == 0 &&
+                       names_channels(column) && all_whole(sample);
     const std::size_t channels = is_text ? sample.words.size() : is_id ? ids.size() : 0;
     if (channels > 1 && kFewestRowsOfAChannel * channels <= sample.written()) channel = i;
   }
@@ -152,12 +149,18 @@ LogTable side_by_side(LogTable table, const std::string& name, LogPlan& plan) {
   if (names == plan.columns.end()) return table;
   Evidence evidence = evidence_of(table, plan);
   if (!are_channels(table, plan, evidence, *names, name)) {
-    names->kind = names->has_ids ? ColumnKind::number : ColumnKind::left_out;
     names->why = "text";
-    if (!names->has_ids) return table;
-    std::vector<double>& ids = table.values[static_cast<std::size_t>(names - plan.columns.begin())];
-    for (const std::uint32_t channel : table.channel_of)
-      ids.push_back(cell_number(table.channels[channel], '.').value_or(kGap));
+    const auto place = static_cast<std::size_t>(names - plan.columns.begin());
+    std::vector<double>& values = table.values[place];
+    if (names->has_ids) {
+      names->kind = ColumnKind::number;
+      for (const std::uint32_t channel : table.channel_of)
+        values.push_back(cell_number(table.channels[channel], '.').value_or(kGap));
+    } else {
+      names->kind = ColumnKind::words;
+      values.assign(table.channel_of.begin(), table.channel_of.end());
+      table.words[place] = table.channels;
+    }
     return table;
   }
   if (names->has_ids) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/internal/numerics/order_statistic.hpp"
@@ -92,6 +93,16 @@ class Clock {
   void spread(std::vector<double>& time_s) {
     const bool any = std::adjacent_find(time_s.begin(), time_s.end()) != time_s.end();
     if (!any) return;
+    const auto again = static_cast<std::size_t>(
+        std::count_if(time_s.begin() + 1, time_s.end(),
+                      [before = time_s.front()](double t) mutable { return std::exchange(before, t) == t; }));
+    if (is_dates_alone() && 2 * again > time_s.size()) {
+      throw Error(
+          fmt::format("{}:{}: expected a clock beside the dates, found {} rows with the date of the row before. State "
+                      "how far apart "
+                      "they are, --every 5min, or --time none.",
+                      name_, table_.line_of(0), again));
+    }
     const double resolution_s = resolution(time_s);
     std::size_t rows = 0;
     for (std::size_t i = 0; i < time_s.size();) {
@@ -123,6 +134,11 @@ class Clock {
     return end;
   }
 
+  [[nodiscard]] bool is_dates_alone() const {
+    return plan_.time.kind == TimePlan::Kind::stamps && table_.first_day && !table_.has_clock &&
+           plan_.columns[plan_.time.column].kind == ColumnKind::stamp;
+  }
+
   // To what the stamps are written: minutes, seconds, or the smallest step.
   double resolution(const std::vector<double>& time_s) const {
     const auto all = [&](double unit_s) {
@@ -151,6 +167,11 @@ class Clock {
   std::vector<std::string>& remarks_;
 };
 
+// Whether every row is of an earlier time than the row before: the log has its newest row first.
+bool falls_throughout(const std::vector<double>& time_s) {
+  return time_s.size() > 2 && time_s.back() < time_s.front() && std::is_sorted(time_s.rbegin(), time_s.rend());
+}
+
 }  // namespace
 
 std::vector<double> clock_s(LogTable& table, const LogPlan& plan, const std::string& name,
@@ -163,6 +184,10 @@ std::vector<double> clock_s(LogTable& table, const LogPlan& plan, const std::str
       time_s.push_back(to_decimals(static_cast<double>(row) * time.every_s, 1e-9));
     }
     return time_s;
+  }
+  if (falls_throughout(time.kind == TimePlan::Kind::number ? table.values[time.column] : table.time_s)) {
+    put_oldest_first(table);
+    remarks.push_back("The newest row comes first in the file: the rows are read from the last one on.");
   }
   Clock clock(table, plan, name, remarks);
   if (time.kind == TimePlan::Kind::number) {

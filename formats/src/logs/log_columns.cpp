@@ -61,7 +61,7 @@ void take_column(const PlannedColumn& planned, std::vector<double>&& values, con
       planned.unit_by_pattern && (!why.empty() || !found_role(planned.name, "", values).unit.empty());
   const auto unit = letter_is_name ? std::nullopt
                     : stated.unit.empty() || pattern_gives_way
-                        ? log_unit(planned.unit)
+                        ? scaled_unit(planned.unit)
                         : stated_unit(stated.unit, fmt::format("{}: {}", name, planned.source));
   double factor = 1.0, offset = 0.0;
   if (unit) {

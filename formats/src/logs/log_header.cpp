@@ -205,6 +205,13 @@ bool lacks_first_name(const Cells& names, const std::vector<HeadLine>& lines, co
   return rows > 1;
 }
 
+// "23.4 °C"
+bool is_number_with_unit(std::string_view cell) {
+  const std::size_t last = cell.find_last_of("0123456789");
+  if (last == std::string_view::npos || last + 1 == cell.size()) return false;
+  return look_of(cell.substr(0, last + 1)).kind != NumberLook::Kind::other && log_unit(cell.substr(last + 1));
+}
+
 }  // namespace
 
 bool is_blank(std::string_view line) { return line.find_first_not_of(" \t,;|\"") == std::string_view::npos; }
@@ -212,8 +219,8 @@ bool is_blank(std::string_view line) { return line.find_first_not_of(" \t,;|\"")
 CellKind kind_of(std::string_view cell) {
   cell = trimmed_cell(cell);
   if (cell.empty()) return CellKind::empty;
-  if (look_of(cell).kind != NumberLook::Kind::other) return CellKind::number;
-  if (time_stamp(cell, DateOrder::day_first)) return CellKind::stamp;
+  if (look_of(cell).kind != NumberLook::Kind::other || is_number_with_unit(cell)) return CellKind::number;
+  if (time_stamp(cell, DateOrder::day_first) || clock_of_dots(cell)) return CellKind::stamp;
   return is_missing(cell) || switch_value(cell) ? CellKind::missing : CellKind::word;
 }
 

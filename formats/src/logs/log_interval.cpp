@@ -7,6 +7,7 @@
 #include "logs/log_cells.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"
+#include "logs/time_stamp.hpp"
 #include "text/cells.hpp"
 
 namespace ballbar {
@@ -69,6 +70,10 @@ std::optional<double> interval_of(const LogShape& shape) {
     if (!is_rate && !is_interval) continue;
     std::vector<std::string_view> cells;
     split_cells(std::string_view(line.text).substr(cut + 1), shape.delimiter == ' ' ? '\t' : shape.delimiter, cells);
+    if (is_interval && !cells.empty()) {  // "Interval;00:05:00"
+      const auto stamp = time_stamp(trimmed_cell(cells.front()), DateOrder::day_first);
+      if (stamp && !stamp->day && !stamp->two_fields && stamp->clock_s.value_or(0.0) > 0.0) return stamp->clock_s;
+    }
     const auto quantity = cells.empty() ? std::nullopt : quantity_of(cells.front());
     if (!quantity) continue;
     std::string unit = quantity->unit;

@@ -5,6 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
@@ -42,6 +48,22 @@ void name_columns(const LogShape& shape, LogPlan& plan) {
     if (column.unit.empty() && folded(column.name) == "x value") column.unit = "s";  // LabVIEW's measurement files
     plan.columns.push_back(std::move(column));
   }
+}
+
+// "Minutes", "sec", "h": the header of the first column is the unit of a time. Where another column has a time it is
+// not, nor beside "max" or "mean", nor are names that mean something else.
+void take_unit_as_time(const std::vector<ColumnSample>& samples, LogPlan& plan) {
+  PlannedColumn& first = plan.columns.front();
+  if (!first.unit.empty() || !time_unit_s(first.name) || is_one_of("std|tag|d", folded(first.name))) return;
+  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+    const std::string key = folded(plan.columns[i].name);
+    const bool is_other = i > 0 && (time_unit_s(plan.columns[i].name) || is_time_name(key));
+    if (is_other || samples[i].stamps + samples[i].dates + samples[i].clocks > 0) return;
+    for (const std::string_view word : {"max", "mean", "avg", "mittel"}) {
+      if (key.find(word) != std::string::npos) return;
+    }
+  }
+  first.unit = first.name;
 }
 
 void take_stated(const LogRecipe& recipe, LogPlan& plan) {
@@ -116,6 +138,44 @@ bool runs_as_the_time(const std::vector<ColumnSample>& samples, const LogPlan& p
   return runs_as_long(samples[i], *time_unit_s(plan.columns[i].unit), time);
 }
 
+// What stands before and behind the number of each cell: "S" of a programmed speed, "S4800", or the unit of "23.4 °C".
+std::optional<std::pair<std::string, std::string>> signs_about_numbers(const std::set<std::string>& words) {
+  std::optional<std::pair<std::string, std::string>> signs;
+  for (const std::string& word : words) {
+    const std::string_view cell = trimmed_cell(word);
+    const std::size_t begin = cell.find_first_of("0123456789"), last = cell.find_last_of("0123456789");
+    if (begin == std::string_view::npos) return std::nullopt;
+    std::string_view before = cell.substr(0, begin);
+    if (before.ends_with('-') || before.ends_with('+')) before.remove_suffix(1);
+    before = trimmed_cell(before);
+    const std::string_view behind = trimmed_cell(cell.substr(last + 1));
+    const std::string_view number = cell.substr(begin, last + 1 - begin);
+    if (number.find_first_not_of("0123456789.,") != std::string_view::npos) return std::nullopt;
+    if (!signs) signs.emplace(before, behind);
+    if (before != signs->first || behind != signs->second) return std::nullopt;
+  }
+  const bool is_unit = signs && signs->first.empty() && log_unit(signs->second);
+  // N10 is a line of a program, S1 a state.
+  const bool is_speed =
+      signs && signs->first == "S" && signs->second.empty() &&
+      std::any_of(words.begin(), words.end(), [](const std::string& word) { return trimmed_cell(word).size() > 3; });
+  return is_unit || is_speed ? signs : std::nullopt;
+}
+
+// A column of texts: another time, numbers with a sign in each cell, or words.
+void plan_text(const ColumnSample& sample, PlannedColumn& column) {
+  column.why = sample.mostly(sample.stamps + sample.dates + sample.clocks) ? "another time" : "text";
+  if (sample.stamps + sample.dates + sample.clocks > 0) return;
+  const auto signs = sample.numbers == 0 ? signs_about_numbers(sample.words) : std::nullopt;
+  if (!signs) {
+    if (sample.numbers == 0 && column.headed) column.kind = ColumnKind::words;
+    return;
+  }
+  column.kind = ColumnKind::number;
+  std::tie(column.before, column.behind) = *signs;
+  if (column.unit.empty()) column.unit = column.behind.empty() ? "rpm" : column.behind;
+}
+
 // The columns other than the time: numbers, or why not.
 void plan_values(const std::vector<bool>& is_label, const std::vector<ColumnSample>& samples, const LogRecipe& recipe,
                  LogPlan& plan) {
@@ -139,7 +199,7 @@ void plan_values(const std::vector<bool>& is_label, const std::vector<ColumnSamp
       column.kind = headed ? ColumnKind::number : ColumnKind::left_out;  // empty: of a separator at the end of the line
       if (!headed) column.why = "empty";
     } else if (!sample.mostly(sample.numbers) || sample.stamps > 0) {
-      column.why = sample.mostly(sample.stamps + sample.dates + sample.clocks) ? "another time" : "text";
+      plan_text(sample, column);
     } else if (counts_rows(sample, !column.headed) && (!column.headed || names_a_count(column.name)) &&
                (counted || i == 0)) {
       column.why = "counts the rows";
@@ -154,6 +214,10 @@ void plan_values(const std::vector<bool>& is_label, const std::vector<ColumnSamp
 }
 
 }  // namespace
+
+bool is_time(const LogPlan& plan, std::size_t column) {
+  return plan.time.kind == TimePlan::Kind::number && column == plan.time.column;
+}
 
 bool suits(std::string_view pattern, std::string_view text) {
   std::size_t at = 0, in_text = 0, star = std::string_view::npos, from = 0;
@@ -228,13 +292,13 @@ LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe
   name_channels(shape, plan);
   take_stated(recipe, plan);
   const std::vector<ColumnSample> samples = samples_of(shape);
+  take_unit_as_time(samples, plan);
   find_time(shape, name, recipe, samples, plan);
   plan_values(shape.is_label, samples, recipe, plan);
   find_channel_names(shape, samples, plan);
-  const bool any = std::any_of(plan.columns.begin(), plan.columns.end(), [&](const PlannedColumn& column) {
-    const bool is_time = plan.time.kind == TimePlan::Kind::number && &column == &plan.columns[plan.time.column];
-    return column.kind == ColumnKind::number && !is_time;
-  });
+  bool any = false;
+  for (std::size_t i = 0; i < plan.columns.size(); ++i)
+    any = any || (plan.columns[i].kind == ColumnKind::number && !is_time(plan, i));
   if (!any) {
     throw Error(
         fmt::format("{}:{}: expected a column of numbers besides the time, found none.", name, shape.first_row_line));

@@ -17,7 +17,8 @@
 namespace ballbar {
 
 // `channel`: the names of channels below each other; `label`: the name or unit of the column beside it.
-enum class ColumnKind : std::uint8_t { number, stamp, date, clock, milli, channel, label, left_out };
+// words: of states, such as "ROUGH"; its values are their places in LogTable::words.
+enum class ColumnKind : std::uint8_t { number, words, stamp, date, clock, milli, channel, label, left_out };
 
 struct PlannedColumn {
   std::string source;  // header as written; "column 3" where there is none
@@ -26,6 +27,7 @@ struct PlannedColumn {
   bool headed = true;  // has a header
   ColumnKind kind = ColumnKind::left_out;
   bool is_switch = false;        // number: its words for on and off are 1 and 0
+  std::string before, behind;    // number: what stands in each cell besides it, "S" or "°C"
   bool has_ids = false;          // channel: its names are numbers
   std::string why;               // why it is left out
   ColumnRecipe stated;           // from the recipe; `source` is empty if it states nothing
@@ -43,6 +45,7 @@ struct TimePlan {
   bool numbered = false;                // rows without a clock
   std::optional<DateOrder> order;       // stamps; empty: not known yet
   bool minutes_and_seconds = false;     // stamps without hours
+  bool dotted_clock = false;            // 07.05.00 is a clock
   bool two_fields_are_minutes = false;  // 05:10 is five minutes, as the header says
   double milli_s = 1e-3;                // of the column behind a clock
   std::string text;                     // "Zeit, dd.mm.yyyy hh:mm:ss"
@@ -53,6 +56,9 @@ struct LogPlan {
   TimePlan time;
   std::map<std::string, std::string> channel_units;  // of channels below each other
 };
+
+// Whether the column is the time, as a number.
+bool is_time(const LogPlan& plan, std::size_t column);
 
 // Whether the text has the form of the pattern: * any signs, ? one.
 bool suits(std::string_view pattern, std::string_view text);

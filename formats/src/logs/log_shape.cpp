@@ -117,7 +117,8 @@ LogShape log_shape(const Source& source, const LogRecipe& recipe) {
     if (!is_blank(lines[i].text)) shape.rows.push_back(lines[i]);
   }
   shape.headers.resize(best.columns);
-  find_decimal(name, recipe, shape);
+  const auto above = std::span(lines).first(best.first);
+  find_decimal(name, above.last(std::min<std::size_t>(2, above.size())), recipe, shape);
   find_names(name, lines, best, recipe.header_line > 0, shape);
   shape.bytes_a_row = std::max<std::size_t>(2, row_bytes / std::max<std::size_t>(1, shape.rows.size()));
   shape.day_first = shape.decimal == ',' || shape.delimiter == ';';

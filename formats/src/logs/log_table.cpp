@@ -8,12 +8,15 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <set>
 #include <span>
 
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
 #include "logs/log_cells.hpp"
 #include "logs/log_header.hpp"
+#include "logs/log_units.hpp"
+#include "logs/text_fold.hpp"
 #include "logs/time_stamp.hpp"
 #include "text/cells.hpp"
 
@@ -58,13 +61,19 @@ struct OrderEvidence {
   }
 };
 
+bool has_values(ColumnKind kind) { return kind == ColumnKind::number || kind == ColumnKind::words; }
+
 class Table {
  public:
   Table(const LogShape& shape, const LogPlan& plan, const std::string& name, const LogRecipe& recipe, std::size_t rows)
       : shape_(shape), plan_(plan), name_(name), recipe_(recipe) {
+    for (const std::string& text : recipe.missing) {
+      if (const auto number = cell_number(text, shape.decimal)) none_.push_back(*number);
+    }
     table_.values.resize(plan.columns.size());
+    table_.words.resize(plan.columns.size());
     for (std::size_t i = 0; i < plan.columns.size(); ++i) {
-      if (plan.columns[i].kind == ColumnKind::number) table_.values[i].reserve(rows);
+      if (has_values(plan.columns[i].kind)) table_.values[i].reserve(rows);
     }
     if (plan.time.kind == TimePlan::Kind::stamps) table_.time_s.reserve(rows);
     number_columns_ =
@@ -81,9 +90,14 @@ class Table {
     bool expected_next = false;
     std::size_t last_line = 0, between = 0;
     while (lines.next(true)) {
-      if (lines.number() < shape_.first_row_line) continue;
       const std::string_view line = lines.line();
+      if (lines.number() == shape_.header_line) names_ = line;
+      if (lines.number() < shape_.first_row_line) {
+        look_for_date(line, lines.number());
+        continue;
+      }
       if (!take_row(line, lines.number())) {
+        if (!is_timed_) look_for_date(line, lines.number());
         expected_next = false;
         ++between;
         continue;
@@ -162,13 +176,72 @@ class Table {
     return trimmed_cell(first) == shape_.headers.front();
   }
 
+  [[nodiscard]] static bool is_same_name(std::string_view a, std::string_view b) {
+    const NameAndUnit x = name_and_unit(trimmed_cell(a)), y = name_and_unit(trimmed_cell(b));
+    const auto u = scaled_unit(x.unit), v = scaled_unit(y.unit);
+    const bool is_same_unit = u && v ? u->canonical == v->canonical && u->factor == v->factor && u->offset == v->offset
+                                     : folded_unit(x.unit) == folded_unit(y.unit);
+    return folded(x.name) == folded(y.name) && is_same_unit;
+  }
+
+  // A line that begins as the names do: whether the rows behind it are of another layout.
+  void look_for_names(std::string_view line, std::size_t number) {
+    std::vector<std::string_view> now, before;
+    split_cells(line, shape_.delimiter, now);
+    split_cells(names_, shape_.delimiter, before);
+    std::size_t known = 0;
+    for (const std::string_view name : now) {
+      known += std::any_of(before.begin(), before.end(), [&](std::string_view one) {
+        return folded(name_and_unit(trimmed_cell(one)).name) == folded(name_and_unit(trimmed_cell(name)).name);
+      });
+    }
+    if (2 * known < before.size()) return;  // a note
+    for (std::size_t i = 0; i < std::min(now.size(), before.size()); ++i) {
+      if (is_same_name(now[i], before[i])) continue;
+      new_names_ = fmt::format(
+          "{}:{}: expected the names of line {} again, found {} in place of {}. Split the file here.", name_, number,
+          shape_.header_line, in_quotes(trimmed_cell(now[i])), in_quotes(trimmed_cell(before[i])));
+      return;
+    }
+  }
+
+  // The line is no row, and the rows have a clock alone. If it holds a new date, another day may begin behind it.
+  void look_for_date(std::string_view line, std::size_t number) {
+    if (plan_.time.kind != TimePlan::Kind::stamps || table_.first_day) return;
+    for (std::size_t begin = 0; begin < line.size();) {
+      const std::size_t end = std::min(line.find_first_of(" \t;,|=\"", begin), line.size());
+      const auto stamp = time_stamp(line.substr(begin, end - begin), DateOrder::day_first);
+      begin = end + 1;
+      if (!stamp || !stamp->day) continue;
+      if (!days_.empty() && !days_.contains(*stamp->day) && table_.rows > 0) {
+        date_line_ = number;
+        is_next_day_ = days_.contains(*stamp->day - 1);
+      }
+      days_.insert(*stamp->day);
+      return;
+    }
+  }
+
+  // Throws Error where rows follow names or a date that are not those above.
+  void expect_same_table(double time_s) {
+    if (!new_names_.empty()) throw Error(new_names_);
+    const bool passes_midnight = is_next_day_ && !table_.time_s.empty() && time_s < table_.time_s.back();
+    if (date_line_ > 0 && !passes_midnight) {
+      throw Error(
+          fmt::format("{}:{}: expected clocks of one day, found another date between them. Write the date in a column "
+                      "of its own, or split the file here.",
+                      name_, date_line_));
+    }
+    date_line_ = 0;
+  }
+
   // Counts a row that is none of numbers.
   bool skip(const std::string& fault, std::size_t line) {
     if (table_.bad_lines.empty()) first_fault_ = fmt::format("{}:{}: {}", name_, line, fault);
     table_.bad_lines.push_back(line);
     if (plan_.time.kind != TimePlan::Kind::rows) return false;
     for (std::size_t i = 0; i < plan_.columns.size(); ++i) {  // the rows behind it keep their numbers
-      if (plan_.columns[i].kind == ColumnKind::number) table_.values[i].push_back(kGap);
+      if (has_values(plan_.columns[i].kind)) table_.values[i].push_back(kGap);
     }
     if (has_channels_) take_channel();
     ++table_.rows;
@@ -184,9 +257,11 @@ class Table {
     std::string_view bad_cell;
     date_ = clock_ = milli_ = channel_ = {};
     const std::size_t columns = plan_.columns.size();
+    is_timed_ = false;
     at = past_blanks(at, end);
     if (at == end) return false;
     if (*at == '#' || repeats_names(line)) {
+      if (*at != '#') look_for_names(line, number);
       ++table_.other_lines;
       return false;
     }
@@ -201,8 +276,9 @@ class Table {
         const auto [rest, error] = fast_float::from_chars_advanced(at, end, value, how);
         const char* const after = error == std::errc{} ? past_blanks(rest, end) : at;
         if (error == std::errc{} && std::isfinite(value) && (is_end(rest, end) || is_end(after, end))) {
-          row_[column] = value;
-          ++numbers;
+          const bool is_none = std::find(none_.begin(), none_.end(), value) != none_.end();
+          row_[column] = is_none ? kGap : value;
+          if (!is_none) ++numbers;
           at = shape_.delimiter == ' ' ? rest : after;
         } else {
           const std::string_view cell = cell_at(at, end);
@@ -212,7 +288,7 @@ class Table {
             row_[column] = *on;
             ++numbers;
           } else if (!is_missing(cell, recipe_.missing)) {
-            if (const auto slow = cell_number(cell, shape_.decimal)) {
+            if (const auto slow = number_in(cell, plan_.columns[column])) {
               row_[column] = *slow;
               ++numbers;
             } else if (!bad) {
@@ -228,6 +304,7 @@ class Table {
         if (kind == ColumnKind::clock) clock_ = trimmed_cell(cell);
         if (kind == ColumnKind::milli) milli_ = trimmed_cell(cell);
         if (kind == ColumnKind::channel) channel_ = trimmed_cell(cell);
+        if (kind == ColumnKind::words) row_[column] = word_in(cell, table_.words[column]);
         at += cell.size();
       }
       more = at < end;
@@ -247,6 +324,7 @@ class Table {
     double time_s = kGap;
     const TimePlan& plan = plan_.time;
     bool timed = plan.kind == TimePlan::Kind::rows;
+    const StampState before{table_.first_day, table_.has_clock, table_.elapsed, table_.zoned, zone_s_};
     if (plan.kind == TimePlan::Kind::stamps) timed = take_stamp(line, time_s);
     if (plan.kind == TimePlan::Kind::number) timed = column > plan.column && std::isfinite(row_[plan.column]);
     // Few numbers and no time: a line of text, a header once more, a note at the end.
@@ -254,12 +332,15 @@ class Table {
     const bool untimed = plan.kind == TimePlan::Kind::rows && found * 2 < number_columns_;
     if (!timed && !bad && found > 0 && found * 2 >= number_columns_) {
       ++table_.without_time;
+      restore(before);
       return false;
     }
     if (!timed || (found == 0 && (!bad || untimed) && column < plan_.columns.size())) {
       pending_.push_back(line);
+      restore(before);
       return false;
     }
+    expect_same_table(time_s);
     for (const std::size_t text : pending_) {
       if (table_.bad_lines.empty())
         first_fault_ = fmt::format("{}:{}: expected a row of numbers, found none.", name_, text);
@@ -291,12 +372,29 @@ class Table {
       }
     }
     for (std::size_t i = 0; i < plan_.columns.size(); ++i) {
-      if (plan_.columns[i].kind == ColumnKind::number) table_.values[i].push_back(row_[i]);
+      if (has_values(plan_.columns[i].kind)) table_.values[i].push_back(row_[i]);
     }
     if (plan.kind == TimePlan::Kind::stamps) table_.time_s.push_back(time_s);
     if (has_channels_) take_channel();
     ++table_.rows;
     return true;
+  }
+
+  [[nodiscard]] std::optional<double> number_in(std::string_view cell, const PlannedColumn& column) const {
+    cell = trimmed_cell(cell);
+    if (cell.starts_with(column.before)) cell.remove_prefix(column.before.size());
+    if (cell.ends_with(column.behind)) cell.remove_suffix(column.behind.size());
+    return cell_number(cell, shape_.decimal);
+  }
+
+  // The place of the word among those that differ; a gap: the cell is empty.
+  static double word_in(std::string_view cell, std::vector<std::string>& words) {
+    cell = trimmed_cell(cell);
+    if (cell.find_first_not_of("-_./?") == std::string_view::npos) return kGap;
+    const auto known = std::find(words.begin(), words.end(), cell);
+    const auto place = static_cast<std::size_t>(known - words.begin());
+    if (known == words.end() && words.size() < kMostStates) words.emplace_back(cell);
+    return static_cast<double>(place);
   }
 
   void take_channel() {
@@ -319,16 +417,35 @@ class Table {
                        [](std::string_view cell) { return look_of(cell).kind == NumberLook::Kind::other; });
   }
 
+  // What the stamps before a row say of all.
+  struct StampState {
+    std::optional<std::int64_t> first_day;
+    bool has_clock, elapsed, zoned;
+    double zone_s;
+  };
+
+  void restore(const StampState& before) {
+    table_.first_day = before.first_day;
+    table_.has_clock = before.has_clock;
+    table_.elapsed = before.elapsed;
+    table_.zoned = before.zoned;
+    zone_s_ = before.zone_s;
+  }
+
   bool take_stamp(std::size_t line, double& time_s) {
     const DateOrder order = plan_.time.order.value_or(DateOrder::day_first);
-    const auto stamp = time_stamp(date_, order);
+    const auto with_colons =
+        plan_.time.dotted_clock ? clock_of_dots(clock_.empty() ? date_ : clock_, true) : std::nullopt;
+    const auto stamp = time_stamp(with_colons && clock_.empty() ? std::string_view(*with_colons) : date_, order);
     if (!stamp) return false;
     double clock_s = stamp->clock_s.value_or(0.0);
     if (stamp->two_fields && plan_.time.two_fields_are_minutes) clock_s /= 60.0;
+    is_timed_ = stamp->clock_s.has_value();
+    table_.has_clock = table_.has_clock || stamp->clock_s;
     table_.elapsed = table_.elapsed || stamp->elapsed;
     double zone_s = stamp->zone_s.value_or(0.0);
     if (!clock_.empty()) {
-      const auto clock = time_stamp(clock_, order);
+      const auto clock = time_stamp(with_colons ? std::string_view(*with_colons) : clock_, order);
       if (!clock || !clock->clock_s) return false;
       clock_s = *clock->clock_s;
       zone_s = clock->zone_s.value_or(zone_s);
@@ -364,6 +481,13 @@ class Table {
   const LogPlan& plan_;
   const std::string& name_;
   const LogRecipe& recipe_;
+  std::string names_;            // the line of names, as it stands
+  std::string new_names_;        // what to say where rows follow
+  std::set<std::int64_t> days_;  // on lines that are no rows
+  std::size_t date_line_ = 0;    // of a new one between rows of clocks
+  bool is_next_day_ = false;
+  bool is_timed_ = false;     // the line has a clock
+  std::vector<double> none_;  // numbers that the recipe takes for no value
   std::vector<double> row_;
   std::size_t number_columns_ = 0;
   std::string first_fault_, first_cut_;
@@ -379,11 +503,19 @@ class Table {
 }  // namespace
 
 std::size_t LogTable::line_of(std::size_t row) const {
+  if (newest_first) row = rows - 1 - row;
   const auto after =
       std::upper_bound(lines.begin(), lines.end(), row, [](std::size_t r, const auto& one) { return r < one.first; });
   if (after == lines.begin()) return 0;
   const auto& at = *std::prev(after);
   return at.second + (row - at.first);
+}
+
+void put_oldest_first(LogTable& table) {
+  for (std::vector<double>& values : table.values) std::reverse(values.begin(), values.end());
+  std::reverse(table.time_s.begin(), table.time_s.end());
+  std::reverse(table.channel_of.begin(), table.channel_of.end());
+  table.newest_first = true;
 }
 
 LogTable log_table(const Source& source, const LogShape& shape, LogPlan& plan, const LogRecipe& recipe) {

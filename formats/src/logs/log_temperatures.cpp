@@ -193,9 +193,8 @@ std::vector<TemperatureFamily> temperatures_among(const LogPlan& plan, const std
       std::none_of(plan.columns.begin(), plan.columns.end(), [](const PlannedColumn& column) { return column.headed; });
   for (std::size_t i = 0; i < plan.columns.size(); ++i) {
     const PlannedColumn& column = plan.columns[i];
-    const bool is_time = plan.time.kind == TimePlan::Kind::number && i == plan.time.column;
-    if (is_time || column.kind != ColumnKind::number || !column.unit.empty() || is_no_temperature(column.stated) ||
-        (!column.stated.unit.empty() && !column.unit_by_pattern))
+    if (is_time(plan, i) || column.kind != ColumnKind::number || !column.unit.empty() ||
+        is_no_temperature(column.stated) || (!column.stated.unit.empty() && !column.unit_by_pattern))
       continue;
     stems[family_of(column.headed ? column.name : "c1")].push_back(i);
   }

@@ -12,11 +12,13 @@
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
 #include "ballbar/internal/numerics/interruption.hpp"
+#include "text/located_text.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{256} << 10;
+constexpr const char* kWestern = "WINDOWS-1252";
 constexpr std::size_t kLongestLine = std::size_t{4} << 20;
 constexpr std::size_t kLinesBetweenQuestions = 4096;  // whether the work is to end
 constexpr std::size_t kMostLinesOfCell = 20;          // beyond, the quote was an inch, or a cell that lacks its end
@@ -97,7 +99,7 @@ TextEncoding encoding_of(std::string_view head) {
   };
   const bool japanese = 4 * count(0x81, 0x9F) > count(0xA0, 0xFF);
   if (japanese && in_pairs(head, is_pair, [](unsigned a) { return a >= 0xA1 && a <= 0xDF; })) return {"SHIFT_JIS", 0};
-  return {"WINDOWS-1252", 0};
+  return {kWestern, 0};
 }
 
 struct LogLines::Decoder {
@@ -206,6 +208,11 @@ bool LogLines::next(bool quotes) {
     const bool last = until == buffer_.size();
     line_ = std::string_view(buffer_).substr(at_, until - at_);
     while (line_.ends_with('\r')) line_.remove_suffix(1);
+    if (!decoder_ && first_not_utf8(line_) != std::string_view::npos) {
+      other_line_.clear();
+      Decoder(kWestern).append(line_, true, other_line_);
+      line_ = other_line_;
+    }
     number_ = lines_ + 1;
     lines_ += ends + 1;
     at_ = last ? until : until + 1;

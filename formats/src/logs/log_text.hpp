@@ -12,14 +12,15 @@ namespace ballbar {
 
 // "UTF-8", "UTF-16LE", "UTF-16BE", "WINDOWS-1252", "GB18030", "SHIFT_JIS", as iconv knows them, by the first bytes: a
 // byte order mark; NULs at every other place; what is UTF-8; pairs of bytes as Chinese and Japanese have them; else
-// Windows' Latin-1. Empty: a binary file.
+// Windows-1252. Empty: a binary file.
 struct TextEncoding {
   std::string name;
   std::size_t mark = 0;  // bytes of the byte order mark
 };
 TextEncoding encoding_of(std::string_view head);
 
-// Lines in UTF-8. A quoted cell may hold line ends: it is one line then. Views are valid until the next call.
+// Lines in UTF-8; one that is not, in a file that is, is in Windows-1252. A quoted cell may hold line ends: it is
+// one line then. Views are valid until the next call.
 class LogLines {
  public:
   LogLines(Source source, const TextEncoding& encoding);
@@ -41,6 +42,7 @@ class LogLines {
   std::size_t read_ = 0;  // bytes of the source
   struct Decoder;
   std::unique_ptr<Decoder> decoder_;
+  std::string other_line_;  // that is not UTF-8
   std::string buffer_;
   std::size_t at_ = 0;
   std::string_view line_;

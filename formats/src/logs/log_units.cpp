@@ -84,8 +84,8 @@ constexpr KnownTime kTimes[] = {
     {"us|usec", 1e-6},
     {"ns|nsec", 1e-9},
     {"min|mins|minute|minutes|minuten|minuti|minutos|分|分钟", 60.0},
-    {"h|hr|hrs|hour|hours|std|stunden|heures|horas|ore|小时|時間", 3600.0},
-    {"d|day|days|tage", 86400.0},
+    {"h|hr|hrs|hour|hours|std|stunde|stunden|heures|horas|ore|小时|時間", 3600.0},
+    {"d|day|days|tag|tage|jours|giorni|dias", 86400.0},
 };
 
 // Line ends too: a cell in quotes may hold them.
@@ -107,6 +107,18 @@ bool is_unit_of(std::string_view name, std::string_view text) {
   return log_unit(text) || (time_unit_s(text) && is_time_name(name));
 }
 
+// "Z 1/100 mm", "Z 0.01 mm": a fraction or a decimal before the unit belongs to it. "Probe 1 mm" is a name with a
+// number.
+std::optional<NameAndUnit> with_scale(std::string_view name, std::string_view unit) {
+  const std::size_t at = name.find_last_of(" \t");
+  if (at == std::string_view::npos) return std::nullopt;
+  const std::string_view scale = name.substr(at + 1);
+  const bool is_fraction = scale.starts_with("1/1") || scale.starts_with("0.") || scale.starts_with("0,");
+  std::string both = std::string(scale) + " " + std::string(unit);
+  if (!is_fraction || !scaled_unit(both)) return std::nullopt;
+  return NameAndUnit{std::string(bare(name.substr(0, at))), std::move(both)};
+}
+
 // "Temp 1 [°C]", also with a bracket that is not known as a unit: "Temp 1 [avg]" keeps it in the name.
 std::optional<NameAndUnit> with_brackets(std::string_view header) {
   for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}, std::pair{'{', '}'}}) {
@@ -115,7 +127,7 @@ std::optional<NameAndUnit> with_brackets(std::string_view header) {
     const std::size_t begin = header.rfind(open, end);
     if (begin == std::string_view::npos) continue;
     const std::string_view inside = bare(header.substr(begin + 1, end - begin - 1));
-    if (!log_unit(inside) && !time_unit_s(inside)) continue;
+    if (!scaled_unit(inside) && !time_unit_s(inside)) continue;
     std::string name(bare(header.substr(0, begin)));
     const std::string_view after = bare(header.substr(end + 1));
     if (!after.empty()) name += (name.empty() ? "" : " ") + std::string(after);
@@ -138,9 +150,38 @@ std::optional<LogUnit> log_unit(std::string_view text) {
   return std::nullopt;
 }
 
+std::optional<LogUnit> scaled_unit(std::string_view text) {
+  if (const auto unit = log_unit(text)) return unit;
+  text = without_brackets(text);
+  for (const std::string_view times : {"x", "X", "*", "\u00D7"}) {  // "x0.1 degC"
+    if (text.starts_with(times)) text = bare(text.substr(times.size()));
+  }
+  double scale = 0.0, divisor = 1.0;
+  const auto number_at = [](std::string_view& from, double& number) {
+    std::string point(from.substr(0, 24));  // "0,01 mm"
+    std::replace(point.begin(), point.end(), ',', '.');
+    const auto [rest, error] = std::from_chars(point.data(), point.data() + point.size(), number);
+    from = bare(from.substr(static_cast<std::size_t>(rest - point.data())));
+    return error == std::errc{};
+  };
+  if (!number_at(text, scale)) return std::nullopt;
+  if (text.starts_with('/') && !log_unit(text)) {  // 1/100 mm, and 1000 /min
+    text = bare(text.substr(1));
+    if (!number_at(text, divisor)) return std::nullopt;
+  }
+  const double power = std::log10(scale / divisor);
+  const auto unit = log_unit(text);
+  // "[10 mm]" is the place of a sensor, or its range.
+  const bool is_place = power > 0.5 && unit && unit->factor > 1.0;
+  if (!unit || is_place || unit->offset != 0.0 || unit->canonical == "%" || !(std::abs(power) <= 6.0) ||
+      std::abs(power - std::round(power)) > 1e-9)
+    return std::nullopt;
+  return LogUnit{unit->canonical, unit->factor * std::pow(10.0, std::round(power))};
+}
+
 LogUnit stated_unit(std::string_view text, std::string_view place) {
   if (text == "none") return {};
-  if (const auto unit = log_unit(text)) return *unit;
+  if (const auto unit = scaled_unit(text)) return *unit;
   text = bare(text);
   double scale = 0.0;
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), scale);
@@ -194,7 +235,9 @@ NameAndUnit name_and_unit(std::string_view header) {
     if (!is_unit_of(std::string_view(ascii).substr(0, at), end) ||
         (one_letter && (between == " " || between == " - " || between == ".")) || (between == " " && end == "in"))
       continue;
-    return {std::string(bare(std::string_view(ascii).substr(0, at))), std::string(end)};
+    const std::string_view name = bare(std::string_view(ascii).substr(0, at));
+    if (const auto scaled = with_scale(name, end)) return *scaled;
+    return {std::string(name), std::string(end)};
   }
   return {ascii, {}};
 }

@@ -17,6 +17,10 @@ struct LogUnit {
 // temperature or a difference of two: it comes as "K", and the values tell (log_columns).
 std::optional<LogUnit> log_unit(std::string_view text);
 
+// The same of a header, where a power of ten may stand before it: "0.0001 in", "1/1000 mm", "10 um". The values are
+// then in so many of the unit.
+std::optional<LogUnit> scaled_unit(std::string_view text);
+
 // What a user states: a unit of the list, a scale such as "2.5um" or "0.01 mm", or "none". Throws Error for anything
 // else; `place` stands before it.
 LogUnit stated_unit(std::string_view text, std::string_view place);

@@ -25,6 +25,9 @@ constexpr double kSentinels[] = {-999.0,  -9999.0, -99999.0, -999.9,   -999.99, 
 
 constexpr double kLeastPossible_degC = -60.0, kMostPossible_degC = 400.0, kWarmestOfOthers_degC = 200.0;
 constexpr std::size_t kWindow = 7, kFewestValues = 20;
+constexpr std::size_t kFewOutliers = 4;
+constexpr double kOneHeight = 2.0;          // ratio of the largest to the smallest
+constexpr std::size_t kFewestBetween = 20;  // values on the average between two single ones
 constexpr double kFarNoise = 20.0, kFarShare = 0.5, kNoiseOfMad = 1.4826;
 
 double share_of(const std::vector<double>& values, double share) {
@@ -70,6 +73,38 @@ std::string take_failed_temperatures(std::vector<double>& values, double factor,
   return fmt::format("{} times {:g}{}", count, example, count == 1 ? "" : " and the like");
 }
 
+std::string take_repeated_numbers(std::vector<double>& values) {
+  constexpr std::size_t kFewest = 3;
+  const Extremes all = extremes_of(values);
+  for (const double number : {all.least, all.most}) {
+    std::vector<double> rest;
+    std::size_t count = 0;
+    bool is_in_run = false;
+    double jump = 0.0;  // largest change across a run of the number
+    for (const double value : values) {
+      if (!std::isfinite(value)) continue;
+      if (value == number) {
+        ++count;
+        is_in_run = true;
+        continue;
+      }
+      if (is_in_run && !rest.empty()) jump = std::max(jump, std::abs(value - rest.back()));
+      is_in_run = false;
+      rest.push_back(value);
+    }
+    if (count < kFewest || 5 * count > rest.size() + count || rest.size() < kFewestValues) continue;
+    const Extremes others = extremes_of(rest);
+    const double range = others.most - others.least;
+    if (!(range > 0.0)) continue;  // on and off
+    const double apart = number < others.least ? others.least - number : number - others.most;
+    if (!(apart > std::max(range, kFarNoise * usual_change(rest))) || !(jump < 0.5 * apart)) continue;
+    if (signal_kind(rest) == SignalKind::steps) continue;
+    std::replace(values.begin(), values.end(), number, kGap);
+    return fmt::format("{} times {:g}", count, number);
+  }
+  return {};
+}
+
 std::string take_single_outliers(std::vector<double>& values) {
   std::vector<double> known;
   std::vector<std::size_t> rows;
@@ -89,7 +124,14 @@ std::string take_single_outliers(std::vector<double>& values) {
     const auto is_off = [&](std::size_t k) { return std::abs(known[k] - middle) > far; };
     if (is_off(i) && !is_off(i - 1) && !is_off(i + 1)) found.push_back(i);
   }
-  if (found.empty() || found.size() > 2 + known.size() / 100) return {};
+  if (found.empty() || found.size() > 2 + known.size() / kFewestBetween) return {};
+  if (found.size() > kFewOutliers) {  // many of one height are events of the machine
+    std::vector<double> heights;
+    heights.reserve(found.size());
+    for (const std::size_t i : found) heights.push_back(known[i] - 0.5 * (known[i - 1] + known[i + 1]));
+    const auto [least, most] = std::minmax_element(heights.begin(), heights.end());
+    if (*least * *most > 0.0 && std::max(*least / *most, *most / *least) < kOneHeight) return {};
+  }
   std::vector<double> rest = known;  // a single value far off looks like steps itself
   for (const std::size_t i : found) rest[i] = kGap;
   if (signal_kind(rest) == SignalKind::steps) return {};

@@ -178,6 +178,17 @@ class TimeFinder {
     return best;
   }
 
+  // "mm:ss", "(min:s)", but not "h:mm:ss".
+  static bool states_minutes_and_seconds(std::string_view header) {
+    constexpr std::string_view kForms = "mm:ss|m:ss|m:s|min:s|min:ss|min:sec";
+    for (std::size_t begin = 0; begin < header.size();) {
+      const std::size_t end = std::min(header.find_first_of(" \t()[]{}_/,", begin), header.size());
+      if (is_one_of(kForms, small(header.substr(begin, end - begin)))) return true;
+      begin = end + 1;
+    }
+    return false;
+  }
+
   static bool starts_with_time(std::string_view name) {
     const std::string key = folded(name);
     return key.starts_with("time ") || key.starts_with("zeit ") || key.ends_with(" time") || key.ends_with("zeit") ||
@@ -254,11 +265,11 @@ class TimeFinder {
     TimePlan& time = plan_.time;
     time.kind = TimePlan::Kind::stamps;
     time.column = i;
-    const std::string header = folded_unit(plan_.columns[i].source + " " + shape_.units[i]);
-    time.two_fields_are_minutes = header.find("mm:ss") != std::string::npos &&
-                                  header.find("h:mm:ss") == std::string::npos && samples_[i].two_fields > 0;
+    const std::string header = plan_.columns[i].source + " " + shape_.units[i];
+    time.two_fields_are_minutes = samples_[i].two_fields > 0 && states_minutes_and_seconds(header);
     time.minutes_and_seconds = time.two_fields_are_minutes || (samples_[i].minutes_and_seconds > 0 &&
                                                                samples_[i].minutes_and_seconds == samples_[i].clocks);
+    time.dotted_clock = samples_[i].has_dotted_clocks;
     plan_.columns[i].kind = ColumnKind::stamp;
     decide_order(samples_[i]);
     time.text = in_quotes(plan_.columns[i].source);
@@ -269,6 +280,7 @@ class TimeFinder {
     of_stamp(date);
     plan_.columns[date].kind = ColumnKind::date;
     plan_.columns[clock].kind = ColumnKind::clock;
+    plan_.time.dotted_clock = samples_[clock].has_dotted_clocks;
     plan_.time.text =
         fmt::format("{} and {}", in_quotes(plan_.columns[date].source), in_quotes(plan_.columns[clock].source));
     find_milli(clock);

@@ -260,6 +260,9 @@ bool take_clock(Cursor& cursor, TimeStamp& stamp) {
   if (after_noon && clock_s < 12.0 * 3600.0) clock_s += 12.0 * 3600.0;
   if (before_noon && clock_s >= 12.0 * 3600.0) clock_s -= 12.0 * 3600.0;
   if (!take_half_day(cursor, clock_s)) return false;
+  Cursor ahead = cursor;
+  ahead.skip_blanks();
+  if (ahead.take("Uhr")) cursor = ahead;
   stamp.clock_s = clock_s;
   return true;
 }
@@ -393,6 +396,22 @@ std::string stamp_text(double seconds) {
       fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(static_cast<std::time_t>((all_ms - milli) / 1000)));
   if (milli != 0) text += fmt::format(".{:03}", milli);
   return text;
+}
+
+std::optional<std::string> clock_of_dots(std::string_view text, bool may_lack_seconds) {
+  if (text.ends_with("Uhr")) text = text.substr(0, text.find_last_not_of(' ', text.size() - 4) + 1);
+  Cursor cursor(text);
+  const auto hours = cursor.number(1, 2);
+  if (!hours || !cursor.take(".")) return std::nullopt;
+  const auto minutes = cursor.number(2, 2);
+  if (!minutes || *minutes > 59) return std::nullopt;
+  if (may_lack_seconds && cursor.at_end()) return fmt::format("{:02}:{:02}", *hours, *minutes);
+  if (!cursor.take(".")) return std::nullopt;
+  const auto seconds = cursor.number(2, 2);
+  if (!seconds || *seconds > 59) return std::nullopt;
+  const std::string_view rest = cursor.rest();
+  if (fraction(cursor); !cursor.at_end()) return std::nullopt;
+  return fmt::format("{:02}:{:02}:{:02}{}", *hours, *minutes, *seconds, rest);
 }
 
 }  // namespace ballbar

@@ -30,4 +30,8 @@ struct TimeStamp {
 // digits is of 1970 to 2069. Dots: the day is first. `order` tells 03/04/2026.
 std::optional<TimeStamp> time_stamp(std::string_view text, DateOrder order);
 
+// "07:05:00" of "07.05.00", as clocks are written in Italian, Danish and Finnish; a fraction may follow, and hours may
+// run on; "07.05" where seconds may be lacking. nullopt: it is none. It may be a date or a number as well.
+std::optional<std::string> clock_of_dots(std::string_view text, bool may_lack_seconds = false);
+
 }  // namespace ballbar

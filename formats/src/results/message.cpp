@@ -32,15 +32,15 @@ std::string message_key(std::string_view name) {
                                      : std::string(name) + "_message";
 }
 
-void add_value(nlohmann::ordered_json& json, std::string_view name, const Paragraph& paragraph) {
+void KeyOf<Paragraph>::add(Json& json, std::string_view name, const Paragraph& paragraph) {
   json[std::string(name)] = text_of(paragraph);
   if (is_named(paragraph)) json[message_key(name)] = json_value(paragraph.messages);
 }
 
-void add_value(nlohmann::ordered_json& json, std::string_view name, const std::vector<Paragraph>& paragraphs) {
+void KeyOf<std::vector<Paragraph>>::add(Json& json, std::string_view name, const std::vector<Paragraph>& paragraphs) {
   json[std::string(name)] = json_value(texts_of(paragraphs));
   if (std::none_of(paragraphs.begin(), paragraphs.end(), is_named)) return;
-  nlohmann::ordered_json& messages = json[message_key(name)] = nlohmann::ordered_json::array();
+  Json& messages = json[message_key(name)] = Json::array();
   for (const Paragraph& paragraph : paragraphs) messages.push_back(json_value(paragraph.messages));
 }
 

@@ -12,11 +12,21 @@ double rounded(double value) {
 
 }  // namespace
 
-nlohmann::ordered_json json_value(const Bulk& bulk) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  json.get_ref<nlohmann::ordered_json::array_t&>().reserve(bulk.values.size());
+Json ValueOf<Bulk>::json(const Bulk& bulk) {
+  Json json = Json::array();
+  json.get_ref<Json::array_t&>().reserve(bulk.values.size());
   for (const double value : bulk.values) json.push_back(json_value(rounded(value)));
   return json;
+}
+
+Json ValueOf<Eigen::MatrixXd>::json(const Eigen::MatrixXd& matrix) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.push_back(json_value(matrix(i, j)));
+    rows.push_back(std::move(row));
+  }
+  return rows;
 }
 
 }  // namespace ballbar

@@ -3,6 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <utility>
+
+#include "ballbar/error.hpp"
+
 namespace ballbar {
 namespace {
 
@@ -53,6 +58,21 @@ std::string typescript_key(const FieldSchema& field) {
 }
 
 }  // namespace
+
+bool add_name(std::vector<ResultSchema>& all, ResultSchema schema) {
+  for (const ResultSchema& one : all) {
+    if (one.of == schema.of) return false;
+    if (one.name == schema.name) throw Error(one.name + ": expected one type of that name, found two.");
+  }
+  all.push_back(std::move(schema));
+  return true;
+}
+
+void add_field(std::vector<FieldSchema>& fields, FieldSchema field) {
+  const auto same = std::find_if(fields.begin(), fields.end(),
+                                 [&](const FieldSchema& one) { return key_text(one) == key_text(field); });
+  same == fields.end() ? fields.push_back(std::move(field)) : void(*same = std::move(field));
+}
 
 std::string key_text(const FieldSchema& field) {
   return field.key == KeyKind::with_unit ? field.name + "_UNIT" : field.name;

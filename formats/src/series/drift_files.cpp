@@ -47,10 +47,9 @@ void write_csv(const DriftColumns& drift, const std::filesystem::path& path) {
   write_series_parts(drift.series, header, path);
 }
 
-TableOf<AxisRange> ranges_of(const MeasuredDrift& drift, std::size_t begin, std::size_t end) {
-  TableOf<AxisRange> ranges;
-  for (const DriftAxis& axis : drift.axes)
-    ranges.emplace_back(axis.name, AxisRange{range_of(axis, drift.time_s, begin, end), axis.unit});
+TableOf<DriftRange> ranges_of(const MeasuredDrift& drift, std::size_t begin, std::size_t end) {
+  TableOf<DriftRange> ranges;
+  for (const DriftAxis& axis : drift.axes) ranges.emplace_back(axis.name, range_of(axis, drift.time_s, begin, end));
   return ranges;
 }
 
@@ -92,8 +91,8 @@ void write_rows(std::ostream& out, const Series& series) {
 // The keys of a field, which may be several.
 template <class Value>
 void write_keys(std::ostream& out, std::string_view& before, std::string_view name, const Value& value) {
-  nlohmann::ordered_json json;
-  add_value(json, name, value);
+  Json json;
+  KeyOf<Value>::add(json, name, value);
   for (const auto& [key, of_key] : json.items())
     out << std::exchange(before, ",") << "\n  \"" << key << "\": " << of_key.dump();
 }
@@ -143,13 +142,7 @@ void write_by_extension(const std::filesystem::path& path, Columns columns, Writ
 Series series_of(const DriftSeries& drift) {
   Series series;
   for (const DriftPoint& point : drift.points) series.time_s.push_back(point.time_s);
-  [&]<std::size_t... Place>(std::index_sequence<Place...>) {
-    ((add_column(series, drift, std::get<Place>(kDriftPointValues)),
-      add_column(series, drift, std::get<Place>(kDriftPointSigmas))),
-     ...);
-  }
-  (std::make_index_sequence<std::tuple_size_v<decltype(kDriftPointValues)>>());
-  add_column(series, drift, kDriftPointElongation);
+  std::apply([&](const auto&... field) { (add_column(series, drift, field), ...); }, kDriftPointColumns);
   return series;
 }
 
@@ -165,8 +158,10 @@ DriftSheet sheet_of(const MeasuredDrift& drift, std::span<const Series> signals,
   });
   for (const DriftAxis& axis : drift.axes) {
     if (!is_alone || signals.empty() || drift.method != "log" || axis.unit != "um") continue;
-    if (const std::optional<Course> course = course_of(drift.time_s, axis.value))
-      sheet.courses.push_back({axis.name, *course});
+    std::optional<Course> course = course_of(drift.time_s, axis.value);
+    if (!course) continue;
+    course->axis = axis.name;
+    sheet.courses.push_back(std::move(*course));
   }
   const bool is_at_rest = sheet.test.kind == ThermalTestKind::environment;  // it follows the room, and does not settle
   if (steps.size() < 2 && !is_at_rest) sheet.settling = settling_of(drift, 0, n, stable_um);

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t kNone = std::string_view::npos;
 
-// Offset of the first byte that is not UTF-8, or kNone. Eight ASCII bytes a step.
+}  // namespace
+
 std::size_t first_not_utf8(std::string_view bytes) {
   std::size_t i = 0;
   while (i < bytes.size()) {
@@ -31,8 +32,6 @@ std::size_t first_not_utf8(std::string_view bytes) {
   }
   return kNone;
 }
-
-}  // namespace
 
 bool is_utf16(std::string_view bytes) { return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"); }
 

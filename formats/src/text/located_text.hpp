@@ -18,6 +18,9 @@ struct SourceText {
 // UTF-16 with a byte order mark, which is what makes it that.
 bool is_utf16(std::string_view bytes);
 
+// Offset of the first byte that is not UTF-8, or npos. Eight ASCII bytes a step.
+std::size_t first_not_utf8(std::string_view bytes);
+
 // A code point as UTF-8.
 void append_utf8(std::string& to, std::uint32_t point);
 

@@ -122,7 +122,8 @@ Variances variances_of(const Side& side, const DriftAxis& axis, const std::vecto
   return variances;
 }
 
-std::vector<UncertaintyShare> shares_of(const std::vector<Contribution>& budget, std::size_t zero) {
+std::vector<UncertaintyShare> shares_of(const std::vector<Contribution>& budget, std::size_t zero,
+                                        const std::string& unit) {
   std::vector<UncertaintyShare> shares;
   double total = 0.0;
   for (const Contribution& contribution : budget) {
@@ -134,7 +135,7 @@ std::vector<UncertaintyShare> shares_of(const std::vector<Contribution>& budget,
       ++known;
     }
     const double variance = known > 0 ? squares / static_cast<double>(known) : kUnknown;
-    shares.push_back({contribution.source, std::sqrt(variance), variance});
+    shares.push_back({contribution.source, std::sqrt(variance), variance, unit});
     if (known > 0) total += variance;
   }
   for (UncertaintyShare& share : shares) share.variance = share.variance > 0.0 ? share.variance / total : 0.0;
@@ -229,7 +230,7 @@ Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const Compari
       }
     }
     const std::size_t sources_of_a = side_a.budget.size();
-    DifferenceRows rows{own.time_s, side_a.value, side_b.value, zero, {}, {}, 0.0, 0.0, {}, true};
+    DifferenceRows rows{own.time_s, side_a.value, side_b.value, zero, {}, {}, 0.0, 0.0, {}, true, axis_a.unit};
     Variances of_a = variances_of(side_a, axis_a, a_is_sparse ? own.sparse : own.dense, zero, rows.shared);
     Variances of_b = variances_of(side_b, *axis_b, a_is_sparse ? own.dense : own.sparse, zero, rows.shared);
     rows.variance_a = std::move(of_a.own);
@@ -257,7 +258,7 @@ Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const Compari
       axis.difference.push_back(axis.a[i] - axis.b[i]);
       axis.sigma.push_back(sigma_of(total, i));
     }
-    axis.budget = shares_of(budget, zero);
+    axis.budget = shares_of(budget, zero, axis.unit);
     describe_samples(axis, own.time_s[zero]);
     decide_by_samples(axis, own.time_s[zero]);
     // Half of the variance of a change since the zero is the zero's: a constant, which moves no lag.

@@ -177,12 +177,14 @@ DifferenceParts parts_of(const DifferenceRows& rows, const Linearised& none, con
   const Solved tested = solved(none, free);
   const Fitted fit = fitted(rows, free);
   const std::array<double, 4> most_sigma = most_sigma_of(rows);
+  const std::array<std::string, 4> units{rows.unit, "", "s", rows.unit + "_per_h"};
   DifferenceParts parts;
   for (std::size_t kind = 0; kind < free.size(); ++kind) {
     if (!tested.step[kind]) continue;
     // A curve that changes no more than its scatter determines neither scale nor clock.
     if (*tested.information[kind] < kMoreThanScatter * none.scatter[kind]) continue;
     DifferencePart part;
+    part.unit = units[kind];
     const double z = *tested.step[kind] * std::sqrt(*tested.information[kind]) / widened_by;
     part.explains = z * z;
     part.chance = student_tails(z, degrees);
@@ -223,12 +225,13 @@ DifferenceRows rows_that_count(const DifferenceRows& rows) {
 std::optional<DifferenceStructure> difference_structure(const DifferenceRows& all_rows) {
   const DifferenceRows rows = rows_that_count(all_rows);
   DifferenceStructure found;
-  found.rows = rows.time_s.size() - 1;
-  if (found.rows < (rows.stated ? kFewestStated : kFewestUnstated)) return std::nullopt;
+  const std::size_t count = rows.time_s.size() - 1;
+  found.unit = rows.unit;
+  if (count < (rows.stated ? kFewestStated : kFewestUnstated)) return std::nullopt;
   const Linearised none = linearised_at(rows, kNoDifference);
   constexpr Free kAll{true, true, true, true};
   const Solved together = solved(none, kAll);
-  const double freedom = static_cast<double>(found.rows - together.rank);
+  const double freedom = static_cast<double>(count - together.rank);
   double degrees = kInfinite;
   Eigen::ArrayXd rest(together.rest.size() - 1);
   const auto zero = static_cast<Eigen::Index>(rows.zero);
@@ -236,7 +239,7 @@ std::optional<DifferenceStructure> difference_structure(const DifferenceRows& al
   const least_squares::Autocorrelation rho = least_squares::autocorrelation_of(rest);
   const double wider = 1.0 + 2.0 * rho.share * rho.phi / (1.0 - std::min(rho.phi, 0.99));
   if (rows.stated) {
-    const bool too_large = chi2_upper_tail(together.chi2_after, found.rows - together.rank) < kChanceOfRest;
+    const bool too_large = chi2_upper_tail(together.chi2_after, count - together.rank) < kChanceOfRest;
     if (too_large || wider > 1.0) {
       const double variance = wider * together.chi2_after / freedom;
       if (variance > 1.0) {
@@ -247,17 +250,17 @@ std::optional<DifferenceStructure> difference_structure(const DifferenceRows& al
     }
   } else {
     found.noise = NoiseOfDifference::from_rows;
-    found.widened_by = median_sigma(rest) * std::sqrt(static_cast<double>(found.rows) / freedom * wider);
+    found.widened_by = median_sigma(rest) * std::sqrt(static_cast<double>(count) / freedom * wider);
     degrees = std::max(1.0, kShareOfMedian * freedom / wider);
     if (!(found.widened_by > 0.0)) return std::nullopt;
   }
   const double variance = found.widened_by * found.widened_by;
-  found.chi2 = together.chi2_before;
-  found.chi2_of_parts = (together.chi2_before - together.chi2_after) / variance;
-  if (!rows.stated) found.chi2 /= variance;
-  found.parts_freedom = together.rank;
-  found.chance_of_parts =
-      fisher_upper_tail(found.chi2_of_parts / static_cast<double>(together.rank), together.rank, degrees);
+  const double explained = (together.chi2_before - together.chi2_after) / variance;
+  found.whole = {rows.stated ? together.chi2_before : together.chi2_before / variance, count, {}, {}};
+  found.together = {explained,
+                    together.rank,
+                    fisher_upper_tail(explained / static_cast<double>(together.rank), together.rank, degrees),
+                    {}};
   found.parts = parts_of(rows, none, kAll, found.widened_by, degrees);
   for (std::size_t kind = 0; kind < kDifferenceKinds.size(); ++kind) {
     Free one{};
@@ -270,8 +273,8 @@ std::optional<DifferenceStructure> difference_structure(const DifferenceRows& al
 DifferenceStructure judged(DifferenceStructure structure, std::size_t axes) {
   const auto kinds = static_cast<double>(kDifferenceKinds.size());
   structure.limit_of_part = kChanceOfPart / (kinds * static_cast<double>(axes));
-  structure.limit_of_parts = kChanceOfPart / ((kinds + 1.0) * static_cast<double>(axes));
-  structure.stands_out = structure.chance_of_parts < structure.limit_of_parts;
+  structure.together.limit = kChanceOfPart / ((kinds + 1.0) * static_cast<double>(axes));
+  structure.stands_out = structure.together.chance < structure.together.limit;
   const auto name = [&](DifferenceParts& parts, double limit) {
     for (std::optional<DifferencePart>& part : parts) {
       if (!part) continue;
@@ -280,7 +283,7 @@ DifferenceStructure judged(DifferenceStructure structure, std::size_t axes) {
     }
   };
   name(structure.parts, structure.limit_of_part);
-  name(structure.alone, structure.limit_of_parts);
+  name(structure.alone, *structure.together.limit);
   return structure;
 }
 
@@ -289,8 +292,9 @@ std::vector<DifferenceKind> sufficient_alone(const DifferenceStructure& structur
   for (std::size_t kind = 0; kind < kDifferenceKinds.size(); ++kind) {
     const std::optional<DifferencePart>& part = structure.alone[kind];
     if (!part || !part->named) continue;
-    const double missing = structure.chi2_of_parts - part->explains;
-    if (structure.parts_freedom > 1 && chi2_upper_tail(missing, structure.parts_freedom - 1) < kChanceOfPart) continue;
+    const double missing = structure.together.chi2 - part->explains;
+    if (structure.together.freedom > 1 && chi2_upper_tail(missing, structure.together.freedom - 1) < kChanceOfPart)
+      continue;
     kinds.push_back(kDifferenceKinds[kind]);
   }
   return kinds;

@@ -320,7 +320,7 @@ DriftRange range_of(const DriftAxis& axis, const std::vector<double>& time_s, st
     return Estimate{axis.value[*to] - axis.value[*from], sigma};
   };
   DriftRange range{change(first.low, first.high), change(after.low, after.high), change(last_hour.low, last_hour.high),
-                   change(total.low, total.high), change(start, last)};
+                   change(total.low, total.high), change(start, last),           axis.unit};
   std::vector<double> times, values;
   std::size_t in_first = 0, in_last = 0;
   for (std::size_t row = begin; row < end; ++row) {

@@ -75,8 +75,9 @@ void decide_by_samples(AxisComparison& axis, double reference_s) {
   std::size_t from = worst, to = worst;
   while (from > 0 && beyond(from - 1)) --from;
   while (to + 1 < axis.time_s.size() && beyond(to + 1)) ++to;
-  axis.deviation = Deviation{axis.time_s[from],      axis.time_s[to],   to + 1 == axis.time_s.size(),
-                             axis.difference[worst], axis.sigma[worst], axis.time_s[worst]};
+  axis.deviation = Deviation{
+      axis.time_s[from],  axis.time_s[to], to + 1 == axis.time_s.size(), axis.difference[worst], axis.sigma[worst],
+      axis.time_s[worst], axis.unit};
 }
 
 void describe_samples(AxisComparison& axis, double reference_s) {

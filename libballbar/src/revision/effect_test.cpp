@@ -127,6 +127,7 @@ bool is_usual(const Term& term, const Model& model, const Series& data) {
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
     const Setting &one = term.settings[k], &other = usual.settings[k];
     if (one.held != other.held || one.start != other.start || one.stated) return false;
+    if (one.lower != other.lower || one.upper != other.upper) return false;
   }
   const std::vector<std::vector<std::string>> bindings = bindings_of(*effect, model, data);
   return std::find(bindings.begin(), bindings.end(), term.columns) != bindings.end();

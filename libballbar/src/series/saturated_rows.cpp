@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ballbar/internal/numerics/order_statistic.hpp"
+#include "series/equal_rows.hpp"
 
 namespace ballbar {
 namespace {
@@ -18,8 +19,7 @@ std::vector<std::size_t> saturated_rows(const std::vector<double>& values, const
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   std::vector<std::size_t> rows;
   std::vector<double> before;
-  for (std::size_t begin = 0, end = 0; begin < values.size(); begin = end) {
-    for (end = begin; end < values.size() && values[end] == values[begin];) ++end;
+  for (const auto& [begin, end] : equal_rows(values)) {
     if (begin == 0 || end - begin < limits.fewest_rows) continue;
     if (values[begin] != *low && values[begin] != *high) continue;
     for (std::size_t row = begin; row < end; ++row) rows.push_back(row);

@@ -34,6 +34,25 @@ ResidualReport report_of(Fit fit, const Model& model, const Series& data) {
   return report;
 }
 
+// An inference about a model with these terms as given; nullopt: all are as a search has them.
+std::optional<Inference> inference_of_unusual(const Model& model, const Series& data, const DiagnosisOptions& options,
+                                              std::vector<Term> terms) {
+  std::erase_if(terms, [&](const Term& term) { return is_usual(term, model, data); });
+  if (terms.empty()) return std::nullopt;
+  return inference_of(model, data, 0, options, terms);
+}
+
+// Whether an inference looked at these effects in their usual ranges.
+bool has_searched(const Inference& inference, const std::vector<Term>& terms) {
+  return std::all_of(terms.begin(), terms.end(), [&](const Term& term) {
+    const std::vector<Setting> usual = term_of(*term.effect, term.columns).settings;
+    const bool has_usual_ranges =
+        std::equal(usual.begin(), usual.end(), term.settings.begin(),
+                   [](const Setting& a, const Setting& b) { return a.lower == b.lower && a.upper == b.upper; });
+    return has_usual_ranges && family_of(*inference.problem, {term.effect.get(), term.columns});
+  });
+}
+
 }  // namespace
 
 ResidualReport residual_report_of(const Model& model, const Series& data, std::size_t target,
@@ -142,9 +161,9 @@ std::unique_ptr<Workbench::Step> Workbench::step_with(const std::vector<Term>& t
   next->model.terms.insert(next->model.terms.end(), terms.begin(), terms.end());
   expect_suits(next->model, *data_);
   if (is_of_machine_errors(next->model, *data_)) return next;
-  std::vector<Term> unusual = terms;
-  std::erase_if(unusual, [&](const Term& term) { return is_usual(term, model(), *data_); });
-  if (!unusual.empty()) next->of_added = inference_of(model(), *data_, 0, options_.diagnosis, unusual);
+  // An inference at hand gives start values, even where a shape is held elsewhere than usual.
+  if (!now().inference || !has_searched(*now().inference, terms))
+    next->of_added = inference_of_unusual(model(), *data_, options_.diagnosis, terms);
   next->model = model_with(next->of_added ? *next->of_added : inference(now()), model(), terms);
   return next;
 }
@@ -153,7 +172,7 @@ double Workbench::rmse_um_with(const std::vector<Term>& terms) {
   if (const TrialModel* known = now().find_tried(terms)) return known->rmse_um;
   const std::unique_ptr<Step> step = step_with(terms);
   const double rmse_um = fit(step->model, *data_, 0, {.among_all_errors = true}).rmse_um;
-  if (!step->of_added) now().tried.push_back({terms, std::move(step->model), rmse_um});
+  now().tried.push_back({terms, std::move(step->model), rmse_um});
   return rmse_um;
 }
 
@@ -169,6 +188,7 @@ const EffectTest& Workbench::added() {
     if (is_of_machine_errors(step.model, *data_)) {
       step.test = machine_error_test(before.model, step.added, *data_, 0);
     } else {
+      if (!step.of_added) step.of_added = inference_of_unusual(before.model, *data_, options_.diagnosis, step.added);
       step.test = effect_test_of(step.of_added ? *step.of_added : inference(before), fitted(before), fitted(step),
                                  step.added.size(), *data_, 0);
     }

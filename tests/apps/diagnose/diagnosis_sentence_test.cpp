@@ -259,6 +259,33 @@ TEST(Sentence, of_readings_that_do_not_change) {
   EXPECT_TRUE(reasons_of(found).empty());
 }
 
+// What a page shows apart: what was not used before the verdict, a slow drift below it.
+TEST(Sentence, in_parts) {
+  Diagnosis found = with_verdict(Verdict::nothing);
+  found.set_aside = 1;
+  found.level_jumps = 4;
+  found.level_jump_um = 5.0;
+  found.discrepancy_um = 1.44;
+  found.p_discrepancy = 0.9;
+  EXPECT_EQ(
+      texts_of(not_used_sentences(found)),
+      (std::vector<std::string>{"One reading far from the others is set aside.",
+                                "z_um jumps 4 times, by 5 um: corrections of the control or of the probe, no drift."}));
+  const std::string drift = "About ±1.4 um of slow drift of z_um has no cause among these columns.";
+  EXPECT_EQ(text_of(slow_drift_beside(found)), drift);
+  EXPECT_NE(text_of(verdict_sentences(found)).find(drift), std::string::npos);
+  EXPECT_EQ(text_of(sentence_of(found)),
+            "One reading far from the others is set aside. z_um jumps 4 times, by 5 um: "
+            "corrections of the control or of the probe, no drift. " +
+                text_of(verdict_sentences(found)));
+  found.verdict = Verdict::unexplained;  // the drift is the verdict
+  EXPECT_EQ(text_of(verdict_sentences(found)).find(drift), 0U);
+  EXPECT_EQ(text_of(slow_drift_beside(found)),
+            "Log another sensor, such as the temperature of the coolant, the structure or the room.");
+  found.discrepancy_um = 0.0;
+  EXPECT_TRUE(slow_drift_beside(found).empty());
+}
+
 TEST(Reasons, of_what_is_untestable) {
   Diagnosis found = with_verdict(Verdict::untestable);
   found.obstacle = Obstacle::too_few_values;

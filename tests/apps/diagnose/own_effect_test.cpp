@@ -97,8 +97,8 @@ TEST(OwnEffect, is_known_to_a_page_that_changes_the_model) {
   subject.add({"expansion(T_room_degC)"});
   const RevisedPart revised = subject.revise((call.scratch.path() / "revised.toml").string(), true);
   EXPECT_EQ(revised.ledger.rows.size(), 2U);
-  EXPECT_EQ(subject.report(false).page.model.ledger.value->rows.size(), 2U);
-  EXPECT_FALSE(subject.text_as_fitted().text.empty());
+  EXPECT_EQ(subject.report(false).page.model.ledger->rows.size(), 2U);
+  EXPECT_FALSE(subject.text_as_fitted().empty());
 }
 
 TEST(OwnEffect, is_compensated) {

@@ -20,11 +20,12 @@ ShaftState falling() {
   return state;
 }
 
-TEST(shaft_plot, data_of_the_drawing_are_the_profile_its_mean_and_its_points) {
-  EXPECT_EQ(mean_point_part({falling()}, {}, "why").dump(),
-            R"({"conclusion":"why","states":[{"name":"a","mean_degC":30.0,"mean_points":[{"x_mm":5.0}],)"
-            R"("x_mm":[0.0,10.0],"degC":[40.0,20.0]}]})");
-  EXPECT_EQ(mean_point_part({falling(), falling()}, BestPoint{7.5, 0.0, {}}, "")["best"].dump(), R"({"x_mm":7.5})");
+TEST(shaft_plot, data_of_the_drawing_are_what_json_has_and_the_profile) {
+  EXPECT_EQ(mean_point_part({falling()}, {}, as_it_is("why")).dump(),
+            R"({"conclusion":"why","states":[{"name":"a","length_mm":10.0,"mean_degC":30.0,"sigma_mean_degC":0.0,)"
+            R"("mean_points":[{"x_mm":5.0,"sigma_mm":0.0,"slope_degC_per_mm":-2.0,"sigma_slope_degC_per_mm":0.0,)"
+            R"("misplaced_um_per_mm":0.0}],"x_mm":[0.0,10.0],"degC":[40.0,20.0]}]})");
+  EXPECT_EQ(mean_point_part({falling(), falling()}, BestPoint{7.5, 0.0, {}}, {})["best"]["x_mm"], 7.5);
 }
 
 // With the page and without, as this program is built: the checks build it without.

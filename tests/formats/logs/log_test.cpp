@@ -72,6 +72,15 @@ TEST(log, of_a_german_logger) {
             "speed, 1 load, 1 coolant temperature.");
 }
 
+TEST(log, reads_a_line_in_another_encoding_than_the_file) {
+  const Log log = read_log(
+      "\xEF\xBB\xBFZeit;Lager\xC3\xB6l;Taster Z\ns;\xB0"
+      "C;\xB5m\n0;21,2;0,5\n1;21,3;1,5\n2;21,3;1,5\n",
+      "log.csv");
+  EXPECT_EQ(text_of(log), "Lager\xC3\xB6l_degC bearing: 21.2 21.3 21.3; Taster_Z_um measured: 0.5 1.5 1.5; ");
+  EXPECT_EQ(read_recipe(write_recipe(log.recipe), "recipe").columns.back().unit, "\xC2\xB5m");
+}
+
 TEST(log, units_become_those_of_a_series) {
   // 1 in = 25 400 um; 212 degF = 100 degC; 293.15 K = 20 degC; 2 kW = 2000 W; 10 Hz of a speed is no unit of ours.
   const Log log = read_log(
@@ -97,6 +106,61 @@ TEST(log, times_of_all_kinds) {
   EXPECT_EQ(times("Time,a\n2026-11-22T13:00:00+01:00,1\n2026-11-22T13:00:00Z,2\n"), "0 3600 ");
   EXPECT_EQ(times("Time,a\n10:00:00,1\n10:00:00,2\n10:00:01,3\n10:00:01,4\n"), "0 0.5 1 1.5 ");
   EXPECT_EQ(times("Sampling interval: 20 ms\nNo.,a,b\n1,5,6\n2,6,7\n3,8,8\n"), "0 0.02 0.04 ");
+}
+
+TEST(log, clocks_with_dots_are_no_dates) {
+  EXPECT_EQ(times("Data;Ora;a\n22/11/2026;07.45.58;1\n22/11/2026;07.46.01;2\n"), "0 3 ");
+  EXPECT_EQ(times("Data;Ora;a\n22/11/2026;07.05.00;1\n22/11/2026;07.06.00;2\n"), "0 60 ");
+  EXPECT_EQ(times("Ora;Data;a\n07.05.00;22/11/2026;1\n07.06.00;22/11/2026;2\n"), "0 60 ");
+  EXPECT_EQ(times("Datum;Uhrzeit;a\n22.11.26;23.59.58;1\n23.11.26;00.00.00,5;2\n"), "0 2.5 ");
+  EXPECT_EQ(times("Uhrzeit;a\n07.05.00;1\n07.05.01;2\n07.05.02;3\n"), "0 1 2 ");
+  EXPECT_EQ(times("Uhrzeit;a\n07.45.58;1\n7:46:01;2\n"), "0 3 ");
+  EXPECT_EQ(times("Laufzeit;a\n30.45.00;1\n30.45.10;2\n"), "110700 110710 ");
+  EXPECT_EQ(times("Datum;a\n07.05.24;1\n08.05.24;2\n"), "0 86400 ");
+  EXPECT_EQ(times("Zeit;a\n07.05.24;1\n08.05.24;2\n"), "0 86400 ");
+  EXPECT_EQ(times("Zeit_s;Firmware;a\n0;1.20.33;1\n5;1.20.34;2\n10;1.20.34;2\n"), "0 5 10 ");
+  EXPECT_EQ(times("Date,Time,Z\n11.22.26,08:00:00,1\n11.23.26,08:00:00,2\n").find("114"), std::string::npos);
+}
+
+TEST(log, a_time_may_be_named_by_its_unit) {
+  EXPECT_EQ(times("Minutes,a\n0,1\n5,2\n"), "0 300 ");
+  EXPECT_EQ(times("h,a\n0,1\n0.5,2\n"), "0 1800 ");
+  EXPECT_EQ(times("Tage;a\n0;1\n2;2\n"), "0 172800 ");
+  EXPECT_EQ(times("t (min:s),a\n0:00,1\n0:30,2\n1:00,3\n"), "0 30 60 ");
+  EXPECT_EQ(times("Uhrzeit;a\n07:05 Uhr;1\n07:10 Uhr;2\n"), "0 300 ");
+  EXPECT_EQ(times("Interval;00:05:00\n\na;b\n1;5\n2;6\n4;8\n3;8\n"), "0 300 600 900 ");
+  EXPECT_EQ(times("Dato;Klokken;a\n10.03.2025;07.05;1,5\n10.03.2025;07.10;1,6\n"), "0 300 ");
+}
+
+TEST(log, names_that_change_are_another_layout) {
+  const std::string rows = "Time,A [degC],B [degC]\n10:00:00,20,30\n10:01:00,21,31\n10:02:00,22,32\n";
+  const std::string more = "10:03:00,20,30\n10:04:00,21,31\n";
+  EXPECT_EQ(read_log(rows + "Time,A [degC],B [degC]\n" + more, "log.csv").series.time_s.size(), 5U);
+  try {
+    read_log(rows + "Time,B [degC],A [degC]\n" + more, "log.csv");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "log.csv:5: expected the names of line 1 again, found \"B [degC]\" in place of \"A [degC]\". Split the "
+        "file here.");
+  }
+}
+
+TEST(log, a_date_between_clocks_is_not_lost) {
+  std::string day;
+  for (int minute = 10; minute < 50; ++minute) day += fmt::format("07:{}:00;{}\n", minute, minute);
+  EXPECT_EQ(read_log("Datum: 14.03.2025\nZeit;a\n" + day + "Seite 2, 14.03.2025\n07:53:00;1\n", "log.csv")
+                .series.time_s.back(),
+            43.0 * 60.0);
+  EXPECT_THROW(times("Datum: 14.03.2025\nZeit;a\n" + day + "Datum: 17.03.2025\n07:53:00;1\n"), Error);
+}
+
+TEST(log, scales_of_units) {
+  EXPECT_EQ(text_of(read_log("t [s],T1 (x0.1 \xC2\xB0"
+                             "C),n [1000/min]\n0,253,7.2\n1,254,7.2\n2,255,9\n",
+                             "log.csv")),
+            "T1_degC structure: 25.3 25.4 25.5; n_rpm speed: 7200 7200 9000; ");
 }
 
 TEST(log, summer_time_neither_repeats_nor_skips_an_hour) {
@@ -744,6 +808,83 @@ TEST(log, formats_of_workbooks) {
   EXPECT_EQ(shown_days(46348.5, NumberFormat::date_and_clock, false), "2026-11-22T12:00:00");
   EXPECT_EQ(shown_days(44886.5, NumberFormat::date_and_clock, true), "2026-11-22T12:00:00");  // 1462 days later
   EXPECT_EQ(shown_days(1.09375, NumberFormat::elapsed, false), "26:15:00.000");
+}
+
+std::string rows_of_states(const std::string& header, const std::vector<std::string>& states) {
+  std::string text = "t_s," + header + ",Z_um\n";
+  for (std::size_t i = 0; i < states.size(); ++i) text += fmt::format("{},{},{}\n", i, states[i], i % 7);
+  return text;
+}
+
+// What a person ticks, and words that take turns.
+TEST(log, two_words_or_one_and_nothing_are_a_switch) {
+  std::vector<std::string> marks(30), pairs(30), programs(30);
+  for (std::size_t i = 0; i < 30; ++i) {
+    marks[i] = i >= 10 && i < 22 ? "x" : "";
+    pairs[i] = i < 10 ? "AUTO" : "MANUAL";
+    programs[i] = i % 3 == 0 ? "ROUGH" : i % 3 == 1 ? "FINISH" : "IDLE";
+  }
+  for (const auto& [states, remark] : {std::pair{marks, "Coolant: \"x\" is read as 1, an empty cell as 0."},
+                                       {pairs, "Coolant: \"AUTO\" is read as 0, \"MANUAL\" as 1."}}) {
+    const Log log = read_log(rows_of_states("Coolant", states), "f");
+    ASSERT_EQ(log.series.columns.size(), 2U);
+    EXPECT_EQ(log.series.columns[0].values[5], 0.0);
+    EXPECT_EQ(log.series.columns[0].values[15], 1.0);
+    EXPECT_EQ(log.remarks, std::vector<std::string>{remark});
+    EXPECT_TRUE(log.series.unread.empty());
+  }
+  const Log log = read_log(rows_of_states("Program", programs), "f");
+  EXPECT_EQ(log.series.columns.size(), 1U);
+  EXPECT_EQ(log.series.unread, std::vector<std::string>{"Program"});
+}
+
+TEST(log, numbers_with_their_unit_or_an_s_in_each_cell) {
+  const Log log = read_log(
+      "Time,Spindle,Room,Z\n0 s,S4800,19.9 °C,1.5 µm\n1 s,S4800,20.1 °C,1.7 µm\n"
+      "2 s,S8000,20.2 °C,2.5 µm\n3 s,S8000,20.4 °C,2.75 µm\n",
+      "f", {.every_s = 60.0});
+  ASSERT_EQ(log.series.columns.size(), 3U);
+  EXPECT_EQ(log.series.columns[0].name, "Spindle_rpm");
+  EXPECT_EQ(log.series.columns[0].values.back(), 8000.0);
+  EXPECT_EQ(log.series.columns[1].name, "Room_degC");
+  EXPECT_EQ(log.series.columns[2].name, "Z_um");
+  EXPECT_EQ(log.series.columns[2].values.back(), 2.75);
+}
+
+// A power of ten before the unit scales the values.
+TEST(log, units_with_a_scale) {
+  for (const auto& [header, um] : {std::pair{"Z (0.0001 in)", 2.54},
+                                   {"Z [1/1000 mm]", 1.0},
+                                   {"Z 1/100 mm", 10.0},
+                                   {"Z (0.01 mm)", 10.0},
+                                   {"Z [10 um]", 10.0}}) {
+    const Log log = read_log(std::string("t_s,") + header + "\n0,1\n1,2\n2,4\n", "f");
+    EXPECT_EQ(log.series.columns.front().name, "Z_um") << header;
+    EXPECT_NEAR(log.series.columns.front().values.back(), 4.0 * um, 1e-9) << header;
+  }
+  EXPECT_EQ(read_log("t_s,Probe 1 mm\n0,1\n1,2\n", "f").series.columns.front().name, "Probe_1_um");
+  EXPECT_EQ(read_log("t_s,Temp [10 mm]\n0,1\n1,2\n", "f").series.columns.front().name, "Temp_10_mm_degC");
+}
+
+TEST(log, newest_row_first) {
+  const Log log = read_log("Time,Z_um\n2026-03-20 06:03,4\n2026-03-20 06:02,3\n2026-03-20 06:01,1\n", "f");
+  EXPECT_EQ(log.series.time_s, (std::vector<double>{0.0, 60.0, 120.0}));
+  EXPECT_EQ(log.series.columns.front().values, (std::vector<double>{1.0, 3.0, 4.0}));
+  EXPECT_EQ(log.series.started, "2026-03-20T06:01:00");
+}
+
+// 0 of a sensor that does not answer; a number that the user states.
+TEST(log, numbers_that_stand_for_no_reading) {
+  std::string text = "t_s,Room_degC,Z_um\n";
+  for (int i = 0; i < 100; ++i)
+    text += fmt::format("{},{},{}\n", i, i % 17 == 5 ? 0.0 : 20.0 + 0.05 * i, i % 10 == 3 ? 77.7 : 0.1 * i);
+  const Log log = read_log(text, "f", {.missing = {"77.70"}});
+  EXPECT_EQ(log.remarks.front(), "Room_degC: 6 times 0: read as a missing value.");
+  const auto gaps = [](const std::vector<double>& values) {
+    return std::count_if(values.begin(), values.end(), [](double value) { return std::isnan(value); });
+  };
+  EXPECT_EQ(gaps(log.series.columns[0].values), 6);
+  EXPECT_EQ(gaps(log.series.columns[1].values), 10);
 }
 
 }  // namespace

@@ -19,9 +19,8 @@ struct Said {
 }  // namespace
 
 template <>
-inline constexpr auto kResult<Said> =
-    ResultType{"Said", "Something said.",
-               std::tuple{Field{"sentence", &Said::sentence, "what"}, Field{"remarks", &Said::remarks, ""}}};
+inline constexpr auto kResult<Said> = ResultType("Said", "Something said.", Field{"sentence", &Said::sentence, "what"},
+                                                 Field{"remarks", &Said::remarks});
 
 namespace {
 

@@ -27,24 +27,17 @@ struct Outer {
 };
 
 template <>
-inline constexpr auto kResult<Inner> =
-    ResultType{"Inner", "A length.", std::tuple{Field{"length_mm", &Inner::length_mm, "of it"}}};
+inline constexpr auto kResult<Inner> = ResultType("Inner", "A length.", Field{"length_mm", &Inner::length_mm, "of it"});
 template <>
-inline constexpr auto kResult<Outer> = ResultType{
-    "Outer", "All kinds of values.",
-    std::tuple_cat(fields_through(&Outer::inner, kResult<Inner>.fields),
-                   std::tuple{
-                       Field{"rows", &Outer::rows, ""}, Field{"known", &Outer::known, ""},
-                       Field{"colour", &Outer::colour, ""}, Field{"n", &Outer::n, "as many"},
-                       Field{"twice", [](const Outer& of) { return 2.0 * static_cast<double>(of.n); }, ""},
-                       Field{"note", &Outer::note, ""},
-                       Field{
-                           "table",
-                           [](const Outer& of) {
-                             return TableOf<std::string>{{"b", "2"}, {"a", std::to_string(of.n)}};
-                           },
-                           ""},
-                       Field{"again", &Outer::again, ""}})};
+inline constexpr auto kResult<Outer> = ResultType(
+    "Outer", "All kinds of values.", fields_of(&Outer::inner), Field{"rows", &Outer::rows},
+    Field{"known", &Outer::known}, Field{"colour", &Outer::colour}, Field{"n", &Outer::n, "as many"},
+    Field{"twice", [](const Outer& of) { return 2.0 * static_cast<double>(of.n); }}, Field{"note", &Outer::note},
+    Field{"table",
+          [](const Outer& of) {
+            return TableOf<std::string>{{"b", "2"}, {"a", std::to_string(of.n)}};
+          }},
+    Field{"again", &Outer::again});
 
 struct Keys {
   OfUnit<double> rmse;
@@ -54,14 +47,33 @@ struct Keys {
   std::variant<Inner, Outer> one;
 };
 template <>
-inline constexpr auto kResult<Keys> = ResultType{
-    "Keys", "Keys of all kinds.",
-    std::tuple{Field{"rmse", &Keys::rmse, ""}, Field{"AXIS", &Keys::axes, ""}, Field{"column", &Keys::column, ""},
-               Field{"sure", known(&Keys::sure), ""}, Field{"one", &Keys::one, ""}}};
+inline constexpr auto kResult<Keys> = ResultType("Keys", "Keys of all kinds.", Field{"rmse", &Keys::rmse},
+                                                 Field{"AXIS", &Keys::axes}, Field{"column", &Keys::column},
+                                                 Field{"sure", known(&Keys::sure)}, Field{"one", &Keys::one});
+
+struct Reading {
+  std::optional<Inner> inner, lacking;
+  std::optional<double> sigma;
+  std::string unit = "um";
+  std::vector<double> values{1.0, 2.0};
+  double mean() const { return 1.5; }
+};
+constexpr bool is_drawn(const Reading&) { return true; }
+constexpr bool is_hidden(const Reading&) { return false; }
+template <>
+inline constexpr auto kResult<Reading> =
+    ResultType("Reading", "Fields of parts.", Field{"length_mm", in(&Reading::inner, &Inner::length_mm)},
+               Field{"other_mm", in(&Reading::lacking, &Inner::length_mm)}, Field{"unit", &Reading::values},
+               Field{"gone", may_lack(in(&Reading::lacking, &Inner::length_mm))},
+               Field{"sigma", with_unit(may_lack(&Reading::sigma))}, Field{"mean", with_unit(&Reading::mean)},
+               Field{"readings", count(&Reading::values)}, Field{"drawn", where(&is_drawn, &Reading::sigma)},
+               Field{"hidden", where(&is_hidden, &Reading::sigma)},
+               std::tuple{Field{"column", bulk(&Reading::values)}, Field{"name", may_lack(&Reading::unit)}},
+               Field{"unit", &Reading::unit, "in the place of the first"});
 
 struct OtherInner {};
 template <>
-inline constexpr auto kResult<OtherInner> = ResultType{"Inner", "Another one.", std::tuple<>{}};
+inline constexpr auto kResult<OtherInner> = ResultType("Inner", "Another one.");
 
 namespace {
 
@@ -139,6 +151,20 @@ TEST(ResultType, KeysAreWrittenAsTheyAreMade) {
   EXPECT_EQ(all.python.find("    rmse_UNIT: float\n"), std::string::npos);
   keys.rmse.unit = "";
   EXPECT_EQ(json_of(keys)["rmse"], 2.0);
+}
+
+TEST(ResultType, FieldsOfPartsAreNullOrLacking) {
+  Reading reading{Inner{2.0}, std::nullopt, std::nullopt};
+  const Written all = written(reading);
+  EXPECT_EQ(all.json, R"({"length_mm":2.0,"other_mm":null,"unit":"um","mean_um":1.5,"readings":2,"drawn":null,)"
+                      R"("column":[1.0,2.0],"name":"um"})");
+  EXPECT_EQ(all.typescript,
+            "// Fields of parts.\nexport interface Reading {\n  length_mm: Num;\n  other_mm: Num;\n"
+            "  unit: string; // in the place of the first\n  gone?: Num;\n  [key: `sigma_${string}`]: Num;\n"
+            "  [key: `mean_${string}`]: Num;\n  readings: number;\n  drawn?: Num;\n  hidden?: Num;\n"
+            "  column: Num[];\n  name?: string;\n}\n\n");
+  reading.sigma = 0.5;
+  EXPECT_EQ(json_of(reading)["sigma_um"], 0.5);
 }
 
 TEST(ResultType, TwoTypesOfOneNameAreRefused) {

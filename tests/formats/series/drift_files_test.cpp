@@ -43,8 +43,8 @@ TEST(drift_files, json_has_what_the_method_has) {
   EXPECT_EQ(
       json_of(drift).dump(),
       R"({"method":"two_arcs","reference_s":0.5,"points":[)"
-      R"({"time_s":0.5,"x_um":0.0,"z_um":0.0,"x_sigma_um":0.0,"z_sigma_um":0.0,"combined_um":0.0,"combined_sigma_um":0.0},)"
-      R"({"time_s":600.0,"x_um":4.4,"y_um":30.1,"z_um":4.6,"x_sigma_um":0.1,"y_sigma_um":0.2,"z_sigma_um":null,)"
+      R"({"time_s":0.5,"x_um":0.0,"x_sigma_um":0.0,"z_um":0.0,"z_sigma_um":0.0,"combined_um":0.0,"combined_sigma_um":0.0},)"
+      R"({"time_s":600.0,"x_um":4.4,"x_sigma_um":0.1,"y_um":30.1,"y_sigma_um":0.2,"z_um":4.6,"z_sigma_um":null,)"
       R"("elongation_correction_um":0.002,"combined_um":30.765727685201924,"combined_sigma_um":null,"correlation_y_z":-0.25}],)"
       R"("positions":[{"time_s":600.0,"z_um":8.5,"z_sigma_um":0.25,"radius_mm":100.5,"converged":true,)"
       R"("discounted":0}],"not_cancelled":"The table."})");

@@ -171,6 +171,62 @@ TEST(StrangersLog, rows_of_a_saturated_sensor_are_set_aside) {
   EXPECT_EQ(p_of(found, "speed_rpm"), 0.0) << made::outcome_of(found);
 }
 
+// A sensor stands still for three hours and a half, then works again.
+TEST(StrangersLog, rows_of_a_stuck_sensor_are_set_aside) {
+  Log log;
+  std::vector<double>&logged = log.data.columns[1].values, z_um = log.room;
+  for (std::size_t i = 0; i < logged.size(); ++i)
+    logged[i] = std::round(20.0 * (log.room[i] + 0.05 * log.normal())) / 20.0;
+  std::fill(logged.begin() + 200, logged.begin() + 410, logged[200]);
+  for (double& value : z_um) value *= 3.0;
+  const Diagnosis found = log.diagnosed(z_um);
+  ASSERT_EQ(found.saturated.size(), 1U) << made::outcome_of(found);
+  EXPECT_EQ(found.saturated[0].column, "room_degC");
+  EXPECT_TRUE(found.saturated[0].is_stuck);
+  EXPECT_NEAR(found.saturated[0].share, 210.0 / 720.0, 0.01);
+  EXPECT_GE(p_of(found, "room_degC"), 0.95) << made::outcome_of(found);
+  EXPECT_EQ(p_of(found, "speed_rpm"), 0.0) << made::outcome_of(found);
+}
+
+// Two sensors in one place: their noise does not choose between them.
+TEST(StrangersLog, of_two_sensors_that_read_one_quantity_neither_is_certain) {
+  Log log;
+  std::vector<double> other = log.bearing;
+  for (double& value : other) value += 0.35;
+  log.add("bearing_2_degC", Role::bearing, other, 0.02);
+  const Diagnosis found = log.diagnosed(log.half_of_bearing());
+  ASSERT_EQ(found.equal_columns.size(), 1U) << made::outcome_of(found);
+  EXPECT_EQ(found.equal_columns[0], (EqualColumns{"bearing_degC", "bearing_2_degC"}));
+  EXPECT_EQ(found.verdict, Verdict::equivalent) << made::outcome_of(found);
+  ASSERT_EQ(found.equivalent.size(), 1U);
+  EXPECT_EQ(found.equivalent[0].size(), 2U) << made::outcome_of(found);
+  EXPECT_NEAR(p_of(found, "bearing_degC"), 0.5, 0.05) << made::outcome_of(found);
+  EXPECT_NEAR(p_of(found, "bearing_2_degC"), 0.5, 0.05) << made::outcome_of(found);
+}
+
+// One of three reads twice as fast: two are in one place.
+TEST(StrangersLog, a_sensor_of_another_body_is_not_one_of_them) {
+  Log log;
+  std::vector<double> other = log.bearing, motor = log.behind(log.bearing, 400.0);
+  for (double& value : other) value -= 0.2;
+  log.add("bearing_2_degC", Role::bearing, other, 0.02);
+  log.add("motor_degC", Role::bearing, motor, 0.02);
+  const Diagnosis found = log.diagnosed(log.half_of_bearing());
+  ASSERT_EQ(found.equal_columns.size(), 1U) << made::outcome_of(found);
+  EXPECT_EQ(found.equal_columns[0], (EqualColumns{"bearing_degC", "bearing_2_degC"}));
+}
+
+// The noise of a poor sensor is no reason to read the good one less.
+TEST(StrangersLog, the_mean_of_two_sensors_weighs_their_noise) {
+  Log log;
+  log.add("bearing_2_degC", Role::bearing, log.bearing, 0.9);
+  const Diagnosis found = log.diagnosed(log.half_of_bearing());
+  ASSERT_EQ(found.equal_columns.size(), 1U) << made::outcome_of(found);
+  Log alone;
+  const Diagnosis good = alone.diagnosed(alone.half_of_bearing());
+  EXPECT_LT(found.rmse_after_um, 1.05 * good.rmse_after_um);
+}
+
 // Nothing is certain beside a column that could not be searched.
 TEST(StrangersLog, nothing_is_named_beside_a_column_with_gaps) {
   Log log;
@@ -248,6 +304,35 @@ TEST(StrangersLog, an_error_above_the_stated_sigma_is_not_nothing) {
   EXPECT_EQ(found.verdict, Verdict::unexplained) << made::outcome_of(found);
   EXPECT_GE(found.p_nothing, kNothing);
   EXPECT_GT(found.base.rmse_um, 3.0 * 0.02);
+}
+
+// A person reads every 10 min, each value at its moment: nothing delays it, so a lag of 15 min is no sampling.
+TEST(StrangersLog, rows_read_by_hand_show_a_short_lag) {
+  Log log(72, 600.0);
+  log.data.columns.clear();
+  std::vector<double> motor, z_um;
+  for (const double time_s : log.data.time_s) {
+    const double hours = time_s / 3600.0;
+    motor.push_back(25.0 + 8.0 * std::sin(0.9 * hours) + 3.0 * std::sin(2.3 * hours));
+  }
+  log.add("motor_degC", Role::structure, motor, 0.02);
+  for (const double value : log.behind(motor, 900.0)) z_um.push_back(0.9 * (value - motor.front()));
+  const Diagnosis found = log.diagnosed(std::move(z_um));
+  ASSERT_EQ(labels(found.named), std::vector<std::string>{"lagged_expansion(motor_degC)"}) << made::outcome_of(found);
+  EXPECT_NEAR(candidate_of(found, found.named.front())->parameters[1].value, 900.0, 150.0);
+}
+
+// What is left out because it holds words was not looked at.
+TEST(StrangersLog, nothing_is_certain_beside_states_in_words) {
+  Log log;
+  EXPECT_EQ(log.diagnosed(log.half_of_bearing()).verdict, Verdict::named);
+  Log with_states;
+  with_states.data.unread = {"Program"};
+  const Diagnosis found = with_states.diagnosed(with_states.half_of_bearing());
+  EXPECT_EQ(found.verdict, Verdict::probable) << made::outcome_of(found);
+  ASSERT_EQ(found.columns_not_searched.size(), 1U);
+  EXPECT_EQ(found.columns_not_searched.front().column, "Program");
+  EXPECT_TRUE(found.columns_not_searched.front().is_words);
 }
 
 }  // namespace

@@ -97,12 +97,12 @@ TEST(test_plan, a_step_of_the_room_is_in_the_room_and_in_what_follows_it) {
 }
 
 TEST(test_plan, a_sensor_logged_twice_is_one) {
-  const DistinctColumns distinct = distinct_columns_of(one_speed(true), constant());
-  ASSERT_EQ(distinct.twins.size(), 1u);
-  EXPECT_EQ(distinct.twins[0].kept, "T_housing_degC");
-  EXPECT_EQ(distinct.twins[0].other, "T_twin_degC");
+  const DistinctColumns distinct = distinct_columns_of(one_speed(true), constant(), 0);
+  ASSERT_EQ(distinct.equal.size(), 1u);
+  EXPECT_EQ(distinct.equal[0].column, "T_housing_degC");
+  EXPECT_EQ(distinct.equal[0].other, "T_twin_degC");
   EXPECT_EQ(find_column(distinct.data, "T_twin_degC"), nullptr);
-  EXPECT_TRUE(distinct_columns_of(one_speed(false), constant()).twins.empty());
+  EXPECT_TRUE(distinct_columns_of(one_speed(false), constant(), 0).equal.empty());
 }
 
 TEST(test_plan, what_is_inseparable_is_said_before_any_test) {

@@ -99,6 +99,21 @@ TEST(Workbench, what_is_promised_is_what_comes) {
   }
 }
 
+TEST(Workbench, a_range_of_its_own_holds_after_a_diagnosis) {
+  const auto data = data_of({3.0, 1, 200});
+  Term fast = slow_room();
+  for (std::size_t k = 0; k < fast.settings.size(); ++k) {
+    if (fast.effect->parameters[k].kind == ParameterKind::gain) continue;
+    fast.settings[k] = {.start = 300.0, .lower = 60.0, .upper = 600.0};
+  }
+  const double before_um = Workbench(data, made::by_speed()).rmse_um_with({fast});
+  Workbench bench(data, made::by_speed());
+  bench.diagnosis();
+  EXPECT_NEAR(bench.rmse_um_with({fast}), before_um, 1e-6 * before_um);
+  bench.add({fast});
+  EXPECT_NEAR(bench.check().fit.rmse_um, before_um, 1e-6 * before_um);
+}
+
 TEST(Workbench, a_test_that_cannot_be_made_leaves_the_model) {
   Workbench bench(data_of({3.0, 1, 200}), made::by_speed());
   EXPECT_THROW(bench.effect_test({term_of("expansion", {"T_absent_degC"})}), Error);

@@ -39,6 +39,8 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 const Device kDevices[] = {
     {"steps within samples", [](Tuning& t) { t.steps_within_samples = false; }, false},
     {"smoothing", [](Tuning& t) { t.smoothing = false; }, false},
+    {"equal_columns", [](Tuning& t) { t.equal_columns = false; }, false},
+    {"stuck sensors", [](Tuning& t) { t.stuck_sensors = false; }, false},
     {"rows at jumps", [](Tuning& t) { t.rows_at_jumps = false; }, false},
     {"saturated rows", [](Tuning& t) { t.least_at_end = 1.0; }, false},
     {"jumps of temperature", [](Tuning& t) { t.temperature_jump = 1.0; }, false},
@@ -58,6 +60,7 @@ const Device kDevices[] = {
     {"finer shapes", [](Tuning& t) { t.finer_shapes = false; }, false},
     {"finer rivals", [](Tuning& t) { t.sharpened = 1; }, false},
     {"refine", [](Tuning& t) { t.refine = false; }, false},
+    {"modes", [](Tuning& t) { t.modes = false; }, false},
     {"second start", [](Tuning& t) { t.usual_time_s = kInfinite; }, false},
     {"same gain", [](Tuning& t) { t.same_gain = 0.0; }, true},
     {"held out", [](Tuning& t) { t.held_out_evidence = -kInfinite; }, true},
@@ -73,6 +76,7 @@ struct Number {
 };
 constexpr Number kNumbers[] = {
     {"jump", &Tuning::jump},
+    {"far_mode", &Tuning::far_mode},
     {"clock_delay", &Tuning::clock_delay},
     {"jump_delay", &Tuning::jump_delay},
     {"held_values", &Tuning::held_values},

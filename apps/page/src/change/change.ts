@@ -137,7 +137,7 @@ export const change_section = (report: Report): Section[] => {
     {
       id: "change",
       heading: t.change,
-      result: pairs.map(({ before, changes }) => t.change_result({ plane: before.plane, n: changes.length })).join("; "),
+      result: pairs.map(({ before: { plane }, changes: { length: n } }) => (n === 0 ? t.change_result_none({ plane }) : t.change_result({ plane, n }))).join("; "),
       first: { picture, conclusion: ({ pair }) => conclusion_of(pair_of(pair)) },
       pictures: [...(has_traces ? [traces_picture(traced)] : []), sizes_picture(pairs)],
       companion: { picture, key: "pair", notes: (chosen) => notes_of(pair_of(chosen)) },

@@ -34,7 +34,7 @@ const traces_of = ({ before, after }: Traced): Trace[] =>
     const test = when === "before" ? before : after;
     const which = when === "before" ? t.change_before : t.change_after;
     return !test ? [] : test.recordings.map((recording, place): Trace => {
-      const label = t.change_trace({ which, direction: recording.direction ?? "" });
+      const label = [which, ...(recording.direction ? [recording.direction] : [])].join(" ");
       return { key: `${when}${place}`, label, when, test, recording, place };
     });
   });

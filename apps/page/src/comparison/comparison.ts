@@ -6,7 +6,7 @@ import type { ComparedAxis, ComparePart, Num, Report } from "../report";
 import { clamped, slug, unit_shown, words } from "../drawing/text";
 import { decimals_for, minutes, shown, with_sigma } from "../drawing/theme";
 import { whole_min } from "../drawing/axes";
-import { all_said, english, language, named, said, type Sentence, t } from "../texts/texts";
+import { all_said, named, said, type Sentence, t } from "../texts/texts";
 
 const number = (axis: ComparedAxis, key: string): Num => {
   const value = axis[key];
@@ -97,19 +97,10 @@ const budget_table = (axes: readonly [string, ComparedAxis][]): TextTable[] => {
   ];
 };
 
-const names_of = (axes: Record<string, ComparedAxis>, agreement: ComparedAxis["agreement"]): string =>
-  Object.entries(axes).flatMap(([name, axis]) => (axis.agreement === agreement ? [words(name)] : [])).join(", ");
-
-// In English the program's own sentences.
-const verdict_of = ({ conclusion, axes }: ComparePart): Sentence => {
-  if (language === "en") return english(conclusion);
-  const [agreeing, disagreeing] = [names_of(axes, "agrees"), names_of(axes, "disagrees")];
-  if (disagreeing !== "") return t.comparison_disagree_in({ axes: disagreeing, agreeing });
-  return agreeing === "" ? t.comparison_cannot_tell : t.comparison_agree_in({ axes: agreeing });
-};
+const verdict_of = (compare: ComparePart): Sentence => said(compare.conclusion, compare.conclusion_message);
 
 const sentences_of = (compare: ComparePart): Sentence[] => [
-  said(compare.conclusion, compare.conclusion_message),
+  verdict_of(compare),
   t.comparison_series({ which: "A", name: compare.a }),
   t.comparison_series({ which: "B", name: compare.b }),
   t.comparison_explanation,

@@ -30,10 +30,10 @@ const predicted_text = ({ predicted, predicted_by }: Diagnosed): Sentence[] => {
   return [hardly ? t.diagnosis_hardly_predicted(errors) : t.diagnosis_not_predicted(errors)];
 };
 
-const sentences_of = (found: Diagnosed, checked: Checked | undefined): Sentence[] => {
+const sentences_of = (found: Diagnosed): Sentence[] => {
   const reasons = found.reasons.length > 0 && found.verdict !== "nothing";
   return [
-    verdict_of(found, checked),
+    verdict_of(found),
     t.diagnosis_verdict({ verdict: named(t.verdicts, found.verdict) }),
     ...(found.hint === "" ? [] : [said(found.hint, found.hint_message)]),
     ...(found.next_test_text === "" ? [] : [said_after(t.diagnosis_to_decide, found.next_test_text, found.next_test_text_message)]),
@@ -124,9 +124,10 @@ const result_of = (found: Diagnosed): string => {
   if (found.not_diagnosed !== undefined) return t.diagnosis_not_diagnosed;
   const best = best_set(found);
   const set = best.map(({ label }) => plain_name(label, 50)).join(", ");
-  const after = best.length === 0 ? "" : ` → ${shown(found.rmse_after_um, 3)}`;
-  const verdict = named(t.verdicts, found.verdict);
-  return t.diagnosis_result({ verdict, set, rmse: `${shown(found.rmse_um, 3)}${after}` });
+  const [verdict, rmse] = [named(t.verdicts, found.verdict), shown(found.rmse_um, 3)];
+  return set === ""
+    ? t.diagnosis_result({ verdict, rmse })
+    : t.diagnosis_result_of({ verdict, set, rmse: `${rmse} → ${shown(found.rmse_after_um, 3)}` });
 };
 
 // What is found is more than what is open, and that more than nothing; then the larger fall.
@@ -162,7 +163,7 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
   const left_out = checked?.level === "recording" ? t.diagnosis_left_out_recordings : t.diagnosis_left_out_cycles;
   return {
     ...section,
-    sentences: sentences_of(found, checked),
+    sentences: sentences_of(found),
     command: found.command,
     above: found.verdict === "untestable" ? [] : [posterior_table(found)],
     tables: found.candidates.length > 0 ? [candidate_table(found, left_out, checked ? over_residual : null)] : [],
@@ -170,7 +171,7 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
       picture: with_without,
       kind: t.model_target,
       label: plain(found.target, 60),
-      conclusion: () => ({ ...said_of(found, checked), concluded: found.sentence, next: next_of(report, found) }),
+      conclusion: () => ({ ...said_of(found), concluded: found.sentence, next: next_of(report, found) }),
     },
     pictures: [
       ...(checked

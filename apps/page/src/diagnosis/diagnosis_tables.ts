@@ -64,7 +64,7 @@ const kLeast = 0.05; // P of an effect that is shown
 
 const three_digits = (value: Num): string => rounded(value, 3);
 
-export const own_text = ({ effect, parameter, unit, held, fitted, low, high }: Diagnosed["own"][number]): string => {
+const own_text = ({ effect, parameter, unit, held, fitted, low, high }: Diagnosed["own"][number]): string => {
   const range = `${three_digits(fitted)} (${t.several_from_to({ from: three_digits(low), to: three_digits(high) })})${unit === "1" ? "" : ` ${unit}`}`;
   return t.diagnosis_own({ parameter, effect: plain(effect, 60), held: shown(held), range });
 };
@@ -79,7 +79,7 @@ const rows_of = (found: Diagnosed): { what: string; p: Num }[] => [
   }),
   ...found.own.map((own) => ({ what: own_text(own), p: own.p })),
   {
-    what: t.diagnosis_slow({ size: (found.discrepancy_um ?? 0) > 0 ? three_digits(found.discrepancy_um) : "" }),
+    what: (found.discrepancy_um ?? 0) > 0 ? t.diagnosis_slow_of({ size: three_digits(found.discrepancy_um) }) : t.diagnosis_slow,
     p: found.p_discrepancy,
   },
   { what: t.diagnosis_nothing, p: found.p_nothing },

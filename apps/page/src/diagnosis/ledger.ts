@@ -71,7 +71,7 @@ const pictures_of = (ledger: LedgerPart, target: string, number: string): Pictur
 const result_of = ({ rows }: LedgerPart): string => {
   const [first, last] = [rows[0], rows.at(-1)];
   const same = first && last && first.target === last.target;
-  const fall = same ? `${shown(first.rmse_um, 3)} → ${shown(last.rmse_um, 3)}` : "";
+  const fall = same ? t.diagnosis_revisions_fall({ fall: `${shown(first.rmse_um, 3)} → ${shown(last.rmse_um, 3)}` }) : "";
   return t.diagnosis_revisions_count({ rows: rows.length, fall });
 };
 

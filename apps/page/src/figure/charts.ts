@@ -71,5 +71,9 @@ export const x_extent = (chart: Chart): Range | null => {
 export const x_at = (chart: Chart, px: number): number =>
   chart.convertFromPixel({ xAxisIndex: 0 }, px) as unknown as number;
 
+// Of the y axis with this number.
+export const y_at = (chart: Chart, axis: number, px: number): number =>
+  chart.convertFromPixel({ yAxisIndex: axis }, px) as unknown as number;
+
 export const px_at = (chart: Chart, x: number): number =>
   chart.convertToPixel({ xAxisIndex: 0 }, x) as unknown as number;

@@ -9,23 +9,19 @@ export interface Controls {
   update(state: State, drawn?: boolean): void; // not drawn yet: sliders wait
 }
 
-const switch_of = (toggle: Toggle, state: State, change: (on: boolean) => void): HTMLElement => {
-  const box = element("input", { type: "checkbox" });
-  box.checked = !state.hidden.has(toggle.key);
+type Change = (keys: readonly string[], on: boolean) => void;
+type Switches = ReadonlyMap<string, HTMLElement>; // by the key of the curve
+
+const switch_of = (toggle: Toggle, dark: boolean, change: (on: boolean) => void, alone: () => void): HTMLElement => {
+  const box = element("input", { type: "checkbox", "data-curve": toggle.key });
   box.addEventListener("change", () => change(box.checked));
-  return element(
-    "label",
-    { class: "toggle" },
-    box,
-    mark_of(toggle, state.look.dark),
-    element("bdi", {}, clamped(toggle.label, 120)),
-  );
+  const all = element("label", { class: "toggle", title: t.figure_alone_title }, box, mark_of(toggle, dark), element("bdi", {}, clamped(toggle.label, 120)));
+  all.addEventListener("dblclick", alone);
+  return all;
 };
 
-type Change = (keys: readonly string[], on: boolean) => void;
-
 // Curves of one kind under its name, with buttons that switch them all.
-const group_of = (name: string, toggles: readonly Toggle[], state: State, change: Change): HTMLElement => {
+const group_of = (name: string, toggles: readonly Toggle[], switches: Switches, change: Change): HTMLElement => {
   const keys = toggles.map(({ key }) => key);
   const all = (label: string, on: boolean): HTMLButtonElement => {
     const made = button(label, "", () => change(keys, on));
@@ -38,15 +34,15 @@ const group_of = (name: string, toggles: readonly Toggle[], state: State, change
     element("span", { class: "of" }, name),
     all(t.figure_all, true),
     all(t.figure_group_none, false),
-    ...toggles.map((toggle) => switch_of(toggle, state, (on) => change([toggle.key], on))),
+    ...toggles.flatMap(({ key }) => switches.get(key) ?? []),
   );
 };
 
-const switches_of = (toggles: readonly Toggle[], state: State, change: Change): HTMLElement[] => {
+const legend_of = (toggles: readonly Toggle[], switches: Switches, change: Change): HTMLElement[] => {
   const names = [...new Set(toggles.flatMap(({ group }) => group ?? []))];
   return names.length > 0
-    ? names.map((name) => group_of(name, toggles.filter(({ group }) => group === name), state, change))
-    : toggles.map((toggle) => switch_of(toggle, state, (on) => change([toggle.key], on)));
+    ? names.map((name) => group_of(name, toggles.filter(({ group }) => group === name), switches, change))
+    : [...switches.values()];
 };
 
 // A numeric choice: its slider, the number, and a button for the automatic value.
@@ -98,16 +94,27 @@ export const controls_of = (
   const choices = (picture.choices ?? []).map((choice) => chooser_of(choice, (value) => choose(choice.key, value)));
   const legend = element("div", { class: "legend", role: "group", "aria-label": t.figure_curves });
   let shown = "";
-  const update = (state: State, drawn = true): void => {
-    for (const choice of choices) choice.update(state, drawn);
-    const toggles = picture.toggles(state);
-    // Recreated only on a difference, so that a switch in use keeps the focus.
-    const now = JSON.stringify([state.look.dark, toggles, toggles.map((toggle) => state.hidden.has(toggle.key))]);
-    if (now === shown) return;
-    shown = now;
+  let state: State;
+  // This one, or all again where it is the only one.
+  const alone = (toggles: readonly Toggle[], key: string): void => {
+    const others = toggles.map((one) => one.key).filter((one) => one !== key);
+    change(others, others.every((one) => state.hidden.has(one)));
+    change([key], true);
+  };
+  const write = (toggles: readonly Toggle[], dark: boolean): void => {
     const focused = used_by_key(legend).findIndex((one) => one === document.activeElement);
-    legend.replaceChildren(...switches_of(toggles, state, change));
+    const switches = new Map(toggles.map((one) => [one.key, switch_of(one, dark, (on) => change([one.key], on), () => alone(toggles, one.key))]));
+    legend.replaceChildren(...legend_of(toggles, switches, change));
     used_by_key(legend)[focused]?.focus();
+  };
+  const update = (now: State, drawn = true): void => {
+    state = now;
+    for (const choice of choices) choice.update(now, drawn);
+    const toggles = picture.toggles(now);
+    const of_these = JSON.stringify([now.look.dark, toggles]);
+    if (of_these !== shown) write(toggles, now.look.dark);
+    shown = of_these;
+    for (const box of legend.querySelectorAll<HTMLInputElement>("input")) box.checked = !now.hidden.has(box.dataset["curve"] ?? "");
   };
   const all = element("div", { class: "controls" }, element("div", { class: "choices" }, ...choices.map(({ label }) => label)), legend);
   return { element: all, update };

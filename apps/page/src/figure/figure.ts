@@ -1,9 +1,9 @@
 // One picture on the page with its controls. It holds the state; every change redraws the picture.
-import { canvas_of, type Chart, chart_in, px_at, x_at, x_extent } from "./charts";
+import { canvas_of, type Chart, chart_in, px_at, x_at, x_extent, y_at } from "./charts";
 import { controls_of, within_slider } from "./controls";
 import { listen_to_keys, listen_to_pointer, magnify_by, next_row, row_text } from "./input";
 import { button, element, explained } from "../elements/elements";
-import { save_csv, save_png, save_svg } from "./files";
+import { can_copy, copy_png, save_csv, save_png, save_svg } from "./files";
 import { numbers_table, stretch_panel } from "./numbers";
 import type { Numbers, Picture, Range, State, Toggle } from "../picture";
 import type { PageState, View } from "./view";
@@ -15,6 +15,7 @@ const kPaper_pixels = 2; // of the canvas for one of the page, in print
 const kLowest_px = 300;
 const kLowest_in_window_px = 400;
 const kBelow_px = 8;
+const kCopied_ms = 2000;
 
 // On a narrow screen a picture is hardly higher than wide: there the rest would be blank, or a curve all too steep.
 // One that is to be seen whole is no higher than the window below its place on the page.
@@ -59,7 +60,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   };
   let chart: Chart | null = null;
   let whole: Range | null = null;
-  let whole_for = ""; // the choices that `whole` belongs to
+  let whole_for: State["chosen"] | null = null; // the choices that `whole` belongs to
   let near = false; // the screen
   let stale = true;
   let awaited = 0; // the frame in which it will be drawn
@@ -91,9 +92,10 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   });
   box.style.height = `${picture.height_px}px`;
   const line = element("div", { class: "line", "aria-hidden": "true" });
-  line.hidden = true;
+  const frame = element("div", { class: "frame", "aria-hidden": "true" });
+  line.hidden = frame.hidden = true;
   const canvas = element("div", { class: "canvas" });
-  box.append(canvas, line);
+  box.append(canvas, line, frame);
 
   const watching: ((state: State) => void)[] = [];
   const change = (part: Partial<State>): void => {
@@ -103,6 +105,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   };
 
   const see = (window: Range | null): void => {
+    if (!window && state.heights) change({ heights: null });
     if (picture.zoom === "time") page.see_time(window);
     else if (picture.zoom === "own") change({ window });
   };
@@ -129,7 +132,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     ]);
     known = new Set([...known, ...toggles.map((toggle) => toggle.key)]);
     row = null;
-    change({ chosen, hidden });
+    change({ chosen, hidden, heights: null });
   };
 
   const turn = (keys: readonly string[], on: boolean): void => {
@@ -159,7 +162,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   const reset = button(t.figure_show_all, t.figure_show_all_title, () => see(null));
   const update_parts = (): void => {
     controls.update(state);
-    reset.disabled = state.window === null;
+    reset.disabled = state.window === null && state.heights === null;
     mode.setAttribute("aria-pressed", String(selecting));
     box.classList.toggle("selecting", selecting);
     panel.update(state.stretch, panel_open, numbers_now);
@@ -193,15 +196,14 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
 
   // A picture first drawn in a window, or of another recording, has not shown all of its axis yet.
   const learn_whole = (on: Chart): void => {
-    const choices = JSON.stringify(state.chosen);
-    if (choices === whole_for || picture.zoom === "none") return;
-    whole_for = choices;
+    if (state.chosen === whole_for || picture.zoom === "none") return;
+    whole_for = state.chosen;
     if (!state.window) return;
     on.setOption(picture.draw({ ...state, window: null, stretch: null }), { notMerge: true });
     const before = whole;
     whole = x_extent(on);
     const same = before !== null && whole !== null && before[0] === whole[0] && before[1] === whole[1];
-    if (picture.zoom === "own" && !same) state = { ...state, window: null, stretch: null };
+    if (picture.zoom === "own" && !same) state = { ...state, window: null, stretch: null, heights: null };
   };
 
   const point = (x: number | null): void => {
@@ -229,8 +231,15 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     stretch: () => state.stretch,
     selecting: () => selecting,
     x_at: (px) => (chart ? x_at(chart, px) : NaN),
-    in_plot: (x, y) => [0, 1, 2, 3].some((gridIndex) => chart?.containPixel({ gridIndex }, [x, y]) ?? false),
+    y_at: (axis, px) => (chart ? y_at(chart, axis, px) : NaN),
+    plot_at: (x, y) => [0, 1, 2, 3].find((gridIndex) => chart?.containPixel({ gridIndex }, [x, y])) ?? null,
+    heights: () => state.heights,
     see,
+    see_heights: (heights) => change({ heights }),
+    frame(of) {
+      frame.hidden = of === null;
+      for (const side of ["left", "top", "width", "height"] as const) frame.style[side] = `${of?.[side] ?? 0}px`;
+    },
     select,
     hover: (x) => (picture.zoom === "time" ? page.hover_time(x) : point(x)),
   };
@@ -245,9 +254,22 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   if (picture.zoom !== "none") tools.append(mode, reset);
   tools.append(
     button("SVG", t.figure_svg_title, () => save_svg(picture, state)),
-    button("PNG", t.figure_png_title, () => save_png(picture, state)),
+    button("PNG", t.figure_png_title, () => void save_png(picture, state)),
     button("CSV", t.figure_csv_title, () => save_csv(picture, state)),
   );
+  if (can_copy()) {
+    const copy = button(t.figure_copy, t.figure_copy_title, () =>
+      void copy_png(picture, state).then(
+        () => {
+          copy.textContent = t.figure_copied;
+          page.say(t.figure_copied);
+          setTimeout(() => (copy.textContent = t.figure_copy), kCopied_ms);
+        },
+        () => save_png(picture, state), // it is not allowed
+      ),
+    );
+    tools.append(copy);
+  }
   const caption = element("p", { class: "caption" }, picture.caption);
   const heading = element("figcaption", {}, element("h3", {}, picture.title), caption);
   if (picture.about) {
@@ -269,10 +291,10 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     whole: () => whole,
     choose,
     turn: (key, on) => turn([key], on),
-    take({ chosen, hidden, window, stretch }) {
+    take({ chosen, hidden, window, stretch, heights }) {
       known = new Set([...known, ...picture.toggles({ chosen }).map((toggle) => toggle.key)]);
       panel_open = stretch !== null;
-      change({ chosen, hidden, window, stretch });
+      change({ chosen, hidden, window, stretch, heights });
     },
     watch(changed) {
       watching.push(changed);

@@ -19,14 +19,14 @@ export const save_svg = (picture: Picture, state: State): void => {
 };
 
 // On light or dark paper, as the page is.
-export const save_png = (picture: Picture, state: State): void => {
+const png_of = (picture: Picture, state: State): Promise<Blob> => {
   const width_px = width_of(state);
   const { dark } = state.look;
   const canvas = document.createElement("canvas");
   canvas.width = width_px * kPixels;
   canvas.height = (picture.height_px + kCaption_px) * kPixels;
   const pen = canvas.getContext("2d");
-  if (!pen) return;
+  if (!pen) return Promise.reject(new Error("no canvas"));
   pen.fillStyle = colours(dark).paper;
   pen.fillRect(0, 0, canvas.width, canvas.height);
   pen.fillStyle = colours(dark).ink;
@@ -34,8 +34,16 @@ export const save_png = (picture: Picture, state: State): void => {
   pen.fillText(caption_of(picture, state), 12 * kPixels, 23 * kPixels);
   const option = drawn(picture, stilled(state, dark, width_px, picture.height_px));
   pen.drawImage(canvas_of(option, width_px, picture.height_px, kPixels), 0, kCaption_px * kPixels);
-  canvas.toBlob((blob) => blob && save(`${picture.name}.png`, blob), "image/png");
+  return new Promise((done, failed) => canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error("no image"))), "image/png"));
 };
+
+export const save_png = async (picture: Picture, state: State): Promise<void> => save(`${picture.name}.png`, await png_of(picture, state));
+
+// For a letter or a message; a browser that cannot has no button for it.
+export const can_copy = (): boolean => "ClipboardItem" in window && typeof navigator.clipboard?.write === "function";
+// A ClipboardItem that takes no promise rejects it too.
+export const copy_png = async (picture: Picture, state: State): Promise<void> =>
+  navigator.clipboard.write([new ClipboardItem({ "image/png": png_of(picture, state) })]);
 
 // A file for the reader.
 export const save = (name: string, content: Blob): void => {

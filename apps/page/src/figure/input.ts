@@ -1,7 +1,7 @@
-// Mouse, pen and fingers on a chart: where all is seen a drag zooms, else it moves; two fingers or the wheel zoom, a
-// double click shows all, a drag with shift selects a stretch. The wheel alone scrolls the page until the chart has the
-// focus.
-import type { Numbers, Range, State } from "../picture";
+// Mouse, pen and fingers on a chart: where all is seen, or with Alt held, a drag zooms, upright too where it goes up or
+// down; else it moves; two fingers or the wheel zoom, a double click shows all, a drag with shift selects a stretch. The
+// wheel alone scrolls the page until the chart has the focus.
+import type { Heights, Numbers, Range, State } from "../picture";
 import type { View } from "./view";
 import type { Num } from "../report";
 import { shown } from "../drawing/theme";
@@ -11,11 +11,15 @@ interface Drag {
   kind: "move" | "zoom" | "select" | "pinch";
   from_px: number; // where it began, from the left of the box
   from: number; // the same on the x axis
+  from_y_px: number; // from the top
+  axis: number; // of the plot
   window: Range | null; // then
+  heights: Heights | null;
   spread_px: number; // two fingers, then
 }
 
 const kLeast_px = 8; // of a drag that zooms
+const kUpright_px = 24; // of one that zooms the heights: a hand is not steady
 
 const wheel_factor = ({ deltaMode, deltaY }: WheelEvent): number =>
   Math.exp(-Math.max(-200, Math.min(200, deltaY * (deltaMode === 1 ? 16 : 1))) * 0.003);
@@ -31,22 +35,33 @@ export const listen_to_pointer = (view: View): void => {
   const middle = (): number => [...down.values()].reduce((sum, px) => sum + px, 0) / Math.max(1, down.size);
   const spread = (): number => Math.max(20, Math.max(...down.values()) - Math.min(...down.values()));
 
-  const begin = (kind: Drag["kind"]): void => {
+  const begin = (kind: Drag["kind"], event: MouseEvent): void => {
     stretch = view.stretch();
-    drag = { kind, from_px: middle(), from: view.x_at(middle()), window: view.window(), spread_px: spread() };
+    drag = {
+      kind, from_px: middle(), from: view.x_at(middle()), from_y_px: y_px(event), axis: view.plot_at(x_px(event), y_px(event)) ?? 0,
+      window: view.window(), heights: view.heights(), spread_px: spread(),
+    };
+  };
+  // What a drag that zooms takes of either axis.
+  const is_wide = (of: Drag): boolean => Math.abs(middle() - of.from_px) > kLeast_px;
+  const is_upright = (of: Drag, event: MouseEvent): boolean => of.kind === "zoom" && Math.abs(y_px(event) - of.from_y_px) > kUpright_px;
+  const show_frame = (of: Drag, event: MouseEvent): void => {
+    const [left, right] = is_wide(of) ? ordered(of.from_px, middle()) : [0, box.clientWidth];
+    const [top, bottom] = ordered(of.from_y_px, y_px(event));
+    view.frame({ left, top, width: right - left, height: bottom - top });
   };
 
   box.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0 || !view.whole() || !view.in_plot(x_px(event), y_px(event))) return;
+    if (event.button !== 0 || !view.whole() || view.plot_at(x_px(event), y_px(event)) === null) return;
     down.set(event.pointerId, x_px(event));
     box.setPointerCapture(event.pointerId);
-    if (down.size > 1) begin("pinch");
-    else if (event.shiftKey || view.selecting()) begin("select");
-    else begin(view.window() || event.pointerType === "touch" ? "move" : "zoom");
+    if (down.size > 1) begin("pinch", event);
+    else if (event.shiftKey || view.selecting()) begin("select", event);
+    else begin(((view.window() || view.heights()) && !event.altKey) || event.pointerType === "touch" ? "move" : "zoom", event);
   });
 
   box.addEventListener("pointermove", (event) => {
-    const inside = view.in_plot(x_px(event), y_px(event));
+    const inside = view.plot_at(x_px(event), y_px(event)) !== null;
     const whole = view.whole();
     if (!whole) return;
     view.hover(inside ? view.x_at(x_px(event)) : null);
@@ -56,12 +71,23 @@ export const listen_to_pointer = (view: View): void => {
     switch (drag.kind) {
       case "zoom":
       case "select":
+        if (is_upright(drag, event)) {
+          if (view.stretch() !== stretch) view.select(stretch, false);
+          show_frame(drag, event);
+          break;
+        }
+        view.frame(null);
         if (Math.abs(middle() - drag.from_px) > 2) view.select(ordered(drag.from, view.x_at(middle())), false);
         break;
       case "move": {
         // Per pixel as it was when the drag began, for the axis moves under the pointer.
         const plot_px = (view.x_at(1) - view.x_at(0)) * (drag.from_px - middle());
         if (drag.window) view.see(panned(drag.window, whole, plot_px));
+        if (drag.heights) {
+          const { axis, range } = drag.heights;
+          const by = (view.y_at(axis, 1) - view.y_at(axis, 0)) * (drag.from_y_px - y_px(event));
+          view.see_heights({ axis, range: [range[0] + by, range[1] + by] });
+        }
         break;
       }
       case "pinch":
@@ -75,14 +101,18 @@ export const listen_to_pointer = (view: View): void => {
     if (drag?.kind === "select" && Math.abs(middle() - drag.from_px) > 2) {
       view.select(ordered(drag.from, view.x_at(middle())), true);
     }
-    if (drag?.kind === "zoom" && Math.abs(middle() - drag.from_px) > kLeast_px) {
+    view.frame(null);
+    if (drag?.kind === "zoom" && (is_wide(drag) || is_upright(drag, event))) {
+      const { axis, from_y_px } = drag;
       const window = ordered(drag.from, view.x_at(middle()));
+      const heights = is_upright(drag, event) ? { axis, range: ordered(view.y_at(axis, from_y_px), view.y_at(axis, y_px(event))) } : null;
       view.select(stretch, true);
-      view.see(window);
+      if (is_wide(drag)) view.see(window);
+      if (heights) view.see_heights(heights);
     }
     down.delete(event.pointerId);
     drag = null;
-    if (down.size > 0) begin("move");
+    if (down.size > 0) begin("move", event);
   };
   box.addEventListener("pointerup", end);
   box.addEventListener("pointercancel", end);
@@ -95,7 +125,7 @@ export const listen_to_pointer = (view: View): void => {
     (event) => {
       const whole = view.whole();
       const asked = event.ctrlKey || event.metaKey || document.activeElement === box;
-      if (!whole || !asked || !view.in_plot(x_px(event), y_px(event))) return;
+      if (!whole || !asked || view.plot_at(x_px(event), y_px(event)) === null) return;
       // All is seen already: a focused chart gives the wheel back to the page.
       if (!view.window() && event.deltaY > 0 && !event.ctrlKey && !event.metaKey) return;
       event.preventDefault();
@@ -173,10 +203,10 @@ export const listen_to_keys = (view: View, step: (by: number) => void): void => 
         view.see(zoomed(window, whole, (from + to) / 2, 1 / 1.5));
         return true;
       case "ArrowLeft":
-        view.see(panned(window, whole, -(to - from) / 8));
+        if (window) view.see(panned(window, whole, -(to - from) / 8)); // else there is nowhere to go
         return true;
       case "ArrowRight":
-        view.see(panned(window, whole, (to - from) / 8));
+        if (window) view.see(panned(window, whole, (to - from) / 8));
         return true;
       case "Home":
       case "0":

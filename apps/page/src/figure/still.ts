@@ -21,6 +21,7 @@ export const initial_state = (picture: Picture, dark: boolean, width_px: number)
     ),
     window: null,
     stretch: null,
+    heights: null,
   };
 };
 
@@ -32,7 +33,7 @@ export const stilled = (state: State, dark: boolean, width_px: number, height_px
 
 // All at once: of a drawing in steps, paper and files would have the first only.
 export const drawn = (picture: Picture, state: State): EChartsCoreOption =>
-  with_stretch({ progressive: 0, ...picture.draw(state) }, state);
+  with_heights(with_stretch({ progressive: 0, ...picture.draw(state) }, state), state);
 
 // The title, and which of several is shown: it cannot be seen from the drawing.
 export const caption_of = (picture: Picture, state: State): string => {
@@ -98,6 +99,14 @@ export const with_stretch = (option: EChartsCoreOption, state: State): EChartsCo
     ];
   });
   return { ...option, series: [...list(option["series"]), ...bands] };
+};
+
+// The y axis that is seen in part.
+const with_heights = (option: EChartsCoreOption, { heights }: State): EChartsCoreOption => {
+  if (!heights || option["polar"]) return option;
+  const [min, max] = heights.range;
+  const cut = (axis: Component): Component => ({ ...axis, min, max, axisLabel: { ...(axis["axisLabel"] as Component), showMinLabel: false, showMaxLabel: false } });
+  return { ...option, yAxis: list(option["yAxis"]).map((axis, k) => (k === heights.axis && (axis["type"] ?? "value") === "value" ? cut(axis) : axis)) };
 };
 
 // Several pictures in one file, one below the other, under the conclusions of their report; below each stands what is

@@ -1,5 +1,5 @@
 // The interface of a figure for pointer and keys.
-import type { Range } from "../picture";
+import type { Heights, Range } from "../picture";
 
 export interface View {
   box: HTMLElement; // of the chart
@@ -8,8 +8,12 @@ export interface View {
   stretch(): Range | null; // that is selected
   selecting(): boolean; // a drag selects a stretch, as with shift held
   x_at(px: number): number; // of a pixel from the left of the box
-  in_plot(x_px: number, y_px: number): boolean;
-  see(window: Range | null): void;
+  y_at(axis: number, px: number): number; // from the top
+  plot_at(x_px: number, y_px: number): number | null; // the number of its y axis; null: of none
+  heights(): Heights | null;
+  see(window: Range | null): void; // null: all, of the heights too
+  see_heights(heights: Heights): void;
+  frame(box: { left: number; top: number; width: number; height: number } | null): void; // that a drag draws
   select(stretch: Range | null, done: boolean): void;
   hover(x: number | null): void;
 }

@@ -11,7 +11,7 @@ import { micrometres, plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { iso_of, limit_text } from "../machine_errors/summary";
 import type { FitPart, Report, Result } from "../report";
-import { full_labels } from "../recordings/recording_tables";
+import { result_name } from "../recordings/recording_tables";
 import { sentence_text, t } from "../texts/texts";
 
 export const kSheet_px = { width: 794, height: 1123 } as const; // A4 at 96 to the inch
@@ -113,7 +113,7 @@ const kJudgements = { pass: "#00662b", warning: "#8a5a00", fail: kRed } as const
 
 const iso_at = (fit: FitPart, test: ErrorTest, x: number, y: number): { svg: string; below: number } => {
   const { rows } = iso_of(fit, test);
-  const labels = full_labels(rows).map((label) => label.replace(/ µm$/, ""));
+  const labels = rows.map((row) => result_name(row).replace(/ µm$/, ""));
   const any = rows.some(({ judgement }) => judgement);
   const judged = (row: Result): string[] => [limit_text(row), row.judgement ? t.judgements[row.judgement] : "–"];
   const table = table_at(

@@ -92,7 +92,11 @@ const verdict_of = (tests: readonly TestRow[], tolerance_um: Num): string => {
   const n = tests.length;
   const judged = tests.filter(({ passes }) => passes !== null).length;
   const fail = tests.filter(({ passes }) => passes === false).length;
-  const said = tolerance_um === null ? t.tests_judged({ fail, judged }) : t.tests_judged_by({ fail, judged, tolerance: shown(tolerance_um) });
+  const by = { fail, judged, tolerance: shown(tolerance_um) };
+  const said =
+    tolerance_um === null
+      ? fail === 0 ? t.tests_judged_pass(by) : t.tests_judged(by)
+      : fail === 0 ? t.tests_judged_by_pass(by) : t.tests_judged_by(by);
   if (!worst || rank_um(worst) < 0) return [t.tests_count({ n }), ...(judged > 0 ? [said] : [])].join(" ");
   const g = both(worst, "g_ccw_um", "g_cw_um");
   const first = g === "–" ? t.tests_worst_stored({ n, name: named(worst), circularity: shown(worst.both_runs?.value ?? null, 2) }) : t.tests_worst({ n, name: named(worst), g });

@@ -26,7 +26,7 @@ export const doing_of = (action: PageAction | null, { opened, test_again, save_o
     loop &&
     (() => {
       act(loop);
-      loop.element.scrollIntoView({ block: "nearest" }); // it may lie below a drift
+      loop.element().scrollIntoView({ block: "nearest" }); // it may lie below a drift
     });
   switch (action.action) {
     case "add":

@@ -2,7 +2,7 @@
 import { button, element } from "../elements/elements";
 import { best_set, ranked_candidates } from "../diagnosis/ranking";
 import { decimals_for, rmse_shown, shown, with_sigma } from "../drawing/theme";
-import { can_be_typed } from "./runs";
+import { can_be_typed, set_key } from "./runs";
 import type { Candidate, Diagnosed, Num } from "../report";
 import { plain } from "../drawing/text";
 import { plain_name } from "../machine_errors/error_names";
@@ -12,39 +12,45 @@ const kFirst = 5; // the rest is opened if wanted
 
 const can_be_added = ({ columns }: Candidate): boolean => can_be_typed(Object.values(columns));
 
-// The RMSE after adding an effect, next to its "+". Shown when known.
-export interface Promised {
+interface Row {
+  element: HTMLElement;
   effects: readonly string[];
-  show(rmse_um: number): void;
 }
+
+// What is looked at first: the most probable, and the most probable set as one step, where it has several effects.
+const set_labels = (found: Diagnosed): string[] => {
+  const set = best_set(found);
+  return set.length < 2 || !set.every(can_be_added) ? [] : set.map(({ label }) => label);
+};
+export const looked_at = (found: Diagnosed): string[][] => {
+  const set = set_labels(found);
+  return [...ranked_candidates(found).slice(0, kFirst).map(({ candidate }) => [candidate.label]), ...(set.length > 0 ? [set] : [])];
+};
 
 export interface CandidateList {
   element: HTMLElement;
-  show(found: Diagnosed): readonly Promised[]; // those that are looked at first
-  clear(): void;
+  show(found: Diagnosed | null): void;
+  promise(rmse_um: ReadonlyMap<string, number>): void; // what each would leave, by set_key
 }
 
 export const candidate_list = (
   add: (effects: readonly string[]) => void,
   look: (candidate: Candidate | null) => void,
-  promise: (promised: readonly Promised[]) => void, // of those that are opened
+  opened: (effects: readonly (readonly string[])[]) => void, // beyond the first
 ): CandidateList => {
   const box = element("div", { class: "live-candidates" });
+  let promises: { effects: readonly string[]; place: HTMLElement }[] = [];
 
-  const promised_of = (effects: readonly string[]): Promised & { element: HTMLElement } => {
+  // The RMSE after adding effects, next to their "+".
+  const promise_of = (effects: readonly string[]): HTMLElement => {
     const place = element("span", { class: "promise" }, "…");
-    return {
-      effects,
-      element: place,
-      show(rmse_um) {
-        place.textContent = t.live_promise({ rmse: rmse_shown(rmse_um) });
-        place.dataset.rmse = rmse_shown(rmse_um);
-      },
-    };
+    promises.push({ effects, place });
+    return place;
   };
 
-  const row_of = (candidate: Candidate, starred: boolean): { element: HTMLElement; promised: Promised } => {
-    const plus = button("+", t.live_add_title({ effect: plain_name(candidate.label, 80) }), () => add([candidate.label]));
+  const row_of = (candidate: Candidate, starred: boolean): Row => {
+    const effects = [candidate.label];
+    const plus = button("+", t.live_add_title({ effect: plain_name(candidate.label, 80) }), () => add(effects));
     plus.className = "plus";
     plus.setAttribute("aria-label", t.live_add_title({ effect: plain_name(candidate.label, 80) }));
     plus.disabled = !can_be_added(candidate);
@@ -53,44 +59,44 @@ export const candidate_list = (
     const decimals = decimals_for(candidate.amplitude_um, candidate.amplitude_sigma_um);
     const name = element("bdi", { title: plain(candidate.label, 200) }, `${plain_name(candidate.label, 60)}${starred ? " *" : ""}`);
     const figures = t.live_candidate({ p: shown(candidate.p, 2), amplitude: with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, Math.min(3, decimals)) });
-    const promised = promised_of([candidate.label]);
-    const row = element("li", {}, plus, bar, name, element("span", { class: "figures" }, figures, ", ", promised.element));
+    const row = element("li", {}, plus, bar, name, element("span", { class: "figures" }, figures, ", ", promise_of(effects)));
     row.addEventListener("pointerenter", () => look(candidate));
     row.addEventListener("pointerleave", () => look(null));
     row.addEventListener("focusin", () => look(candidate));
     row.addEventListener("focusout", () => look(null));
-    return { element: row, promised };
+    return { element: row, effects };
   };
 
-  // The most probable set as one step, where it has several effects.
-  const set_of = (found: Diagnosed): { element: HTMLElement; promised: Promised } | null => {
-    const set = best_set(found);
-    if (set.length < 2 || !set.every(can_be_added)) return null;
-    const labels = set.map(({ label }) => label);
+  const set_of = (labels: readonly string[]): HTMLElement => {
     const plus = button(t.live_add_all, t.live_add_all_title({ effects: labels.map((label) => plain_name(label, 60)).join(", ") }), () => add(labels));
     plus.className = "plus-all";
-    const promised = promised_of(labels);
-    return { element: element("p", { class: "all-of-these" }, plus, " ", promised.element), promised };
+    return element("p", { class: "all-of-these" }, plus, " ", promise_of(labels));
   };
 
   return {
     element: box,
     show(found) {
+      promises = [];
+      if (!found) return box.replaceChildren();
       const rows = ranked_candidates(found).map(({ candidate, starred }) => row_of(candidate, starred));
-      const set = set_of(found);
-      const list = (some: typeof rows): HTMLElement => element("ul", {}, ...some.map((row) => row.element));
+      const set = set_labels(found);
+      const list = (some: readonly Row[]): HTMLElement => element("ul", {}, ...some.map((row) => row.element));
       const rest = rows.slice(kFirst);
       const more = element("details", {}, element("summary", {}, t.live_more_candidates({ count: rest.length })), list(rest));
-      more.addEventListener("toggle", () => promise(rest.map(({ promised }) => promised)), { once: true });
+      more.addEventListener("toggle", () => opened(rest.map(({ effects }) => effects)), { once: true });
       box.replaceChildren(
         ...(rows.length > 0 ? [element("h3", {}, t.live_may_be_missing), list(rows.slice(0, kFirst))] : []),
-        ...(set ? [set.element] : []),
+        ...(set.length > 0 ? [set_of(set)] : []),
         ...(rest.length > 0 ? [more] : []),
       );
-      return [...rows.slice(0, kFirst), ...(set ? [set] : [])].map(({ promised }) => promised);
     },
-    clear() {
-      box.replaceChildren();
+    promise(rmse_um) {
+      for (const { effects, place } of promises) {
+        const known = rmse_um.get(set_key(effects));
+        if (known === undefined) continue;
+        place.textContent = t.live_promise({ rmse: rmse_shown(known) });
+        place.dataset.rmse = rmse_shown(known);
+      }
     },
   };
 };
@@ -99,12 +105,12 @@ export const candidate_list = (
 
 const kBars = 6;
 
-interface Posterior {
+export interface Posterior {
   posterior: { label: string; p: number }[];
   p_nothing: number;
 }
 
-const posterior_in = (line: string): Posterior | null => {
+export const posterior_in = (line: string): Posterior | null => {
   if (!line.startsWith("{")) return null;
   try {
     const read = JSON.parse(line) as Partial<Posterior>;
@@ -114,33 +120,20 @@ const posterior_in = (line: string): Posterior | null => {
   }
 };
 
-export const bar_of = (label: string, p: number): HTMLElement => {
+const bar_of = (label: string, p: number): HTMLElement => {
   const bar = element("span", { class: "p" });
   bar.style.setProperty("--share", String(Math.min(1, Math.max(0, p))));
   return element("li", {}, bar, element("bdi", { title: plain(label, 200) }, plain_name(label, 60)), element("span", { class: "number" }, shown(p, 2)));
 };
 
-export interface PosteriorBars {
-  element: HTMLElement;
-  tell(line: string): void;
-  clear(): void;
-}
-
-export const posterior_bars = (): PosteriorBars => {
+export const posterior_bars = (): { element: HTMLElement; show(now: Posterior | null): void } => {
   const list = element("ul", { class: "live-posterior", "aria-label": t.live_posterior });
-  list.hidden = true;
   return {
     element: list,
-    tell(line) {
-      const now = posterior_in(line);
-      if (!now) return;
-      const most = [...now.posterior].sort((a, b) => b.p - a.p).slice(0, kBars);
-      list.replaceChildren(...most.map(({ label, p }) => bar_of(label, p)), bar_of(t.live_nothing_missing, now.p_nothing));
-      list.hidden = false;
-    },
-    clear() {
-      list.hidden = true;
-      list.replaceChildren();
+    show(now) {
+      const most = [...(now?.posterior ?? [])].sort((a, b) => b.p - a.p).slice(0, kBars);
+      list.replaceChildren(...(now ? [...most.map(({ label, p }) => bar_of(label, p)), bar_of(t.live_nothing_missing, now.p_nothing)] : []));
+      list.hidden = now === null;
     },
   };
 };

@@ -69,7 +69,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
   let of_words = ""; // with which it was understood
   let to_ask = false;
   let fault = "";
-  let asked_for: ReadonlySet<string> = new Set(); // options that the fault names
+  let asked_for: readonly string[] = []; // options that the fault names
   let words: LogWords = []; // as they are chosen now
   let rows: { source: string; role: string; target: boolean }[] = [];
 
@@ -156,7 +156,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
 
   // Of a circle whose file does not state it.
   const radius_field = (): HTMLElement[] =>
-    asked_for.has("radius") || said(words, "radius") !== ""
+    asked_for.includes("radius") || said(words, "radius") !== ""
       ? [labelled(t.live_columns_radius, text("radius", said(words, "radius"), "100mm", (value) => say("radius", quantity(value))))]
       : [];
 
@@ -280,10 +280,9 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
     if (!box.hidden && document.activeElement === document.body) box.querySelector<HTMLElement>("button[type=submit]")?.focus({ preventScroll: true });
   };
 
-  // To the first field that the sentences name by its option.
-  const focus_field = (sentences: readonly string[]): void => {
-    const named_fields = sentences.flatMap(options_in).flatMap((option) => (option === kEvery ? [kEvery, "time"] : [option]));
-    for (const option of named_fields) {
+  // To the first field of these options.
+  const focus_field = (options: readonly string[]): void => {
+    for (const option of options.flatMap((one) => (one === kEvery ? [kEvery, "time"] : [one]))) {
       const fields = [...box.querySelectorAll<HTMLElement>(`[data-option="${option}"]:not(:disabled)`)];
       const field = fields.find((one) => one.closest("[hidden]") === null);
       if (field) return field.focus();
@@ -310,7 +309,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
       const read_so = with_said(next.log, "max-gap", ""); // of signals, once they are read
       const asked = [of_next.path, ...read_so].join("\n");
       if (of_words !== asked) {
-        const ran = await work.run(["import", of_next.path, ...read_so, "--json"], { what: t.live_checking({ name: plain(last_part(of_next.name), 60) }) });
+        const ran = await work.run(["import", of_next.path, ...read_so, "--json"], { what: () => t.live_checking({ name: plain(last_part(of_next.name), 60) }) });
         understood = answer_of<Understood>(ran);
         of_words = asked;
         to_ask = (understood.unclear ?? []).length > 0;
@@ -328,14 +327,14 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
       if (!to_ask || !subject) return;
       to_ask = false;
       open();
-      if (understood?.clock === false) focus_field(["--time"]);
+      if (understood?.clock === false) focus_field(["time"]);
     },
     refused(why) {
       if (!subject || !log) return null;
-      asked_for = new Set(options_in(why));
+      asked_for = options_in(why);
       fault = clamped(without_advice(why.replace(log.path, last_part(log.name))), 600) || t.live_columns_unread;
       open();
-      focus_field([why]);
+      focus_field(asked_for);
       return fault;
     },
     forget() {

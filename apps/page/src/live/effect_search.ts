@@ -1,6 +1,6 @@
 // Any effect of the catalogue, found by its name or a word of it in any language of the page, with the columns that suit.
 import { button, element } from "../elements/elements";
-import type { Catalogue, CatalogueEntry } from "./model_list";
+import type { Catalogue, CatalogueEntry } from "./catalogue";
 import { details_of } from "../elements/elements";
 import { plain } from "../drawing/text";
 import { error_name } from "../machine_errors/error_names";

@@ -1,5 +1,6 @@
 // The history of the user's steps. Each step stores the state before it, so that undo and redo cover all kinds of
 // steps.
+import { signal } from "@preact/signals-core";
 
 export type Values = ReadonlyMap<string, number>; // of sliders that were moved from the fit
 
@@ -32,30 +33,25 @@ export interface Steps {
 }
 
 export const steps_kept = (): Steps => {
-  const behind: Step[] = [];
-  const ahead: Step[] = [];
+  const behind = signal<readonly Step[]>([]);
+  const ahead = signal<readonly Step[]>([]);
+  // From the end of one list to the end of the other.
+  const move = async (from: typeof behind, to: typeof behind, put: PutBack, otherwise?: Step): Promise<boolean> => {
+    const step = from.peek().at(-1) ?? otherwise;
+    if (!step) return false;
+    const now = await put(step);
+    from.value = from.peek().slice(0, -1);
+    to.value = [...to.peek(), now];
+    return true;
+  };
   return {
     record(before) {
-      behind.push(before);
-      ahead.length = 0;
+      behind.value = [...behind.peek(), before];
+      ahead.value = [];
     },
-    async undo(put, otherwise) {
-      const step = behind.at(-1) ?? otherwise;
-      if (!step) return false;
-      const now = await put(step);
-      behind.pop();
-      ahead.push(now);
-      return true;
-    },
-    async redo(put) {
-      const step = ahead.at(-1);
-      if (!step) return false;
-      const now = await put(step);
-      ahead.pop();
-      behind.push(now);
-      return true;
-    },
-    count: () => behind.length,
-    can_redo: () => ahead.length > 0,
+    undo: (put, otherwise) => move(behind, ahead, put, otherwise),
+    redo: (put) => move(ahead, behind, put),
+    count: () => behind.value.length,
+    can_redo: () => ahead.value.length > 0,
   };
 };

@@ -100,8 +100,8 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
       const files = dropped.map(({ name, file }, k) => ({ path: paths[k] ?? "", name, file }));
       return take_in(files);
     },
-    sample: ({ name }) =>
-      take_in(engine.sample_files(name).map(({ path, text }) => ({ path: `${name}/${path}`, name: path, file: new Blob([bytes_of(text)]) }))),
+    sample: async ({ name }) =>
+      take_in((await engine.sample_files(name)).map(({ path, text }) => ({ path: `${name}/${path}`, name: path, file: new Blob([bytes_of(text)]) }))),
     async again({ files }) {
       await put_all(files);
     },

@@ -55,12 +55,12 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
       const focused = document.activeElement;
       const kept = loop?.figures() ?? [];
       shared.clear(kept);
-      const { parts, draw } = open(report, shared, tools, loop && { element: loop.element, proves: loop.proves() });
+      const { parts, draw } = open(report, shared, tools, loop && { element: loop.element(), proves: loop.proves() });
       without_report(false);
       place.replaceChildren(...parts);
       draw();
-      if (again) bring_back();
       for (const figure of kept) shared.add(figure);
+      if (again) bring_back();
       if (focused instanceof HTMLElement && focused.isConnected) focused.focus({ preventScroll: true });
     },
     made_with(options) {

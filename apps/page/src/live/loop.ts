@@ -1,25 +1,19 @@
-// The interactive model: its residual, its effects with sliders, possibly missing effects, undo and redo.
-import { candidate_list, fall_shown, posterior_bars, type Promised } from "./candidates";
-import { next_action_of, next_label, type Proposed } from "../diagnosis/next_action";
-import { effect_search } from "./effect_search";
-import { type ModelState, type Step, type Steps, steps_kept, type Stretch } from "./history_of_steps";
-import { left_out_bar } from "./left_out";
-import { type Catalogue, model_list } from "./model_list";
-import { type HandChange, Interrupted, type Part, reason, Refused, type Runs, type Subject, type Work } from "./runs";
-import { two_hypotheses } from "./two_hypotheses";
-import { button, element, select_of } from "../elements/elements";
-import { fit_picture, type Now, slid } from "./fit_picture";
-import { type Figure, figure_of } from "../figure/figure";
-import { next_test, type NextTestOf } from "./next_test";
+// The interactive model: what is done with it, one change after the other, with undo and redo.
+import { batch } from "@preact/signals-core";
+import type { Proposed } from "../diagnosis/next_action";
+import { plain } from "../drawing/text";
+import type { Figure } from "../figure/figure";
 import type { PageState } from "../figure/view";
-import type { Candidate, Checked, Diagnosed, Report } from "../report";
-import { micrometres, plain } from "../drawing/text";
-import { rmse_shown } from "../drawing/theme";
+import type { Diagnosed, HypothesesPart, Report } from "../report";
+import { said, type Sentence, t } from "../texts/texts";
+import { looked_at, posterior_in } from "./candidates";
+import type { Catalogue } from "./catalogue";
+import type { ModelState, Step, Stretch } from "./history_of_steps";
+import { type LoopView, loop_view } from "./loop_view";
+import type { NextTestOf } from "./next_test";
+import { type HandChange, Interrupted, type Part, reason, Refused, type Runs, set_key, type Subject, type Work } from "./runs";
 import { time_spoken } from "./spoken";
-import { language, said, type Sentence, sentence_text, t } from "../texts/texts";
-import { plain_name } from "../machine_errors/error_names";
-import { verdict_of } from "../diagnosis/verdict";
-import { verdict_of as verdict_of_check } from "../model/model";
+import { of_target, store_of } from "./store";
 
 const kShort_ms = 60_000; // a search that takes less is repeated automatically when the model changes
 const kUnseen_ms = 150;
@@ -34,7 +28,6 @@ export interface LoopOf {
   bytes_of(path: string): Promise<Uint8Array>;
   put(path: string, bytes: Uint8Array): Promise<void>;
   plan: NextTestOf["plan"];
-  steps?: Steps; // of a loop of the same data before this one
   has_unit(target: string): boolean;
   state_unit(): void; // the dialogue of the columns
   across(gap_s: number, search: boolean): void; // opens the data again, interpolated over gaps of this length; and searches
@@ -43,25 +36,22 @@ export interface LoopOf {
 }
 
 export interface Loop {
-  element: HTMLElement;
-  subject(): Subject;
-  steps: Steps;
+  element(): HTMLElement;
   figures(): readonly Figure[]; // on the page
   proves(): boolean; // whether it has the picture that the first screen needs
   show(report: Report): void;
+  rewrite(): void; // in another language
   refused(why: unknown): void; // why it has no fit, and what may be done
   search(): Promise<void>;
   // An unsupported addition is shown and reverted, unless keep.
   add(effects: readonly string[], keep?: boolean): Promise<void>;
-  change(change: HandChange): Promise<void>; // by hand: an effect taken out, a parameter held or freed
-  leave_out(left_out: readonly Stretch[]): Promise<void>; // the fit without these rows
   undo(): Promise<void>; // of whatever was done last
   redo(): Promise<void>;
   act(next: Proposed): void;
   find(target?: string): void; // what is missing
   diagnosed(): Diagnosed | null; // of the model as it is
   to_optimum(): void;
-  first_slider(effect: string): ReturnType<ReturnType<typeof model_list>["slider"]>;
+  first_slider: LoopView["slider"];
 }
 
 class Unsupported extends Error {}
@@ -79,512 +69,318 @@ const painted = (): Promise<void> =>
     );
   });
 
-const of_target = <T extends { target: string }>(targets: readonly T[] | undefined, target: string): T | undefined =>
-  targets?.find((one) => one.target === target) ?? targets?.[0];
-
 export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, ...of }: LoopOf): Loop => {
-  let subject = first;
-  let report: Report | null = null;
-  let fitted: Checked | null = null; // as the program fitted it
-  let base: Checked | null = null; // as the program computed it with the sliders as they were
-  let drawn: Checked | null = null; // as it is drawn
-  let before: Checked | null = null;
-  let candidate: Candidate | null = null;
-  let found: Diagnosed | null = null;
-  let took_ms = 0; // the last search
-  let attempts = 0; // at work, of which one may have begun within another
-  let made: { figure: Figure; rows: number } | null = null;
-  const steps = of.steps ?? steps_kept();
+  const store = store_of(first, catalogue);
+  const { subject, report, fitted, found, moved, steps, told } = store;
 
-  const sentence = element("p", { class: "said", role: "status", "aria-live": "polite" });
-  const say = (text: Sentence): void => {
-    sentence.textContent = micrometres(sentence_text(text));
-    sentence.lang = typeof text === "string" ? language : "en";
-  };
-  // What to do next, where the program proposes a step.
-  const next = button("", "", () => {
-    const action = found && next_action_of(found);
-    if (action) loop.act(action);
-  });
-  next.className = "act";
-  next.hidden = true;
-  // Where a column has too long a gap to be interpolated.
-  const across = button("", t.live_across_title, () => of.across(gap_s, wants_search));
-  across.className = "act";
-  across.hidden = true;
-  let gap_s = 0;
-  let wants_search = false; // and could not be searched
-  const offer_across = async (): Promise<void> => {
-    const gap = await runs.gap(subject).catch(() => null);
-    if (!gap) return;
-    gap_s = Math.ceil((gap.to_s ?? 0) - (gap.from_s ?? 0));
-    say(t.live_gap({ column: plain(gap.signal, 60), from: time_spoken(gap.from_s ?? 0), length: time_spoken(gap_s) }));
-    across.textContent = t.live_across({ length: time_spoken(gap_s) });
-    across.hidden = false;
-  };
-  // Where the target is of counts or steps, and all sizes are said in um.
-  const no_unit = element("p", { class: "refusal" }, element("span", {}), " ", button(t.live_state_unit, "", () => of.state_unit()));
-  const show_unit = (target: string): void => {
-    no_unit.hidden = target === "" || of.has_unit(target);
-    no_unit.querySelector("span")?.replaceChildren(t.live_no_unit({ column: plain(target, 60) }));
-  };
-  const told = (error: unknown): void => {
-    say(reason(error));
+  const tell = (error: unknown): void => {
+    told.value = () => reason(error);
     if (error instanceof Refused) void offer_across();
   };
-  // What the data did not support, and was not kept; or what the model holds all the same.
-  const refusal = element("p", { class: "refusal", role: "status" });
-  refusal.hidden = true;
-  const refuse = (text: Sentence, effects: readonly string[], label = t.live_keep, title = t.live_keep_title): void => {
-    const keep = button(label, title, () => void loop.add(effects, true));
-    refusal.replaceChildren(element("span", { lang: typeof text === "string" ? language : "en" }, micrometres(sentence_text(text))), " ", keep);
-    refusal.hidden = false;
-  };
-  const place = element("div", { class: "picture" });
-  const fall = fall_shown();
-  const posterior = posterior_bars();
-
-  const draw = (): void => {
-    if (!base || !fitted) return;
-    drawn = slid(base, list.values(), list.gains());
-    const moved = list.moved();
-    fall.show({ before: moved ? fitted.rmse_um : (before?.rmse_um ?? null), now: drawn.rmse_um, floor: drawn.floor_um, moved });
-    list.draw(drawn);
-    back.disabled = !moved;
-    made?.figure.renew();
-  };
-
-  // One run at a time; of what was moved meanwhile the last counts.
-  let running = false;
-  let again = false;
-  const computed = async (): Promise<void> => {
-    const settings = list.settings();
-    if (settings.length === 0 || !fitted) {
-      base = fitted;
-      return draw();
-    }
-    if (running) {
-      again = true;
-      return;
-    }
-    running = true;
-    const of_fit = fitted;
-    try {
-      const answer = await runs.set(subject, settings);
-      const checked = of_target(answer.check?.targets, subject.target);
-      if (checked && of_fit === fitted && list.moved()) base = { ...checked, floor_um: of_fit.floor_um };
-    } catch (error) {
-      if (!(error instanceof Interrupted)) say(reason(error));
-    }
-    running = false;
-    draw();
-    if (again) {
-      again = false;
-      await computed();
-    }
-  };
-  const list = model_list({
-    catalogue,
-    begin: () => steps.record({ sliders: list.moved_values() }),
-    changed() {
-      draw();
-      update();
-      void computed();
-    },
-    hold: ({ effect = "", name }, value) => void loop.change({ held: [{ effect, parameter: name, value }] }),
-    free: ({ effect = "", name, value }) => void loop.change({ freed: [{ effect, parameter: name, value: value ?? 0 }] }),
-    remove: (effect) => void loop.change({ removed: [effect] }),
-  });
-  const to_optimum = (): void => {
-    if (list.moved()) steps.record({ sliders: list.moved_values() });
-    list.back();
-    base = fitted;
-    draw();
-    update();
-  };
-  const back = button(t.live_to_optimum, t.live_to_optimum_title, to_optimum);
-
-  // One after the other, until the model is another: each takes a moment, and none is stopped, for what stops a call
-  // makes the program forget what it has computed.
-  let promising = 0;
-  const promise = async (all: readonly Promised[]): Promise<void> => {
-    const mine = ++promising;
-    const of_subject = subject;
-    const known = new Map<string, number>(); // by label
-    for (const one of all) {
-      if (mine !== promising || of_subject !== subject) return;
-      try {
-        const rmse_um = await runs.rmse_with(of_subject, one.effects);
-        one.show(rmse_um);
-        if (one.effects.length === 1) known.set(one.effects[0] ?? "", rmse_um);
-      } catch (error) {
-        if (error instanceof Interrupted) return;
-      }
-    }
-    if (mine !== promising) return;
-    all_promised();
-    show_promised(known);
-  };
-  // In the table of the candidates too.
-  const show_promised = (known: ReadonlyMap<string, number>): void => {
-    if (!report?.diagnose || known.size === 0) return;
-    const with_rmse = (target: Diagnosed): Diagnosed => ({
-      ...target,
-      candidates: target.candidates.map((one) => ({ ...one, rmse_after_um: known.get(one.label) ?? one.rmse_after_um })),
+  // Where a column has too long a gap to be interpolated.
+  const offer_across = async (): Promise<void> => {
+    const gap = await runs.gap(subject.peek()).catch(() => null);
+    if (!gap) return;
+    const gap_s = Math.ceil((gap.to_s ?? 0) - (gap.from_s ?? 0));
+    batch(() => {
+      told.value = () => t.live_gap({ column: plain(gap.signal, 60), from: time_spoken(gap.from_s ?? 0), length: time_spoken(gap_s) });
+      store.gap_s.value = gap_s;
     });
-    const targets = report.diagnose.targets.map((target) => (target === found ? (found = with_rmse(target)) : target));
-    report = { ...report, diagnose: { targets } };
-    of.changed(report, subject);
-  };
-  // A search may take minutes. What else runs is soon done, and goes on.
-  const stop_search = (): void => {
-    if (all.dataset.search === "running") work.stop();
-  };
-  const candidates = candidate_list(
-    (effects) => void loop.add(effects),
-    (one) => {
-      candidate = one;
-      made?.figure.renew();
-    },
-    (opened) => void promise(opened),
-  );
-  const undo = button(t.live_undo, t.live_undo_title, () => void loop.undo());
-  const redo = button(t.live_redo, t.live_redo_title, () => void loop.redo());
-  const search = button(t.live_search, t.live_search_title, () => void loop.search());
-  const two = two_hypotheses({
-    page,
-    add_figure: of.add_figure,
-    report: () => report,
-    async compare(hypotheses) {
-      let both = null;
-      await attempt(async () => {
-        stop_search();
-        both = await runs.compare(subject, hypotheses);
-      });
-      if (!found && took_ms > 0 && took_ms < kShort_ms) void loop.search();
-      return both;
-    },
-    keep: (label) => void (label === "" ? two.forget() : loop.add([label])),
-  });
-  const effects = effect_search({ catalogue, add: (label) => void loop.add([label]), beside: (label) => two.beside(label) });
-  const rows = left_out_bar(
-    () => made?.figure.ask_stretch(),
-    (stretch) => void loop.leave_out([...subject.left_out, stretch].sort((a, b) => a.from_s - b.from_s)),
-    (stretch) => void loop.leave_out(subject.left_out.filter((one) => one !== stretch)),
-  );
-  const show_rows = (): void => rows.show(subject.left_out, made?.figure.state().stretch ?? null, fitted?.level === "series");
-  const plan = next_test({ plan: of.plan, subject: () => subject, took_ms: () => took_ms });
-
-  const target_list = targets.map((target) => [target, plain(target, 60)] as const);
-  const { select: target_choice, label: target_label } = select_of(t.live_explained, target_list, (target) => {
-    subject = { ...subject, target };
-    before = null;
-    if (subject.model !== "") void attempt(async () => loop.show(await runs.report(subject)));
-  });
-  target_choice.value = subject.target;
-  target_label.hidden = targets.length < 2;
-
-  const asked = element("div", {}, element("h3", {}, t.live_what_moves), element("p", { class: "about" }, t.live_what_moves_about));
-  const hand = element(
-    "div",
-    { class: "hand" },
-    asked,
-    fall.element,
-    element("div", { class: "buttons" }, target_label, search, undo, redo, back),
-    posterior.element,
-    candidates.element,
-    element("h3", { class: "of-model" }, t.live_model),
-    list.element,
-    effects.element,
-    plan.element,
-  );
-  const all_promised = (): void => {
-    all.dataset.promised = "true";
-  };
-  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, no_unit, refusal, sentence, across, next), element("div", { class: "by-hand" }, element("div", {}, place, rows.element), hand), two.element);
-
-  const now = (): Now => ({
-    report: report as Report,
-    checked: (drawn ?? fitted) as Checked,
-    before: list.moved() ? fitted : before,
-    candidate,
-    left_out: subject.left_out,
-  });
-  // The same picture as long as it has the same rows, so that its zoom and its switches stay.
-  const figure_now = (checked: Checked): void => {
-    const count = checked.series.time_s.length;
-    if (made?.rows === count) return made.figure.renew();
-    const last = made?.figure;
-    made = { figure: figure_of(fit_picture(now), page), rows: count };
-    if (last) made.figure.take({ ...last.state(), stretch: null });
-    last?.leave();
-    made.figure.watch(show_rows);
-    place.replaceChildren(made.figure.element);
-    made.figure.redraw();
   };
 
   const attempt = async (work_of: () => Promise<void>): Promise<void> => {
-    ++attempts;
-    all.setAttribute("aria-busy", "true");
+    ++store.busy.value;
     try {
       await work_of();
     } catch (error) {
-      told(error);
+      tell(error);
     } finally {
-      if (--attempts === 0) all.removeAttribute("aria-busy");
-      update();
+      --store.busy.value;
     }
   };
-
-  const update = (): void => {
-    const revisions = report?.ledger?.rows.filter(({ target }) => target === subject.target || subject.target === "").length ?? 0;
-    all.dataset.revisions = String(revisions);
-    all.dataset.steps = String(steps.count());
-    undo.disabled = steps.count() === 0 && revisions < 2;
-    redo.disabled = !steps.can_redo();
-    back.disabled = !list.moved();
-    search.disabled = work.busy();
-  };
-
-  const show_diagnosis = (of_it: Diagnosed | undefined): void => {
-    found = of_it && of_it.not_diagnosed === undefined ? of_it : null;
-    const action = found && next_action_of(found);
-    next.hidden = !action || action.action === "plan"; // which has a place of its own
-    next.textContent = action ? next_label(action) : "";
-    next.title = action?.effects.join(", ") ?? "";
-    next.dataset.action = action?.action ?? "";
-    next.dataset.rmse = rmse_shown(action?.promised_rmse_um ?? null);
-    delete all.dataset.promised;
-    ++promising;
-    two.offer(found?.candidates ?? []);
-    if (!found) return candidates.clear();
-    const held = found.unsupported.map((effect) => plain_name(effect, 60)).join(", ");
-    refusal.hidden = held === "";
-    refusal.textContent = held === "" ? "" : t.live_unsupported({ effects: held });
-    const promised = candidates.show(found);
-    if (!work.busy()) void promise(promised);
-    else void last_change.then(() => promise(promised));
-    plan.show(found);
-  };
-
-  // What they would change; the model stays.
-  const tried = (effects: readonly string[]): Promise<void> =>
-    attempt(async () => {
-      next.disabled = true;
-      const sentence_of_it = await runs.try(subject, effects).finally(() => (next.disabled = false));
-      refuse(sentence_of_it, effects, t.live_add_tried, t.live_add_tried_title);
-      next.hidden = true;
-    });
-
   // One change after the other: of two at once the second would stop the first between the file and its fit.
   let changes = 0;
   let last_change: Promise<void> = Promise.resolve();
   const changing = (act: () => Promise<void>): Promise<void> => {
     ++changes;
-    last_change = last_change.then(() => attempt(act)).finally(() => --changes);
+    last_change = last_change.then(() => attempt(act)).finally(() => {
+      if (--changes === 0) promise_first();
+    });
     return last_change;
   };
+  // A search may take minutes. What else runs is soon done, and goes on.
+  const stop_search = (): void => {
+    if (store.search.peek() === "running") work.stop();
+  };
+  let last_search: { subject: Subject } | null = null;
+  const search_again = (): void => {
+    const took_ms = store.took_ms.peek();
+    if (took_ms < kShort_ms) void loop.search();
+  };
 
+  // One run at a time; of what was moved meanwhile the last counts.
+  let computing = false;
+  const compute = async (): Promise<void> => {
+    if (computing) return;
+    computing = true;
+    let asked;
+    do {
+      asked = store.settings.peek();
+      const fit = fitted.peek();
+      if (asked.length === 0 || !fit) {
+        store.computed_there.set(null);
+        break;
+      }
+      try {
+        const answer = await runs.set(subject.peek(), asked);
+        const checked = of_target(answer.check?.targets, subject.peek().target);
+        if (checked) store.computed_there.set({ ...checked, floor_um: fit.floor_um }, fit);
+      } catch (error) {
+        if (!(error instanceof Interrupted)) told.value = () => reason(error);
+      }
+    } while (asked !== store.settings.peek());
+    computing = false;
+  };
+  const record_sliders = (): void => steps.record({ sliders: moved.now.peek() });
+  const to_optimum = (): void => {
+    if (moved.now.peek().size > 0) record_sliders();
+    moved.set(new Map());
+    store.computed_there.set(null);
+  };
+
+  // One after the other, until the model is another: each takes a moment, and none is stopped, for what stops a call
+  // makes the program forget what it has computed.
+  const promise = async (wanted: readonly (readonly string[])[]): Promise<void> => {
+    const [of_found, of_subject] = [found.peek(), subject.peek()];
+    const is_current = (): boolean => found.peek() === of_found && subject.peek() === of_subject && changes === 0;
+    let came = false;
+    for (const effects of wanted) {
+      if (!is_current()) return;
+      if (store.promised.now.peek().has(set_key(effects))) continue;
+      try {
+        const rmse_um = await runs.rmse_with(of_subject, effects);
+        came = true;
+        if (found.peek() === of_found) store.promised.set(new Map([...store.promised.now.peek(), [set_key(effects), rmse_um]]));
+      } catch (error) {
+        if (error instanceof Interrupted) return;
+      }
+    }
+    if (came && is_current()) tell_page();
+  };
+  const promise_first = (): void => {
+    const of_it = found.peek();
+    if (of_it) void promise(looked_at(of_it));
+  };
+
+  const tell_page = (): void => {
+    const shown = store.report_shown.peek();
+    if (shown) of.changed(shown, subject.peek());
+  };
   // The report with these parts; of another model nothing is known of what is missing.
   const with_part = (part: Part, of_same_model: boolean): Report => {
-    const { diagnose, ledger, ...rest } = report as Report;
+    const { diagnose, ledger, ...rest } = report.peek() as Report;
     const same = of_same_model ? { ...(diagnose && { diagnose }), ...(ledger && { ledger }) } : {};
     return { ...rest, ...same, ...part };
   };
-
   // The report here, without the page below.
   const show_here = (next: Report): void => {
-    const same_fit = report !== null && report.check === next.check;
-    report = next;
-    const checked = of_target(next.check?.targets, subject.target);
-    all.classList.toggle("no-model", !checked);
-    show_unit(checked?.target ?? subject.target);
-    all.classList.toggle("wide", checked !== undefined);
-    asked.hidden = checked !== undefined;
-    if (checked && checked !== fitted) {
-      if (subject.target === "" && targets.length > 1) subject = { ...subject, target: checked.target };
-      target_choice.value = checked.target;
-      fitted = base = drawn = checked;
-      list.renew(checked);
-      figure_now(checked);
-      draw();
-      show_rows();
-    }
-    show_diagnosis(of_target(next.diagnose?.targets, subject.target));
-    if (sentence.textContent === "" && fitted) say(found ? verdict_of(found, fitted) : verdict_of_check(fitted));
-    update();
-    if (same_fit) return;
-    two.forget();
-    void renew_choices();
+    const [before, diagnosed] = [report.peek(), found.peek()];
+    batch(() => {
+      report.value = next;
+      const checked = fitted.peek();
+      if (checked && subject.peek().target === "" && targets.length > 1) subject.value = { ...subject.peek(), target: checked.target };
+    });
+    if (found.peek() !== diagnosed && changes === 0) promise_first();
+    if (before === null || before.check !== next.check) void renew_choices();
   };
 
   // Step by step, the fit first. If a step is stopped or fails, the model is unchanged.
   const change_model = async (...parts: (() => Promise<Part>)[]): Promise<void> => {
-    ++promising;
     stop_search(); // of the model before
-    const [of_before, was, report_before] = [subject, fitted, report];
-    const model = subject.model === "" ? null : await of.bytes_of(subject.model);
+    const [of_before, was, report_before] = [subject.peek(), fitted.peek(), report.peek()];
+    const model = of_before.model === "" ? null : await of.bytes_of(of_before.model);
     try {
       for (const part of parts) {
-        const next = with_part(await part(), false);
-        show_here(next);
+        show_here(with_part(await part(), false));
         await painted(); // the page below is long: first the new picture
-        of.changed(next, subject);
+        tell_page();
       }
     } catch (error) {
-      subject = of_before;
-      if (model) await of.put(subject.model, model);
-      await runs.take_back(subject).catch(() => undefined); // it may be gone with what was stopped
-      if (report_before && report !== report_before) loop.show(report_before);
+      subject.value = of_before;
+      if (model) await of.put(of_before.model, model);
+      await runs.take_back(of_before).catch(() => undefined); // it may be gone with what was stopped
+      if (report_before && report.peek() !== report_before) loop.show(report_before);
       throw error;
     }
-    before = was && fitted && was.series.time_s.length === fitted.series.time_s.length ? was : null;
-    draw();
-    update();
-    if (took_ms < kShort_ms) void loop.search();
+    const has_same_rows = was?.series.time_s.length === fitted.peek()?.series.time_s.length;
+    store.before.set(has_same_rows ? was : null);
+    search_again();
   };
 
   // The effects that can be added to the present model.
   const renew_choices = async (): Promise<void> => {
-    const of_fit = fitted;
-    const level = of_fit?.level ?? (subject.group.kind === "recordings" ? "recording" : "series");
-    const choices = await runs.choices(subject).catch(() => null); // stopped, for another model
-    if (choices && of_fit === fitted) effects.show(choices, level);
+    const of_fit = fitted.peek();
+    const choices = await runs.choices(subject.peek()).catch(() => null); // stopped, for another model
+    if (choices) store.choices.set(choices, of_fit);
   };
 
-  const state_now = async (): Promise<ModelState> => ({
-    model: subject.model,
-    text: subject.model === "" ? null : await of.bytes_of(subject.model),
-    left_out: subject.left_out,
-  });
-  const step_now = async (): Promise<Step> => ({ sliders: list.moved_values(), state: await state_now() });
+  const state_now = async (): Promise<ModelState> => {
+    const { model, left_out } = subject.peek();
+    return { model, text: model === "" ? null : await of.bytes_of(model), left_out };
+  };
+  const step_now = async (): Promise<Step> => ({ sliders: moved.now.peek(), state: await state_now() });
 
   // Restores a step: sliders at once, another model or other rows with their fit.
   const put_back = async (step: Step): Promise<Step> => {
-    const was: Step = step.state ? await step_now() : { sliders: list.moved_values() };
+    const was: Step = step.state ? await step_now() : { sliders: moved.now.peek() };
     const { state } = step;
     if (state) {
       await change_model(async () => {
         if (state.text) await of.put(state.model, state.text);
         else if (state.model !== "") await runs.undo(state.model);
-        subject = { ...subject, model: state.model, left_out: state.left_out };
-        return runs.fitted(subject);
+        subject.value = { ...subject.peek(), model: state.model, left_out: state.left_out };
+        return runs.fitted(subject.peek());
       });
     }
-    list.put(step.sliders);
-    draw();
-    void computed();
+    moved.set(step.sliders);
+    void compute();
     return was;
   };
   // As `ballbar undo` takes back what an earlier day added.
-  const step_of_ledger = (): Step => ({ sliders: new Map(), state: { model: subject.model, text: null, left_out: subject.left_out } });
+  const step_of_ledger = (): Step => ({ sliders: new Map(), state: { model: subject.peek().model, text: null, left_out: subject.peek().left_out } });
+
+  // What they would change; the model stays.
+  const tried = (effects: readonly string[]): Promise<void> =>
+    attempt(async () => {
+      store.trying.value = true;
+      const sentence = await runs.try(subject.peek(), effects).finally(() => (store.trying.value = false));
+      store.refusal.set({ sentence, effects, tried: true });
+    });
+  const change = (by_hand: HandChange): Promise<void> =>
+    changing(async () => {
+      const was = await step_now();
+      let sentence_of_it = (): Sentence => "";
+      await change_model(
+        () => runs.change(subject.peek(), by_hand),
+        async () => {
+          const { sentence, message, ledger } = await runs.revise(subject.peek(), subject.peek().model, true);
+          sentence_of_it = () => said(sentence, message);
+          return ledger ? { ledger } : {};
+        },
+      );
+      steps.record(was);
+      told.value = sentence_of_it;
+    });
+  const leave_out = (left_out: readonly Stretch[]): Promise<void> =>
+    changing(async () => {
+      const was = await step_now();
+      await change_model(async () => {
+        subject.value = { ...subject.peek(), left_out };
+        return runs.fitted(subject.peek());
+      });
+      view.select_nothing();
+      steps.record(was);
+      const n = fitted.peek()?.series.time_s.length ?? 0;
+      told.value = () => (left_out.length > 0 ? t.hands_left_out_now({ n }) : t.hands_all_in({ n }));
+    });
+  const compare = async (hypotheses: readonly (readonly string[])[]): Promise<HypothesesPart | null> => {
+    let both = null;
+    await attempt(async () => {
+      stop_search();
+      both = await runs.compare(subject.peek(), hypotheses);
+    });
+    if (!found.peek() && store.took_ms.peek() > 0) search_again();
+    return both;
+  };
+  const choose = (target: string): void => {
+    subject.value = { ...subject.peek(), target };
+    if (subject.peek().model !== "") void attempt(async () => loop.show(await runs.report(subject.peek())));
+  };
 
   const loop: Loop = {
-    element: all,
-    subject: () => subject,
-    steps,
-    figures: () => [...(made ? [made.figure] : []), ...two.figures()],
-    proves: () => fitted !== null,
+    element: () => view.element,
+    figures: () => view.figures(),
+    proves: () => fitted.peek() !== null,
     show(next) {
       show_here(next);
-      of.changed(next, subject);
+      tell_page();
     },
-    refused: told,
+    rewrite() {
+      view.leave();
+      view = written();
+      tell_page();
+    },
+    refused: tell,
     search: () =>
       attempt(async () => {
-        const of_subject = subject;
-        wants_search = true;
-        candidates.clear();
-        posterior.clear();
-        search.disabled = true;
-        all.dataset.search = "running";
+        const of_subject = subject.peek();
+        const mine = { subject: of_subject };
+        last_search = mine;
+        store.search.value = "running";
+        store.posterior.value = null;
         try {
           const began = performance.now();
-          const part = await runs.search(subject, (line) => posterior.tell(line));
-          took_ms = performance.now() - began;
-          wants_search = false;
-          all.dataset.search = "done";
-          posterior.clear();
-          if (of_subject !== subject) return;
-          if (fitted) loop.show(with_part(part, true));
-          else loop.show(with_part({ ...(await runs.fitted(subject)), ...part }, true));
-          if (found) say(verdict_of(found, fitted));
+          const part = await runs.search(of_subject, (line) => {
+            if (last_search === mine) store.posterior.value = posterior_in(line) ?? store.posterior.peek();
+          });
+          if (last_search !== mine) return;
+          store.took_ms.value = performance.now() - began;
+          store.search.value = "done";
+          store.posterior.value = null;
+          if (of_subject !== subject.peek()) return;
+          const fit = fitted.peek();
+          const of_fit = fit && (of_subject.target === "" || fit.target === of_subject.target) ? {} : await runs.fitted(of_subject);
+          if (last_search !== mine || of_subject !== subject.peek()) return;
+          batch(() => {
+            show_here(with_part({ ...of_fit, ...part }, true));
+            if (found.peek()) told.value = null; // then it is the verdict
+          });
+          tell_page();
         } catch (error) {
+          if (last_search !== mine) return;
           const stopped = error instanceof Interrupted;
-          all.dataset.search = stopped ? "stopped" : "failed";
-          if (!stopped || changes > 0) posterior.clear(); // one that is stopped keeps what it has
+          store.search.value = stopped ? "stopped" : "failed";
+          if (!stopped || changes > 0) store.posterior.value = null; // one that is stopped keeps what it has
           throw error;
         }
       }),
     async add(effects, keep = false) {
       if (changes > 0) return; // pressed twice
+      store.candidate.set(null);
       await changing(async () => {
-        candidate = null;
-        const folder = (subject.data[0] ?? "").replace(/\/[^/]*$/, "");
-        const model = subject.model || runs.free_name(folder, "model.toml");
+        const folder = (subject.peek().data[0] ?? "").replace(/\/[^/]*$/, "");
+        const model = subject.peek().model || runs.free_name(folder, "model.toml");
         const was = await step_now();
-        let sentence_of_it: Sentence = "";
+        let sentence_of_it = (): Sentence => "";
         try {
           await change_model(
-            () => runs.add(subject, effects),
+            () => runs.add(subject.peek(), effects),
             async () => {
-              const { sentence, message, kept, ledger } = await runs.revise(subject, model, keep);
-              sentence_of_it = said(sentence, message);
+              const { sentence, message, kept, ledger } = await runs.revise(subject.peek(), model, keep);
+              sentence_of_it = () => said(sentence, message);
               if (!kept) throw new Unsupported();
-              subject = { ...subject, model };
+              subject.value = { ...subject.peek(), model };
               return ledger ? { ledger } : {};
             },
           );
         } catch (error) {
           if (!(error instanceof Unsupported)) throw error;
-          return refuse(sentence_of_it, effects);
+          return store.refusal.set({ sentence: sentence_of_it, effects, tried: false });
         }
-        steps.record({ ...was, state: { left_out: subject.left_out, text: null, ...was.state, model } });
-        update();
-        undo.focus({ preventScroll: true }); // the button that was pressed is gone
-        say(sentence_of_it);
+        steps.record({ ...was, state: { left_out: subject.peek().left_out, text: null, ...was.state, model } });
+        view.focus_undo(); // the button that was pressed is gone
+        told.value = sentence_of_it;
       });
     },
-    change: (change) =>
-      changing(async () => {
-        const was = await step_now();
-        let sentence_of_it: Sentence = "";
-        await change_model(
-          () => runs.change(subject, change),
-          async () => {
-            const { sentence, message, ledger } = await runs.revise(subject, subject.model, true);
-            sentence_of_it = said(sentence, message);
-            return ledger ? { ledger } : {};
-          },
-        );
-        steps.record(was);
-        update();
-        say(sentence_of_it);
-      }),
-    leave_out: (left_out) =>
-      changing(async () => {
-        const was = await step_now();
-        await change_model(async () => {
-          subject = { ...subject, left_out };
-          return runs.fitted(subject);
-        });
-        made?.figure.select(null);
-        steps.record(was);
-        update();
-        const n = fitted?.series.time_s.length ?? 0;
-        say(left_out.length > 0 ? t.hands_left_out_now({ n }) : t.hands_all_in({ n }));
-      }),
     undo: () =>
       changing(async () => {
-        if (undo.disabled) return;
+        if (!store.can_undo.peek()) return;
         await steps.undo(put_back, step_of_ledger());
-        update();
-        say(t.live_undone);
+        told.value = () => t.live_undone;
       }),
     redo: () =>
       changing(async () => {
-        if (await steps.redo(put_back)) say(t.live_redone);
-        update();
+        if (await steps.redo(put_back)) told.value = () => t.live_redone;
       }),
     act({ action, effects, parameters }) {
       switch (action) {
@@ -593,19 +389,48 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         case "try":
           return void tried(effects);
         case "free":
-          return void loop.change({ freed: parameters.map(({ effect, parameter, start }) => ({ effect, parameter, value: start ?? 0 })) });
+          return void change({ freed: parameters.map(({ effect, parameter, start }) => ({ effect, parameter, value: start ?? 0 })) });
         case "plan":
-          return plan.open();
+          return view.open_plan();
       }
     },
     find(target) {
-      if (target !== undefined && targets.includes(target)) subject = { ...subject, target };
-      target_choice.value = subject.target;
+      const now = subject.peek();
+      if (target !== undefined && target !== now.target && targets.includes(target)) {
+        stop_search(); // of the other target
+        subject.value = { ...now, target };
+      } else if (store.search.peek() === "running" && last_search?.subject === now) return;
       void loop.search();
     },
-    diagnosed: () => found,
+    diagnosed: () => found.peek(),
     to_optimum,
-    first_slider: (effect) => list.slider(effect),
+    first_slider: (effect) => view.slider(effect),
   };
+  const written = (): LoopView =>
+    loop_view({
+      store, targets, catalogue, page, to_optimum, choose, compare,
+      plan: of.plan,
+      has_unit: of.has_unit,
+      state_unit: of.state_unit,
+      add_figure: of.add_figure,
+      across: () => of.across(store.gap_s.peek(), !["", "done"].includes(store.search.peek())),
+      next() {
+        const action = store.next.peek();
+        if (action) loop.act(action);
+      },
+      search() {
+        told.value = null;
+        void loop.search();
+      },
+      undo: () => void loop.undo(),
+      redo: () => void loop.redo(),
+      begin: record_sliders,
+      slid: () => void compute(),
+      add: (effects, keep) => void loop.add(effects, keep),
+      promise: (effects) => void promise(effects),
+      change: (by_hand) => void change(by_hand),
+      leave_out: (left_out) => void leave_out(left_out),
+    });
+  let view = written();
   return loop;
 };

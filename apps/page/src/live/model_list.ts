@@ -1,36 +1,32 @@
 // The model as a list: each effect with its curve, and each of its parameters under a slider.
-import type { Setting } from "./runs";
+import { effect } from "@preact/signals-core";
 import { decimated, extent } from "../drawing/columns";
 import { button, element, svg_element } from "../elements/elements";
-import type { Checked, Num, Parameter } from "../report";
-import { is_scaled, kConstant, key_of } from "./fit_picture";
+import type { Num, Parameter } from "../report";
 import { parameter_name, plain_name } from "../machine_errors/error_names";
 import { plain, unit_shown } from "../drawing/text";
 import { t } from "../texts/texts";
 import { decimals_for, shown, with_sigma } from "../drawing/theme";
-import type { Engine } from "../engine";
 import { type ByValue, by_value } from "./by_value";
+import type { Catalogue } from "./catalogue";
 import type { Values } from "./history_of_steps";
+import { kConstant, key_of } from "./slid";
+import type { Store } from "./store";
 
 export interface ModelList {
   element: HTMLElement;
-  renew(checked: Checked): void; // of another fit: values, sigmas, curves
-  draw(checked: Checked): void; // the curves, as the sliders have them
-  values(): ReadonlyMap<string, number>; // by key_of
-  gains(): ReadonlySet<string>;
-  settings(): Setting[]; // all of them, where one whose curve does not scale was moved
-  moved(): boolean;
-  moved_values(): Values;
-  put(values: Values): void; // these are moved, the others where the fit has them
-  back(): void;
   slider(effect: string): Slider | undefined; // the first of it
+  leave(): void;
 }
+
+const kConstant_effect = "constant";
 
 const unit_of = (unit: string): string => unit_shown(plain(unit, 20)).replace(/\bum\b/g, "µm");
 
 // The actions on the list.
 export interface ModelListOf {
   catalogue: Catalogue;
+  store: Store;
   begin(): void; // a slider will be moved, or a value typed
   changed(): void;
   hold(one: Parameter, value: number): void;
@@ -38,46 +34,54 @@ export interface ModelListOf {
   remove(effect: string): void;
 }
 
-export const model_list = ({ catalogue, begin, changed, ...of }: ModelListOf): ModelList => {
+interface Row {
+  one: Parameter | null; // null: it was never shown
+  slider: Slider;
+  number: ByValue;
+}
+
+export const model_list = ({ catalogue, store, begin, changed, ...of }: ModelListOf): ModelList => {
   const list = element("ul", { class: "live-model" });
-  const sliders = new Map<string, { one: Parameter; slider: Slider; number: ByValue }>();
+  const rows = new Map<string, Row>();
   const curves = new Map<string, HTMLElement>();
-  let fitted: Checked | null = null;
   let shape = ""; // of the list: which effects and parameters it has
 
-  const optimum_of = (one: Parameter, value: number): Optimum => {
+  const optimum_of = (one: Parameter): Optimum => {
     const known = catalogue.parameter(one.effect ?? "", one.name);
     return {
       label: parameter_name(one.name),
       typed: plain(one.name, 60),
       of: plain_name(one.effect ?? "", 60),
       unit: unit_of(one.unit),
-      value,
+      value: one.value ?? 0,
       sigma: one.sigma,
       lower: known?.lower ?? null,
       upper: known?.upper ?? null,
     };
   };
-  const value_of = (one: Parameter, optimum: Optimum): Parameters<ByValue["renew"]>[0] => ({
-    ...optimum,
+  const value_of = (one: Parameter): Parameters<ByValue["renew"]>[0] => ({
+    ...optimum_of(one),
     held: one.state === "held",
     can_hold: one.name !== kConstant,
   });
-  const show_numbers = (): void => {
-    for (const { one, slider, number } of sliders.values()) number.show(slider.value(), slider.value() !== one.value);
+  // One drag, one typed value, or keys soon after one another are one step, if nothing else was moved meanwhile.
+  let last: { key: string; made: Values } | null = null;
+  const go = (key: string, one: Parameter, to: number, goes_on: boolean): void => {
+    const values = store.moved.now.peek();
+    if (!goes_on || last?.key !== key || last.made !== values) begin();
+    const made = new Map([...values].filter(([other]) => other !== key));
+    if (to !== one.value) made.set(key, to);
+    last = { key, made };
+    store.moved.set(made);
+    changed();
   };
-  const begin_with = (slider: Slider): void => {
-    for (const other of sliders.values()) if (other.slider !== slider) other.slider.rest();
-    begin();
-  };
-  // A slider with its number; `one` is what the list has of it when it is used.
-  const row_of = (one: Parameter): HTMLElement => {
-    const key = key_of(one);
-    const optimum = optimum_of(one, one.value ?? 0);
-    const now = (): Parameter => sliders.get(key)?.one ?? one;
-    const slider: Slider = slider_of(optimum, () => begin_with(slider), changed);
-    const number = by_value(value_of(one, optimum), (value) => slider.move(value), () => of.hold(now(), slider.value()), () => of.free(now()));
-    sliders.set(key, { one, slider, number });
+  // A slider with its number; what is asked of it is of the fit that is shown then.
+  const row_of = (first: Parameter): HTMLElement => {
+    const key = key_of(first);
+    const now = (): Parameter => rows.get(key)?.one ?? first;
+    const slider: Slider = slider_of((to, goes_on) => go(key, now(), to, goes_on));
+    const number = by_value(value_of(first), (value) => slider.move(value), () => of.hold(now(), slider.value()), () => of.free(now()));
+    rows.set(key, { one: null, slider, number });
     return element("div", { class: "parameter" }, slider.element, number.element);
   };
   const head_of = (effect: string, curve: HTMLElement): HTMLElement => {
@@ -90,84 +94,47 @@ export const model_list = ({ catalogue, begin, changed, ...of }: ModelListOf): M
     head.append(remove);
     return head;
   };
-  const draw = (checked: Checked): void => {
-    show_numbers();
-    const { contributions } = checked.series;
+  const build = (free: readonly Parameter[]): void => {
+    rows.clear();
+    curves.clear();
+    const by_effect = new Map<string, Parameter[]>();
+    for (const one of free) by_effect.set(one.effect ?? "", [...(by_effect.get(one.effect ?? "") ?? []), one]);
+    list.replaceChildren(
+      ...[...by_effect].map(([effect, parameters]) => {
+        const curve = element("span", { class: "curve" });
+        curves.set(effect, curve);
+        return element("li", {}, head_of(effect, curve), ...parameters.map(row_of));
+      }),
+    );
+  };
+
+  const leave = effect(() => {
+    const [free, moved, drawn] = [store.free.value, store.moved.now.value, store.drawn.value];
+    const now = free.map(key_of).join("\n\n");
+    if (now !== shape) build(free);
+    shape = now;
+    for (const one of free) {
+      const row = rows.get(key_of(one));
+      if (!row) continue;
+      const at = moved.get(key_of(one)) ?? null;
+      if (row.one !== one) {
+        row.slider.renew(optimum_of(one));
+        row.number.renew(value_of(one));
+      }
+      row.one = one;
+      row.slider.put(at);
+      row.number.show(at ?? one.value ?? 0, at !== null);
+    }
+    const contributions = drawn?.series.contributions ?? [];
     const [least, largest] = extent(contributions.map(({ values_um }) => values_um));
     const ends = least <= largest ? ([least, largest] as const) : ([0, 1] as const);
     for (const { effect, values_um } of contributions) curves.get(effect)?.replaceChildren(small_curve(values_um, ends));
-  };
-  const moved = (): boolean => [...sliders.values()].some(({ one, slider }) => slider.value() !== one.value);
-
-  return {
-    element: list,
-    renew(checked) {
-      fitted = checked;
-      // Circles of recordings are fitted to what is left in any case.
-      const free = checked.parameters.filter(
-        ({ value, effect, name }) => value !== null && (checked.level === "series" || catalogue.parameter(effect ?? "", name)),
-      );
-      const now = JSON.stringify(free.map(key_of));
-      if (now === shape) {
-        for (const one of free) {
-          const known = sliders.get(key_of(one));
-          if (!known || one.value === null) continue;
-          known.one = one;
-          known.slider.renew(optimum_of(one, one.value));
-          known.number.renew(value_of(one, optimum_of(one, one.value)));
-        }
-      } else {
-        shape = now;
-        sliders.clear();
-        curves.clear();
-        const by_effect = new Map<string, Parameter[]>();
-        for (const one of free) by_effect.set(one.effect ?? "", [...(by_effect.get(one.effect ?? "") ?? []), one]);
-        list.replaceChildren(
-          ...[...by_effect].map(([effect, parameters]) => {
-            const curve = element("span", { class: "curve" });
-            curves.set(effect, curve);
-            return element("li", {}, head_of(effect, curve), ...parameters.map(row_of));
-          }),
-        );
-      }
-      draw(checked);
-    },
-    draw,
-    values: () => new Map([...sliders].map(([key, { slider }]) => [key, slider.value()])),
-    gains() {
-      const all = fitted?.parameters ?? [];
-      const is_gain = ({ effect, name }: Parameter): boolean =>
-        name === kConstant || catalogue.parameter(effect ?? "", name)?.kind === "gain";
-      return new Set(all.filter(is_gain).map(key_of));
-    },
-    settings() {
-      const checked = fitted;
-      if (!checked) return [];
-      const all = [...sliders.values()];
-      const gains = this.gains();
-      if (!all.some(({ one, slider }) => slider.value() !== one.value && !is_scaled(checked, one, gains))) return [];
-      // One stays free, for a fit has to have something to fit; its curve is then scaled as well.
-      const free = all.find(({ one }) => one.state !== "held" && is_scaled(checked, one, gains));
-      const held = all.filter((each) => each !== free);
-      return held.map(({ one, slider }) => ({ effect: one.effect ?? "", parameter: one.name, value: slider.value() }));
-    },
-    moved,
-    moved_values: () =>
-      new Map([...sliders].flatMap(([key, { one, slider }]) => (slider.value() === one.value ? [] : [[key, slider.value()] as const]))),
-    put(values) {
-      for (const [key, { slider }] of sliders) slider.put(values.get(key) ?? null);
-    },
-    back() {
-      for (const { slider } of sliders.values()) slider.back();
-      if (fitted) draw(fitted);
-    },
-    slider: (effect) => [...sliders.values()].find(({ one }) => one.effect === effect)?.slider,
-  };
+  });
+  return { element: list, leave, slider: (effect) => [...rows.values()].find(({ one }) => one?.effect === effect)?.slider };
 };
 
 // A parameter with a slider: shows the optimum, sigma and the present value.
 
-const kConstant_effect = "constant";
 const kSteps = 400;
 const kPause_ms = 1000; // key presses within this time are one step
 const kSigmas = 6; // to either side at least
@@ -187,9 +154,7 @@ export interface Slider {
   element: HTMLElement;
   value(): number;
   move(value: number): void; // as a hand does
-  put(value: number | null): void; // there, and nobody is told; null: to the optimum
-  back(): void; // to the optimum
-  rest(): void; // what is moved next is another step
+  put(value: number | null): void; // there, and nobody is told; null: at the optimum
   renew(optimum: Optimum): void;
 }
 
@@ -198,13 +163,12 @@ const range_of = ({ value, sigma, lower, upper }: Optimum): [number, number] => 
   return [Math.max(lower ?? -Infinity, value - half), Math.min(upper ?? Infinity, value + half)];
 };
 
-// begin: before each step, which is one drag, one typed value, or keys soon after one another.
-export const slider_of = (first: Optimum, begin: () => void, changed: () => void): Slider => {
-  let optimum = first;
-  let at: number | null = null; // where it was moved to; null: at the optimum, between two steps
-  let in_step = false;
+// moved: where to, and whether that goes on with the drag or the keys before.
+const slider_of = (moved: (to: number, goes_on: boolean) => void): Slider => {
+  let optimum: Optimum = { label: "", typed: "", of: "", unit: "", value: 0, sigma: null, lower: null, upper: null };
+  let at: number | null = null; // null: at the optimum
   let is_down = false;
-  let last_ms = 0;
+  let last_ms = 0; // of a key; 0: what comes is another step
   const input = element("input", { type: "range" });
   const band = element("span", { class: "band" });
   const mark = element("span", { class: "optimum" });
@@ -212,75 +176,52 @@ export const slider_of = (first: Optimum, begin: () => void, changed: () => void
   const name = element("span", { class: "name" });
   const track = element("span", { class: "track" }, band, mark, input);
 
-  const value = (): number => at ?? optimum.value;
   const text = (): string => {
     const decimals = Math.min(9, decimals_for(optimum.value, optimum.sigma) + (at === null ? 0 : 1));
-    const number = at === null && optimum.sigma !== null ? with_sigma(value(), optimum.sigma, decimals) : shown(value(), decimals);
+    const number = at === null && optimum.sigma !== null ? with_sigma(optimum.value, optimum.sigma, decimals) : shown(at ?? optimum.value, decimals);
     return optimum.unit === "1" ? number : `${number} ${optimum.unit}`;
-  };
-  const tell = (): void => {
-    output.textContent = text();
-    input.setAttribute("aria-valuetext", at === null ? t.live_at_optimum({ value: text() }) : text());
-    track.classList.toggle("moved", at !== null);
-  };
-  const renew = (now: Optimum): void => {
-    optimum = now;
-    at = null;
-    in_step = false;
-    const [from, to] = range_of(now);
-    const share = (at: number): number => Math.min(1, Math.max(0, to > from ? (at - from) / (to - from) : 0.5));
-    input.min = String(from);
-    input.max = String(to);
-    input.step = String((to - from) / kSteps || 1);
-    input.value = String(now.value);
-    input.disabled = !(to > from);
-    input.setAttribute("aria-label", `${now.of}: ${now.label}`);
-    name.textContent = now.label;
-    name.title = now.typed;
-    track.style.setProperty("--optimum", String(share(now.value)));
-    track.style.setProperty("--from", String(share(now.value - (now.sigma ?? 0))));
-    track.style.setProperty("--to", String(share(now.value + (now.sigma ?? 0))));
-    band.hidden = now.sigma === null;
-    tell();
-  };
-  const go = (to: number, as_one: boolean): void => {
-    if (!as_one || !in_step) begin();
-    in_step = as_one;
-    at = to;
-    tell();
-    changed();
-  };
-  const put = (to: number | null): void => {
-    at = to;
-    in_step = false;
-    input.value = String(to ?? optimum.value);
-    tell();
   };
   input.addEventListener("pointerdown", () => {
     is_down = true;
-    in_step = false;
+    last_ms = 0;
   });
   for (const up of ["pointerup", "pointercancel"]) input.addEventListener(up, () => (is_down = false));
   input.addEventListener("input", () => {
     const now_ms = performance.now();
-    if (!is_down && now_ms - last_ms > kPause_ms) in_step = false;
+    const goes_on = last_ms > 0 && (is_down || now_ms - last_ms <= kPause_ms);
     last_ms = now_ms;
-    go(Number(input.value), true);
+    moved(Number(input.value), goes_on);
   });
-  renew(first);
   return {
     element: element("label", { class: "slider" }, name, track, output),
-    value,
+    value: () => at ?? optimum.value,
     move(to) {
-      input.value = String(to);
-      go(to, false);
+      last_ms = 0;
+      moved(to, false);
     },
-    put,
-    back: () => put(null),
-    rest() {
-      in_step = false;
+    put(to) {
+      at = to;
+      input.value = String(to ?? optimum.value);
+      output.textContent = text();
+      input.setAttribute("aria-valuetext", to === null ? t.live_at_optimum({ value: text() }) : text());
+      track.classList.toggle("moved", to !== null);
     },
-    renew,
+    renew(now) {
+      optimum = now;
+      const [from, to] = range_of(now);
+      const share = (at: number): number => Math.min(1, Math.max(0, to > from ? (at - from) / (to - from) : 0.5));
+      input.min = String(from);
+      input.max = String(to);
+      input.step = String((to - from) / kSteps || 1);
+      input.disabled = !(to > from);
+      input.setAttribute("aria-label", `${now.of}: ${now.label}`);
+      name.textContent = now.label;
+      name.title = now.typed;
+      track.style.setProperty("--optimum", String(share(now.value)));
+      track.style.setProperty("--from", String(share(now.value - (now.sigma ?? 0))));
+      track.style.setProperty("--to", String(share(now.value + (now.sigma ?? 0))));
+      band.hidden = now.sigma === null;
+    },
   };
 };
 
@@ -310,34 +251,4 @@ export const small_curve = (values: readonly Num[], extent: readonly [number, nu
   const svg = svg_element("svg", { viewBox: `0 0 ${kWidth} ${kHeight}`, class: "small-curve", "aria-hidden": "true" });
   svg.append(svg_element("polyline", { points: path_of(values, extent) }));
   return svg;
-};
-
-// What the catalogue says of the parameters of an effect.
-
-export interface CatalogueEntry {
-  name: string;
-  level: string;
-  summary: string; // in a line
-  inputs: { role: string; units: string[]; meaning: string }[];
-  parameters: { name: string; kind: "gain" | "shape"; lower: Num; upper: Num; meaning: string }[];
-}
-
-export type Known = CatalogueEntry["parameters"][number];
-
-export interface Catalogue {
-  parameter(label: string, name: string): Known | undefined; // label: "lagged_expansion(T_room_degC)"
-  entry(name: string, level: string): CatalogueEntry | undefined; // some are of both levels
-}
-
-const name_in = (label: string): string => /^[A-Za-z_0-9]+/.exec(label)?.[0] ?? label;
-
-export const catalogue_of = async (engine: Engine): Promise<Catalogue> => {
-  const { out } = await engine.run(["effects", "--json"]);
-  const read = JSON.parse(out) as CatalogueEntry[] | { effects: CatalogueEntry[] };
-  const all = Array.isArray(read) ? read : read.effects;
-  const by_name = new Map(all.map((entry) => [entry.name, entry]));
-  return {
-    entry: (name, level) => all.find((entry) => entry.name === name && entry.level === level),
-    parameter: (label, name) => by_name.get(name_in(label))?.parameters.find((one) => one.name === name),
-  };
 };

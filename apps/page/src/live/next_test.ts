@@ -1,13 +1,13 @@
 // The run of the machine that would decide the open question. It takes long and is therefore started by a button.
 import { last_part } from "./files";
-import { button, details_of, element, select_of, table_of } from "../elements/elements";
+import { button, details_of, element, select_of, table_of, text_in } from "../elements/elements";
 import type { Diagnosed, Plan } from "../report";
 import { answer_of, plan_words, reason, type Runs, type Subject, type Work } from "./runs";
 import { save } from "../figure/files";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { duration_spoken } from "./spoken";
-import { t } from "../texts/texts";
+import { said, sentence_text, t } from "../texts/texts";
 import type { Engine } from "../engine";
 
 export interface PlannedFiles {
@@ -29,7 +29,7 @@ const tests_table = (tests: Plan["tests"]): HTMLElement =>
     title: t.live_tests,
     heading: [t.live_test, t.live_test_hours, t.live_p_right, t.live_p_some, t.live_p_wrong, t.live_simulated],
     rows: tests.map((one) => [
-      plain(one.test, 60),
+      plain(sentence_text(said(one.test, one.test_message)), 60),
       shown(one.hours),
       `${shown(one.p_right, 2)} ± ${shown(one.p_right_sigma, 2)}`,
       shown(one.p_part, 2),
@@ -75,7 +75,7 @@ export const next_test = ({ plan, subject, took_ms }: NextTestOf): NextTest => {
     pictures = [];
     if (typeof planned === "string") return answer.replaceChildren(element("p", {}, planned));
     const drawn = planned.files.find(({ name }) => name === "plan.svg");
-    const parts: HTMLElement[] = [element("p", {}, planned.plan.sentence)];
+    const parts: HTMLElement[] = [text_in("p", said(planned.plan.sentence, planned.plan.message))];
     if (planned.plan.tests.length > 0) parts.push(tests_table(planned.plan.tests));
     if (drawn) {
       const url = URL.createObjectURL(new Blob([new Uint8Array(drawn.bytes)], { type: "image/svg+xml" }));
@@ -110,7 +110,7 @@ export const planned_with =
   async (subject, hours) => {
     try {
       const folder = runs.free_name("plans", "plan");
-      const plan = answer_of<Plan>(await work.run(plan_words(subject, hours, folder), { what: t.live_planning }));
+      const plan = answer_of<Plan>(await work.run(plan_words(subject, hours, folder), { what: () => t.live_planning }));
       const paths = engine.list().flatMap(({ path }) => (path.startsWith(`${folder}/`) ? [path] : []));
       const files = await Promise.all(paths.map(async (path) => ({ name: last_part(path), bytes: await engine.get(path) })));
       return { plan, files };

@@ -159,7 +159,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
       model_text: (subject) => runs.model_text(subject),
       saved: () => opened.saved(),
       async table_of({ data, log }) {
-        const ran = await work.run(["drift", ...data, ...with_said(log, "max-gap", ""), "--out", "drift.csv"], { what: t.live_reading });
+        const ran = await work.run(["drift", ...data, ...with_said(log, "max-gap", ""), "--out", "drift.csv"], { what: () => t.live_reading });
         return ran.status === 0 ? engine.get("drift.csv") : ran.err;
       },
       fault: tell,
@@ -193,7 +193,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
       test_again: again,
       save_of: (words, file) =>
         attempt(async () => {
-          answer_of(await work.run([...words, "--json"], { what: t.live_reading }));
+          answer_of(await work.run([...words, "--json"], { what: () => t.live_reading }));
           save(file, new Blob([new Uint8Array(await engine.get(file))], { type: "text/csv" }));
         }),
     }),
@@ -203,6 +203,6 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
     leave_tour();
     work.rewrite();
     write();
-    void opened.rewrite();
+    opened.rewrite();
   });
 };

@@ -1,12 +1,11 @@
 // The open data: a group of files with its report and its interactive model, and the faults of files.
-import { catalogue_of } from "./model_list";
+import { catalogue_of } from "./catalogue";
 import { type Columns, columns_with } from "./columns";
 import { answer_of, look_words, reason, Refused, type Runs, type Subject, type Work } from "./runs";
 import { with_said } from "./log_words";
 import type { Engine, Sample } from "../engine";
 import { type Group, groups_of, type Held, last_part } from "./files";
 import type { Intake, Kept, Store } from "./intake";
-import type { Steps } from "./history_of_steps";
 import type { LivePage } from "./live_page";
 import { type Loop, loop_of } from "./loop";
 import { planned_with } from "./next_test";
@@ -44,7 +43,7 @@ export interface Opened {
   sample(sample: Sample): Promise<void>;
   again(kept: Kept): Promise<void>;
   show(report: Report): void; // that nothing is behind
-  rewrite(): Promise<void>; // in another language
+  rewrite(): void; // in another language
   leave(why: string): void;
   forget(): void;
   unsaved(): boolean; // whether something was done by hand that is in no file yet
@@ -142,7 +141,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
   // What the program says of a file alone; "": nothing against it.
   const fault_of = async (path: string): Promise<string> => {
     try {
-      answer_of(await work.run(["report", path, "--json"], { what: t.live_checking({ name: path }) }));
+      answer_of(await work.run(["report", path, "--json"], { what: () => t.live_checking({ name: path }) }));
       return "";
     } catch (error) {
       if (error instanceof Refused) return reason(error);
@@ -165,7 +164,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     await sound_of(paths.filter((path) => skipped.some(({ file }) => path.endsWith(`/${file}`))));
   };
 
-  const make_loop = async (of: Subject, first: Report, steps?: Steps): Promise<Loop | null> => {
+  const make_loop = async (of: Subject, first: Report): Promise<Loop | null> => {
     const checked = first.check?.targets.map(({ target }) => target) ?? [];
     const all = checked.length > 0 ? checked : of.group.kind === "recordings" ? [] : targets_in(first);
     const wanted = columns.targets(of).filter((target) => all.includes(target) || (checked.length === 0 && measured_in(first).some(({ name }) => name === target)));
@@ -182,7 +181,6 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       bytes_of: (path) => engine.get(path),
       put: (path, bytes) => engine.put(path, bytes),
       plan: planned_with(engine, work, runs),
-      ...(steps && { steps }),
       has_unit: (target) => measured_in(first).every(({ name, unit }) => name !== target || unit !== ""),
       state_unit: () => columns.button.click(),
       across(gap_s, search) {
@@ -393,11 +391,10 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
         await open(found ?? group_of(title, intake.held(), compared.length > 0 ? [...data, ...compared] : data), { model, target, log, targets, tolerance_um, left_out, ...look });
       }),
     show: (given) => show_alone(null, given),
-    async rewrite() {
+    rewrite() {
       if (!report) return;
-      if (!loop) return page.show(report, null, true);
-      loop = await make_loop(loop.subject(), report, loop.steps);
-      loop?.show(report);
+      if (loop) loop.rewrite();
+      else page.show(report, null, true);
     },
     leave,
     forget() {

@@ -13,7 +13,7 @@ import type { Stretch } from "./history_of_steps";
 const kSoon_ms = 300;
 
 export interface Job {
-  what: string; // "Searching what is missing"
+  what(): string; // "Searching what is missing", in the page's language
   progress?: (line: string) => void;
 }
 
@@ -28,7 +28,11 @@ export interface Work {
 }
 
 // With what was being done.
-export class Interrupted extends Error {}
+export class Interrupted extends Error {
+  constructor(readonly what: () => string) {
+    super(what());
+  }
+}
 
 // "12 of 40"
 const share_of = (line: string): number | null => {
@@ -100,7 +104,7 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
     const mine = new AbortController();
     stopping.add(mine);
     return queued(async () => {
-      const { hide, to } = show(what, true);
+      const { hide, to } = show(what(), true);
       const take_line = (line: string): void => {
         const share = share_of(line);
         if (share !== null) to(share);
@@ -218,6 +222,9 @@ const of_model_and_target = (subject: Subject): string[] => [
 // A label that holds a comma within a column's name could not be typed.
 export const can_be_typed = (columns: readonly string[]): boolean => columns.every((column) => !column.includes(","));
 
+// Of a set of effects.
+export const set_key = (effects: readonly string[]): string => effects.join("\n");
+
 export const try_words = (subject: Subject, effects: readonly string[]): string[] => [
   "add", ...effects, ...of_model_and_target(subject), "--dry-run", "--json",
 ];
@@ -265,7 +272,7 @@ export interface Runs {
   take_back(subject: Subject): Promise<void>; // what was added or changed, and is in no file
   choices(subject: Subject): Promise<readonly EffectChoice[]>;
   compare(subject: Subject, hypotheses: readonly (readonly string[])[]): Promise<HypothesesPart>;
-  try(subject: Subject, effects: readonly string[]): Promise<Sentence>; // what they would change
+  try(subject: Subject, effects: readonly string[]): Promise<() => Sentence>; // what they would change
   gap(subject: Subject): Promise<SignalGap | null>; // the longest, where a fit is refused for such; null: not for them
   undo(model: string): Promise<void>;
   model_text(subject: Subject): Promise<string>; // its file, beginning with the values that are fitted
@@ -278,36 +285,36 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
   return {
     report: (subject) =>
       subject.view === ""
-        ? call("report", look_words(subject), { what: t.live_reading })
-        : call(subject.view, [...subject.data, ...subject.log], { what: t.live_reading }, {
+        ? call("report", look_words(subject), { what: () => t.live_reading })
+        : call(subject.view, [...subject.data, ...subject.log], { what: () => t.live_reading }, {
             title: subject.group.title,
             ...(subject.tolerance_um === null ? {} : { tolerance_um: subject.tolerance_um }),
           }),
-    tests: async (data) => (await call<{ tests: TestHead[] }>("tests", [...data], { what: t.live_reading })).tests,
-    fitted: (subject) => call("fitted", model_words(subject), { what: t.live_reading }),
-    search: (subject, progress) => call("search", model_words(subject), { what: t.live_searching, progress }),
+    tests: async (data) => (await call<{ tests: TestHead[] }>("tests", [...data], { what: () => t.live_reading })).tests,
+    fitted: (subject) => call("fitted", model_words(subject), { what: () => t.live_reading }),
+    search: (subject, progress) => call("search", model_words(subject), { what: () => t.live_searching, progress }),
     set: (subject, settings) =>
-      call("hold", model_words(subject), { what: t.live_moving }, { settings: settings.map(setting_text) }),
+      call("hold", model_words(subject), { what: () => t.live_moving }, { settings: settings.map(setting_text) }),
     add: (subject, effects) =>
-      call("add", model_words(subject), { what: t.live_adding({ effect: effects.join(", ") }) }, { effects }),
-    revise: (subject, model, keep) => call("revise", model_words(subject), { what: t.live_testing }, { model, keep }),
+      call("add", model_words(subject), { what: () => t.live_adding({ effect: effects.join(", ") }) }, { effects }),
+    revise: (subject, model, keep) => call("revise", model_words(subject), { what: () => t.live_testing }, { model, keep }),
     rmse_with: async (subject, effects) =>
-      (await call<{ rmse_um: number }>("with", model_words(subject), { what: t.live_promising }, { effects })).rmse_um,
+      (await call<{ rmse_um: number }>("with", model_words(subject), { what: () => t.live_promising }, { effects })).rmse_um,
     change: (subject, { removed = [], held = [], freed = [] }) =>
-      call("change", model_words(subject), { what: t.hands_fitting }, { removed, held: held.map(setting_text), freed: freed.map(setting_text) }),
+      call("change", model_words(subject), { what: () => t.hands_fitting }, { removed, held: held.map(setting_text), freed: freed.map(setting_text) }),
     choices: async (subject) =>
-      (await call<{ effects: EffectChoice[] }>("choices", model_words(subject), { what: t.live_reading })).effects,
-    compare: (subject, hypotheses) => call("compare", model_words(subject), { what: t.hands_comparing }, { hypotheses }),
-    take_back: (subject) => call("take_back", model_words(subject), { what: t.live_undoing }),
+      (await call<{ effects: EffectChoice[] }>("choices", model_words(subject), { what: () => t.live_reading })).effects,
+    compare: (subject, hypotheses) => call("compare", model_words(subject), { what: () => t.hands_comparing }, { hypotheses }),
+    take_back: (subject) => call("take_back", model_words(subject), { what: () => t.live_undoing }),
     try: async (subject, effects) => {
-      const ran = await work.run(try_words(subject, effects), { what: t.live_trying({ effect: effects.join(", ") }) });
+      const ran = await work.run(try_words(subject, effects), { what: () => t.live_trying({ effect: effects.join(", ") }) });
       const { sentence, message } = answer_of<Said>(ran);
-      return said(sentence, message);
+      return () => said(sentence, message);
     },
-    gap: async ({ data, log }) => (await call<{ gap: SignalGap | null }>("gaps", [...data, ...log], { what: t.live_reading })).gap,
-    model_text: async (subject) => (await call<{ text: string }>("text", model_words(subject), { what: t.live_reading })).text,
+    gap: async ({ data, log }) => (await call<{ gap: SignalGap | null }>("gaps", [...data, ...log], { what: () => t.live_reading })).gap,
+    model_text: async (subject) => (await call<{ text: string }>("text", model_words(subject), { what: () => t.live_reading })).text,
     async undo(model) {
-      const ran = await work.run(["undo", "--model", model], { what: t.live_undoing });
+      const ran = await work.run(["undo", "--model", model], { what: () => t.live_undoing });
       if (ran.status !== 0) throw new Refused(sentence_of(ran));
     },
     free_name(folder, name) {
@@ -324,7 +331,7 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
 
 export const reason = (error: unknown): string => {
   const text = error instanceof Error ? error.message : String(error);
-  if (error instanceof Interrupted) return t.live_stopped({ what: text });
+  if (error instanceof Interrupted) return t.live_stopped({ what: error.what() });
   if (error instanceof Refused) return /^std::|bad_alloc/.test(text) ? t.live_too_much : without_advice(text) || t.live_refused;
   if (!(error instanceof Failed)) return text;
   return /memory|bad_alloc|OOM/i.test(text) ? t.live_out_of_memory : t.live_failed({ why: text });

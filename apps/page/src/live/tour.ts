@@ -83,7 +83,7 @@ const slide = async (loop: Loop | null, effect: string): Promise<void> => {
 };
 
 export const tour_steps = ({ loop, saves }: { loop: () => Loop | null; saves: HTMLElement }): Step[] => {
-  const part = (selector: string) => (): Element | null => loop()?.element.querySelector(selector) ?? null;
+  const part = (selector: string) => (): Element | null => loop()?.element().querySelector(selector) ?? null;
   const added = (): string => loop()?.diagnosed()?.candidates[0]?.label ?? "";
   let label = "";
   return [

@@ -1,6 +1,6 @@
 // The errors of the machine, found from one test: the circle and the ranked table beside it.
 import { error_tests, type ErrorTest, ranked_errors } from "./error_curves";
-import { error_name, group_name, leading_group, unit_shown } from "./error_names";
+import { error_name, unit_shown } from "./error_names";
 import { error_page } from "./error_page";
 import { circle_table, errors_table, gains_table, made_with, stated_table } from "./error_tables";
 import { errors_picture, kErrors_picture, without_picture } from "./errors_pictures";
@@ -10,7 +10,7 @@ import { capital } from "../drawing/text";
 import type { Section, Notes, Conclusion } from "../picture";
 import type { Report } from "../report";
 import { decimals_for, range_text, shown } from "../drawing/theme";
-import { all_said, english, explained_by, language, said, type Sentence, t } from "../texts/texts";
+import { all_said, explained_by, said, type Sentence, t } from "../texts/texts";
 
 const kRemedies = 3;
 
@@ -19,22 +19,8 @@ const remedy_sentence = (error: string, { effect, remedy = "" }: { effect?: stri
   return typeof text === "string" ? t.errors_remedy({ error, remedy: text }) : { before: `${error}:`, english: text.english };
 };
 
-// In English the program's own sentences.
-export const verdict_of = ({ part, recordings }: ErrorTest): Sentence => {
-  const circularity = shown(part.circularity_um, 1);
-  if (part.conclusion === "") return t.errors_circularity_is({ value: shown(part.circularity_um, 2) });
-  if (language === "en") return english(part.conclusion);
-  const group = leading_group(part);
-  if (group) {
-    const errors = capital(group_name(group, recordings[0]?.plane));
-    return t.errors_conclusion_group({ circularity, errors, without: shown(group.circularity_without_um, 1) });
-  }
-  const most = ranked_errors(part).find(({ first }) => first.rank !== null || first.significant === true);
-  if (!most) return t.errors_conclusion_none({ circularity });
-  const error = error_name(most.effect, recordings[0]?.plane);
-  if (most.first.rank === null) return t.errors_conclusion_no_gain({ circularity, error });
-  return t.errors_conclusion({ circularity, error, without: shown(most.first.circularity_without_um, 1) });
-};
+export const verdict_of = ({ part }: ErrorTest): Sentence =>
+  part.conclusion === "" ? t.errors_circularity_is({ value: shown(part.circularity_um, 2) }) : said(part.conclusion, part.conclusion_message);
 
 // What is concluded from the only test stands at the head of the page.
 const notes_of = (test: ErrorTest, alone: boolean): Notes => {
@@ -70,7 +56,8 @@ const notes_of = (test: ErrorTest, alone: boolean): Notes => {
 // "circularity 2.81 to 6.70 µm, 3 tests"
 const result_of = (tests: readonly ErrorTest[]): string => {
   const values = tests.flatMap(({ part }) => part.circularity_um ?? []);
-  return t.errors_result({ circularity: range_text(values, 2), tests: tests.length });
+  const rest = tests.length === 1 ? t.errors_result_one : t.errors_result_tests({ tests: tests.length });
+  return values.length === 0 ? rest : t.errors_result({ circularity: range_text(values, 2), rest });
 };
 
 // The error that gains most is mended, and the test made again.

@@ -19,9 +19,10 @@ interface Iso {
 // Of the pair that a test's first recordings are, else of its recording alone.
 export const iso_of = ({ pairs = [], results }: FitPart, { part }: ErrorTest): Iso => {
   const pair = pairs.findIndex((places) => places.every((place) => part.recordings.includes(place)));
-  const of_pairs = results.filter(({ of }) => of.startsWith("ISO 230-4"));
+  const is_pair = ({ rows }: FitPart["results"][number]): boolean => rows.some(({ key }) => key === "g_ccw_um");
+  const of_pairs = results.filter(is_pair);
   const both = pair < 0 ? undefined : of_pairs[pair];
-  const alone = results.filter(({ of }) => !of.startsWith("ISO 230-4"))[part.recordings[0] ?? -1];
+  const alone = results.filter((one) => !is_pair(one))[part.recordings[0] ?? -1];
   return { rows: (both ?? alone)?.rows ?? [], both: both !== undefined };
 };
 
@@ -149,7 +150,7 @@ export const headline = ({ fit }: Report, tests: readonly ErrorTest[], test: Err
   const plane = test.recordings[0]?.plane ?? "";
   if (tests.length === 1) return t.errors_headline({ plane, g, told });
   const name = test_names(tests)[tests.indexOf(test)] ?? "";
-  return test === worst_of(tests)
-    ? t.errors_headline_worst({ name, n: tests.length, planes: of_planes(tests), g, told })
-    : t.errors_headline({ plane: name, g, told });
+  if (test !== worst_of(tests)) return t.errors_headline({ plane: name, g, told });
+  const worst = { name, n: tests.length, g, told };
+  return of_planes(tests) ? t.errors_headline_worst_plane(worst) : t.errors_headline_worst_test(worst);
 };

@@ -3,7 +3,7 @@ import { command_of } from "../drawing/command";
 import type { Numbers, Picture, Section, State, Toggle } from "../picture";
 import type { MeanPointPart, MeanPointState, Num, Report } from "../report";
 import { axis, colours, shown, toggle } from "../drawing/theme";
-import { english, language, type Sentence, t } from "../texts/texts";
+import { said, type Sentence, t } from "../texts/texts";
 import { curve, lines_across } from "../drawing/curve";
 import { decimated } from "../drawing/columns";
 import { curves_base } from "../drawing/hover";
@@ -11,14 +11,7 @@ import { time_limits, x_axis } from "../drawing/axes";
 import { grid_below } from "../drawing/parts";
 import { plain } from "../drawing/text";
 
-// In English the program's own sentences.
-const verdict_of = ({ conclusion, best, states }: MeanPointPart): Sentence => {
-  if (language === "en") return english(conclusion);
-  if (best) return t.mean_point_says_best({ at: shown(best.x_mm, 1) });
-  const [first] = states;
-  const places = (first?.mean_points ?? []).map(({ x_mm }) => shown(x_mm, 1)).join("; ");
-  return places === "" ? english(conclusion) : t.mean_point_says({ mean: shown(first?.mean_degC, 2), places });
-};
+const verdict_of = (part: MeanPointPart): Sentence => said(part.conclusion, part.conclusion_message);
 
 export const mean_point_section = ({ mean_point }: Report): Section[] =>
   mean_point
@@ -38,7 +31,7 @@ export const mean_point_section = ({ mean_point }: Report): Section[] =>
               next: { label: t.mean_point_next, command: command_of("effects", ["expansion"]), action: null },
             }),
           },
-          sentences: [english(mean_point.conclusion)],
+          sentences: [verdict_of(mean_point)],
           pictures: [mean_point_picture(mean_point)],
         },
       ]

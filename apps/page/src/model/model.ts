@@ -10,7 +10,7 @@ import { steps_picture } from "./steps_picture";
 import { strands_of } from "../drawing/strands";
 import { plain, slug } from "../drawing/text";
 import { shown } from "../drawing/theme";
-import { all_said, language, said, type Sentence, t } from "../texts/texts";
+import { all_said, said, type Sentence, t } from "../texts/texts";
 
 // A row of the table of misfits chooses the axis that it speaks of.
 const choose_axis = (checked: Checked, picture: string): TextTable["choose"] => {
@@ -22,16 +22,13 @@ const choose_axis = (checked: Checked, picture: string): TextTable["choose"] => 
   return { picture, key: "against", values: named };
 };
 
-const times_floor = ({ rmse_um, floor_um }: Checked): string => (rmse_um !== null && floor_um ? shown(rmse_um / floor_um, 1) : "");
+const times_floor = ({ rmse_um, floor_um }: Checked): string =>
+  rmse_um !== null && floor_um ? t.model_times_floor({ times: shown(rmse_um / floor_um, 1) }) : "";
 
 const result_of = (checked: Checked): string =>
-  t.model_result({ rmse: shown(checked.rmse_um, 3), floor: times_floor(checked), parameters: checked.parameters.length });
+  t.model_result({ rmse: shown(checked.rmse_um, 3), times: times_floor(checked), parameters: checked.parameters.length });
 
-// In English the program's own sentence.
-export const verdict_of = (checked: Checked): Sentence =>
-  language === "en"
-    ? said(checked.sentences[0] ?? result_of(checked), checked.messages?.[0])
-    : t.model_leaves({ rmse: shown(checked.rmse_um, 3), times: times_floor(checked) });
+export const verdict_of = (checked: Checked): Sentence => said(checked.sentences[0] ?? result_of(checked), checked.messages?.[0]);
 
 const diagnose_next = (report: Report, { target }: Checked): Next => ({
   label: t.model_find,

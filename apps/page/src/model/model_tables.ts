@@ -11,8 +11,8 @@ const kMost_rows = 20;
 type Misfit = Checked["where"][number];
 
 // "angle, CCW", or a column; a regime, or from where to where: "30 deg".
-export const place_name = (what: string): string => what.split(", ").map((part) => named(t.places, part)).join(", ");
-export const end_name = (end: string): string => with_decimal_sign(named(t.regimes, end).replace(/ deg$/, "°").replace(/ degC$/, " °C"));
+const place_name = (what: string): string => what.split(", ").map((part) => named(t.places, part)).join(", ");
+const end_name = (end: string): string => with_decimal_sign(named(t.regimes, end).replace(/ deg$/, "°").replace(/ degC$/, " °C"));
 
 const misfit_row = (misfit: Misfit): string[] => [
   plain(place_name(misfit.what), 50),

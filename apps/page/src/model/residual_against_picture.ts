@@ -69,6 +69,10 @@ export const against_choice = (checked: Checked): { values: AgainstAxis[]; initi
 
 const kMost_points = 4000;
 const kMost_of_trend = 50000;
+const drawn_of = (rows: number): string =>
+  rows > kMost_of_trend
+    ? t.model_against_many_of_trend({ rows, points: kMost_points, trend: kMost_of_trend })
+    : t.model_against_many({ rows, points: kMost_points });
 const kBins = 12;
 const kBins_of_a_turn = 36;
 const kFewest_bins = 3; // that make a trend
@@ -210,7 +214,7 @@ export const residual_against_picture = (
     about: [
       t.model_against_about,
       checked.level === "recording" ? t.model_against_directions : t.model_against_heating,
-      ...(many ? [t.model_against_many({ rows: all_rows, points: kMost_points, trend: all_rows > kMost_of_trend ? String(kMost_of_trend) : "" })] : []),
+      ...(many ? [drawn_of(all_rows)] : []),
     ].join(" "),
     height_px: 440,
     zoom: "own",

@@ -3,11 +3,11 @@
 import { element, select_of, text_in } from "../elements/elements";
 import type { Figure } from "../figure/figure";
 import { folded } from "./folded";
-import type { First, Next, Section, State } from "../picture";
+import type { First, Next, State } from "../picture";
 import type { Shared } from "./shared";
 import { clamped, first_sentence } from "../drawing/text";
 import type { Message } from "../texts/messages";
-import { english, language, said, type Sentence, sentence_text, t, together } from "../texts/texts";
+import { english, said, type Sentence, sentence_text, t } from "../texts/texts";
 
 export interface Proved {
   first: First;
@@ -21,26 +21,14 @@ export interface Concluded {
   messages: readonly Message[] | undefined;
 }
 
-// What the program concludes, "y_um: Missing from the model of y_um: ...", in the page's language: as the section says it
-// that shows it, else as a sentence of the program.
-const said_of = ({ text, messages }: Concluded, sections: readonly Section[]): Sentence => {
-  if (language === "en") return english(text);
-  for (const { first } of sections) {
-    const { before = [], verdict, concluded = "" } = first?.conclusion({}) ?? { verdict: "" };
-    if (concluded === "" || typeof verdict !== "string") continue;
-    const whole = together([...before.map(sentence_text), verdict]);
-    if (text === concluded) return whole;
-    if (text.endsWith(`: ${concluded}`)) return text.slice(0, -concluded.length) + whole;
-  }
-  return said(text, messages);
-};
+const said_of = ({ text, messages }: Concluded): Sentence => said(text, messages);
 
 // The rest of what the program concludes; the verdict itself may be told with its target before it.
-const rest_of = (summary: readonly Concluded[], concluded: string, sections: readonly Section[]): HTMLElement[] => {
+const rest_of = (summary: readonly Concluded[], concluded: string): HTMLElement[] => {
   const rest = summary.filter(({ text }) => text !== concluded && !text.endsWith(`: ${concluded}`));
   if (rest.length === 0) return [];
   const head = rest.length === 1 ? t.page_one_more : t.page_more({ n: rest.length });
-  return [folded("summary", [head], rest.map((one) => text_in("p", said_of(one, sections))))];
+  return [folded("summary", [head], rest.map((one) => text_in("p", said_of(one))))];
 };
 
 const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: HTMLElement; concluded: () => string } => {
@@ -89,14 +77,13 @@ const chooser = (all: readonly Proved[], panels: readonly HTMLElement[]): HTMLEl
 export const first_screen = (
   proved: readonly Proved[],
   summary: readonly Concluded[],
-  sections: readonly Section[],
   shared: Shared,
 ): HTMLElement[] => {
   const [one] = proved;
   if (!one) {
     return summary.length === 0
       ? []
-      : [element("section", { class: "first", "aria-label": t.page_verdict }, ...summary.map((one) => text_in("p", said_of(one, sections))))];
+      : [element("section", { class: "first", "aria-label": t.page_verdict }, ...summary.map((one) => text_in("p", said_of(one))))];
   }
   const panels = proved.map((each) => panel_of(each, shared));
   panels.forEach((panel, k) => (panel.element.hidden = k > 0));
@@ -108,7 +95,7 @@ export const first_screen = (
       { class: wide ? "first wide" : "first", "aria-label": t.page_verdict },
       ...chooser(proved, elements),
       ...elements,
-      ...rest_of(summary, panels[0]?.concluded() ?? "", sections),
+      ...rest_of(summary, panels[0]?.concluded() ?? ""),
     ),
   ];
 };

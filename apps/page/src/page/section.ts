@@ -175,16 +175,16 @@ export const figure_with_notes = (
     return parts;
   };
   let shown: string | null = null;
-  let told = "";
+  let of_choices: unknown = null;
   figure.watch(({ chosen }) => {
+    if (chosen === of_choices) return;
+    of_choices = chosen;
     const of = page?.(chosen) ?? null;
-    const text = JSON.stringify(of);
     leaf.hidden = of === null;
-    if (of && text !== told) {
+    if (of) {
       leaf.replaceChildren(...leaf_of(of));
       leaf.setAttribute("aria-label", of.title);
     }
-    told = text;
     const now = chosen[key] ?? "";
     if (now === shown) return;
     shown = now;

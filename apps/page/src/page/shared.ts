@@ -64,7 +64,10 @@ export const kept_view = (shared: Shared): (() => void) => {
   const [window, top] = [shared.time_window(), scrollY];
   return () => {
     for (const id of ids) document.getElementById(id)?.querySelector(":scope > details")?.setAttribute("open", "");
-    for (const { name, state } of states) shared.figures.get(name)?.take(state);
+    for (const { name, state } of states) {
+      const figure = shared.figures.get(name);
+      if (figure && figure.state() !== state) figure.take(state);
+    }
     shared.see_time(window);
     scrollTo({ top, behavior: "instant" });
   };

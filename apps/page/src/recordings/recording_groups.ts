@@ -70,8 +70,8 @@ export const pairs_and_singles = (
 const figure_of = (recording: Recording): string => {
   const { plane, direction, arc_deg } = recording;
   if (!is_circle(recording)) return t.recordings_axial;
-  const arc = (arc_deg ?? 360) > 359 ? "" : String(Math.round(arc_deg ?? 0)); // none: a full turn
-  return t.recordings_repeated({ plane: plane ?? "?", direction: direction ?? "?", arc_deg: arc });
+  const arc = (arc_deg ?? 360) > 359 ? t.recordings_full_turn : t.recordings_arc_of({ arc_deg: Math.round(arc_deg ?? 0) });
+  return t.recordings_repeated({ plane: plane ?? "?", direction: direction ?? "?", arc });
 };
 
 // Recordings of one kind, plane and direction: the same figure, test after test. In the order of their times.

@@ -44,20 +44,12 @@ const axial_table = (axial: readonly Recording[], choose: TextTable["choose"]): 
   ...(choose ? { choose } : {}),
 });
 
-// Labels of the terminal's table begin with spaces where they belong to the one above.
-export const full_labels = (rows: readonly Result[]): string[] => {
-  let above = "";
-  return rows.map(({ label }) => {
-    if (!/^\s/.test(label)) above = label.trim();
-    const full = /^\s/.test(label) ? `${above.replace(/ \S+$/, "")} ${label.trim()}` : label;
-    return named(t.results, plain(full, 60).replace(/\bum\b/g, "µm"));
-  });
-};
+export const result_name = ({ key, label }: Result): string => (Object.hasOwn(t.results, key) ? named(t.results, key) : plain(label.trim(), 60));
 
 type Results = FitPart["results"][number];
 
 const has_stored = (results: Results): boolean => results.rows.some((row) => row.stored !== null);
-const of_a_recording = (results: Results): boolean => results.rows.some((row) => row.label.startsWith("centre A"));
+const of_a_recording = (results: Results): boolean => results.rows.some(({ key }) => key === "centre_a_um");
 
 // The instrument prints one digit less.
 const stored_text = (row: Result | undefined): string => (row ? shown(row.stored, Math.max(0, row.decimals - 1)) : "–");
@@ -65,7 +57,7 @@ const stored_text = (row: Result | undefined): string => (row ? shown(row.stored
 // Few: a row a quantity, as the terminal has it. Many of the same quantities: a row for each of them.
 const table_of = (group: readonly Results[]): TextTable => {
   const first = group[0]?.rows ?? [];
-  const labels = full_labels(first);
+  const labels = first.map(result_name);
   const stored = group.some(has_stored);
   const title = of_a_recording(group[0] as Results)
     ? t.recordings_and_stored
@@ -103,7 +95,7 @@ const result_tables = (fit: FitPart): TextTable[] => {
   for (const results of fit.results) {
     // Without stored values the table of circles says it all.
     if (of_a_recording(results) && !has_stored(results)) continue;
-    const key = results.rows.map((row) => row.label).join("\n");
+    const key = results.rows.map(({ label }) => label).join("\n");
     groups.set(key, [...(groups.get(key) ?? []), results]);
   }
   return [...groups.values()].map(table_of);

@@ -15,15 +15,15 @@ export interface Words {
   numbers(text: string): string; // with the sign of the language
 }
 
-const catalogue_of = (toml: string): ReadonlyMap<string, string> =>
-  new Map(
-    toml.split("\n").flatMap((line) => {
-      const [, name = "", text = ""] = /^(\w+) = (".*")$/.exec(line) ?? [];
-      return name === "" ? [] : [[name, JSON.parse(text) as string] as const];
-    }),
-  );
+const catalogues: Readonly<Record<string, Readonly<Record<string, string>>>> = { de, zh };
 
-const catalogues: Readonly<Record<string, ReadonlyMap<string, string>>> = { de: catalogue_of(de), zh: catalogue_of(zh) };
+// A text with the values of its places: "{place}", of which the last knows that it ends the text; "{n:one|several}".
+export const filled = <Value>(text: string, value_of: (place: string) => Value, part: (value: Value, ends: boolean) => string): string =>
+  text.replace(/\{(\w+)(?::([^|}]*)\|([^}]*))?\}/g, (all: string, place: string, one: string | undefined, several: string | undefined, at: number) => {
+    const value = value_of(place);
+    if (one !== undefined) return (String(value) === "1" ? one : several) ?? "";
+    return part(value, at + all.length === text.length);
+  });
 
 // "lagged_expansion(T_room_degC)", "backlash_a"
 const effect_text = (label: string, { effects }: Words): string => {
@@ -48,8 +48,8 @@ const list_text = ({ next, last }: { next: string; last: string }, parts: readon
   const join = (before: string | null, part: MessageValue, k: number): string | null => {
     const text = value_text(part, words);
     if (before === null || text === null || k === 0) return text;
-    const catalogue = catalogues[words.language];
-    return (catalogue?.get(k + 1 === parts.length ? last : next) ?? "").replace(/\{(\w+)\}/g, (_, place: string) => (place === "first" ? before : text));
+    const joined = catalogues[words.language]?.[k + 1 === parts.length ? last : next] ?? "";
+    return filled(joined, (place) => (place === "first" ? before : text), String);
   };
   return parts.reduce<string | null>(join, "");
 };
@@ -57,23 +57,32 @@ const list_text = ({ next, last }: { next: string; last: string }, parts: readon
 const message_text = ({ name, values }: Message, words: Words): string | null => {
   const list = lists[name];
   if (list) return list_text(list, Object.values(values), words);
-  const text = name === "" ? "{text}" : catalogues[words.language]?.get(name);
+  const text = name === "" ? "{text}" : catalogues[words.language]?.[name];
   if (text === undefined) return null;
   let known = true;
-  // "{place}"; "{n:one|several}"
-  const said = text.replace(/\{(\w+)(?::([^|}]*)\|([^}]*))?\}/g, (all: string, place: string, one: string | undefined, several: string | undefined, at: number) => {
-    const value = values[place] ?? "";
-    if (one !== undefined) return (value === "1" ? one : several) ?? "";
+  const said = filled<MessageValue>(text, (place) => values[place] ?? "", (value, ends) => {
     const part = value_text(value, words);
     known = known && part !== null;
-    const within = at + all.length < text.length && Array.isArray(value);
-    return within ? (part ?? "").replace(/[.。]$/, "") : (part ?? ""); // a sentence within another one
+    return Array.isArray(value) && !ends ? (part ?? "").replace(/[.。]$/, "") : (part ?? ""); // a sentence within another one
   });
   return known ? said : null;
 };
 
+// Whether an effect's name begins the text, "zyklischer Fehler von X": a name of a column or a file keeps its letters.
+const begins_with_effect = ({ name, values }: Message, language: string): boolean => {
+  const place = lists[name] ? Object.keys(values)[0] : /^\{(\w+)\}/.exec(catalogues[language]?.[name] ?? "")?.[1];
+  const value = values[place ?? ""];
+  if (value === undefined || typeof value === "string") return false;
+  return "effect" in value || (value[0] !== undefined && begins_with_effect(value[0], language));
+};
+
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
 // null: the language has not all of them, as of an effect that a user has made.
 export const messages_text = (messages: readonly Message[], words: Words): string | null => {
-  const said = messages.map((message) => message_text(message, words));
+  const said = messages.map((message) => {
+    const text = message_text(message, words);
+    return text?.endsWith(".") && begins_with_effect(message, words.language) ? capital(text) : text;
+  });
   return said.includes(null) ? null : said.filter((one) => one !== "").join(words.language === "zh" ? "" : " ");
 };

@@ -1,13 +1,24 @@
 // The language of the page. `t.some_key` is what it says there, now; nothing else on the page is written in a language.
-// The files of the languages have the same keys, which the compiler checks.
-import { de } from "./de";
-import { en, type Texts } from "./en";
-import { type Message, messages_text } from "./messages";
-import { zh } from "./zh";
+// The build checks that the catalogues of the languages have the same names and places, and makes their type.
+import type { Texts } from "../text_types";
+import de from "./de.toml";
+import en from "./en.toml";
+import { filled, type Message, messages_text } from "./messages";
+import zh from "./zh.toml";
 
 export type Language = "en" | "de" | "zh";
 
-const spoken: Readonly<Record<Language, Texts>> = { en, de, zh };
+// Of "name" and "glossary.word" of a catalogue; a text with places is a function of their values.
+const texts_of = (catalogue: Readonly<Record<string, string>>): Texts => {
+  const texts: Record<string, unknown> = {};
+  for (const [name, text] of Object.entries(catalogue)) {
+    const [, glossary, word = ""] = /^(\w+)\.(.*)$/.exec(name) ?? [];
+    if (glossary) texts[glossary] = { ...(texts[glossary] ?? {}), [word]: text };
+    else texts[name] = text.includes("{") ? (places: Readonly<Record<string, unknown>>) => filled(text, (place) => places[place], String) : text;
+  }
+  return texts as unknown as Texts;
+};
+const spoken: Readonly<Record<Language, Texts>> = { en: texts_of(en), de: texts_of(de), zh: texts_of(zh) };
 
 // As each calls itself, for the choice of one.
 export const languages: readonly { language: Language; name: string }[] = [
@@ -17,7 +28,7 @@ export const languages: readonly { language: Language; name: string }[] = [
 ];
 
 export let language: Language = "en";
-export let t: Texts = en;
+export let t: Texts = spoken.en;
 
 // Of each language, as where a word of any of them is looked for.
 export const in_all_languages = <T>(of: (texts: Texts) => T): T[] => Object.values(spoken).map(of);
@@ -81,9 +92,6 @@ export const explained_by = (level: string, effect: string, key: string, text: s
 
 export const sentence_text = (sentence: Sentence): string =>
   typeof sentence === "string" ? sentence : [sentence.before, sentence.english].filter((part) => part !== "").join(" ");
-
-// Sentences of the page in one paragraph.
-export const together = (sentences: readonly string[]): string => sentences.filter((one) => one !== "").join(language === "zh" ? "" : " ");
 
 // A name of the program by a glossary of the language; one that it does not have stays as it is.
 export const named = (glossary: Readonly<Record<string, string>>, name: string): string =>

@@ -50,14 +50,16 @@ struct DifferenceRows {
   double reference_variance_a = 0.0, reference_variance_b = 0.0;
   std::vector<std::vector<double>> shared;  // signed sigma, n rows each
   bool stated = true;                       // false: variances are unknown and those above are ignored
+  std::string unit;                         // of a and b
 };
 
 struct DifferencePart {
-  double value = 0.0;  // offset in the axis' unit; gain (1: no error); lag in s, positive if a is late; drift per h
+  double value = 0.0;  // of a gain 1: no error; of a lag positive: a is late
   double sigma = 0.0;
   double explains = 0.0;  // chi^2
   double chance = 1.0;    // p-value
   bool named = false;     // chance below the limit
+  std::string unit;       // of value and sigma: that of the axis, none, s, um_per_h
 };
 
 // As kDifferenceKinds. nullopt: not determined, because the rows do not tell it from the others; or it does not stand
@@ -65,21 +67,25 @@ struct DifferencePart {
 // over the time.
 using DifferenceParts = std::array<std::optional<DifferencePart>, 4>;
 
+// Squares of a difference in units of its scatter, summed up.
+struct ChiSquare {
+  double chi2 = 0.0;
+  std::size_t freedom = 0;
+  std::optional<double> chance, limit;  // p-value, and below which that counts; nullopt: not judged
+};
+
 enum class NoiseOfDifference { stated, widened, from_rows };
 
 struct DifferenceStructure {
-  std::size_t rows = 0;           // number of rows that count
-  DifferenceParts parts;          // each estimated with the others free
-  DifferenceParts alone;          // each estimated with the others absent
-  double chi2 = 0.0;              // of the whole difference, `rows` degrees of freedom
-  double chi2_of_parts = 0.0;     // part of chi2 that the four explain
-  std::size_t parts_freedom = 0;  // 1 to 4
-  double chance_of_parts = 1.0;
+  DifferenceParts parts;  // each estimated with the others free
+  DifferenceParts alone;  // each estimated with the others absent
+  ChiSquare whole;        // of the whole difference; freedom: the rows that count
+  ChiSquare together;     // part of it that the four explain, 1 to 4 degrees; limit 1 % / (5 axes), as of `alone`
   NoiseOfDifference noise = NoiseOfDifference::stated;
-  double widened_by = 1.0;      // factor on sigma; from_rows: sigma of b - a in a row, in the axis' unit
-  bool stands_out = false;      // a part is named, in `parts` or `alone`, or chance_of_parts is below its limit
-  double limit_of_part = 0.0;   // 1 % / (4 axes): for `parts`
-  double limit_of_parts = 0.0;  // 1 % / (5 axes): for all four together, and for `alone`
+  double widened_by = 1.0;     // factor on sigma; from_rows: sigma of b - a in a row, in the axis' unit
+  bool stands_out = false;     // a part is named, in `parts` or `alone`, or together below its limit
+  double limit_of_part = 0.0;  // 1 % / (4 axes): for `parts`
+  std::string unit;            // of the axis
 };
 
 // Returns nullopt for fewer than 6 rows that count, or fewer than 12 if no variance is stated.
@@ -126,8 +132,9 @@ enum class Agreement { agrees, disagrees, cannot_tell };
 
 struct UncertaintyShare {
   std::string source;
-  double sigma = 0.0;     // root mean square over the samples, in the axis' unit; NaN: none known or determined
+  double sigma = 0.0;     // root mean square over the samples; NaN: none known or determined
   double variance = 0.0;  // share of the variance of d, 0 to 1; 0 where sigma is NaN
+  std::string unit;       // of sigma
 };
 
 struct Deviation {
@@ -137,6 +144,7 @@ struct Deviation {
   double largest = 0.0;  // d of the worst sample (largest |d| / sigma)
   double sigma = 0.0;
   double at_s = 0.0;
+  std::string unit;  // of both
 };
 
 struct AxisComparison {

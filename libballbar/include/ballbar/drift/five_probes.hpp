@@ -59,6 +59,7 @@ FivePoint five_point(const Series& series, const FivePointOptions& options = {})
 // the probe linearity of rows of opposite sign.
 struct DriftRange {
   std::optional<Estimate> first_60_min, after_60_min, last_60_min, total, at_end;
+  std::string unit;  // of the axis
 };
 DriftRange range_of(const DriftAxis& axis, const std::vector<double>& time_s, std::size_t begin, std::size_t end);
 

@@ -161,6 +161,7 @@ struct CourseStep {
 };
 
 struct Course {
+  std::string axis;                        // of a drift; empty: of readings alone
   CourseShape shape = CourseShape::still;  // the most probable
   double probability = 0.0;
   Estimate trend_um_per_h;       // of the shape trend, whatever the most probable one is

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "ballbar/message.hpp"
+
 namespace ballbar {
 
 // "38.7 s", "4 min 25 s", "2 h 40 min", "124 h": to the second below an hour, to the minute below 100 h.
@@ -12,11 +14,10 @@ std::string duration_text(double duration_s);
 // "20 000", "5000": rounded to an integer, in groups of three from five digits on.
 std::string grouped_text(double value);
 
-// A probability in words: "98 % sure", "over 99 % sure".
-std::string sure_text(double p);
-
 // "98 %", "over 99 %", "under 1 %".
 std::string percent_text(double p);
+Message percent_of(double p);
+Message sure_of(double p);  // "98 % sure"
 
 // A p-value or a small probability with two digits: "0.18", "0.00012", "< 0.000001".
 std::string p_text(double p);

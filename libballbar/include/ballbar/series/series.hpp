@@ -60,6 +60,7 @@ struct Series {
   std::optional<FiveProbe> five_probe;  // from the file's [five_probe] table
   std::optional<std::string> started;   // wall clock at time_s = 0, "2026-11-22T13:05:10", no zone; nullopt: not known
   std::vector<RunOrigin> runs;          // one per run if there are several; else empty
+  std::vector<std::string> unread;      // columns of the log that hold states in words, which nothing reads
   bool has_clock = true;                // false: no file states the time, and time_s numbers the rows 0, 1, 2 ...
 };
 

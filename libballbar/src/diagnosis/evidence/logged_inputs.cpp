@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "ballbar/internal/numerics/interruption.hpp"
 #include "ballbar/internal/numerics/order_statistic.hpp"
@@ -15,11 +16,16 @@
 #include "ballbar/internal/series/signal_kind.hpp"
 #include "ballbar/series/series.hpp"
 #include "noise/linear_filter.hpp"
+#include "series/equal_columns.hpp"
+#include "series/equal_rows.hpp"
 #include "series/resolution.hpp"
 #include "series/saturated_rows.hpp"
+#include "series/stuck_rows.hpp"
 
 namespace ballbar {
 namespace {
+
+constexpr double kRest_s = 8.0 * 3600.0, kRestSteps = 10.0;  // of a machine that forgets its temperatures
 
 bool is_whole(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
@@ -115,16 +121,6 @@ void draw_step(std::vector<double>& values, const Jump& jump) {
     const std::size_t twice = 2 * row, middle = jump.first + jump.last;
     values[row] = twice < middle ? jump.before : twice > middle ? jump.after : 0.5 * (jump.before + jump.after);
   }
-}
-
-// Runs of equal values.
-std::vector<RowRange> equal_rows(const std::vector<double>& values) {
-  std::vector<RowRange> runs;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (i == 0 || values[i] != values[i - 1]) runs.push_back({i, i});
-    runs.back().end = i + 1;
-  }
-  return runs;
 }
 
 struct Observation {
@@ -228,6 +224,15 @@ std::vector<double> smoothed(const std::vector<Observation>& observations, const
   return Smoother{observations, best}.at(time_s);
 }
 
+// The straight line from the value before these rows to that behind them; at an end the value on the other side.
+void draw_line(std::vector<double>& values, const RowRange& rows) {
+  const double before = rows.begin > 0 ? values[rows.begin - 1] : values[rows.end];
+  const double behind = rows.end < values.size() ? values[rows.end] : before;
+  const double slope = (behind - before) / static_cast<double>(rows.end - rows.begin + 1);
+  for (std::size_t row = rows.begin; row < rows.end; ++row)
+    values[row] = before + slope * static_cast<double>(row - rows.begin + 1);
+}
+
 // Whether successive runs of equal values differ by one resolution: the sampling of something smooth.
 bool climbs_by_one(const std::vector<RowRange>& runs, const std::vector<double>& values, const Tuning& tuning) {
   const double resolution = resolution_of(values);
@@ -239,8 +244,8 @@ bool climbs_by_one(const std::vector<RowRange>& runs, const std::vector<double>&
 
 // A smooth curve through the runs of a coarse column where it spends several rows each, else through its samples; those
 // of rows that are read one by one are as they are.
-std::vector<double> continuous(const std::vector<double>& time_s, const std::vector<double>& values, std::size_t held,
-                               bool is_read, const Tuning& tuning) {
+std::vector<double> continuous_between_pauses(const std::vector<double>& time_s, const std::vector<double>& values,
+                                              std::size_t held, bool is_read, const Tuning& tuning) {
   const std::vector<RowRange> runs = equal_rows(values);
   if (runs.size() < tuning.fewest_changes) return values;
   std::vector<Observation> observations;
@@ -261,6 +266,25 @@ std::vector<double> continuous(const std::vector<double>& time_s, const std::vec
     }
   }
   return smoothed(observations, time_s);
+}
+
+// That of each stretch between pauses.
+std::vector<double> continuous(const std::vector<double>& time_s, const std::vector<double>& values, std::size_t held,
+                               bool is_read, const Tuning& tuning) {
+  std::vector<double> curve;
+  curve.reserve(values.size());
+  const auto part = [](const std::vector<double>& of, std::size_t begin, std::size_t end) {
+    return std::vector<double>(of.begin() + static_cast<std::ptrdiff_t>(begin),
+                               of.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  const double longest_s = std::max(kRest_s, kRestSteps * median_step_s(time_s));
+  for (std::size_t begin = 0, end = 0; begin < values.size(); begin = end) {
+    for (end = begin + 1; end < values.size() && time_s[end] - time_s[end - 1] < longest_s;) ++end;
+    const std::vector<double> own =
+        continuous_between_pauses(part(time_s, begin, end), part(values, begin, end), held, is_read, tuning);
+    curve.insert(curve.end(), own.begin(), own.end());
+  }
+  return curve;
 }
 
 bool is_temperature(const Column& column) {
@@ -309,24 +333,33 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
     if (!is_whole(column.values) || !(range_of(column.values) > 0.0)) continue;
     LoggedInput input;
     input.column = column.name;
+    double sample_s = step_s;
     if (column.role == Role::speed || column.role == Role::load) {
       const std::size_t own = even ? held_rows(column.values, tuning).value_or(1) : 1;
       const std::size_t rows = held > 1 || ramped > 1
                                    ? std::max(held, ramped)
                                    : (static_cast<double>(own) * step_s <= tuning.longest_sample_s ? own : 1);
       const double longest_s = std::max(tuning.longest_ramp_s, 1.5 * static_cast<double>(rows) * step_s);
-      input.sample_s = static_cast<double>(rows) * step_s;
+      sample_s = static_cast<double>(rows) * step_s;
       draw_steps(jumps_of(data.time_s, column.values, ramped > 1 ? 1 : rows, longest_s, tuning), input, column.values,
                  tuning);
     } else if (const SignalKind kind = signal_kind(column.values); is_switched(column, kind, tuning)) {
-      input.sample_s = step_s;
       draw_steps(jumps_of(data.time_s, column.values, 1, tuning.longest_ramp_s, tuning), input, column.values, tuning);
     } else if (is_temperature(column) || (kind == SignalKind::smooth && column.role != Role::measured)) {
       input.at_end = saturated_rows(
           column.values, {tuning.fewest_at_end, tuning.least_at_end, tuning.small_step, tuning.fewest_changes});
+      if (tuning.stuck_sensors && input.at_end.empty()) {
+        const std::vector<RowRange> runs = stuck_runs(column.values);
+        for (const RowRange& run : runs) {
+          input.is_stuck = true;
+          for (std::size_t row = run.begin; row < run.end; ++row) input.at_end.push_back(row);
+        }
+        for (const RowRange& run : runs) draw_line(column.values, run);
+      }
       const std::size_t rows = even ? held_rows(column.values, tuning).value_or(1) : 1;
+      input.held = rows;
       const std::size_t sample = std::max(rows, even ? ramped_rows(column.values, tuning) : 1);
-      input.sample_s = static_cast<double>(sample) * step_s;
+      sample_s = static_cast<double>(sample) * step_s;
       // Rows far apart are read one by one, each within a short time.
       const bool is_read = sample == 1 && step_s > tuning.longest_sample_s;
       if (tuning.smoothing && is_temperature(column))
@@ -334,23 +367,13 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
     } else {
       continue;
     }
-    input.late_s = input.sample_s > step_s ? input.sample_s : std::min(step_s, tuning.longest_sample_s);
+    input.late_s = sample_s > step_s ? sample_s : std::min(step_s, tuning.longest_sample_s);
     result.inputs.push_back(std::move(input));
   }
   return result;
 }
 
-}  // namespace
-
-std::vector<double> with_jump_moved(const std::vector<double>& values, const Jump& jump, bool earlier) {
-  std::vector<double> moved = values;
-  for (std::size_t row = jump.first + (earlier ? 0 : 1); row < jump.last + (earlier ? 0 : 1); ++row) {
-    moved[row] = earlier ? jump.after : jump.before;
-  }
-  return moved;
-}
-
-LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& targets, const Tuning& tuning) {
+LoggedInputs inputs_of_runs(const Series& data, const std::vector<std::string>& targets, const Tuning& tuning) {
   const std::vector<RowRange> runs = runs_of(data.time_s);
   if (runs.size() < 2 || find_column(data, "angle_rad") != nullptr) return inputs_of_run(data, targets, tuning);
   // Each run has a logger of its own; what is stepped in one is so in all.
@@ -375,12 +398,98 @@ LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& t
         continue;
       }
       known->is_stepped = known->is_stepped || input.is_stepped;
-      known->sample_s = std::max(known->sample_s, input.sample_s);
+      known->held = std::max(known->held, input.held);
       known->late_s = std::max(known->late_s, input.late_s);
       known->jumps.insert(known->jumps.end(), input.jumps.begin(), input.jumps.end());
+      known->is_stuck = known->is_stuck || input.is_stuck;
       known->at_end.insert(known->at_end.end(), input.at_end.begin(), input.at_end.end());
     }
   }
+  return result;
+}
+
+// The variance of the readings about their curve; of a sensor without noise that of its rounding.
+double variance_about(const std::vector<double>& curve, const std::vector<double>& read) {
+  const auto count = static_cast<Eigen::Index>(read.size());
+  const double resolution = resolution_of(read);
+  return (Eigen::ArrayXd::Map(curve.data(), count) - Eigen::ArrayXd::Map(read.data(), count)).square().mean() +
+         resolution * resolution / 12.0;
+}
+
+// The readings without those in which either sensor is saturated or stuck.
+std::vector<double> read_by_both(const Series& data, const LoggedInput& input, const LoggedInput& other) {
+  std::vector<double> values = find_column(data, input.column)->values;
+  for (const LoggedInput* one : {&input, &other}) {
+    for (const std::size_t row : one->at_end) values[row] = std::numeric_limits<double>::quiet_NaN();
+  }
+  return values;
+}
+
+// nullopt: they do not measure the same quantity.
+std::optional<LinearRelation> relation_of(const Series& data, const LoggedInput& input, const LoggedInput& other) {
+  expect_no_interruption();
+  if (input.is_stepped != other.is_stepped || unit_of(input.column) != unit_of(other.column)) return std::nullopt;
+  return equal_columns(read_by_both(data, input, other), read_by_both(data, other, input),
+                       std::max(input.held, other.held));
+}
+
+// Columns that measure the same quantity; each of them equals each other one. Of curves the mean, each with the weight
+// of its noise, replaces them.
+void take_means(const Series& data, LoggedInputs& logged) {
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < logged.inputs.size(); ++i) {
+    const LoggedInput& first = logged.inputs[i];
+    if (taken.contains(first.column)) continue;
+    std::vector<std::pair<const LoggedInput*, LinearRelation>> group{{&first, {}}};
+    for (std::size_t k = i + 1; k < logged.inputs.size(); ++k) {
+      const LoggedInput& other = logged.inputs[k];
+      if (taken.contains(other.column)) continue;
+      const auto relation = relation_of(data, first, other);
+      if (!relation) continue;
+      if (std::all_of(group.begin() + 1, group.end(),
+                      [&](const auto& one) { return relation_of(data, *one.first, other).has_value(); }))
+        group.emplace_back(&other, *relation);
+    }
+    if (group.size() == 1) continue;
+    const auto curve_of = [&](const LoggedInput& input) -> std::vector<double>& {
+      return std::find_if(logged.series.columns.begin(), logged.series.columns.end(),
+                          [&](const Column& column) { return column.name == input.column; })
+          ->values;
+    };
+    std::vector<double> mean(data.time_s.size(), 0.0);
+    double weights = 0.0;
+    for (const auto& [input, relation] : group) {
+      const std::vector<double>& curve = curve_of(*input);
+      const double scale = relation.slope * relation.slope;
+      const double weight = scale / std::max(variance_about(curve, find_column(data, input->column)->values), 1e-12);
+      weights += weight;
+      for (std::size_t row = 0; row < mean.size(); ++row)
+        mean[row] += weight * (curve[row] - relation.offset) / relation.slope;
+      taken.insert(input->column);
+      if (input != &first) logged.equal.push_back({first.column, input->column});
+    }
+    if (first.is_stepped) continue;  // the same steps, each with its own jumps
+    for (const auto& [input, relation] : group) {
+      std::vector<double>& curve = curve_of(*input);
+      for (std::size_t row = 0; row < mean.size(); ++row)
+        curve[row] = relation.offset + relation.slope * mean[row] / weights;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<double> with_jump_moved(const std::vector<double>& values, const Jump& jump, bool earlier) {
+  std::vector<double> moved = values;
+  for (std::size_t row = jump.first + (earlier ? 0 : 1); row < jump.last + (earlier ? 0 : 1); ++row) {
+    moved[row] = earlier ? jump.after : jump.before;
+  }
+  return moved;
+}
+
+LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& targets, const Tuning& tuning) {
+  LoggedInputs result = inputs_of_runs(data, targets, tuning);
+  if (tuning.equal_columns) take_means(data, result);
   return result;
 }
 

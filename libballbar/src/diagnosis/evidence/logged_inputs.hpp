@@ -6,7 +6,8 @@
 //               straight line between two samples
 //   continuous  other columns as they are, but temperatures: for a coarse one (its runs of equal values differ by one
 //               resolution) the smoothest curve within the runs, by a Kalman smoother of an integrated random walk; for
-//               a held column through the first row of each run
+//               a held column through the first row of each run. Those that measure the same quantity get the
+//               mean of their curves, so that the noise of a sensor does not choose among them
 #pragma once
 
 #include <cstddef>
@@ -27,15 +28,17 @@ struct Jump {
 struct LoggedInput {
   std::string column;
   bool is_stepped = false;
-  double sample_s = 0.0;            // sampling interval of its logger
-  double late_s = 0.0;              // by so much its clock may be late or early
+  std::size_t held = 1;             // rows for which its logger holds a value
+  double late_s = 0.0;              // its logger's sample: by so much its clock may be late or early
   std::vector<Jump> jumps;          // of a stepped input
-  std::vector<std::size_t> at_end;  // rising rows in which its sensor is saturated
+  bool is_stuck = false;            // else saturated
+  std::vector<std::size_t> at_end;  // rising rows in which its sensor is saturated or stands still
 };
 
 struct LoggedInputs {
   Series series;  // the data with the reconstructed inputs
   std::vector<LoggedInput> inputs;
+  std::vector<EqualColumns> equal;
 };
 
 // targets: columns that are not inputs. Rows and names do not change.

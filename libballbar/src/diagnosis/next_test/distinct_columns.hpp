@@ -10,17 +10,13 @@
 
 namespace ballbar {
 
-struct Twin {
-  std::string kept, other;
-};
-
 struct DistinctColumns {
   Series data;  // without the duplicates
-  std::vector<Twin> twins;
+  std::vector<EqualColumns> equal;
 };
 
-// Inputs in one unit that are equal up to a factor and a constant, within their resolution. Inputs of the model stay.
-DistinctColumns distinct_columns_of(const Series& data, const Model& model);
+// Inputs in one unit that are equal (series/equal_columns.hpp). Inputs of the model stay.
+DistinctColumns distinct_columns_of(const Series& data, const Model& model, std::size_t target);
 
 // Effects of the diagnosis of `distinct.data` with P >= 0.2 that read a column with a duplicate: each with the same
 // effect on the duplicate.

@@ -196,7 +196,7 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
   }
   TestPlan plan;
   // Equal columns count as one, because no test can separate them.
-  const DistinctColumns distinct = distinct_columns_of(data, model);
+  const DistinctColumns distinct = distinct_columns_of(data, model, target);
   const Model alone = without_run_terms(model), with_runs = with_run_terms(alone, distinct.data);
   const DiagnosisOptions how = diagnosis_options(options);
   tell(options, "weighing the data at hand");

@@ -1,5 +1,6 @@
 #include "diagnosis/posterior/conditional_fit.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -10,10 +11,10 @@
 namespace ballbar {
 namespace {
 
-// The model with the set's effects as terms, and its parameters; their gains are those that a fit starts with anyway.
-std::pair<Model, std::vector<double>> with_effects(const Problem& problem, const std::vector<std::size_t>& signatures,
+// A model with the set's effects as terms, and its parameters; their gains are those that a fit starts with anyway.
+std::pair<Model, std::vector<double>> with_effects(const Problem& problem, Model model,
+                                                   const std::vector<std::size_t>& signatures,
                                                    std::vector<double> parameters) {
-  Model model = problem.model;
   for (const std::size_t i : signatures) {
     const Signature& one = problem.library.signatures[i];
     const BoundEffect& bound = problem.library.families[one.family].bound;
@@ -44,7 +45,7 @@ enum class Shapes { held, free };
 ShapeFit fit_together(const Problem& problem, const Linearisation& linearisation,
                       const std::vector<std::size_t>& signatures, const std::vector<double>& parameters,
                       const NoiseFilter& filter, Shapes shapes) {
-  auto [model, start] = with_effects(problem, signatures, parameters);
+  auto [model, start] = with_effects(problem, problem.model, signatures, parameters);
   for (std::size_t t = problem.model.terms.size(); t < model.terms.size() && shapes == Shapes::held; ++t) {
     Term& term = model.terms[t];
     for (std::size_t k = 0; k < term.settings.size(); ++k)
@@ -82,6 +83,30 @@ std::vector<std::size_t> signatures_at(Problem& problem, std::vector<std::size_t
   return signatures;
 }
 
+// The columns of a model as open columns. Those that are flat get a prior many times as wide as the readings; they are
+// orthogonal under the filter, because nearly equal columns with such a prior would leave no digits.
+Eigen::MatrixXd as_open(const LinearModel& model, const Whitening& whitening) {
+  constexpr double kWide = 100.0, kNothingNew = 1e-10;
+  std::vector<Eigen::Index> flat, others;
+  for (std::size_t k = 0; k < model.is_flat.size(); ++k)
+    (model.is_flat[k] != 0 ? flat : others).push_back(static_cast<Eigen::Index>(k) + 1);
+  if (flat.empty()) return model.columns(Eigen::all, others);
+  const Eigen::MatrixXd columns = model.columns(Eigen::all, flat), white = whitened(whitening, columns);
+  const Eigen::VectorXd scale = white.colwise().norm().transpose().cwiseMax(1e-300).cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * (white.transpose() * white) *
+                                                             scale.asDiagonal());
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < eigen.eigenvalues().size(); ++k)
+    if (eigen.eigenvalues()[k] > kNothingNew) kept.push_back(k);
+  const auto count = static_cast<Eigen::Index>(kept.size());
+  const double wide = kWide * whitened(whitening, Eigen::VectorXd(model.columns.col(0))).norm();
+  Eigen::MatrixXd result(columns.rows(), count + static_cast<Eigen::Index>(others.size()));
+  result.leftCols(count) = wide * columns * scale.asDiagonal() * eigen.eigenvectors()(Eigen::all, kept) *
+                           eigen.eigenvalues()(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  result.rightCols(result.cols() - count) = model.columns(Eigen::all, others);
+  return result;
+}
+
 }  // namespace
 
 ConditionalFit conditional_fit(const Problem& problem, const Linearisation& linearisation,
@@ -103,6 +128,22 @@ ConditionalFit sharpened(Problem& problem, const Linearisation& linearisation, s
     signatures = signatures_at(problem, std::move(signatures),
                                std::span(best.parameters).subspan(problem.base_model->parameters()));
   return taken_over(problem, std::move(signatures), best);
+}
+
+void sharpen_beside(Problem& problem, const LinearModel& beside, const std::vector<std::size_t>& signatures,
+                    const NoiseFilter& filter) {
+  if (!problem.tuning.finer_shapes) return;
+  const Eigen::VectorXd y = beside.columns.col(0);
+  const Eigen::MatrixXd open = as_open(beside, filter.whitening);
+  Model nothing = problem.model;
+  nothing.terms.clear();
+  nothing.constant_um = 0.0;  // the columns have it
+  for (const std::size_t signature : signatures) {
+    auto [model, start] = with_effects(problem, nothing, {signature}, {0.0});
+    const BaseModel alone(model, problem.logged, y, problem.base.row);
+    const ShapeFit fitted = shape_fit(alone, std::move(start), {}, open, filter.whitening, problem.known, {50, 1e-9});
+    signatures_at(problem, {signature}, std::span(fitted.parameters).subspan(1));
+  }
 }
 
 }  // namespace ballbar

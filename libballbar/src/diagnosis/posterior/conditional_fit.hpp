@@ -24,4 +24,8 @@ ConditionalFit conditional_fit(const Problem& problem, const Linearisation& line
 ConditionalFit sharpened(Problem& problem, const Linearisation& linearisation, std::vector<std::size_t> signatures,
                          const std::vector<std::vector<double>>& starts, const NoiseFilter& filter);
 
+// Fits the shape of each signature alone beside a linear model, and adds it to the library if it is another one.
+void sharpen_beside(Problem& problem, const LinearModel& beside, const std::vector<std::size_t>& signatures,
+                    const NoiseFilter& filter);
+
 }  // namespace ballbar

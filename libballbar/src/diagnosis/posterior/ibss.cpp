@@ -174,6 +174,21 @@ std::vector<std::size_t> likeliest_set(const SumOfEffects& sum) {
   return set;
 }
 
+std::vector<std::size_t> sorted_set(const SumOfEffects& sum) {
+  std::vector<std::size_t> set = likeliest_set(sum);
+  std::sort(set.begin(), set.end());
+  return set;
+}
+
+std::vector<double> inclusion_probabilities(const SumOfEffects& sum, std::size_t identities) {
+  std::vector<double> p(identities, 1.0);
+  for (std::size_t i = 0; i < identities; ++i) {
+    for (const SingleEffect& one : sum.effects) p[i] *= std::max(0.0, 1.0 - one.alpha[i]);
+    p[i] = 1.0 - p[i];
+  }
+  return p;
+}
+
 Covariance covariance_beside(const Problem& problem, const SumOfEffects& sum, const Identities& identities,
                              const LinearModel& linear, const Covariance& start) {
   if (!problem.covariances.empty()) return start;

@@ -48,6 +48,10 @@ std::size_t likeliest_identity(const SingleEffect& one);
 
 // The identity of each single effect that is more likely present than absent.
 std::vector<std::size_t> likeliest_set(const SumOfEffects& sum);
+std::vector<std::size_t> sorted_set(const SumOfEffects& sum);
+
+// The posterior inclusion probability of each of this many identities: 1 - prod (1 - alpha).
+std::vector<double> inclusion_probabilities(const SumOfEffects& sum, std::size_t identities);
 
 // The most likely covariance of the same kind beside what the sum explains, from this one on; this one where the
 // problem has given ones.

@@ -86,6 +86,16 @@ std::vector<std::size_t> standing_shapes(const SignatureLibrary& library, const 
   return standing;
 }
 
+// Whether this effect has only a gain and a moment, and the times of the rows rise.
+bool jumps(const Problem& problem, std::size_t family) {
+  const Effect& effect = *problem.library.families[family].bound.effect;
+  if (!is_jump(effect)) return false;
+  for (const Term& given : problem.terms) {
+    if (given.effect->name == effect.name && given.settings[1].held) return false;  // its moment
+  }
+  return std::is_sorted(problem.time_s.begin(), problem.time_s.end());
+}
+
 }  // namespace
 
 Eigen::VectorXd combination_of(const Identities& identities,
@@ -101,15 +111,6 @@ Eigen::VectorXd combination_of(const Identities& identities,
   }
   std::partial_sum(jumps.begin(), jumps.end(), jumps.begin());
   return sum + jumps;
-}
-
-bool jumps(const Problem& problem, std::size_t family) {
-  const Effect& effect = *problem.library.families[family].bound.effect;
-  if (!is_jump(effect)) return false;
-  for (const Term& given : problem.terms) {
-    if (given.effect->name == effect.name && given.settings[1].held) return false;  // its moment
-  }
-  return std::is_sorted(problem.time_s.begin(), problem.time_s.end());
 }
 
 Identities identities_of(const Problem& problem, const Linearisation& linearisation,

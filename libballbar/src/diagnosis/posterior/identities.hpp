@@ -42,9 +42,6 @@ struct Identities {
 Eigen::VectorXd combination_of(const Identities& identities,
                                const std::vector<std::pair<Eigen::Index, double>>& coefficients);
 
-// Whether this effect has only a gain and a moment, and the times of the rows rise.
-bool jumps(const Problem& problem, std::size_t family);
-
 // With held values evaluated at the parameters of the linearisation. fitted_values: of each held value the one that a
 // fit finds in its place.
 Identities identities_of(const Problem& problem, const Linearisation& linearisation,

@@ -11,6 +11,7 @@
 
 #include "diagnosis/posterior/identities.hpp"
 #include "diagnosis/posterior/robust.hpp"
+#include "diagnosis/posterior/sets.hpp"
 #include "fit/model_columns.hpp"
 
 namespace ballbar {
@@ -19,22 +20,20 @@ namespace {
 constexpr std::size_t kValuesForAnEffect = 4;  // rows beyond the model's
 constexpr double kStill_um = 1e-9;             // rms of constant readings
 
-// Of a long series every k-th value is used: where the best set has jumps, all values about them. False: it has none,
-// or all are used already.
-bool use_all_about_jumps(Inference& inference, const Model& model, const Series& data, std::size_t target,
-                         ProblemOptions options) {
-  const Problem& problem = *inference.problem;
-  const std::vector<double>& values = find_column(data, model.targets[target])->values;
+// Of a long series every k-th value is used: where the mode has jumps, all values about them. Empty: it has none, or
+// all values are used already.
+std::vector<double> jumps_to_look_at_s(Problem& problem, const SearchResult& mode, std::size_t most_rows,
+                                       const std::vector<double>& values) {
   const auto known = std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
-  if (static_cast<std::size_t>(known) <= options.most_rows) return false;
-  const EffectSet& best = inference.posterior.sets[inference.posterior.best];
-  for (std::size_t m = 0; m < best.families.size(); ++m) {
-    if (jumps(problem, best.families[m]))
-      options.whole_about_s.push_back(problem.library.signatures[best.signatures[m]].point[1]);
+  if (!problem.tuning.whole_about_jumps || static_cast<std::size_t>(known) <= most_rows) return {};
+  std::vector<double> moments_s;
+  for (const SingleEffect& one : mode.sum.effects) {
+    const std::size_t identity = likeliest_identity(one);
+    if (one.p_any() < 0.5 || mode.identities.jump != identity) continue;
+    if (const auto jump = signature_of(problem, mode.identities, one.likeliest[identity]))
+      moments_s.push_back(problem.library.signatures[*jump].point[1]);
   }
-  if (options.whole_about_s.empty()) return false;
-  inference.problem = problem_of(model, data, target, options);
-  return true;
+  return moments_s;
 }
 
 std::vector<ProbableSoFar> probable_so_far(const Problem& problem, const std::vector<double>& p) {
@@ -62,18 +61,34 @@ Inference inference(const Model& model, const Series& data, std::size_t target, 
   const auto tell = [&](std::string_view step) {
     if (options.search.progress) options.search.progress(step);
   };
-  const auto infer = [&] {
-    result.posterior = posterior_of(*result.problem, result.largest);
-    if (options.search.so_far) options.search.so_far(probable_so_far(*result.problem, result.posterior.family));
+  const auto tell_so_far = [&](const std::vector<double>& p) {
+    if (options.search.so_far) options.search.so_far(probable_so_far(*result.problem, p));
+  };
+  const auto mode = [&] {
+    SearchResult found = mode_of(*result.problem, result.largest);
+    tell_so_far(inclusion_probabilities(found.sum, result.problem->effects));
+    return found;
+  };
+  const auto infer_from = [&](SearchResult found) {
+    result.posterior =
+        posterior_of(*result.problem, result.largest, likely_modes(*result.problem, result.largest, std::move(found)));
+    tell_so_far(result.posterior.family);
   };
   tell(fmt::format("weighing {} shapes of {} effects", first.library.signatures.size(), effects.size()));
   note_outliers(*result.problem);
-  infer();
-  if (options.search.tuning.whole_about_jumps && use_all_about_jumps(result, model, data, target, options)) {
+  SearchResult found = mode();
+  const std::vector<double> jumps_s =
+      jumps_to_look_at_s(*result.problem, found, options.most_rows, find_column(data, model.targets[target])->values);
+  if (!jumps_s.empty()) {
     tell("weighing again, every value about a jump");
+    ProblemOptions again = options;
+    again.whole_about_s.insert(again.whole_about_s.end(), jumps_s.begin(), jumps_s.end());
+    again.logged = nullptr;  // of other rows
+    result.problem = problem_of(model, data, target, again);
     note_outliers(*result.problem);
-    infer();
+    found = mode();
   }
+  infer_from(std::move(found));
   // On recordings no input of any form stands for the missing effects before they are found.
   Problem& problem = *result.problem;
   const EffectSet& best = result.posterior.sets[result.posterior.best];
@@ -84,7 +99,7 @@ Inference inference(const Model& model, const Series& data, std::size_t target, 
           result.posterior.filters[best.filter]))
     return result;
   tell("weighing again, outliers less");
-  infer();
+  infer_from(mode());
   return result;
 }
 

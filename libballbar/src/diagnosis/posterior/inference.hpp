@@ -18,8 +18,8 @@ struct Inference {
   bool is_still = false;    // the readings are constant
 };
 
-// Repeats the inference with every value near a detected jump, and on recordings with outliers that count less. Throws
-// Error as fit() does.
+// Of a long series every k-th value is used, and every value near a jump that the search finds. On recordings the
+// inference is repeated with outliers that count less. Throws Error as fit() does.
 Inference inference(const Model& model, const Series& data, std::size_t target, const ProblemOptions& options);
 
 // The family of the library; nullopt: none.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "ballbar/internal/numerics/parallel.hpp"
@@ -14,8 +15,9 @@
 namespace ballbar {
 namespace {
 
-// A covariance, and the sum of single effects that IBSS finds there.
+// A covariance of a mode, and the sum of single effects that IBSS finds there.
 struct WeightedSum {
+  std::size_t mode = 0;
   Covariance covariance;
   SumOfEffects sum;
   double log_weight = kLogZero;  // lower bound plus ln prior of the covariance
@@ -39,13 +41,13 @@ void align(const std::vector<SingleEffect>& to, std::size_t identities, std::vec
   }
 }
 
-// Of one kind of discrepancy the likelier of two sums, each at the covariance beside it: from the one that the search
-// found, and from nothing.
+// Of one kind of discrepancy the sum that the search found, at the covariance beside it. Of the first mode the likelier
+// of that and of the sum from nothing.
 WeightedSum weighted_sum(const Problem& problem, const SearchResult& found, const Covariance& start,
-                         std::size_t largest) {
+                         std::size_t largest, bool is_first_mode) {
   WeightedSum best;
   std::vector<SumOfEffects> starts{found.sum};
-  if (!likeliest_set(found.sum).empty()) starts.emplace_back();
+  if (is_first_mode && !likeliest_set(found.sum).empty()) starts.emplace_back();
   for (const SumOfEffects& from : starts) {
     WeightedSum one;
     one.covariance = covariance_beside(problem, from, found.identities, found.linearisation.linear, start);
@@ -57,46 +59,76 @@ WeightedSum weighted_sum(const Problem& problem, const SearchResult& found, cons
   return best;
 }
 
-Posterior averaged(Problem& problem, SearchResult searched, std::vector<WeightedSum> found) {
+// Sums of other modes that have come to the same effects as a likelier one of the same kind count once.
+void keep_different(std::vector<WeightedSum>& found) {
+  std::set<std::pair<Discrepancy, std::vector<std::size_t>>> known;
+  std::erase_if(found, [&](const WeightedSum& one) {
+    return !known.insert({discrepancy_of(one.covariance), sorted_set(one.sum)}).second;
+  });
+}
+
+// The single effects of a mode, averaged over its sums.
+PosteriorMode averaged(const std::vector<const WeightedSum*>& sums, const std::vector<double>& p,
+                       std::size_t identities) {
+  PosteriorMode mode{std::accumulate(p.begin(), p.end(), 0.0), {}};
+  std::size_t count = 0;
+  for (const WeightedSum* one : sums) count = std::max(count, one->sum.effects.size());
+  mode.effects.assign(count, {std::vector<double>(identities, 0.0)});
+  for (std::size_t g = 0; g < sums.size(); ++g) {
+    std::vector<SingleEffect> effects = sums[g]->sum.effects;
+    if (g > 0) align(sums.front()->sum.effects, identities, effects);
+    for (std::size_t l = 0; l < effects.size(); ++l) {
+      for (std::size_t i = 0; i < identities; ++i) mode.effects[l].alpha[i] += p[g] / mode.p * effects[l].alpha[i];
+    }
+  }
+  return mode;
+}
+
+// found: the likeliest first.
+Posterior posterior_over(Problem& problem, std::vector<SearchResult>& modes, const std::vector<WeightedSum>& found) {
   Posterior result;
-  const Identities& identities = searched.identities;
-  std::vector<double> weight;
-  for (const WeightedSum& one : found) weight.push_back(std::exp(one.log_weight - found.front().log_weight));
-  const double total = std::accumulate(weight.begin(), weight.end(), 0.0);
-  for (double& one : weight) one /= total;
+  std::vector<double> p;
+  p.reserve(found.size());
+  for (const WeightedSum& one : found) p.push_back(std::exp(one.log_weight - found.front().log_weight));
+  const double total = std::accumulate(p.begin(), p.end(), 0.0);
+  for (double& one : p) one /= total;
+  const Identities& identities = modes[found.front().mode].identities;
   const std::size_t count = identities.log_prior.size();
-  for (std::size_t g = 1; g < found.size(); ++g) align(found.front().sum.effects, count, found[g].sum.effects);
-  std::size_t effects = 0;
-  for (const WeightedSum& one : found) effects = std::max(effects, one.sum.effects.size());
-  result.effects.assign(effects, {std::vector<double>(count, 0.0)});
-  std::vector<double> p(count, 0.0);
+  std::vector<double> included(count, 0.0);
   result.nothing = result.none = result.discrepancy = 0.0;
   for (std::size_t g = 0; g < found.size(); ++g) {
     double none = 1.0;
-    std::vector<double> without(count, 1.0);
-    for (std::size_t l = 0; l < found[g].sum.effects.size(); ++l) {
-      const SingleEffect& one = found[g].sum.effects[l];
-      for (std::size_t i = 0; i < count; ++i) {
-        result.effects[l].alpha[i] += weight[g] * one.alpha[i];
-        without[i] *= std::max(0.0, 1.0 - one.alpha[i]);
-      }
-      none *= one.p_none();
-    }
-    for (std::size_t i = 0; i < count; ++i) p[i] += weight[g] * (1.0 - without[i]);
+    for (const SingleEffect& one : found[g].sum.effects) none *= one.p_none();
+    const std::vector<double> of_sum = inclusion_probabilities(found[g].sum, count);
+    for (std::size_t i = 0; i < count; ++i) included[i] += p[g] * of_sum[i];
     const bool slow = found[g].covariance.slow > 0.0;
-    result.none += weight[g] * none;
-    if (slow) result.discrepancy += weight[g];
-    if (!slow) result.nothing += weight[g] * none;
+    result.none += p[g] * none;
+    if (slow) result.discrepancy += p[g];
+    if (!slow) result.nothing += p[g] * none;
+    result.filters.push_back(noise_filter_at(problem, found[g].covariance));
   }
   const auto families = static_cast<std::ptrdiff_t>(identities.families);
-  result.family.assign(p.begin(), p.begin() + families);
-  result.held.assign(p.begin() + families, p.end());
-  result.kinds = std::move(searched.covariances);
-  result.linearisations.push_back(std::move(searched.linearisation));
-  const SumOfEffects likeliest = std::move(found.front().sum);
-  for (const WeightedSum& one : found) result.filters.push_back(noise_filter_at(problem, one.covariance));
-  result.identities = std::move(searched.identities);
-  add_sets(problem, result.identities, likeliest, result);
+  result.family.assign(included.begin(), included.begin() + families);
+  result.held.assign(included.begin() + families, included.end());
+  std::vector<ModeOfSets> of_sets;
+  std::set<std::size_t> known;
+  for (std::size_t g = 0; g < found.size(); ++g) {
+    const std::size_t mode = found[g].mode;
+    if (!known.insert(mode).second) continue;
+    std::vector<const WeightedSum*> sums;
+    std::vector<double> p_of;
+    for (std::size_t h = g; h < found.size(); ++h) {
+      if (found[h].mode != mode) continue;
+      sums.push_back(&found[h]);
+      p_of.push_back(p[h]);
+    }
+    result.modes.push_back(averaged(sums, p_of, count));
+    result.linearisations.push_back(modes[mode].linearisation);
+    of_sets.push_back({g, modes[mode].identities, found[g].sum});
+  }
+  add_sets(problem, of_sets, result);
+  result.kinds = std::move(modes[found.front().mode].covariances);
+  result.identities = std::move(modes[found.front().mode].identities);
   return result;
 }
 
@@ -106,16 +138,23 @@ double SinglePosterior::p_any() const { return std::accumulate(alpha.begin(), al
 
 double Posterior::p(const EffectSet& set) const { return std::exp(set.log_weight - log_total); }
 
-Posterior posterior_of(Problem& problem, std::size_t largest) {
-  SearchResult searched = search_result(problem, largest);
-  std::vector<WeightedSum> found(searched.covariances.size());
-  in_parallel(found.size(),
-              [&](std::size_t g) { found[g] = weighted_sum(problem, searched, searched.covariances[g], largest); });
+Posterior posterior_of(Problem& problem, std::size_t largest, std::vector<SearchResult> modes) {
+  std::vector<std::pair<std::size_t, Covariance>> starts;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    for (const Covariance& kind : modes[m].covariances) starts.emplace_back(m, kind);
+  }
+  std::vector<WeightedSum> found(starts.size());
+  in_parallel(found.size(), [&](std::size_t g) {
+    const auto& [mode, covariance] = starts[g];
+    found[g] = weighted_sum(problem, modes[mode], covariance, largest, mode == 0);
+    found[g].mode = mode;
+  });
   std::stable_sort(found.begin(), found.end(),
                    [](const WeightedSum& a, const WeightedSum& b) { return a.log_weight > b.log_weight; });
   const double far = found.front().log_weight - problem.tuning.far_from_best;
   std::erase_if(found, [&](const WeightedSum& one) { return one.log_weight < far; });
-  return averaged(problem, std::move(searched), std::move(found));
+  keep_different(found);
+  return posterior_over(problem, modes, found);
 }
 
 }  // namespace ballbar

@@ -1,4 +1,5 @@
-// The posterior of the missing part as a sum of single effects (ibss.hpp), averaged over the likely covariances.
+// The posterior of the missing part: a mixture of sums of single effects (ibss.hpp), one for each likely covariance of
+// each likely mode.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +10,7 @@
 #include "diagnosis/posterior/identities.hpp"
 #include "diagnosis/posterior/linearisation.hpp"
 #include "diagnosis/posterior/problem.hpp"
+#include "diagnosis/posterior/search.hpp"
 
 namespace ballbar {
 
@@ -16,6 +18,12 @@ namespace ballbar {
 struct SinglePosterior {
   std::vector<double> alpha;  // per identity: families of the library, then held values
   double p_any() const;
+};
+
+// A mode of the posterior, averaged over its covariances.
+struct PosteriorMode {
+  double p = 1.0;
+  std::vector<SinglePosterior> effects;
 };
 
 // A set of effects: one identity for some of the single effects, added to the model, or to the model with one held
@@ -27,16 +35,16 @@ struct EffectSet {
   // Where it is likeliest:
   std::vector<std::size_t> signatures;
   std::size_t filter = 0, linearisation = 0;
-  std::vector<std::size_t> single;  // per family the index of its single effect; empty for a requested set
+  std::vector<std::size_t> single;  // per family its single effect in the likeliest mode; empty: of no effect of it
 };
 
 struct Posterior {
-  std::vector<NoiseFilter> filters;  // of the covariances, the most likely first
+  std::vector<NoiseFilter> filters;  // of the sums, the most likely first
   std::vector<Covariance> kinds;     // the likeliest covariance of each kind of discrepancy, as the search found it
   std::vector<Linearisation>
-      linearisations;     // the model at its most likely parameters, then with one held parameter free
+      linearisations;     // the model at its most likely parameters, of each mode, then with one held parameter free
   Identities identities;  // at the first linearisation; shapes that a later fit adds to the library change no evidence
-  std::vector<SinglePosterior> effects;
+  std::vector<PosteriorMode> modes;  // the likeliest first
   std::vector<double> family, held;  // posterior inclusion probability of each family and each held value
   double nothing = 1.0;              // P of no effect, wrong held value and discrepancy
   double none = 1.0;                 // P of no effect and no wrong held value
@@ -49,8 +57,10 @@ struct Posterior {
   double p(const EffectSet& set) const;
 };
 
-// largest: largest number of effects. Shapes of likely effects between the points of the grid are added to the library.
-Posterior posterior_of(Problem& problem, std::size_t largest);
+// Of the modes that a search has found. The weight of a sum is exp(lower bound): the best mixture of distributions that
+// do not overlap (Jaakkola and Jordan 1998, Improving the mean field approximation via the use of mixture
+// distributions). largest: largest number of effects.
+Posterior posterior_of(Problem& problem, std::size_t largest, std::vector<SearchResult> modes);
 
 // The index of a requested set of effects; appends it if it is new.
 std::size_t set_of(Problem& problem, Posterior& posterior, std::vector<std::size_t> families);

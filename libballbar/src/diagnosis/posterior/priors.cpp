@@ -81,13 +81,13 @@ bool is_without_its_lag(const SignatureLibrary& library, const LoggedInputs& log
                std::none_of(effect.parameters.begin(), effect.parameters.end(), is_time);
       });
   if (!is_twin) return false;
-  double sample_s = 0.0;
+  double late_s = 0.0;
   for (const LoggedInput& input : logged.inputs) {
     if (std::find(bound.columns.begin(), bound.columns.end(), input.column) != bound.columns.end())
-      sample_s = std::max(sample_s, input.sample_s);
+      late_s = std::max(late_s, input.late_s);
   }
   for (std::size_t k = 0; k < point.size(); ++k) {
-    if (is_time(bound.effect->parameters[k]) && std::abs(point[k]) < tuning.shortest_lag * sample_s) return true;
+    if (is_time(bound.effect->parameters[k]) && std::abs(point[k]) < tuning.shortest_lag * late_s) return true;
   }
   return false;
 }

@@ -12,6 +12,8 @@
 #include "effects/effect_at.hpp"
 #include "model/resolved_periods.hpp"
 #include "numerics/standard_deviation.hpp"
+#include "series/saturated_rows.hpp"
+#include "series/stuck_rows.hpp"
 #include "series/subsampled.hpp"
 
 namespace ballbar {
@@ -51,24 +53,34 @@ std::vector<HeldParameter> held_parameters_of(const Model& model) {
   return held;
 }
 
+// Rows in which a sensor stands at the end of its range or is stuck; none if less than a third of the rows would
+// remain.
+std::set<std::size_t> rows_of_faults(const LoggedInputs& logged, const Fit& base, Level level, const Tuning& tuning) {
+  std::set<std::size_t> faults;
+  if (level != Level::series) return faults;
+  for (const LoggedInput& input : logged.inputs) faults.insert(input.at_end.begin(), input.at_end.end());
+  for (const std::size_t k : clipped_readings(base, tuning)) faults.insert(base.row[k]);
+  for (const std::size_t k : stuck_readings(base, tuning)) faults.insert(base.row[k]);
+  const auto count =
+      std::count_if(base.row.begin(), base.row.end(), [&](std::size_t row) { return faults.contains(row); });
+  if (static_cast<double>(count) > tuning.most_saturated * static_cast<double>(base.row.size())) faults.clear();
+  return faults;
+}
+
 // The variance of each reading that is known beforehand. Rows in whose sample an input changed tell nothing, nor those
-// in which a sensor stands at the end of its range, if at least a third remains.
-std::vector<double> stated_variance_of(const LoggedInputs& logged, const std::vector<std::size_t>& rows, Level level,
-                                       const Tuning& tuning) {
-  std::set<std::size_t> in_jumps, saturated;
+// of faults.
+std::vector<double> stated_variance_of(const LoggedInputs& logged, const std::vector<std::size_t>& rows,
+                                       const std::set<std::size_t>& faults, const Tuning& tuning) {
+  std::set<std::size_t> in_jumps;
   for (const LoggedInput& input : logged.inputs) {
     for (const Jump& jump : input.jumps) {
       for (std::size_t row = jump.first + 1; row < jump.last && tuning.rows_at_jumps; ++row) in_jumps.insert(row);
     }
-    saturated.insert(input.at_end.begin(), input.at_end.end());
   }
-  const auto count = std::count_if(rows.begin(), rows.end(), [&](std::size_t row) { return saturated.contains(row); });
-  if (level != Level::series || static_cast<double>(count) > tuning.most_saturated * static_cast<double>(rows.size()))
-    saturated.clear();
   std::vector<double> variance;
   variance.reserve(rows.size());
   for (const std::size_t row : rows)
-    variance.push_back(in_jumps.contains(row) || saturated.contains(row) ? kUnknownVariance : 0.0);
+    variance.push_back(in_jumps.contains(row) || faults.contains(row) ? kUnknownVariance : 0.0);
   return variance;
 }
 
@@ -104,6 +116,19 @@ std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vecto
 }
 
 }  // namespace
+
+std::vector<std::size_t> clipped_readings(const Fit& base, const Tuning& tuning) {
+  return saturated_rows(base.measured_um,
+                        {tuning.fewest_at_end, tuning.least_at_end, tuning.small_step, tuning.fewest_changes});
+}
+
+std::vector<std::size_t> stuck_readings(const Fit& base, const Tuning& tuning) {
+  std::vector<std::size_t> readings;
+  for (const RowRange& run : tuning.stuck_sensors ? stuck_runs(base.measured_um) : std::vector<RowRange>{}) {
+    for (std::size_t k = run.begin; k < run.end; ++k) readings.push_back(k);
+  }
+  return readings;
+}
 
 NoiseFilter noise_filter_at(const Problem& problem, const Covariance& covariance) {
   return {covariance, Whitening(covariance, problem.time_s,
@@ -181,27 +206,32 @@ Term term_of(const Problem& problem, const BoundEffect& bound) {
   return with_resolved_periods(given != nullptr ? *given : term_of(*bound.effect, bound.columns), problem.highest_Hz);
 }
 
+LoggedInputs logged_inputs_of(const Model& model, const Series& data, std::size_t target,
+                              const ProblemOptions& options) {
+  return logged_inputs(subsampled(data, model.targets.at(target), options.most_rows, options.whole_about_s),
+                       model.targets, options.search.tuning);
+}
+
 std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std::size_t target,
                                     const ProblemOptions& options) {
   auto problem = std::make_unique<Problem>();
   problem->tuning = options.search.tuning;
   const Tuning& tuning = problem->tuning;
-  const std::string& name = model.targets.at(target);
-  const Series rows = subsampled(data, name, options.most_rows, options.whole_about_s);
-  problem->logged = logged_inputs(rows, model.targets, tuning);
+  problem->logged = options.logged != nullptr ? *options.logged : logged_inputs_of(model, data, target, options);
   problem->base = base_fit(model, problem->logged.series, target);
   const Fit& base = problem->base;
   problem->time_s = base.time_s;
   problem->highest_Hz = highest_Hz(problem->time_s);
   problem->model = with_resolved_periods(model, problem->highest_Hz);
-  problem->at_jump_of_temperature = rows_of_temperature_jumps(rows, base.row, tuning);
+  problem->at_jump_of_temperature = rows_of_temperature_jumps(data, base.row, tuning);
   const auto n = static_cast<Eigen::Index>(base.row.size());
   problem->y = Eigen::VectorXd::Map(base.measured_um.data(), n);
   if (model.level == Level::series && !model.constant_um) {
     problem->centre_um = problem->y.mean();
     problem->y.array() -= problem->centre_um;
   }
-  problem->stated_variance = stated_variance_of(problem->logged, base.row, model.level, tuning);
+  problem->rows_of_faults = rows_of_faults(problem->logged, base, model.level, tuning);
+  problem->stated_variance = stated_variance_of(problem->logged, base.row, problem->rows_of_faults, tuning);
   problem->relative_variance.assign(base.row.size(), 1.0);
   if (!base.sigma_um.empty()) {
     double mean = 0.0;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,7 @@ struct Problem {
   LoggedInputs logged;
   Fit base;
   std::vector<double> time_s;
+  std::set<std::size_t> rows_of_faults;      // of saturated and stuck sensors; empty: none, or too many
   std::vector<double> stated_variance;       // kUnknownVariance of rows without information, else 0
   std::vector<double> relative_variance;     // of the white noise; larger for readings far from the others
   std::vector<LevelJump> level_jumps;        // of the target, none of them an effect
@@ -71,11 +73,20 @@ struct Problem {
 
 struct ProblemOptions {
   SearchOptions search;
-  std::vector<Term> terms;              // as Problem::terms
-  std::size_t most_rows = 1000;         // values of the target
-  std::vector<double> whole_about_s;    // use all values near these moments
-  std::vector<Covariance> covariances;  // given ones; empty: they are found
+  std::vector<Term> terms;               // as Problem::terms
+  std::size_t most_rows = 1000;          // values of the target
+  std::vector<double> whole_about_s;     // use all values near these moments
+  std::vector<Covariance> covariances;   // given ones; empty: they are found
+  const LoggedInputs* logged = nullptr;  // of these data, target and options; null: they are made
 };
+
+// The values of the target that an inference uses, with the inputs as they were.
+LoggedInputs logged_inputs_of(const Model& model, const Series& data, std::size_t target,
+                              const ProblemOptions& options);
+
+// Readings of the target in which its sensor stands at the end of its range, or is stuck.
+std::vector<std::size_t> clipped_readings(const Fit& base, const Tuning& tuning);
+std::vector<std::size_t> stuck_readings(const Fit& base, const Tuning& tuning);
 
 NoiseFilter noise_filter_at(const Problem& problem, const Covariance& covariance);
 

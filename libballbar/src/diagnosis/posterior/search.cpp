@@ -83,6 +83,13 @@ SetWithRivals set_with_rivals(Problem& problem, const SearchResult& found) {
   return result;
 }
 
+// Whether one of these signatures is of the same effect on the same columns.
+bool has_family_of(const Problem& problem, const std::vector<std::size_t>& signatures, std::size_t signature) {
+  const auto family = [&](std::size_t i) { return problem.library.signatures[i].family; };
+  return std::any_of(signatures.begin(), signatures.end(),
+                     [&](std::size_t i) { return family(i) == family(signature); });
+}
+
 // The parameters of the model beside the effects of the sum. The most likely shapes of these, and of their rivals,
 // become signatures.
 std::vector<double> sharpened_model(Problem& problem, SearchResult& found) {
@@ -103,12 +110,13 @@ std::vector<double> sharpened_model(Problem& problem, SearchResult& found) {
     if (usual != about.parameters) starts.push_back(std::move(usual));
   }
   ConditionalFit best = sharpened(problem, about, set, starts, filter);
+  const LinearModel model = linearisation_at(problem, held, best.parameters, about.open).linear;
   for (std::size_t m = 0; m < rivals.size(); ++m) {
-    for (const std::size_t rival : rivals[m]) {
-      std::vector<std::size_t> other = best.signatures;
-      other[m] = rival;
-      sharpened(problem, about, std::move(other), {best.parameters}, filter);
-    }
+    std::vector<std::size_t> others = best.signatures;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(m));
+    std::vector<std::size_t> alone = rivals[m];
+    std::erase_if(alone, [&](std::size_t rival) { return has_family_of(problem, others, rival); });
+    if (!alone.empty()) sharpen_beside(problem, with_signatures(problem, model, others), alone, filter);
   }
   if (!held) return best.parameters;
   // The gains beside the held value: what is open of times is in units of the gains.
@@ -118,18 +126,6 @@ std::vector<double> sharpened_model(Problem& problem, SearchResult& found) {
   return shape_fit(*problem.base_model, std::move(best.parameters), {}, found.linearisation.open, filter.whitening,
                    problem.known, {0})
       .parameters;
-}
-
-// Whether a shape of the model has moved by more than `same_model` of its prior sigma.
-bool is_elsewhere(const Problem& problem, const Linearisation& about, const std::vector<double>& parameters) {
-  for (std::size_t k = 1; k < parameters.size(); ++k) {
-    const Parameter& parameter = problem.base_model->parameter(k);
-    if (parameter.kind == ParameterKind::gain) continue;
-    if (std::abs(parameters[k] - about.parameters[k]) >
-        problem.tuning.same_model * reach_of(parameter, about.parameters[k]))
-      return true;
-  }
-  return false;
 }
 
 // The sum at a covariance, first with exactly these identities.
@@ -171,25 +167,42 @@ void settle_all(const Problem& problem, std::size_t largest, SearchResult& of) {
   of.sum = std::move(sums[best]);
 }
 
-// The model and the shapes about where the sum has them, and the sum there, until nothing moves.
-void converge(Problem& problem, std::size_t largest, SearchResult& found) {
+bool is_same_mode(const Problem& problem, const SearchResult& a, const SearchResult& b) {
+  return std::abs(log_weight_of(a) - log_weight_of(b)) < problem.tuning.better &&
+         sorted_set(a.sum) == sorted_set(b.sum);
+}
+
+// The model and the shapes about where the sum has them, and the sum there, until its weight stays, or the mode is the
+// other one. The last round is kept even where its weight is lower: about parameters that no fit has, the linear model
+// promises what the model cannot do.
+void converge(Problem& problem, std::size_t largest, SearchResult& found, const SearchResult* other = nullptr) {
   for (int round = 0; round < problem.tuning.most_refined; ++round) {
     const double before = log_weight_of(found);
-    const std::size_t shapes = problem.library.signatures.size();
-    Linearisation next = linearisation_at(problem, std::nullopt, sharpened_model(problem, found));
-    const bool is_new =
-        problem.library.signatures.size() > shapes || is_elsewhere(problem, found.linearisation, next.parameters);
-    found.linearisation = std::move(next);
+    found.linearisation = linearisation_at(problem, std::nullopt, sharpened_model(problem, found));
     found.identities = identities_of(problem, found.linearisation, found.fitted_values);
     found.sum = sum_from(problem, found, found.covariances.front(), largest, likeliest_set(found.sum));
     settle(problem, found, largest, found.covariances.front(), found.sum);
-    if (!is_new && log_weight_of(found) < before + problem.tuning.better) break;
+    if (std::abs(log_weight_of(found) - before) < problem.tuning.better) break;
+    if (other != nullptr && is_same_mode(problem, found, *other)) break;
+  }
+}
+
+// One mode for each set of identities, the likeliest first.
+void add_mode(const Problem& problem, SearchResult mode, std::vector<SearchResult>& modes) {
+  const auto same = std::find_if(modes.begin(), modes.end(),
+                                 [&](const SearchResult& one) { return sorted_set(one.sum) == sorted_set(mode.sum); });
+  const bool is_first = log_weight_of(mode) > log_weight_of(modes.front()) + problem.tuning.better;
+  if (same == modes.end()) {
+    modes.insert(is_first ? modes.begin() : modes.end(), std::move(mode));
+  } else if (log_weight_of(mode) > log_weight_of(*same) + problem.tuning.better) {
+    *same = std::move(mode);
+    if (is_first) std::rotate(modes.begin(), same, same + 1);
   }
 }
 
 }  // namespace
 
-SearchResult search_result(Problem& problem, std::size_t largest) {
+SearchResult mode_of(Problem& problem, std::size_t largest) {
   const std::vector<double> fit = fitted_parameters(problem);
   SearchResult found;
   found.linearisation = linearisation_at(problem, std::nullopt, fit);
@@ -198,15 +211,30 @@ SearchResult search_result(Problem& problem, std::size_t largest) {
   found.identities = identities_of(problem, found.linearisation, found.fitted_values);
   settle_all(problem, largest, found);
   converge(problem, largest, found);
-  if (!problem.tuning.refine) return found;
-  for (const std::size_t without : likeliest_set(found.sum)) {
-    if (found.identities.is_held_value(without)) continue;
-    SearchResult other = found;
-    other.sum = sum_without(problem, found, largest, without);
-    converge(problem, largest, other);
-    if (log_weight_of(other) > log_weight_of(found) + problem.tuning.better) found = std::move(other);
-  }
   return found;
+}
+
+std::vector<SearchResult> likely_modes(Problem& problem, std::size_t largest, SearchResult first) {
+  std::vector<SearchResult> modes;
+  modes.push_back(std::move(first));
+  if (!problem.tuning.refine) return modes;
+  const std::vector<SingleEffect> effects = modes.front().sum.effects;
+  for (const SingleEffect& one : effects) {
+    const SearchResult& found = modes.front();
+    const std::size_t without = likeliest_identity(one);
+    if (one.p_any() < 0.5 || found.identities.is_held_value(without)) continue;
+    SumOfEffects sum = sum_without(problem, found, largest, without);  // at the same covariance
+    const double far = problem.tuning.far_mode + problem.tuning.of_grid * std::max(0.0, one.log_odds);
+    if (sum.elbo < found.sum.elbo - far) continue;
+    SearchResult other = found;
+    other.sum = std::move(sum);
+    converge(problem, largest, other, &found);
+    add_mode(problem, std::move(other), modes);
+  }
+  if (!problem.tuning.modes) modes.resize(1);
+  const double far = log_weight_of(modes.front()) - problem.tuning.far_from_best;
+  std::erase_if(modes, [&](const SearchResult& one) { return log_weight_of(one) < far; });
+  return modes;
 }
 
 }  // namespace ballbar

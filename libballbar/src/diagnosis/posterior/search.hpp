@@ -17,8 +17,12 @@ struct SearchResult {
   SumOfEffects sum;  // at the first covariance
 };
 
-// largest: largest number of single effects. Shapes of likely effects between the points of the grid are added to the
-// library.
-SearchResult search_result(Problem& problem, std::size_t largest);
+// The mode to which the ascent leads from the fit of the model. largest: largest number of single effects. Shapes of
+// likely effects between the points of the grid are added to the library.
+SearchResult mode_of(Problem& problem, std::size_t largest);
+
+// This mode and those that the ascent finds with each of its effects left out once, if they are nearly as likely as the
+// likeliest, which is the first.
+std::vector<SearchResult> likely_modes(Problem& problem, std::size_t largest, SearchResult first);
 
 }  // namespace ballbar

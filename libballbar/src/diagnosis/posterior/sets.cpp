@@ -24,12 +24,13 @@ struct Choice {
 struct IdentityChoice {
   double p = 1.0;
   std::vector<std::size_t> identities;  // of each single effect
+  std::size_t mode = 0;
 };
 
-std::vector<std::vector<Choice>> choices_of(const Posterior& posterior, std::size_t families_of_effects,
+std::vector<std::vector<Choice>> choices_of(const PosteriorMode& mode, std::size_t families_of_effects,
                                             std::size_t families, const Tuning& tuning) {
   std::vector<std::vector<Choice>> all;
-  for (const SinglePosterior& one : posterior.effects) {
+  for (const SinglePosterior& one : mode.effects) {
     std::vector<Choice> choices;
     double none = 1.0;
     for (std::size_t i = 0; i < one.alpha.size(); ++i) {
@@ -65,15 +66,13 @@ std::vector<IdentityChoice> drawn(const std::vector<std::vector<Choice>>& choice
   return all;
 }
 
-// The model with a held value at another one.
-std::size_t linearisation_with_held(const Problem& problem, Posterior& posterior, std::size_t held, double value) {
-  for (std::size_t v = 1; v < posterior.linearisations.size(); ++v) {
-    if (posterior.linearisations[v].freed == held) return v;
-  }
-  std::vector<double> parameters = posterior.linearisations.front().parameters;
+// The model of a mode with a held value at another one.
+std::size_t linearisation_with_held(const Problem& problem, Posterior& posterior, std::size_t mode, std::size_t held,
+                                    double value) {
+  const Linearisation& of_mode = posterior.linearisations[mode];
+  std::vector<double> parameters = of_mode.parameters;
   parameters[problem.held[held].parameter] = value;
-  Linearisation linearisation =
-      linearisation_at(problem, held, std::move(parameters), posterior.linearisations.front().open);
+  Linearisation linearisation = linearisation_at(problem, held, std::move(parameters), of_mode.open);
   posterior.linearisations.push_back(std::move(linearisation));
   return posterior.linearisations.size() - 1;
 }
@@ -143,13 +142,15 @@ std::optional<std::size_t> signature_of(Problem& problem, const Identities& iden
   return signature_of_jump(problem, identities, static_cast<std::size_t>(one.first - identities.columns.cols()));
 }
 
-void add_sets(Problem& problem, const Identities& identities, const SumOfEffects& likeliest, Posterior& posterior) {
-  const std::size_t families = identities.families;
+void add_sets(Problem& problem, const std::vector<ModeOfSets>& modes, Posterior& posterior) {
+  const std::size_t families = modes.front().identities.families;
   std::map<std::pair<std::vector<std::size_t>, std::optional<std::size_t>>, std::size_t> place;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> with_held;  // of a mode
   // The best set first: the most likely identity of each single effect that is more likely present than absent.
-  std::vector<IdentityChoice> all{{}};
-  all.front().identities.reserve(posterior.effects.size());
-  for (const SinglePosterior& one : posterior.effects) {
+  const PosteriorMode& likeliest = posterior.modes.front();
+  std::vector<IdentityChoice> all{{likeliest.p, {}, 0}};
+  all.front().identities.reserve(likeliest.effects.size());
+  for (const SinglePosterior& one : likeliest.effects) {
     std::size_t identity = kNoSignature;
     double p = 0.0;
     for (std::size_t i = 0; i < one.alpha.size(); ++i) {
@@ -160,29 +161,45 @@ void add_sets(Problem& problem, const Identities& identities, const SumOfEffects
     all.front().identities.push_back(is_there ? identity : kNoSignature);
     all.front().p *= is_there ? p : 1.0 - one.p_any();
   }
-  all.push_back({posterior.none, std::vector<std::size_t>(posterior.effects.size(), kNoSignature)});
-  for (IdentityChoice& one : drawn(choices_of(posterior, problem.effects, families, problem.tuning), problem.tuning))
-    all.push_back(std::move(one));
+  all.push_back({posterior.none, std::vector<std::size_t>(likeliest.effects.size(), kNoSignature), 0});
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const PosteriorMode& mode = posterior.modes[m];
+    for (IdentityChoice& one : drawn(choices_of(mode, problem.effects, families, problem.tuning), problem.tuning)) {
+      one.p *= mode.p;
+      one.mode = m;
+      all.push_back(std::move(one));
+    }
+  }
   std::size_t by_themselves = 0;  // sets of the first two choices, whose P is theirs
   for (std::size_t d = 0; d < all.size(); ++d) {
     if (d <= 2) by_themselves = posterior.sets.size();
+    const std::size_t mode = all[d].mode;
+    const Identities& identities = modes[mode].identities;
+    const std::vector<SingleEffect>& effects = modes[mode].likeliest.effects;
     EffectSet set;
+    set.filter = modes[mode].filter;
+    set.linearisation = mode;
     std::vector<std::array<std::size_t, 3>> members;  // family, signature, single effect
     bool is_whole = true;
-    for (std::size_t l = 0; l < all[d].identities.size(); ++l) {
+    for (std::size_t l = 0; l < all[d].identities.size() && is_whole; ++l) {
       const std::size_t identity = all[d].identities[l];
       if (identity == kNoSignature) continue;
-      std::size_t shape = l < likeliest.effects.size() ? likeliest.effects[l].likeliest[identity] : kNoSignature;
+      std::size_t shape = l < effects.size() ? effects[l].likeliest[identity] : kNoSignature;
       if (shape == kNoSignature) shape = identities.first[identity];
+      is_whole = identities.count[identity] > 0;
+      if (!is_whole) continue;
       if (identities.is_held_value(identity)) {
         if (set.freed) continue;
         set.freed = identity - families;
-        set.linearisation = linearisation_with_held(problem, posterior, *set.freed, identities.shapes[shape].value);
+        const auto [at, is_new] = with_held.try_emplace({mode, *set.freed}, 0);
+        if (is_new)
+          at->second = linearisation_with_held(problem, posterior, mode, *set.freed, identities.shapes[shape].value);
+        set.linearisation = at->second;
         continue;
       }
       if (std::any_of(members.begin(), members.end(), [&](const auto& one) { return one[0] == identity; })) continue;
       const auto signature = signature_of(problem, identities, shape);
-      is_whole = is_whole && signature;
+      is_whole = signature.has_value();
       if (signature) members.push_back({identity, *signature, l});
     }
     if (!is_whole) continue;
@@ -190,12 +207,13 @@ void add_sets(Problem& problem, const Identities& identities, const SumOfEffects
     for (const auto& [family, signature, single] : members) {
       set.families.push_back(family);
       set.signatures.push_back(signature);
-      set.single.push_back(single);
+      if (mode == 0) set.single.push_back(single);
     }
     const auto [known, is_new] = place.try_emplace({set.families, set.freed}, posterior.sets.size());
     const double p = std::max(1e-300, all[d].p);
     if (!is_new) {
-      if (d < 2 || known->second < by_themselves) continue;
+      const bool is_counted = known->second < by_themselves && (mode == 0 || (set.families.empty() && !set.freed));
+      if (d < 2 || is_counted) continue;
       posterior.sets[known->second].log_weight = std::log(std::exp(posterior.sets[known->second].log_weight) + p);
       continue;
     }

@@ -158,6 +158,19 @@ std::vector<std::vector<double>> as_held(std::vector<std::vector<double>> points
   return points;
 }
 
+// Whether an effect of two columns has the same quantity in both: it would be one of that quantity alone.
+bool has_equal_inputs(const BoundInputs& bound) {
+  if (bound.values.size() != 2 || bound.is_half) return false;
+  constexpr double kRounding = 1e-9;
+  std::vector<Eigen::ArrayXd> about_mean;
+  for (const std::vector<double>& values : bound.values) {
+    const auto all = Eigen::ArrayXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+    about_mean.emplace_back(all - all.mean());
+  }
+  const double norms = about_mean[0].matrix().norm() * about_mean[1].matrix().norm();
+  return std::abs((about_mean[0] * about_mean[1]).sum()) > (1.0 - kRounding) * norms;
+}
+
 std::vector<EffectShapes> effect_shapes_of(const Catalogue& catalogue, const Model& model, const Series& data,
                                            const SignatureOptions& options) {
   std::vector<EffectShapes> result;
@@ -185,7 +198,7 @@ std::vector<EffectShapes> effect_shapes_of(const Catalogue& catalogue, const Mod
       if (has_term(model, *effect, names) && !effect->rules.may_repeat) continue;
       if (is_given(*effect, names)) continue;
       BoundInputs bound = inputs_of(*effect, names, data);
-      if (!bound.usable && !bound.is_half) continue;
+      if ((!bound.usable && !bound.is_half) || has_equal_inputs(bound)) continue;
       EffectShapes one{{{effect.get(), std::move(names)}, 0, 0}, std::move(bound), {}, {}};
       one.points = shapes_of(*effect, usual, one.bound.rows, options);
       one.gains.resize(one.points.size());

@@ -62,8 +62,8 @@ struct SignatureOptions {
 };
 
 // For the effects of the catalogue on the level of the model. Left out are families that the model has on the same
-// columns (except effects that may repeat), families whose inputs are constant or have gaps, and shapes at which an
-// effect equals another one (EffectRules::same_as_input).
+// columns (except effects that may repeat), families whose inputs are constant, equal or have gaps, and shapes at which
+// an effect equals another one (EffectRules::same_as_input).
 SignatureLibrary signature_library_of(const Catalogue& catalogue, const Model& model, const Series& data,
                                       const Fit& fit, SignatureOptions options = {});
 

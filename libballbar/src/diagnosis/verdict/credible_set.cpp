@@ -8,19 +8,23 @@
 
 namespace ballbar {
 std::vector<Driver> drivers_of(const Problem& problem, const Posterior& posterior) {
-  std::map<std::string, double> without;
-  for (const SinglePosterior& one : posterior.effects) {
-    std::map<std::string, double> with;
-    for (std::size_t f = 0; f < problem.library.families.size(); ++f) {
-      const std::vector<std::string>& columns = problem.library.families[f].bound.columns;
-      for (const std::string& column : std::set<std::string>(columns.begin(), columns.end()))
-        with[column] += one.alpha[f];
+  std::map<std::string, double> all;
+  for (const PosteriorMode& mode : posterior.modes) {
+    std::map<std::string, double> without;
+    for (const SinglePosterior& one : mode.effects) {
+      std::map<std::string, double> with;
+      for (std::size_t f = 0; f < problem.library.families.size(); ++f) {
+        const std::vector<std::string>& columns = problem.library.families[f].bound.columns;
+        for (const std::string& column : std::set<std::string>(columns.begin(), columns.end()))
+          with[column] += one.alpha[f];
+      }
+      for (const auto& [column, p] : with) without.try_emplace(column, 1.0).first->second *= std::max(0.0, 1.0 - p);
     }
-    for (const auto& [column, p] : with) without.try_emplace(column, 1.0).first->second *= std::max(0.0, 1.0 - p);
+    for (const auto& [column, p] : without) all[column] += mode.p * (1.0 - p);
   }
   std::vector<Driver> drivers;
-  for (const auto& [column, p] : without) {
-    if (1.0 - p >= 0.5) drivers.push_back({column, 1.0 - p});
+  for (const auto& [column, p] : all) {
+    if (p >= 0.5) drivers.push_back({column, p});
   }
   std::stable_sort(drivers.begin(), drivers.end(), [](const Driver& a, const Driver& b) { return a.p > b.p; });
   return drivers;

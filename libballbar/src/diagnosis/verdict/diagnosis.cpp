@@ -165,7 +165,7 @@ std::vector<Candidate> members_of(const Inference& inference, const EffectSet& s
     one.minor = one.amplitude_um < std::max(kMinor * inference.problem->base.rmse_um, tolerance_um);
     if (!(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.push_back(Doubt::weak_evidence);
     // More likely an input in any form than an effect of the catalogue.
-    const std::vector<double>& alpha = inference.posterior.effects[set.single[m]].alpha;
+    const std::vector<double>& alpha = inference.posterior.modes.front().effects[set.single[m]].alpha;
     const auto first = alpha.begin() + static_cast<std::ptrdiff_t>(inference.problem->effects),
                end = alpha.begin() + static_cast<std::ptrdiff_t>(inference.problem->library.families.size());
     one.other_form_likelier = std::accumulate(first, end, 0.0) > std::accumulate(alpha.begin(), first, 0.0);
@@ -179,7 +179,8 @@ std::vector<std::vector<BoundEffect>> alternatives_of(const Inference& inference
   std::vector<std::vector<BoundEffect>> result;
   for (const std::size_t l : set.single) {
     result.emplace_back();
-    for (const std::size_t i : credible_set(inference.posterior.effects[l], inference.problem->tuning.credible)) {
+    for (const std::size_t i :
+         credible_set(inference.posterior.modes.front().effects[l], inference.problem->tuning.credible)) {
       if (i < inference.problem->effects) result.back().push_back(inference.problem->library.families[i].bound);
     }
   }
@@ -224,7 +225,9 @@ void describe_discrepancy(const Inference& inference, const EffectSet& best, con
 
 void tell_what_was_not_used(const Problem& problem, const Model& model, const Series& data, Diagnosis& result) {
   if (model.level != Level::series) return;
+  result.has_clock = data.has_clock;
   result.saturated = saturated_sensors(problem);
+  result.equal_columns = problem.logged.equal;
   result.set_aside = far_readings(find_column(data, result.target)->values).size();
   result.level_jumps = problem.level_jumps.size();
   std::vector<double> sizes_um;
@@ -292,7 +295,8 @@ Diagnosis diagnosis_of(Inference& inference, const Model& model, const Series& d
   result.noise = noise_of(posterior.filters[best.filter].covariance, at.solution.variance, problem.known.variance);
   describe_discrepancy(inference, best, options.search.catalogue, result);
   tell_what_was_not_used(problem, model, data, result);
-  const bool is_all_searched = !tuning.columns_not_searched || result.columns_not_searched.empty();
+  const bool is_all_searched =
+      !tuning.columns_not_searched || (result.columns_not_searched.empty() && result.has_clock);
   if (model.level == Level::series) result.drivers = drivers_of(problem, posterior);
   for (Driver& driver : result.drivers) driver.is_clear = is_all_searched;
   tell_detectability(problem, model, options, result.noise, result);

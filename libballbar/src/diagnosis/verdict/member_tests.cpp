@@ -215,9 +215,10 @@ Candidate with_tests(Candidate one, const Effect& effect, const SetRegression& a
   return one;
 }
 
-double held_out_um(const Model& model, const Series& data, std::size_t target) {
+double held_out_um(const Model& model, const Series& data, std::size_t target, const LoggedInputs* logged) {
   ProblemOptions alone;
   alone.search.catalogue.clear();
+  alone.logged = logged;
   const Inference found = inference(model, data, target, alone);
   if (found.posterior.sets.empty()) return std::numeric_limits<double>::quiet_NaN();
   const Problem& problem = *found.problem;
@@ -229,9 +230,11 @@ double held_out_um(const Model& model, const Series& data, std::size_t target) {
 
 void leave_cycles_out(const Model& model, const std::vector<std::size_t>& terms, const Series& data, std::size_t target,
                       std::vector<Candidate>& candidates) {
-  const double after_um = held_out_um(model, data, target);
+  if (candidates.empty()) return;
+  const LoggedInputs logged = logged_inputs_of(model, data, target, {});
+  const double after_um = held_out_um(model, data, target, &logged);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    candidates[k].held_out_before_um = held_out_um(model_without(model, terms[k]), data, target);
+    candidates[k].held_out_before_um = held_out_um(model_without(model, terms[k]), data, target, &logged);
     candidates[k].held_out_after_um = after_um;
   }
 }

@@ -19,7 +19,7 @@ Candidate with_tests(Candidate one, const Effect& effect, const SetRegression& a
 
 // RMSE of the model in left-out cycles (recordings), each predicted from the others; NaN: unknown. Throws Error as
 // fit() does.
-double held_out_um(const Model& model, const Series& data, std::size_t target);
+double held_out_um(const Model& model, const Series& data, std::size_t target, const LoggedInputs* logged = nullptr);
 
 // Sets held_out_before_um and held_out_after_um of candidates that are these terms of the model, as the ledger has
 // them.

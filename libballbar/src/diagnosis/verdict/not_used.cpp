@@ -22,17 +22,22 @@ std::vector<ColumnNotSearched> columns_not_searched(const Problem& problem, cons
       continue;
     const bool has_gaps =
         std::any_of(column.values.begin(), column.values.end(), [](double value) { return !std::isfinite(value); });
-    found.push_back({column.name, has_gaps});
+    found.push_back({column.name, has_gaps, false});
   }
+  for (const std::string& column : problem.logged.series.unread) found.push_back({column, false, true});
   return found;
 }
 
 std::vector<Saturated> saturated_sensors(const Problem& problem) {
-  const auto rows = static_cast<double>(std::max<std::size_t>(1, problem.logged.series.time_s.size()));
   std::vector<Saturated> found;
-  for (const LoggedInput& input : problem.logged.inputs) {
-    if (!input.at_end.empty()) found.push_back({input.column, static_cast<double>(input.at_end.size()) / rows});
-  }
+  if (problem.rows_of_faults.empty()) return found;
+  const auto rows = static_cast<double>(problem.logged.series.time_s.size());
+  const auto add = [&](const std::string& column, std::size_t count, bool is_stuck) {
+    if (count > 0) found.push_back({column, static_cast<double>(count) / rows, is_stuck});
+  };
+  for (const LoggedInput& input : problem.logged.inputs) add(input.column, input.at_end.size(), input.is_stuck);
+  add(problem.base.target, clipped_readings(problem.base, problem.tuning).size(), false);
+  add(problem.base.target, stuck_readings(problem.base, problem.tuning).size(), true);
   return found;
 }
 

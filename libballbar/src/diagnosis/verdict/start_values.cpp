@@ -13,7 +13,9 @@ void begin_at(Term& term, const Term& fitted) {
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
     Setting& setting = term.settings[k];
     if (setting.held || setting.stated || term.effect->parameters[k].kind == ParameterKind::gain) continue;
-    setting.start = fitted.settings[k].start;
+    const double start = fitted.settings[k].start;
+    if (start < setting.lower || start > setting.upper) continue;  // found within another range
+    setting.start = start;
     setting.stated = true;
   }
 }

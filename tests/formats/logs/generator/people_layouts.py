@@ -86,7 +86,7 @@ def logs():
     yield layout("layout_19_percent_heads", t3, separator="\t", ending=".txt", edit=lambda rows: rows[0].__setitem__(0, "% " + rows[0][0]))
     yield layout("layout_20_running_number", t3, lead=[("Nr.", [str(i + 1) for i in range(70)])], **de)
     yield layout("layout_21_remarks", ["load"] + t3, behind=[("Remark", ["tool change" if i == 20 else "" for i in range(70)])])
-    yield layout("layout_22_program_names", ["speed", "load"], lead=[("Program", ["O1001" if i < 40 else "O2002" for i in range(70)])])
+    yield layout("layout_22_program_names", ["speed", "load"], lead=[("Program", ["O1001" if i < 25 else "O2002" if i < 50 else "O3003" for i in range(70)])])
     yield layout("layout_23_heads_again", t3, edit=lambda rows: rows.insert(36, list(rows[0])))
     yield layout("layout_24_mean_below", t3, below="Mean,22.1,21.9,20.8\nMax,25.0,24.1,21.3\n")
     yield layout("layout_25_title_line", t3, above='"Warm-up of 24 November, all doors closed"\n', style="round")

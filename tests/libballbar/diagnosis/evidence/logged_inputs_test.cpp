@@ -93,7 +93,7 @@ TEST(LoggedInputs, a_held_speed_changes_in_the_middle_of_its_sample) {
   data.columns = {{"n_rpm", Role::speed, held(exact, 4, 2)}, {"T_degC", Role::structure, held(degC, 4, 2)}};
   const LoggedInputs found = logged_inputs(data, {});
   const LoggedInput& speed = input(found, "n_rpm");
-  EXPECT_EQ(speed.sample_s, 60.0);
+  EXPECT_EQ(speed.late_s, 60.0);
   ASSERT_EQ(speed.jumps.size(), 10U);
   for (const Jump& jump : speed.jumps) {
     EXPECT_EQ(jump.last - jump.first, 4U);
@@ -112,7 +112,7 @@ TEST(LoggedInputs, a_held_temperature_is_drawn_through_its_samples) {
   const std::vector<double> degC = read(data, degC_at);
   data.columns = {{"T_degC", Role::structure, held(degC, 4, 1)}};
   const LoggedInputs found = logged_inputs(data, {});
-  EXPECT_EQ(input(found, "T_degC").sample_s, 60.0);
+  EXPECT_EQ(input(found, "T_degC").late_s, 60.0);
   EXPECT_FALSE(input(found, "T_degC").is_stepped);
   const double before_K = rms_difference(data.columns[0].values, degC);
   EXPECT_GT(before_K, 0.01);
@@ -127,7 +127,7 @@ TEST(LoggedInputs, a_dead_thermometer_does_not_tell_the_sampling) {
   data.columns.push_back({"T_dead_degC", Role::structure, std::vector<double>(400, 20.0)});
   data.columns.back().values.back() = 20.1;
   data.columns.push_back({"speed_rpm", Role::speed, held(read(data, rpm_at), 4, 1)});
-  EXPECT_EQ(input(logged_inputs(data, {}), "speed_rpm").sample_s, 60.0);
+  EXPECT_EQ(input(logged_inputs(data, {}), "speed_rpm").late_s, 60.0);
 }
 
 TEST(LoggedInputs, a_ramped_speed_is_a_step) {

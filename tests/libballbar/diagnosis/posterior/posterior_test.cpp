@@ -150,16 +150,25 @@ TEST(Posterior, is_of_probabilities) {
     const Inference found = weighed_by(made::by_speed(), made::drift({room_um_per_K, 1, 200}));
     const Posterior& posterior = found.posterior;
     EXPECT_LE(posterior.nothing, posterior.none + 1e-12);
-    for (const SinglePosterior& one : posterior.effects) {
-      EXPECT_LE(one.p_any(), 1.0 + 1e-9);
-      for (const double p : one.alpha) EXPECT_GE(p, 0.0);
+    double of_modes = 0.0;
+    for (const PosteriorMode& mode : posterior.modes) {
+      of_modes += mode.p;
+      for (const SinglePosterior& one : mode.effects) {
+        EXPECT_LE(one.p_any(), 1.0 + 1e-9);
+        for (const double p : one.alpha) EXPECT_GE(p, 0.0);
+      }
     }
+    EXPECT_NEAR(of_modes, 1.0, 1e-12);
     // Of an effect: that one of the single effects is it.
     for (std::size_t f = 0; f < found.problem->effects; ++f) {
       double most = 0.0, all = 0.0;
-      for (const SinglePosterior& one : posterior.effects) {
-        most = std::max(most, one.alpha[f]);
-        all += one.alpha[f];
+      for (const PosteriorMode& mode : posterior.modes) {
+        double in_mode = 0.0;
+        for (const SinglePosterior& one : mode.effects) {
+          in_mode = std::max(in_mode, one.alpha[f]);
+          all += mode.p * one.alpha[f];
+        }
+        most += mode.p * in_mode;
       }
       EXPECT_GE(posterior.family[f], most - 1e-9);
       EXPECT_LE(posterior.family[f], all + 1e-9);

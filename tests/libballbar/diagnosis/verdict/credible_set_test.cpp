@@ -18,7 +18,7 @@ Problem with_three() {
 
 Posterior of_two() {
   Posterior posterior;
-  posterior.effects = {{{0.5, 0.1, 0.3}}, {{0.0, 0.6, 0.02}}};
+  posterior.modes = {{1.0, {{{0.5, 0.1, 0.3}}, {{0.0, 0.6, 0.02}}}}};
   return posterior;
 }
 
@@ -32,10 +32,21 @@ TEST(Probabilities, of_columns) {
   EXPECT_NEAR(drivers[1].p, 0.772, 1e-12);
 }
 
+// Of two modes that exclude each other: the bending is in the first, the expansion with B in the second.
+TEST(Probabilities, of_columns_in_two_modes) {
+  Posterior posterior;
+  posterior.modes = {{0.7, {{{0.0, 0.0, 1.0}}}}, {0.3, {{{0.0, 1.0, 0.0}}}}};
+  const std::vector<Driver> drivers = drivers_of(with_three(), posterior);
+  ASSERT_EQ(drivers.size(), 2U);
+  EXPECT_EQ(drivers[0].column, "B_degC");
+  EXPECT_NEAR(drivers[0].p, 1.0, 1e-12);
+  EXPECT_NEAR(drivers[1].p, 0.7, 1e-12);
+}
+
 // 0.95 of 0.9 is 0.855: 0.5 + 0.3 falls short of it. 0.95 of 0.62 is 0.589.
 TEST(Probabilities, credible_sets) {
-  EXPECT_EQ(credible_set(of_two().effects[0]), (std::vector<std::size_t>{0, 2, 1}));
-  EXPECT_EQ(credible_set(of_two().effects[1]), (std::vector<std::size_t>{1}));
+  EXPECT_EQ(credible_set(of_two().modes[0].effects[0]), (std::vector<std::size_t>{0, 2, 1}));
+  EXPECT_EQ(credible_set(of_two().modes[0].effects[1]), (std::vector<std::size_t>{1}));
 }
 
 }  // namespace

@@ -10,11 +10,12 @@ namespace ballbar {
 TableOf<std::string> columns_of(const BoundEffect& bound);
 
 template <>
-inline constexpr auto kResult<BoundEffect> =
-    ResultType{"Bound", "An effect on columns of the data.",
-               std::tuple{Field{"effect", [](const BoundEffect& bound) { return bound.effect->name; },
-                                "as `ballbar effects` lists it"},
-                          Field{"columns", &columns_of, "by role"}}};
+inline constexpr auto kResult<BoundEffect> = ResultType("Bound", "An effect on columns of the data.",
+                                                        Field{"effect", in(&BoundEffect::effect, &Effect::name),
+                                                              "as `ballbar effects` lists it"},
+                                                        Field{"columns", &columns_of, "by role"});
+
+inline std::string label(const BoundEffect& bound) { return label_of(bound); }
 
 // A parameter of a candidate, with its interval of 95 %.
 struct CandidateParameter {
@@ -24,44 +25,42 @@ struct CandidateParameter {
 std::vector<CandidateParameter> parameters_of(const Candidate& candidate);
 
 template <>
-inline constexpr auto kResult<CandidateParameter> = ResultType{
-    "CandidateParameter", "A parameter of a candidate.",
-    std::tuple{Field{"name", [](const CandidateParameter& of) { return of.parameter.name; }, "with its unit"},
-               Field{"value", [](const CandidateParameter& of) { return of.parameter.value; }, ""},
-               Field{"sigma", [](const CandidateParameter& of) { return of.parameter.sigma; }, "null: not determined"},
-               Field{"low", [](const CandidateParameter& of) { return of.interval.low; }, "of the interval of 95 %"},
-               Field{"high", [](const CandidateParameter& of) { return of.interval.high; }, ""},
-               Field{"unit", [](const CandidateParameter& of) { return of.parameter.unit; }, ""}}};
+inline constexpr auto kResult<CandidateParameter> =
+    ResultType("CandidateParameter", "A parameter of a candidate.",
+               Field{"name", in(&CandidateParameter::parameter, &FittedParameter::name), "with its unit"},
+               Field{"value", in(&CandidateParameter::parameter, &FittedParameter::value)},
+               Field{"sigma", in(&CandidateParameter::parameter, &FittedParameter::sigma), "null: not determined"},
+               Field{"low", in(&CandidateParameter::interval, &Interval::low), "of the interval of 95 %"},
+               Field{"high", in(&CandidateParameter::interval, &Interval::high)},
+               Field{"unit", in(&CandidateParameter::parameter, &FittedParameter::unit)});
 
 template <>
-inline constexpr auto kResult<Driver> =
-    ResultType{"Driver", "A column that drives what is missing, whatever its form.",
-               std::tuple{Field{"column", &Driver::column, ""}, Field{"p", &Driver::p, "probability"},
-                          Field{"is_clear", &Driver::is_clear,
-                                "false: beside a larger slow drift, or other columns of a few readings"}}};
+inline constexpr auto kResult<Driver> = ResultType(
+    "Driver", "A column that drives what is missing, whatever its form.", Field{"column", &Driver::column},
+    Field{"p", &Driver::p, "probability"},
+    Field{"is_clear", &Driver::is_clear, "false: beside a larger slow drift, or other columns of a few readings"});
 
 template <>
-inline constexpr auto kResult<Saturated> =
-    ResultType{"Saturated", "A column whose sensor stands at the end of its range.",
-               std::tuple{Field{"column", &Saturated::column, ""},
-                          Field{"share", &Saturated::share, "of the rows, which are set aside"}}};
+inline constexpr auto kResult<Saturated> = ResultType(
+    "Saturated", "A column whose sensor stands at the end of its range, or is stuck.",
+    Field{"column", &Saturated::column}, Field{"share", &Saturated::share, "of the rows, which are set aside"},
+    Field{"is_stuck", &Saturated::is_stuck, "whether it is stuck, else at the end of its range"});
 
 template <>
-inline constexpr auto kResult<OwnValue> =
-    ResultType{"OwnValue", "A value that the model holds, and that may be another one.",
-               std::tuple{Field{"effect", &OwnValue::effect, "of the model, with its columns"},
-                          Field{"parameter", &OwnValue::parameter, ""}, Field{"unit", &OwnValue::unit, ""},
-                          Field{"held", &OwnValue::held, "as the model has it"},
-                          Field{"fitted", &OwnValue::fitted, "as the data have it"},
-                          Field{"low", [](const OwnValue& own) { return own.interval.low; }, "of the interval of 95 %"},
-                          Field{"high", [](const OwnValue& own) { return own.interval.high; }, ""},
-                          Field{"p", &OwnValue::p, "probability that it is another one"}}};
+inline constexpr auto kResult<OwnValue> = ResultType(
+    "OwnValue", "A value that the model holds, and that may be another one.",
+    Field{"effect", &OwnValue::effect, "of the model, with its columns"}, Field{"parameter", &OwnValue::parameter},
+    Field{"unit", &OwnValue::unit}, Field{"held", &OwnValue::held, "as the model has it"},
+    Field{"fitted", &OwnValue::fitted, "as the data have it"},
+    Field{"low", in(&OwnValue::interval, &Interval::low), "of the interval of 95 %"},
+    Field{"high", in(&OwnValue::interval, &Interval::high)},
+    Field{"p", &OwnValue::p, "probability that it is another one"});
 
 template <>
 inline constexpr auto kResult<EffectProbability> =
-    ResultType{"EffectProbability", "An effect, and the probability that it is missing.",
-               std::tuple_cat(fields_through(&EffectProbability::bound, kResult<BoundEffect>.fields),
-                              std::tuple{Field{"p", &EffectProbability::p, "probability"}})};
+    ResultType("EffectProbability", "An effect, and the probability that it is missing.",
+               fields_of(&EffectProbability::bound), Field{"p", &EffectProbability::p, "probability"},
+               Field{"label", in(&EffectProbability::bound, &label), "of the effect, with its columns"});
 
 // An effect with more choices of columns than were searched.
 struct NotSearched {
@@ -71,11 +70,11 @@ struct NotSearched {
 std::vector<NotSearched> not_searched_of(const Diagnosis& found);
 
 template <>
-inline constexpr auto kResult<NotSearched> =
-    ResultType{"NotSearched", "An effect with more choices of columns than were searched.",
-               std::tuple{Field{"effect", &NotSearched::effect, ""},
-                          Field{"choices_of_columns", &NotSearched::choices_of_columns, ""},
-                          Field{"searched", &NotSearched::searched, "of these"}}};
+inline constexpr auto kResult<NotSearched> = ResultType("NotSearched",
+                                                        "An effect with more choices of columns than were searched.",
+                                                        Field{"effect", &NotSearched::effect},
+                                                        Field{"choices_of_columns", &NotSearched::choices_of_columns},
+                                                        Field{"searched", &NotSearched::searched, "of these"});
 
 // A gain in one run.
 struct GainOfRun {
@@ -84,16 +83,15 @@ struct GainOfRun {
 std::vector<GainOfRun> runs_of(const GainByRun& gain);
 
 template <>
-inline constexpr auto kResult<GainOfRun> =
-    ResultType{"GainOfRun", "A gain in one run.",
-               std::tuple{Field{"gain", &GainOfRun::gain, ""}, Field{"sigma", &GainOfRun::sigma, ""}}};
+inline constexpr auto kResult<GainOfRun> = ResultType("GainOfRun", "A gain in one run.",
+                                                      Field{"gain", &GainOfRun::gain},
+                                                      Field{"sigma", &GainOfRun::sigma});
 
 template <>
 inline constexpr auto kResult<GainByRun> =
-    ResultType{"GainByRun", "A gain that is another one from run to run.",
-               std::tuple{Field{"effect", &GainByRun::effect, "with its columns"},
-                          Field{"parameter", &GainByRun::parameter, ""}, Field{"unit", &GainByRun::unit, ""},
-                          Field{"p", &GainByRun::p, "of gains as different, were it one gain"},
-                          Field{"runs", [](const GainByRun& gain) { return runs_of(gain); }, "the gain in each"}}};
+    ResultType("GainByRun", "A gain that is another one from run to run.",
+               Field{"effect", &GainByRun::effect, "with its columns"}, Field{"parameter", &GainByRun::parameter},
+               Field{"unit", &GainByRun::unit}, Field{"p", &GainByRun::p, "of gains as different, were it one gain"},
+               Field{"runs", [](const GainByRun& gain) { return runs_of(gain); }, "the gain in each"});
 
 }  // namespace ballbar

@@ -63,11 +63,13 @@ struct Tuning {
   std::size_t fewest_changes = 8;    // of a column, to determine its sampling interval
   bool steps_within_samples = true;  // a step is drawn in the middle of its sample
   bool smoothing = true;             // of temperatures
+  bool equal_columns = true;         // those that measure the same quantity get the mean of their curves
   bool rows_at_jumps = true;         // rows within the sample of a step tell nothing
   // Saturated sensors: the rows at the end of a sensor's range are set aside.
   std::size_t fewest_at_end = 10;     // rows of a run
   double least_at_end = 0.05;         // share of all rows; off: 1
   double small_step = 1.5;            // resolutions: a sensor that comes to rest takes such steps before
+  bool stuck_sensors = true;          // stuck sensors, too
   double most_saturated = 2.0 / 3.0;  // share of the rows; with more, none is set aside
   // A jump of the target within `rows_about_jump` rows of one of a temperature is that of the temperature.
   double temperature_jump = 0.2;         // share of its range, from row to row; off: 1
@@ -86,7 +88,7 @@ struct Tuning {
   double pairs = 0.1;         // P of all effects of two columns together
   double forms = 0.05;        // P of inputs in any form together; off: 0
   double at_once = 0.5;       // P of the shapes of an effect that have no lag, of those of one that may have; off: 0
-  double shortest_lag = 2.0;  // samples; a shorter lag is the sampling of the logger; off: 0
+  double shortest_lag = 2.0;  // samples of its logger; a shorter lag is the sampling; off: 0
 
   // Covariance of the readings (posterior/hyperparameters). The longest memory of the noise is SearchOptions'.
   double discrepancy = 0.2;                  // P of a slow drift without a cause; off: 0
@@ -122,16 +124,17 @@ struct Tuning {
   double far_rival = 7.0;         // ln: a rival so much weaker gets none
   double of_grid = 0.1;           // more, of the evidence gained: a coarse grid may cost so much
   bool refine = true;             // each effect of the sum is left out once
+  double far_mode = 30.0;         // ln: a mode so far below at first is not followed; off: infinity
   int most_refined = 3;           // times
   double same_shape = 0.01;       // relative
-  double same_model = 0.02;       // of a shape's prior sigma
   double better = 0.05;           // ln: smallest improvement
   double better_fit = 1e-3;       // of the square
   double usual_time_s = 1500.0;   // second start of a model whose fit has diverged; off: infinity
   bool whole_about_jumps = true;  // of a thinned series all values about a jump
 
   // Averages (posterior/posterior, sets).
-  double far_from_best = 7.0;  // ln: kinds of discrepancy this far are left out
+  double far_from_best = 7.0;  // ln: kinds of discrepancy and modes this far are left out
+  bool modes = true;           // other modes than the likeliest
   double least_of_set = 1e-3;  // smallest P of a listed set
   std::size_t most_sets = 200;
 
@@ -145,6 +148,13 @@ struct Tuning {
   bool beside_discrepancy = true;    // beside a larger drift no cause is named
   bool jump_that_stays = true;       // a jump explains more than a change that the noise forgets
   bool columns_not_searched = true;  // beside a column that was not searched nothing is certain
+};
+
+// Columns that measure the same quantity: equal up to a factor near 1, a constant and noise. No data tell them apart.
+// `column` stands for all that are equal to it.
+struct EqualColumns {
+  std::string column, other;
+  bool operator==(const EqualColumns&) const = default;
 };
 
 // ---- Options of a search for missing effects.
@@ -164,7 +174,8 @@ struct SearchOptions {
   Tuning tuning;
   // Called before each step, in the calling thread: "testing 2 effects".
   std::function<void(std::string_view step)> progress;
-  // Called with all effects, the most probable first, after each inference; in the calling thread.
+  // Called with all effects, the most probable first, in the calling thread: after the first ascent with the
+  // probabilities of its mode, at last with those of the posterior.
   std::function<void(const std::vector<ProbableSoFar>& effects)> so_far;
 };
 

@@ -141,12 +141,14 @@ struct GainByRun {
 struct ColumnNotSearched {
   std::string column;
   bool has_gaps = false;  // else no effect reads it
+  bool is_words = false;  // Series::unread
 };
 
-// A sensor that stands at the end of its range.
+// A sensor that stands at the end of its range, or that is stuck; it may be that of the target.
 struct Saturated {
   std::string column;
   double share = 0.0;  // of the rows, which are set aside
+  bool is_stuck = false;
 };
 
 struct Diagnosis {
@@ -167,7 +169,9 @@ struct Diagnosis {
   std::string discrepancy_parameter;  // "time constant"
   double discrepancy_time_s = 0.0;    // of that parameter
   std::vector<ColumnNotSearched> columns_not_searched;
+  bool has_clock = true;  // else no lag was searched, and nothing is certain
   std::vector<Saturated> saturated;
+  std::vector<EqualColumns> equal_columns;
   std::size_t set_aside = 0;          // readings far from all others
   std::size_t level_jumps = 0;        // of the target; three or more are no effect, but a property of the target
   double level_jump_um = 0.0;         // their median
