@@ -306,9 +306,17 @@ std::vector<Paragraph> not_used_sentences(const Diagnosis& d) {
   if (!d.has_clock) sentences.emplace_back(messages::no_clock());
   for (const ColumnNotSearched& one : d.columns_not_searched)
     sentences.emplace_back(messages::not_searched(one.column, why_not_searched(one)));
+  for (const CoarseColumn& one : d.coarse_columns) {
+    sentences.emplace_back(
+        messages::coarse_column(one.column, fmt::format("{:.2g} {}", one.resolution, unit_of(one.column))));
+  }
   for (const Saturated& one : d.saturated)
     sentences.emplace_back(one.is_stuck ? messages::stuck(one.column, percent_of(one.share))
                                         : messages::saturated(one.column, percent_of(one.share)));
+  for (const SensorJump& one : d.sensor_jumps) {
+    sentences.emplace_back(messages::sensor_jump(one.column, fmt::format("{:.2g} {}", one.size, unit_of(one.column)),
+                                                 duration_text(one.time_s)));
+  }
   if (d.set_aside == 1) sentences.emplace_back(messages::reading_set_aside());
   if (d.set_aside > 1) sentences.emplace_back(messages::readings_set_aside(d.set_aside));
   if (d.level_jumps > 0) {

@@ -267,7 +267,8 @@ ReportData report_data(ReportRequest& options) {
   const bool fits = !of_batches && (has_model || options.diagnose);
   if (fits) {
     result.for_model = std::make_shared<const ModelData>(without_times(
-        model_data_of(data, options.model.data.front().name(), {}, options.model.max_gap_s), options.model.left_out));
+        with_own_zeros(model_data_of(data, options.model.data.front().name(), {}, options.model.max_gap_s)),
+        options.model.left_out));
   }
   tell(fits ? result.for_model->remarks : data.remarks);
   if (data.session) {

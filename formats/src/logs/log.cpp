@@ -100,6 +100,10 @@ void say_lines(const LogTable& table, Log& log) {
         fmt::format("{} of comments, names or text after the rows: ignored.", lines(table.other_lines)));
   if (table.without_time > 0)
     log.remarks.push_back(fmt::format("{} without a time: left out.", lines(table.without_time)));
+  if (table.before_clock > 0) {
+    log.remarks.push_back(fmt::format("The first {} were written before the clock was set: left out.",
+                                      table.before_clock == 1 ? "row" : fmt::format("{} rows", table.before_clock)));
+  }
   if (table.short_rows > 0)
     log.remarks.push_back(fmt::format("{} with fewer values than columns: filled with gaps.", lines(table.short_rows)));
   const auto say = [&](const std::vector<std::size_t>& numbers, std::string_view what) {

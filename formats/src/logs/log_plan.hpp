@@ -17,8 +17,22 @@
 namespace ballbar {
 
 // `channel`: the names of channels below each other; `label`: the name or unit of the column beside it.
-// words: of states, such as "ROUGH"; its values are their places in LogTable::words.
-enum class ColumnKind : std::uint8_t { number, words, stamp, date, clock, milli, channel, label, left_out };
+// words: of states, such as "ROUGH"; its values are their places in LogTable::words. part: a number of hours, minutes,
+// milliseconds ... of the time; year, month, day: numbers of the date.
+enum class ColumnKind : std::uint8_t {
+  number,
+  words,
+  stamp,
+  date,
+  clock,
+  part,
+  year,
+  month,
+  day,
+  channel,
+  label,
+  left_out
+};
 
 struct PlannedColumn {
   std::string source;  // header as written; "column 3" where there is none
@@ -28,6 +42,7 @@ struct PlannedColumn {
   ColumnKind kind = ColumnKind::left_out;
   bool is_switch = false;        // number: its words for on and off are 1 and 0
   std::string before, behind;    // number: what stands in each cell besides it, "S" or "°C"
+  double part_s = 0.0;           // part: its unit
   bool has_ids = false;          // channel: its names are numbers
   std::string why;               // why it is left out
   ColumnRecipe stated;           // from the recipe; `source` is empty if it states nothing
@@ -47,7 +62,6 @@ struct TimePlan {
   bool minutes_and_seconds = false;     // stamps without hours
   bool dotted_clock = false;            // 07.05.00 is a clock
   bool two_fields_are_minutes = false;  // 05:10 is five minutes, as the header says
-  double milli_s = 1e-3;                // of the column behind a clock
   std::string text;                     // "Zeit, dd.mm.yyyy hh:mm:ss"
 };
 

@@ -8,23 +8,20 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <set>
 #include <span>
 
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
+#include "logs/lines_between.hpp"
 #include "logs/log_cells.hpp"
-#include "logs/log_header.hpp"
-#include "logs/log_units.hpp"
-#include "logs/text_fold.hpp"
 #include "logs/time_stamp.hpp"
 #include "text/cells.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kFreeRows = 2;         // that are no rows of numbers, of any file; beside one in a hundred
-constexpr std::size_t kLongestNames = 4096;  // of a line of names once more
+constexpr std::size_t kFreeRows = 2;           // that are no rows of numbers, of any file; beside one in a hundred
+constexpr std::int64_t kLongestPause_d = 365;  // after more days a clock that was not set is set
 
 // A date may be read in two ways: how its days run in either, from row to row.
 struct OrderEvidence {
@@ -61,12 +58,20 @@ struct OrderEvidence {
   }
 };
 
+// Where clocks start that are not set: 1970-01-01, 1980-01-01, 1980-01-06 (satellites) and 2000-01-01, or the day
+// after.
+bool is_day_of_unset_clock(std::int64_t day) {
+  constexpr std::int64_t kFirstDays[] = {0, 3652, 3657, 10957};
+  return std::any_of(std::begin(kFirstDays), std::end(kFirstDays),
+                     [&](std::int64_t first) { return day == first || day == first + 1; });
+}
+
 bool has_values(ColumnKind kind) { return kind == ColumnKind::number || kind == ColumnKind::words; }
 
 class Table {
  public:
   Table(const LogShape& shape, const LogPlan& plan, const std::string& name, const LogRecipe& recipe, std::size_t rows)
-      : shape_(shape), plan_(plan), name_(name), recipe_(recipe) {
+      : shape_(shape), plan_(plan), name_(name), recipe_(recipe), between_(shape, name) {
     for (const std::string& text : recipe.missing) {
       if (const auto number = cell_number(text, shape.decimal)) none_.push_back(*number);
     }
@@ -80,6 +85,10 @@ class Table {
         static_cast<std::size_t>(std::count_if(plan.columns.begin(), plan.columns.end(),
                                                [](const auto& column) { return column.kind == ColumnKind::number; }));
     row_.resize(plan.columns.size(), kGap);
+    for (const PlannedColumn& column : plan.columns) {
+      has_hours_ = has_hours_ || (column.kind == ColumnKind::part && column.part_s >= 1.0);
+      has_calendar_ = has_calendar_ || column.kind == ColumnKind::day;
+    }
     has_channels_ = std::any_of(plan.columns.begin(), plan.columns.end(),
                                 [](const auto& column) { return column.kind == ColumnKind::channel; });
     find_decimals();
@@ -91,7 +100,7 @@ class Table {
     std::size_t last_line = 0, between = 0;
     while (lines.next(true)) {
       const std::string_view line = lines.line();
-      if (lines.number() == shape_.header_line) names_ = line;
+      if (lines.number() == shape_.header_line) between_.take_names(line);
       if (lines.number() < shape_.first_row_line) {
         look_for_date(line, lines.number());
         continue;
@@ -169,70 +178,10 @@ class Table {
     return at == end || *at == shape_.delimiter || (shape_.delimiter == ' ' && *at == '\t');
   }
 
-  // The names once more, as loggers write them where they begin anew.
-  [[nodiscard]] bool repeats_names(std::string_view line) const {
-    if (shape_.header_line == 0 || shape_.headers.front().empty()) return false;
-    const std::string_view first = line.substr(0, std::min(cell_end(line, 0, shape_.delimiter), kLongestNames));
-    return trimmed_cell(first) == shape_.headers.front();
-  }
-
-  [[nodiscard]] static bool is_same_name(std::string_view a, std::string_view b) {
-    const NameAndUnit x = name_and_unit(trimmed_cell(a)), y = name_and_unit(trimmed_cell(b));
-    const auto u = scaled_unit(x.unit), v = scaled_unit(y.unit);
-    const bool is_same_unit = u && v ? u->canonical == v->canonical && u->factor == v->factor && u->offset == v->offset
-                                     : folded_unit(x.unit) == folded_unit(y.unit);
-    return folded(x.name) == folded(y.name) && is_same_unit;
-  }
-
-  // A line that begins as the names do: whether the rows behind it are of another layout.
-  void look_for_names(std::string_view line, std::size_t number) {
-    std::vector<std::string_view> now, before;
-    split_cells(line, shape_.delimiter, now);
-    split_cells(names_, shape_.delimiter, before);
-    std::size_t known = 0;
-    for (const std::string_view name : now) {
-      known += std::any_of(before.begin(), before.end(), [&](std::string_view one) {
-        return folded(name_and_unit(trimmed_cell(one)).name) == folded(name_and_unit(trimmed_cell(name)).name);
-      });
-    }
-    if (2 * known < before.size()) return;  // a note
-    for (std::size_t i = 0; i < std::min(now.size(), before.size()); ++i) {
-      if (is_same_name(now[i], before[i])) continue;
-      new_names_ = fmt::format(
-          "{}:{}: expected the names of line {} again, found {} in place of {}. Split the file here.", name_, number,
-          shape_.header_line, in_quotes(trimmed_cell(now[i])), in_quotes(trimmed_cell(before[i])));
-      return;
-    }
-  }
-
-  // The line is no row, and the rows have a clock alone. If it holds a new date, another day may begin behind it.
+  // The rows have a clock alone: a date between them may be that of the rows behind it.
   void look_for_date(std::string_view line, std::size_t number) {
-    if (plan_.time.kind != TimePlan::Kind::stamps || table_.first_day) return;
-    for (std::size_t begin = 0; begin < line.size();) {
-      const std::size_t end = std::min(line.find_first_of(" \t;,|=\"", begin), line.size());
-      const auto stamp = time_stamp(line.substr(begin, end - begin), DateOrder::day_first);
-      begin = end + 1;
-      if (!stamp || !stamp->day) continue;
-      if (!days_.empty() && !days_.contains(*stamp->day) && table_.rows > 0) {
-        date_line_ = number;
-        is_next_day_ = days_.contains(*stamp->day - 1);
-      }
-      days_.insert(*stamp->day);
-      return;
-    }
-  }
-
-  // Throws Error where rows follow names or a date that are not those above.
-  void expect_same_table(double time_s) {
-    if (!new_names_.empty()) throw Error(new_names_);
-    const bool passes_midnight = is_next_day_ && !table_.time_s.empty() && time_s < table_.time_s.back();
-    if (date_line_ > 0 && !passes_midnight) {
-      throw Error(
-          fmt::format("{}:{}: expected clocks of one day, found another date between them. Write the date in a column "
-                      "of its own, or split the file here.",
-                      name_, date_line_));
-    }
-    date_line_ = 0;
+    if (plan_.time.kind == TimePlan::Kind::stamps && !table_.first_day)
+      between_.look_for_date(line, number, table_.rows > 0);
   }
 
   // Counts a row that is none of numbers.
@@ -255,13 +204,14 @@ class Table {
     std::size_t column = 0, numbers = 0;
     std::optional<std::size_t> bad;  // the first cell that is text where a number is expected
     std::string_view bad_cell;
-    date_ = clock_ = milli_ = channel_ = {};
+    date_ = clock_ = channel_ = {};
+    parts_s_ = 0.0;
     const std::size_t columns = plan_.columns.size();
     is_timed_ = false;
     at = past_blanks(at, end);
     if (at == end) return false;
-    if (*at == '#' || repeats_names(line)) {
-      if (*at != '#') look_for_names(line, number);
+    if (*at == '#' || between_.repeats_names(line)) {
+      if (*at != '#') between_.look_for_names(line, number);
       ++table_.other_lines;
       return false;
     }
@@ -302,7 +252,11 @@ class Table {
         const std::string_view cell = cell_at(at, end);
         if (kind == ColumnKind::stamp || kind == ColumnKind::date) date_ = trimmed_cell(cell);
         if (kind == ColumnKind::clock) clock_ = trimmed_cell(cell);
-        if (kind == ColumnKind::milli) milli_ = trimmed_cell(cell);
+        if (kind == ColumnKind::part)
+          parts_s_ += cell_number(cell, shape_.decimal).value_or(kGap) * plan_.columns[column].part_s;
+        if (kind == ColumnKind::year) calendar_[0] = trimmed_cell(cell);
+        if (kind == ColumnKind::month) calendar_[1] = trimmed_cell(cell);
+        if (kind == ColumnKind::day) calendar_[2] = trimmed_cell(cell);
         if (kind == ColumnKind::channel) channel_ = trimmed_cell(cell);
         if (kind == ColumnKind::words) row_[column] = word_in(cell, table_.words[column]);
         at += cell.size();
@@ -340,7 +294,7 @@ class Table {
       restore(before);
       return false;
     }
-    expect_same_table(time_s);
+    between_.expect_same_table(!table_.time_s.empty() && time_s < table_.time_s.back());
     for (const std::size_t text : pending_) {
       if (table_.bad_lines.empty())
         first_fault_ = fmt::format("{}:{}: expected a row of numbers, found none.", name_, text);
@@ -432,12 +386,36 @@ class Table {
     zone_s_ = before.zone_s;
   }
 
+  // The date and the clock of the row, as far as they are texts.
+  std::optional<TimeStamp> stamp_of_row(DateOrder order, const std::optional<std::string>& with_colons) {
+    if (has_calendar_) {
+      calendar_date_ =
+          fmt::format("{}{}-{}-{}", calendar_[0].size() == 2 ? "20" : "", calendar_[0], calendar_[1], calendar_[2]);
+      date_ = calendar_date_;
+    }
+    if (plan_.columns[plan_.time.column].kind == ColumnKind::part) return TimeStamp{.clock_s = 0.0};
+    return time_stamp(with_colons && clock_.empty() ? std::string_view(*with_colons) : date_, order);
+  }
+
+  // The clock is set now: no row before has a time.
+  void leave_out_rows_above() {
+    table_.before_clock += table_.rows;
+    for (std::vector<double>& values : table_.values) values.clear();
+    table_.time_s.clear();
+    table_.channel_of.clear();
+    table_.lines.clear();
+    table_.rows = 0;
+    table_.first_day.reset();
+    evidence_ = {};
+  }
+
   bool take_stamp(std::size_t line, double& time_s) {
     const DateOrder order = plan_.time.order.value_or(DateOrder::day_first);
     const auto with_colons =
         plan_.time.dotted_clock ? clock_of_dots(clock_.empty() ? date_ : clock_, true) : std::nullopt;
-    const auto stamp = time_stamp(with_colons && clock_.empty() ? std::string_view(*with_colons) : date_, order);
-    if (!stamp) return false;
+    auto stamp = stamp_of_row(order, with_colons);
+    if (!stamp || std::isnan(parts_s_)) return false;
+    if (has_hours_ && !stamp->clock_s) stamp->clock_s = 0.0;
     double clock_s = stamp->clock_s.value_or(0.0);
     if (stamp->two_fields && plan_.time.two_fields_are_minutes) clock_s /= 60.0;
     is_timed_ = stamp->clock_s.has_value();
@@ -452,7 +430,7 @@ class Table {
     } else if (plan_.columns[plan_.time.column].kind == ColumnKind::date && !stamp->clock_s) {
       return false;
     }
-    if (!milli_.empty()) clock_s += cell_number(milli_, shape_.decimal).value_or(0.0) * plan_.time.milli_s;
+    clock_s += parts_s_;
     table_.zoned = table_.zoned || stamp->zone_s.has_value();
     if (stamp->day) {
       if (!plan_.time.order) {
@@ -466,6 +444,9 @@ class Table {
         throw Error(fmt::format("{}:{}: expected dates with the {} first as in the rows before, found {}.", name_, line,
                                 order == DateOrder::day_first ? "day" : "month", in_quotes(date_)));
       }
+      const bool is_set_now = table_.first_day && is_day_of_unset_clock(*table_.first_day) &&
+                              *stamp->day > *table_.first_day + kLongestPause_d;
+      if (is_set_now) leave_out_rows_above();
       if (!table_.first_day) {
         table_.first_day = *stamp->day;
         zone_s_ = zone_s;
@@ -481,11 +462,7 @@ class Table {
   const LogPlan& plan_;
   const std::string& name_;
   const LogRecipe& recipe_;
-  std::string names_;            // the line of names, as it stands
-  std::string new_names_;        // what to say where rows follow
-  std::set<std::int64_t> days_;  // on lines that are no rows
-  std::size_t date_line_ = 0;    // of a new one between rows of clocks
-  bool is_next_day_ = false;
+  LinesBetween between_;
   bool is_timed_ = false;     // the line has a clock
   std::vector<double> none_;  // numbers that the recipe takes for no value
   std::vector<double> row_;
@@ -494,7 +471,11 @@ class Table {
   std::vector<std::size_t> pending_;   // lines without numbers since the last row
   std::vector<std::size_t> decimals_;  // of each column, the fewest
   std::string_view last_cell_;         // of the row
-  std::string_view date_, clock_, milli_, channel_;
+  std::string_view date_, clock_, channel_;
+  bool has_hours_ = false, has_calendar_ = false;
+  double parts_s_ = 0.0;          // of the row
+  std::string_view calendar_[3];  // year, month and day
+  std::string calendar_date_;
   bool has_channels_ = false;
   std::map<std::string, std::uint32_t, std::less<>> channels_;
   double zone_s_ = 0.0;

@@ -34,6 +34,7 @@ struct LogTable {
   std::vector<std::uint32_t> channel_of;  // one a row
   bool newest_first = false;              // in the file: the rows are in the reverse order here
   std::size_t without_row = 0;            // lines between the first and the last row that are not rows
+  std::size_t before_clock = 0;           // rows that were written before the clock was set; they are left out
 
   [[nodiscard]] std::size_t line_of(std::size_t row) const;
 };

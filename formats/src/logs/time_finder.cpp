@@ -1,6 +1,7 @@
 #include "logs/time_finder.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,7 @@ class TimeFinder {
     if (stamps) return of_stamp(*stamps);
     if (dates && clocks) return of_date_and_clock(*dates, *clocks);
     if (dates && fractions) return of_date_and_fraction(*dates, *fractions);
+    if (const auto parts = clocks ? std::nullopt : parts_of_time(dates)) return of_parts(dates, *parts);
     if (const auto packed = packed_stamps()) return of_stamp(*packed);
     if (const auto packed = packed_date_and_clock()) return of_date_and_clock(packed->first, packed->second);
     if (clocks) return of_stamp(*clocks);
@@ -115,6 +117,43 @@ class TimeFinder {
         return i;
     }
     return std::nullopt;
+  }
+
+  // Columns of hours, minutes and seconds, behind a date or behind columns of year, month and day.
+  struct TimeParts {
+    std::vector<std::pair<std::size_t, double>> clock;  // columns and their units, s
+    std::vector<std::size_t> calendar;                  // year, month, day; empty: none
+  };
+  static std::size_t first_of(const TimeParts& parts) {
+    return parts.calendar.empty() ? parts.clock.front().first : parts.calendar.front();
+  }
+  std::optional<TimeParts> parts_of_time(const std::optional<std::size_t>& date) const {
+    const auto part = [&](std::string_view names, double least, double most, bool is_whole) {
+      std::optional<std::size_t> found;
+      for (std::size_t i = 0; i < samples_.size() && !found; ++i) {
+        const ColumnSample& sample = samples_[i];
+        if (!is_one_of(names, folded(plan_.columns[i].name)) || sample.values.size() != sample.written()) continue;
+        const bool is_within = std::all_of(sample.values.begin(), sample.values.end(),
+                                           [&](double value) { return value >= least && value < most; });
+        if (!sample.values.empty() && is_within && (!is_whole || all_whole(sample))) found = i;
+      }
+      return found;
+    };
+    const auto year = part("year|yyyy|yy|jahr|annee|anno|ano|年", 0.0, 2070.0, true);
+    const auto month = part("month|mon|mm|monat|mois|mese|mes|月", 1.0, 13.0, true);
+    const auto day = part("day|dd|tag|jour|giorno|dia|日", 1.0, 32.0, true);
+    const bool has_date = date || (year && month && day);
+    const auto minute = part("minute|minutes|min|mins|mm|m|minuten|minuti|minuto|minutos|分|分钟", 0.0, 60.0, true);
+    const auto second =
+        part("second|seconds|sec|secs|ss|s|sekunde|sekunden|sek|seconde|secondi|segundo|秒", 0.0, 60.0, false);
+    const auto hour = part("hour|hours|hr|hrs|hh|h|stunde|stunden|std|heure|heures|ora|ore|hora|horas|时|小时|時", 0.0,
+                           has_date ? 24.0 : 1e4, minute.has_value());
+    if (!hour || !(minute || has_date) || (minute && minute == month)) return std::nullopt;
+    TimeParts parts{{{*hour, 3600.0}}, {}};
+    if (minute) parts.clock.emplace_back(*minute, 60.0);
+    if (minute && second) parts.clock.emplace_back(*second, 1.0);
+    if (!date && has_date) parts.calendar = {*year, *month, *day};
+    return parts;
   }
 
   // 20261122130510, without a sign, under a name of time.
@@ -210,9 +249,12 @@ class TimeFinder {
 
   void of_column(std::size_t i) {
     const ColumnSample& sample = samples_[i];
+    const auto clocks = first([](const ColumnSample& s) { return s.mostly(s.clocks); });
+    const std::optional<std::size_t> date = sample.mostly(sample.dates) ? std::optional(i) : std::nullopt;
+    const auto parts = clocks ? std::nullopt : parts_of_time(date);
+    if (parts && (date || i == first_of(*parts))) return of_parts(date, *parts);
     if (sample.mostly(sample.numbers) && sample.stamps != sample.numbers) return of_number(i);
     if (sample.mostly(sample.dates) || (sample.stamps > 0 && sample.midnights == sample.stamps)) {
-      const auto clocks = first([](const ColumnSample& s) { return s.mostly(s.clocks); });
       if (clocks) return of_date_and_clock(i, *clocks);
     }
     if (!sample.mostly(sample.stamps + sample.dates + sample.clocks)) {
@@ -288,10 +330,35 @@ class TimeFinder {
 
   void of_date_and_fraction(std::size_t date, std::size_t fraction) {
     of_stamp(date);
-    plan_.columns[fraction].kind = ColumnKind::milli;
-    plan_.time.milli_s = kDay_s;
+    plan_.columns[fraction].kind = ColumnKind::part;
+    plan_.columns[fraction].part_s = kDay_s;
     plan_.time.text = fmt::format("{} and {}, a fraction of the day", in_quotes(plan_.columns[date].source),
                                   in_quotes(plan_.columns[fraction].source));
+  }
+
+  void of_parts(const std::optional<std::size_t>& date, const TimeParts& parts) {
+    TimePlan& time = plan_.time;
+    std::vector<std::string> names;
+    if (date) {
+      of_stamp(*date);
+      plan_.columns[*date].kind = ColumnKind::date;
+      names.push_back(time.text);
+    } else {
+      time.kind = TimePlan::Kind::stamps;
+      time.column = first_of(parts);
+      time.order = DateOrder::day_first;  // no date is ambiguous
+    }
+    constexpr ColumnKind kCalendar[] = {ColumnKind::year, ColumnKind::month, ColumnKind::day};
+    for (std::size_t k = 0; k < parts.calendar.size(); ++k) {
+      plan_.columns[parts.calendar[k]].kind = kCalendar[k];
+      names.push_back(in_quotes(plan_.columns[parts.calendar[k]].source));
+    }
+    for (const auto& [column, part_s] : parts.clock) {
+      plan_.columns[column].kind = ColumnKind::part;
+      plan_.columns[column].part_s = part_s;
+      names.push_back(in_quotes(plan_.columns[column].source));
+    }
+    time.text = fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
   }
 
   // A column of milliseconds right behind a clock to whole seconds.
@@ -307,8 +374,8 @@ class TimeFinder {
                        std::all_of(sample.values.begin(), sample.values.end(),
                                    [&](double v) { return v >= 0.0 && v < (micro ? 1e6 : 1e3); });
     if (!(named || micro) || !suits) return;
-    if (micro) plan_.time.milli_s = 1e-6;
-    next.kind = ColumnKind::milli;
+    next.kind = ColumnKind::part;
+    next.part_s = micro ? 1e-6 : 1e-3;
     plan_.time.text += fmt::format(" and {}", in_quotes(next.source));
   }
 

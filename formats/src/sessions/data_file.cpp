@@ -20,6 +20,8 @@
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/sessions/runs_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/internal/number_text.hpp"
+#include "ballbar/internal/series/sessions.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -299,6 +301,28 @@ ModelData model_data_of(const DriftData& source, const std::string& name, const 
   return data;
 }
 
+ModelData with_own_zeros(ModelData data) {
+  if (data.level != Level::series || !data.series->runs.empty()) return data;
+  const std::vector<RowRange> sessions = sessions_of(*data.series, data.targets);
+  if (sessions.empty()) return data;
+  const std::optional<double> zero_s = data.series->started ? seconds_of_stamp(*data.series->started) : std::nullopt;
+  std::vector<Series> runs;
+  std::vector<std::string> names;
+  for (const RowRange& rows : sessions) {
+    runs.push_back(rows_of(*data.series, rows));
+    const double begin_s = runs.back().time_s.front();
+    names.push_back("from " + (zero_s ? stamp_text(*zero_s + begin_s) : duration_text(begin_s)));
+  }
+  // Their clock is one.
+  Stacked all = stacked(runs, names, std::vector<std::optional<double>>(runs.size(), 0.0));
+  data.series = std::make_shared<const Series>(std::move(all.series));
+  data.remarks.push_back(fmt::format(
+      "{}: behind {} the measured values begin where they began at first, as those of a probe that is set "
+      "to zero. The {} parts are read as runs, each with its own zero.",
+      data.title, sessions.size() == 2 ? "a pause" : fmt::format("{} pauses", sessions.size() - 1), sessions.size()));
+  return data;
+}
+
 bool stands_for_runs(const Source& source, std::span<const Reader> readers) {
   if (source.series() || source.recordings() != nullptr) return false;
   return lists_runs(source, readers) || listed({source}, readers).runs.size() > 1;
@@ -309,7 +333,8 @@ ModelData open_model_data(const std::vector<Source>& sources, const DriftOptions
                           const StatedCircle& stated) {
   if (is_recording_file(sources.front(), readers)) return data_of_recordings(sources, readers, stated);
   const Listing listing = listed(sources, readers);
-  if (listing.runs.size() == 1) return data_of_drift(listing.runs.front().source, options, max_gap_s, readers);
+  if (listing.runs.size() == 1)
+    return with_own_zeros(data_of_drift(listing.runs.front().source, options, max_gap_s, readers));
   return data_of_runs(listing, options, max_gap_s, readers);
 }
 

@@ -171,6 +171,7 @@ Parts parts_on_one_clock(std::span<const Series> parts, const std::optional<doub
                  [&](double time_s) { return range.has(time_s); });
     if (!series.five_probe) series.five_probe = part.five_probe;
     series.has_clock = series.has_clock && part.has_clock;
+    add_unread(part, series);
   }
   std::sort(series.time_s.begin(), series.time_s.end());
   series.time_s.erase(std::unique(series.time_s.begin(), series.time_s.end()), series.time_s.end());

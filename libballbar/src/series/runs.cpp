@@ -7,11 +7,10 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/series/series.hpp"
+#include "series/pause.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr double kRest_s = 8.0 * 3600.0;  // a machine that stood less since the run before begins warm
 
 std::string_view stem_of(std::string_view column) {
   const std::string_view unit = unit_of(column);
@@ -95,6 +94,12 @@ bool begins_warm(const Series& run, std::size_t number, const std::vector<Hours>
 
 }  // namespace
 
+void add_unread(const Series& part, Series& all) {
+  for (const std::string& column : part.unread) {
+    if (std::find(all.unread.begin(), all.unread.end(), column) == all.unread.end()) all.unread.push_back(column);
+  }
+}
+
 std::vector<RowRange> runs_of(std::span<const double> time_s) {
   std::vector<RowRange> ranges;
   for (std::size_t row = 0; row < time_s.size(); ++row) {
@@ -113,6 +118,7 @@ Series rows_of(const Series& data, const RowRange& range) {
   result.time_s = part(data.time_s);
   result.five_probe = data.five_probe;
   result.has_clock = data.has_clock;
+  result.unread = data.unread;
   result.columns.reserve(data.columns.size());
   for (const Column& column : data.columns)
     result.columns.push_back({column.name, column.role, part(column.values), column.header});
@@ -152,6 +158,7 @@ Stacked stacked(const std::vector<Series>& runs, const std::vector<std::string>&
   Series& all = result.series;
   all.five_probe = runs.front().five_probe;
   all.has_clock = std::all_of(runs.begin(), runs.end(), [](const Series& run) { return run.has_clock; });
+  for (const Series& run : runs) add_unread(run, all);
   std::vector<std::string> left_out;
   for (const Series& run : runs) {
     for (const Column& column : run.columns) {

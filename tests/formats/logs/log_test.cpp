@@ -132,6 +132,35 @@ TEST(log, a_time_may_be_named_by_its_unit) {
   EXPECT_EQ(times("Dato;Klokken;a\n10.03.2025;07.05;1,5\n10.03.2025;07.10;1,6\n"), "0 300 ");
 }
 
+TEST(log, a_time_may_be_in_parts) {
+  EXPECT_EQ(times("Datum;Stunde;Minute;a\n22.11.2026;7;55;1\n22.11.2026;8;5;2\n23.11.2026;8;5;3\n"), "0 600 87000 ");
+  EXPECT_EQ(times("Date,Hour,a\n2026-11-22,23,1\n2026-11-23,0,2\n"), "0 3600 ");
+  EXPECT_EQ(times("hh;mm;ss;a\n23;59;58.5;1\n23;59;59;2\n0;0;1;3\n"), "0 0.5 2.5 ");
+  EXPECT_EQ(times("year,month,day,hour,minute,second,a\n2026,2,28,23,59,30,1\n2026,3,1,0,0,15,2\n"), "0 45 ");
+  EXPECT_EQ(times("Time,ms,a\n10:00:00,0,1\n10:00:00,250,2\n"), "0 0.25 ");
+  // As the recipe names its first column.
+  LogRecipe recipe;
+  recipe.time = "Stunde";
+  EXPECT_EQ(read_log("Stunde;Minute;a\n7;55;1\n8;5;2\n", "log.csv", recipe).series.time_s,
+            (std::vector<double>{0, 600}));
+  // Minutes that run on are no part of a clock.
+  EXPECT_EQ(times("Minute,a\n0,1\n70,2\n"), "0 4200 ");
+}
+
+TEST(log, rows_before_the_clock_is_set_are_left_out) {
+  const Log log = read_log(
+      "Time,a\n1970-01-01 00:00:12,1\n1970-01-01 00:01:12,2\n2026-11-22 13:05:00,3\n2026-11-22 13:06:00,4\n"
+      "2026-11-22 13:07:00,5\n",
+      "log.csv");
+  EXPECT_EQ(log.series.time_s, (std::vector<double>{0, 60, 120}));
+  EXPECT_EQ(log.series.columns.front().values, (std::vector<double>{3, 4, 5}));
+  EXPECT_EQ(log.series.started, "2026-11-22T13:05:00");
+  ASSERT_FALSE(log.remarks.empty());
+  EXPECT_EQ(log.remarks.front(), "The first 2 rows were written before the clock was set: left out.");
+  // A clock that is never set counts on.
+  EXPECT_EQ(times("Time,a\n1970-01-01 23:59:00,1\n1970-01-02 00:01:00,2\n"), "0 120 ");
+}
+
 TEST(log, names_that_change_are_another_layout) {
   const std::string rows = "Time,A [degC],B [degC]\n10:00:00,20,30\n10:01:00,21,31\n10:02:00,22,32\n";
   const std::string more = "10:03:00,20,30\n10:04:00,21,31\n";

@@ -188,6 +188,47 @@ TEST(StrangersLog, rows_of_a_stuck_sensor_are_set_aside) {
   EXPECT_EQ(p_of(found, "speed_rpm"), 0.0) << made::outcome_of(found);
 }
 
+// Contacts spark: one reading in 25 is off by some kelvins, most by less than any rule for single values finds.
+TEST(StrangersLog, readings_of_a_poor_contact_choose_no_other_cause) {
+  Log log;
+  std::vector<double>& logged = log.data.columns.back().values;
+  for (std::size_t i = 7; i < logged.size(); i += 25) logged[i] += (i % 2 == 0 ? 1.0 : -0.6) * (0.3 + 0.05 * (i % 50));
+  const Diagnosis found = log.diagnosed(log.half_of_bearing());
+  EXPECT_GE(p_of(found, "bearing_degC"), 0.95) << made::outcome_of(found);
+  EXPECT_EQ(p_of(found, "speed_rpm"), 0.0) << made::outcome_of(found);
+}
+
+// The sensor of the bearing is calibrated at noon.
+TEST(StrangersLog, a_jump_of_the_zero_of_a_sensor_is_taken_out) {
+  Log log;
+  std::vector<double>& logged = log.data.columns.back().values;
+  for (std::size_t i = 287; i < logged.size(); ++i) logged[i] += 1.5;
+  const Diagnosis found = log.diagnosed(log.half_of_bearing());
+  ASSERT_EQ(found.sensor_jumps.size(), 1U) << made::outcome_of(found);
+  EXPECT_EQ(found.sensor_jumps[0].column, "bearing_degC");
+  EXPECT_EQ(found.sensor_jumps[0].time_s, 287.0 * 60.0);
+  EXPECT_NEAR(found.sensor_jumps[0].size, 1.5, 0.05);
+  EXPECT_GE(p_of(found, "bearing_degC"), 0.95) << made::outcome_of(found);
+  EXPECT_EQ(p_of(found, "speed_rpm"), 0.0) << made::outcome_of(found);
+}
+
+// A display in whole kelvins. The speed imitates the bearing to less than that.
+TEST(StrangersLog, beside_a_coarse_column_that_may_be_the_cause_nothing_is_certain) {
+  Log log;
+  for (double& value : log.data.columns.back().values) value = std::round(value);
+  const Diagnosis found = log.diagnosed(log.half_of_bearing());
+  for (const BoundEffect& one : found.named) EXPECT_EQ(one.columns, std::vector<std::string>{"bearing_degC"});
+  const bool is_read = std::any_of(found.candidates.begin(), found.candidates.end(), [](const Candidate& one) {
+    return one.in_best_set && one.bound.columns == std::vector<std::string>{"bearing_degC"};
+  });
+  if (is_read) return;
+  ASSERT_EQ(found.coarse_columns.size(), 1U) << made::outcome_of(found);
+  EXPECT_EQ(found.coarse_columns[0].column, "bearing_degC");
+  EXPECT_EQ(found.coarse_columns[0].resolution, 1.0);
+  EXPECT_TRUE(found.named.empty()) << made::outcome_of(found);
+  for (const Driver& driver : found.drivers) EXPECT_FALSE(driver.is_clear) << driver.column;
+}
+
 // Two sensors in one place: their noise does not choose between them.
 TEST(StrangersLog, of_two_sensors_that_read_one_quantity_neither_is_certain) {
   Log log;

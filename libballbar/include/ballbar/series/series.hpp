@@ -72,6 +72,9 @@ Role role_from_unit(std::string_view unit);
 std::string_view name_of(Role role);
 std::optional<Role> role_from_name(std::string_view name);
 
+// Adds the columns that nothing reads to those of another series.
+void add_unread(const Series& part, Series& all);
+
 // The column of that name, or nullptr.
 const Column* find_column(const Series& series, std::string_view name);
 

@@ -1,10 +1,7 @@
 #include "diagnosis/evidence/logged_inputs.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -15,17 +12,16 @@
 #include "ballbar/internal/numerics/range.hpp"
 #include "ballbar/internal/series/signal_kind.hpp"
 #include "ballbar/series/series.hpp"
-#include "noise/linear_filter.hpp"
-#include "series/equal_columns.hpp"
+#include "diagnosis/evidence/equal_inputs.hpp"
+#include "diagnosis/evidence/smooth_curve.hpp"
 #include "series/equal_rows.hpp"
+#include "series/pause.hpp"
 #include "series/resolution.hpp"
 #include "series/saturated_rows.hpp"
 #include "series/stuck_rows.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr double kRest_s = 8.0 * 3600.0, kRestSteps = 10.0;  // of a machine that forgets its temperatures
 
 bool is_whole(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
@@ -123,107 +119,6 @@ void draw_step(std::vector<double>& values, const Jump& jump) {
   }
 }
 
-struct Observation {
-  double time_s = 0.0, value = 0.0, variance = 1.0;  // in units of the scatter
-};
-
-// Integrated random walk x'' = white noise of this spectral density, seen at the observations. States (x, x'); it has
-// no stationary variance, so that its gains are not those of a noise (linear_filter.hpp), its steps are.
-struct Smoother {
-  const std::vector<Observation>& observations;
-  double density;
-
-  static Eigen::Matrix2d transition(double dt) { return Eigen::Matrix2d{{1.0, dt}, {0.0, 1.0}}; }
-  StateEstimate<2> moved(const StateEstimate<2>& from, double dt) const {
-    const Eigen::Matrix2d added = density * Eigen::Matrix2d{{dt * dt * dt / 3.0, dt * dt / 2.0}, {dt * dt / 2.0, dt}};
-    return predicted(from, transition(dt), added);
-  }
-  static StateUpdate<2> with(const StateEstimate<2>& before, const Observation& one) {
-    return updated(before, {1.0, 0.0}, one.variance, one.value);
-  }
-  StateEstimate<2> start() const {
-    const double span = observations.back().time_s - observations.front().time_s;
-    const double slope = 1e6 / (span * span) + density * span;
-    return {{observations.front().value, 0.0}, Eigen::Vector2d(1e6, slope).asDiagonal()};
-  }
-  // The most likely scatter; the first two observations determine the start of the curve.
-  double log_likelihood() const {
-    expect_no_interruption();
-    double log_variances = 0.0, squares = 0.0;
-    StateEstimate<2> now = start();
-    for (std::size_t i = 0; i < observations.size(); ++i) {
-      if (i > 0) now = moved(now, observations[i].time_s - observations[i - 1].time_s);
-      const StateUpdate<2> update = with(now, observations[i]);
-      now = update.after;
-      if (i < 2) continue;
-      log_variances += std::log(update.variance);
-      squares += update.innovation * update.innovation / update.variance;
-    }
-    return -0.5 * log_variances -
-           0.5 * static_cast<double>(observations.size() - 2) * std::log(std::max(squares, 1e-300));
-  }
-  // The smoothed curve at rising times: forwards, then Rauch, Tung and Striebel backwards.
-  std::vector<double> at(const std::vector<double>& time_s) const {
-    struct Step {
-      double time_s;
-      StateEstimate<2> before, after;
-      std::optional<std::size_t> row;  // of time_s
-    };
-    expect_no_interruption();
-    std::vector<Step> steps;
-    steps.reserve(time_s.size() + observations.size());
-    StateEstimate<2> now = start();
-    double last = std::min(observations.front().time_s, time_s.front());
-    std::size_t next = 0;
-    for (std::size_t i = 0; i <= time_s.size(); ++i) {
-      for (; next < observations.size() && (i == time_s.size() || observations[next].time_s <= time_s[i]); ++next) {
-        const StateEstimate<2> before = moved(now, observations[next].time_s - last);
-        now = with(before, observations[next]).after;
-        last = observations[next].time_s;
-        steps.push_back({last, before, now, std::nullopt});
-      }
-      if (i == time_s.size()) break;
-      now = moved(now, time_s[i] - last);
-      last = time_s[i];
-      steps.push_back({last, now, now, i});
-    }
-    expect_no_interruption();
-    std::vector<double> values(time_s.size());
-    Eigen::Vector2d smooth = steps.back().after.x;
-    for (std::size_t k = steps.size(); k-- > 0;) {
-      const StateEstimate<2>& after = steps[k].after;
-      const double dt = k + 1 < steps.size() ? steps[k + 1].time_s - steps[k].time_s : 0.0;
-      if (dt > 0.0) {
-        // x = after + P F' Q^-1 (smooth - before), P after this step, Q before the next
-        const StateEstimate<2>& before = steps[k + 1].before;
-        smooth = before.p.determinant() > 0.0
-                     ? Eigen::Vector2d(after.x + after.p * transition(dt).transpose() *
-                                                     (before.p.inverse() * (smooth - before.x)))
-                     : after.x;
-      }
-      if (steps[k].row) values[*steps[k].row] = smooth[0];
-    }
-    return values;
-  }
-};
-
-// The smooth curve through the observations, with the roughness by maximum likelihood.
-std::vector<double> smoothed(const std::vector<Observation>& observations, const std::vector<double>& time_s) {
-  double best = 0.0, most = -std::numeric_limits<double>::infinity();
-  const double span = observations.back().time_s - observations.front().time_s;
-  const double usual = std::max(span / static_cast<double>(observations.size() - 1), 1e-3);
-  for (double step = 0.2 * usual; step < 0.3 * span; step *= 2.0) {
-    // A walk that goes by as much as the scatter in this time.
-    const double density = 3.0 / (step * step * step);
-    const double now = Smoother{observations, density}.log_likelihood();
-    if (now > most) {
-      most = now;
-      best = density;
-    }
-  }
-  return Smoother{observations, best}.at(time_s);
-}
-
 // The straight line from the value before these rows to that behind them; at an end the value on the other side.
 void draw_line(std::vector<double>& values, const RowRange& rows) {
   const double before = rows.begin > 0 ? values[rows.begin - 1] : values[rows.end];
@@ -242,30 +137,47 @@ bool climbs_by_one(const std::vector<RowRange>& runs, const std::vector<double>&
   return resolution > 0.0 && static_cast<double>(by_one) > tuning.climbs * static_cast<double>(runs.size() - 1);
 }
 
+// What a coarse column says of its curve: half way between two runs it has their mean, and within a long run it is
+// near its value.
+std::vector<Observation> observations_of_runs(const std::vector<double>& time_s, const std::vector<double>& values,
+                                              const std::vector<RowRange>& runs, std::size_t held) {
+  constexpr std::size_t kUsualRuns = 3;                            // as far apart are values within a run
+  constexpr double kWithin = 4.0, kBetween = 1.0, kFarther = 4.0;  // variances; of runs farther apart than a resolution
+  const double resolution = resolution_of(values), late_s = 0.5 * (time_s[1] - time_s[0]) * static_cast<double>(held);
+  std::vector<double> samples;
+  samples.reserve(runs.size());
+  for (const RowRange& run : runs) samples.push_back(static_cast<double>((run.end - run.begin) / held));
+  const std::size_t apart = kUsualRuns * held * std::max<std::size_t>(1, static_cast<std::size_t>(median(samples)));
+  std::vector<Observation> observations;
+  observations.reserve(2 * runs.size());
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const std::size_t begin = runs[k].begin, rows = runs[k].end - begin, within = rows / apart;
+    if (k > 0) {
+      const double step = std::abs(values[begin] - values[begin - 1]);
+      observations.push_back({time_s[begin] - late_s, 0.5 * (values[begin - 1] + values[begin]),
+                              step < 1.5 * resolution ? kBetween : kFarther});
+    }
+    for (std::size_t j = 0; j < within; ++j) {
+      const std::size_t row = begin + (2 * j + 1) * rows / (2 * within) / held * held;
+      observations.push_back({time_s[row], values[begin], kWithin});
+    }
+  }
+  return observations;
+}
+
 // A smooth curve through the runs of a coarse column where it spends several rows each, else through its samples; those
 // of rows that are read one by one are as they are.
 std::vector<double> continuous_between_pauses(const std::vector<double>& time_s, const std::vector<double>& values,
                                               std::size_t held, bool is_read, const Tuning& tuning) {
   const std::vector<RowRange> runs = equal_rows(values);
   if (runs.size() < tuning.fewest_changes) return values;
+  if (3 * runs.size() < values.size() / held && climbs_by_one(runs, values, tuning))
+    return smooth_curve(observations_of_runs(time_s, values, runs, held), time_s);
+  if (is_read) return values;
   std::vector<Observation> observations;
-  observations.reserve(runs.size());
-  const bool coarse = 3 * runs.size() < values.size() / held && climbs_by_one(runs, values, tuning);
-  if (is_read && !coarse) return values;
-  if (coarse) {
-    for (const RowRange& run : runs) {
-      const bool is_short = run.end - run.begin < 3 * held;
-      // A held value is that at the beginning of its run.
-      const double late_s = held > 1 ? 0.5 * (time_s[1] - time_s[0]) * static_cast<double>(held - 1) : 0.0;
-      observations.push_back(
-          {0.5 * (time_s[run.begin] + time_s[run.end - 1]) - late_s, values[run.begin], is_short ? 4.0 : 1.0});
-    }
-  } else {
-    for (std::size_t i = held > 1 ? runs[1].begin % held : 0; i < values.size(); i += held) {
-      observations.push_back({time_s[i], values[i], 1.0});
-    }
-  }
-  return smoothed(observations, time_s);
+  for (std::size_t i = held > 1 ? runs[1].begin % held : 0; i < values.size(); i += held)
+    observations.push_back({time_s[i], values[i], 1.0});
+  return tuning.outliers_of_inputs ? robust_curve(observations, time_s, tuning) : smooth_curve(observations, time_s);
 }
 
 // That of each stretch between pauses.
@@ -277,9 +189,7 @@ std::vector<double> continuous(const std::vector<double>& time_s, const std::vec
     return std::vector<double>(of.begin() + static_cast<std::ptrdiff_t>(begin),
                                of.begin() + static_cast<std::ptrdiff_t>(end));
   };
-  const double longest_s = std::max(kRest_s, kRestSteps * median_step_s(time_s));
-  for (std::size_t begin = 0, end = 0; begin < values.size(); begin = end) {
-    for (end = begin + 1; end < values.size() && time_s[end] - time_s[end - 1] < longest_s;) ++end;
+  for (const auto& [begin, end] : between_pauses(time_s)) {
     const std::vector<double> own =
         continuous_between_pauses(part(time_s, begin, end), part(values, begin, end), held, is_read, tuning);
     curve.insert(curve.end(), own.begin(), own.end());
@@ -290,6 +200,12 @@ std::vector<double> continuous(const std::vector<double>& time_s, const std::vec
 bool is_temperature(const Column& column) {
   const std::string_view unit = unit_of(column.name);
   return unit == "degC" || unit == "K";
+}
+
+// Of metal, whose temperature cannot jump.
+bool is_on_a_body(const Column& column) {
+  return is_temperature(column) &&
+         (column.role == Role::structure || column.role == Role::housing || column.role == Role::bearing);
 }
 
 // A temperature that a logger holds for some rows changes in steps as well, but hardly comes back to a level.
@@ -356,6 +272,12 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
         }
         for (const RowRange& run : runs) draw_line(column.values, run);
       }
+      if (tuning.offset_jumps && is_on_a_body(column) && step_s <= tuning.longest_sample_s) {
+        input.offsets = offset_jumps(column.values);
+        for (const OffsetJump& jump : input.offsets) {
+          for (std::size_t row = jump.row; row < column.values.size(); ++row) column.values[row] -= jump.size;
+        }
+      }
       const std::size_t rows = even ? held_rows(column.values, tuning).value_or(1) : 1;
       input.held = rows;
       const std::size_t sample = std::max(rows, even ? ramped_rows(column.values, tuning) : 1);
@@ -391,6 +313,7 @@ LoggedInputs inputs_of_runs(const Series& data, const std::vector<std::string>& 
         jump.last += run.begin;
       }
       for (std::size_t& row : input.at_end) row += run.begin;
+      for (OffsetJump& jump : input.offsets) jump.row += run.begin;
       const auto known = std::find_if(result.inputs.begin(), result.inputs.end(),
                                       [&](const LoggedInput& one) { return one.column == input.column; });
       if (known == result.inputs.end()) {
@@ -403,78 +326,10 @@ LoggedInputs inputs_of_runs(const Series& data, const std::vector<std::string>& 
       known->jumps.insert(known->jumps.end(), input.jumps.begin(), input.jumps.end());
       known->is_stuck = known->is_stuck || input.is_stuck;
       known->at_end.insert(known->at_end.end(), input.at_end.begin(), input.at_end.end());
+      known->offsets.insert(known->offsets.end(), input.offsets.begin(), input.offsets.end());
     }
   }
   return result;
-}
-
-// The variance of the readings about their curve; of a sensor without noise that of its rounding.
-double variance_about(const std::vector<double>& curve, const std::vector<double>& read) {
-  const auto count = static_cast<Eigen::Index>(read.size());
-  const double resolution = resolution_of(read);
-  return (Eigen::ArrayXd::Map(curve.data(), count) - Eigen::ArrayXd::Map(read.data(), count)).square().mean() +
-         resolution * resolution / 12.0;
-}
-
-// The readings without those in which either sensor is saturated or stuck.
-std::vector<double> read_by_both(const Series& data, const LoggedInput& input, const LoggedInput& other) {
-  std::vector<double> values = find_column(data, input.column)->values;
-  for (const LoggedInput* one : {&input, &other}) {
-    for (const std::size_t row : one->at_end) values[row] = std::numeric_limits<double>::quiet_NaN();
-  }
-  return values;
-}
-
-// nullopt: they do not measure the same quantity.
-std::optional<LinearRelation> relation_of(const Series& data, const LoggedInput& input, const LoggedInput& other) {
-  expect_no_interruption();
-  if (input.is_stepped != other.is_stepped || unit_of(input.column) != unit_of(other.column)) return std::nullopt;
-  return equal_columns(read_by_both(data, input, other), read_by_both(data, other, input),
-                       std::max(input.held, other.held));
-}
-
-// Columns that measure the same quantity; each of them equals each other one. Of curves the mean, each with the weight
-// of its noise, replaces them.
-void take_means(const Series& data, LoggedInputs& logged) {
-  std::set<std::string> taken;
-  for (std::size_t i = 0; i < logged.inputs.size(); ++i) {
-    const LoggedInput& first = logged.inputs[i];
-    if (taken.contains(first.column)) continue;
-    std::vector<std::pair<const LoggedInput*, LinearRelation>> group{{&first, {}}};
-    for (std::size_t k = i + 1; k < logged.inputs.size(); ++k) {
-      const LoggedInput& other = logged.inputs[k];
-      if (taken.contains(other.column)) continue;
-      const auto relation = relation_of(data, first, other);
-      if (!relation) continue;
-      if (std::all_of(group.begin() + 1, group.end(),
-                      [&](const auto& one) { return relation_of(data, *one.first, other).has_value(); }))
-        group.emplace_back(&other, *relation);
-    }
-    if (group.size() == 1) continue;
-    const auto curve_of = [&](const LoggedInput& input) -> std::vector<double>& {
-      return std::find_if(logged.series.columns.begin(), logged.series.columns.end(),
-                          [&](const Column& column) { return column.name == input.column; })
-          ->values;
-    };
-    std::vector<double> mean(data.time_s.size(), 0.0);
-    double weights = 0.0;
-    for (const auto& [input, relation] : group) {
-      const std::vector<double>& curve = curve_of(*input);
-      const double scale = relation.slope * relation.slope;
-      const double weight = scale / std::max(variance_about(curve, find_column(data, input->column)->values), 1e-12);
-      weights += weight;
-      for (std::size_t row = 0; row < mean.size(); ++row)
-        mean[row] += weight * (curve[row] - relation.offset) / relation.slope;
-      taken.insert(input->column);
-      if (input != &first) logged.equal.push_back({first.column, input->column});
-    }
-    if (first.is_stepped) continue;  // the same steps, each with its own jumps
-    for (const auto& [input, relation] : group) {
-      std::vector<double>& curve = curve_of(*input);
-      for (std::size_t row = 0; row < mean.size(); ++row)
-        curve[row] = relation.offset + relation.slope * mean[row] / weights;
-    }
-  }
 }
 
 }  // namespace

@@ -5,9 +5,10 @@
 //               interval, which is one sample of the logger: the rows over which a value is held, or the rows of a
 //               straight line between two samples
 //   continuous  other columns as they are, but temperatures: for a coarse one (its runs of equal values differ by one
-//               resolution) the smoothest curve within the runs, by a Kalman smoother of an integrated random walk; for
-//               a held column through the first row of each run. Those that measure the same quantity get the
-//               mean of their curves, so that the noise of a sensor does not choose among them
+//               resolution) a curve through the changes between its runs, by a Kalman smoother of an integrated random
+//               walk; for a held column through the first row of each run. Jumps of the zero of a sensor on a body are
+//               taken out. Those that measure the same quantity get the mean of their curves, so that the noise of a
+//               sensor does not choose among them
 #pragma once
 
 #include <cstddef>
@@ -16,6 +17,7 @@
 
 #include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/series/series.hpp"
+#include "series/offset_jumps.hpp"
 
 namespace ballbar {
 
@@ -33,6 +35,7 @@ struct LoggedInput {
   std::vector<Jump> jumps;          // of a stepped input
   bool is_stuck = false;            // else saturated
   std::vector<std::size_t> at_end;  // rising rows in which its sensor is saturated or stands still
+  std::vector<OffsetJump> offsets;  // jumps of the zero of its sensor, taken out
 };
 
 struct LoggedInputs {

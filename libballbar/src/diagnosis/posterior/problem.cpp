@@ -85,9 +85,21 @@ std::vector<double> stated_variance_of(const LoggedInputs& logged, const std::ve
 }
 
 // Rows near jumps of a temperature: a jump there may be that of the temperature, which is smoothed.
-std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vector<std::size_t>& rows,
-                                            const Tuning& tuning) {
+std::vector<char> rows_of_temperature_jumps(const Series& data, const LoggedInputs& logged,
+                                            const std::vector<std::size_t>& rows, const Tuning& tuning) {
   std::vector<char> found(rows.size(), 0);
+  const auto mark = [&](std::size_t k) {
+    const std::size_t first = k > tuning.rows_about_jump ? k - tuning.rows_about_jump : 0,
+                      last = std::min(rows.size() - 1, k + tuning.rows_about_jump);
+    std::fill(found.begin() + static_cast<std::ptrdiff_t>(first), found.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+              char{1});
+  };
+  for (const LoggedInput& input : logged.inputs) {
+    for (const OffsetJump& jump : input.offsets) {
+      const auto behind = std::lower_bound(rows.begin(), rows.end(), jump.row);
+      if (behind != rows.end()) mark(static_cast<std::size_t>(behind - rows.begin()));
+    }
+  }
   for (const Column& column : data.columns) {
     const std::string_view unit = unit_of(column.name);
     if (unit != "degC" && unit != "K") continue;
@@ -105,11 +117,7 @@ std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vecto
         std::max(kFewJumps, tuning.most_temperature_jumps * static_cast<double>(rows.size())))
       continue;  // it is noise
     for (std::size_t k = 1; k < rows.size(); ++k) {
-      if (!jumps(k)) continue;
-      const std::size_t first = k > tuning.rows_about_jump ? k - tuning.rows_about_jump : 0,
-                        last = std::min(rows.size() - 1, k + tuning.rows_about_jump);
-      std::fill(found.begin() + static_cast<std::ptrdiff_t>(first),
-                found.begin() + static_cast<std::ptrdiff_t>(last) + 1, char{1});
+      if (jumps(k)) mark(k);
     }
   }
   return found;
@@ -223,7 +231,7 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   problem->time_s = base.time_s;
   problem->highest_Hz = highest_Hz(problem->time_s);
   problem->model = with_resolved_periods(model, problem->highest_Hz);
-  problem->at_jump_of_temperature = rows_of_temperature_jumps(data, base.row, tuning);
+  problem->at_jump_of_temperature = rows_of_temperature_jumps(data, problem->logged, base.row, tuning);
   const auto n = static_cast<Eigen::Index>(base.row.size());
   problem->y = Eigen::VectorXd::Map(base.measured_um.data(), n);
   if (model.level == Level::series && !model.constant_um) {

@@ -37,19 +37,6 @@ std::vector<std::size_t> rows_with_readings(const Problem& problem) {
   return rows;
 }
 
-// Each value less the median of those about it: what a slow drift does from row to row is no jump.
-std::vector<double> less_the_trend(const std::vector<double>& steps, std::size_t rows) {
-  std::vector<double> result;
-  result.reserve(steps.size());
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    const std::size_t first = k < rows ? 0 : k - rows;
-    const std::size_t end = std::min(steps.size(), k + rows + 1);
-    result.push_back(steps[k] - median_of({steps.begin() + static_cast<std::ptrdiff_t>(first),
-                                           steps.begin() + static_cast<std::ptrdiff_t>(end)}));
-  }
-  return result;
-}
-
 }  // namespace
 
 bool weigh_down_outliers(Problem& problem, const LinearModel& linear, const NoiseFilter& filter) {
@@ -83,7 +70,8 @@ std::vector<LevelJump> level_jumps(const Problem& problem, const Eigen::VectorXd
   for (std::size_t k = problem.tuning.rows_of_level; k + problem.tuning.rows_of_level <= r.size(); ++k) {
     steps[k] = mean_from(k) - mean_from(k - problem.tuning.rows_of_level);
   }
-  steps = less_the_trend(steps, problem.tuning.rows_of_trend);
+  // What a slow drift does from row to row is no jump.
+  steps = less_running_median(steps, problem.tuning.rows_of_trend);
   for (std::size_t k = problem.tuning.rows_of_level; k + problem.tuning.rows_of_level <= r.size(); ++k)
     sizes.push_back(std::abs(steps[k]));
   std::vector<double> sorted = sizes;

@@ -14,6 +14,7 @@
 #include "diagnosis/posterior/set_regression.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/signatures/thresholds.hpp"
+#include "diagnosis/verdict/coarse_columns.hpp"
 #include "diagnosis/verdict/credible_set.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/discrepancy.hpp"
@@ -211,9 +212,8 @@ void add_other_candidates(const Inference& inference, Diagnosis& result) {
   }
 }
 
-void describe_discrepancy(const Inference& inference, const EffectSet& best, const Catalogue& catalogue,
+void describe_discrepancy(const Inference& inference, const Eigen::VectorXd& mean_um, const Catalogue& catalogue,
                           Diagnosis& result) {
-  const Eigen::VectorXd mean_um = discrepancy_mean(*inference.problem, inference.posterior, best);
   result.p_discrepancy = inference.posterior.discrepancy;
   result.discrepancy_um = standard_deviation(mean_um);
   if (result.p_discrepancy < kDiscrepancy || !(result.discrepancy_um > 0.0)) return;
@@ -227,6 +227,7 @@ void tell_what_was_not_used(const Problem& problem, const Model& model, const Se
   if (model.level != Level::series) return;
   result.has_clock = data.has_clock;
   result.saturated = saturated_sensors(problem);
+  result.sensor_jumps = sensor_jumps(problem);
   result.equal_columns = problem.logged.equal;
   result.set_aside = far_readings(find_column(data, result.target)->values).size();
   result.level_jumps = problem.level_jumps.size();
@@ -293,12 +294,10 @@ Diagnosis diagnosis_of(Inference& inference, const Model& model, const Series& d
   result.own = held_values_of(problem, posterior);
   result.gains_by_run = gains_by_run(problem, posterior, best);
   result.noise = noise_of(posterior.filters[best.filter].covariance, at.solution.variance, problem.known.variance);
-  describe_discrepancy(inference, best, options.search.catalogue, result);
+  const Eigen::VectorXd slow_um = discrepancy_mean(problem, posterior, best);
+  describe_discrepancy(inference, slow_um, options.search.catalogue, result);
   tell_what_was_not_used(problem, model, data, result);
-  const bool is_all_searched =
-      !tuning.columns_not_searched || (result.columns_not_searched.empty() && result.has_clock);
   if (model.level == Level::series) result.drivers = drivers_of(problem, posterior);
-  for (Driver& driver : result.drivers) driver.is_clear = is_all_searched;
   tell_detectability(problem, model, options, result.noise, result);
 
   // The tests of the members. RMSE as in a fit of the model with these effects by `add` and `check`.
@@ -320,6 +319,11 @@ Diagnosis diagnosis_of(Inference& inference, const Model& model, const Series& d
       leave_cycles_out(fitted.model, terms, data, target, result.candidates);
     }
   }
+  if (tuning.coarse_columns && !best.families.empty())
+    result.coarse_columns = coarse_columns(problem, data, at, slow_um, result.candidates);
+  const bool is_all_searched = !tuning.columns_not_searched || (result.columns_not_searched.empty() &&
+                                                                result.coarse_columns.empty() && result.has_clock);
+  for (Driver& driver : result.drivers) driver.is_clear = is_all_searched;
   if (is_drift_beside) doubt_beside(result.discrepancy_um, at, result.candidates, result.drivers);
 
   const double stated_um = std::sqrt(problem.known.variance);

@@ -41,6 +41,17 @@ inline constexpr auto kResult<Driver> = ResultType(
     Field{"is_clear", &Driver::is_clear, "false: beside a larger slow drift, or other columns of a few readings"});
 
 template <>
+inline constexpr auto kResult<CoarseColumn> =
+    ResultType("CoarseColumn", "A column too coarse to be told from the cause.", Field{"column", &CoarseColumn::column},
+               Field{"resolution", &CoarseColumn::resolution, "in the unit of the column"});
+
+template <>
+inline constexpr auto kResult<SensorJump> = ResultType("SensorJump", "A jump of the zero of a sensor.",
+                                                       Field{"column", &SensorJump::column},
+                                                       Field{"time_s", &SensorJump::time_s},
+                                                       Field{"size", &SensorJump::size, "in the unit of the column"});
+
+template <>
 inline constexpr auto kResult<Saturated> = ResultType(
     "Saturated", "A column whose sensor stands at the end of its range, or is stuck.",
     Field{"column", &Saturated::column}, Field{"share", &Saturated::share, "of the rows, which are set aside"},

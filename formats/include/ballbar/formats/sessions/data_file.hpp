@@ -42,6 +42,10 @@ bool stands_for_runs(const Source& source, std::span<const Reader> readers = kno
 ModelData model_data_of(const DriftData& source, const std::string& name, const DriftOptions& options,
                         std::optional<double> max_gap_s, std::span<const Reader> readers = known_readers());
 
+// One series whose probes were set to zero behind pauses of more than 8 h, as several runs, and a remark that says so;
+// anything else unchanged. open_model_data() does so itself.
+ModelData with_own_zeros(ModelData data);
+
 // Where model_data_of() throws for the rows within gaps: the longest, as longest_gap() of its parts.
 std::optional<SignalGap> longest_gap(const DriftData& source, std::optional<double> max_gap_s,
                                      std::span<const Reader> readers = known_readers());

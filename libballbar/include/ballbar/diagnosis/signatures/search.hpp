@@ -63,6 +63,7 @@ struct Tuning {
   std::size_t fewest_changes = 8;    // of a column, to determine its sampling interval
   bool steps_within_samples = true;  // a step is drawn in the middle of its sample
   bool smoothing = true;             // of temperatures
+  bool outliers_of_inputs = true;    // readings far from the smooth curve count less
   bool equal_columns = true;         // those that measure the same quantity get the mean of their curves
   bool rows_at_jumps = true;         // rows within the sample of a step tell nothing
   // Saturated sensors: the rows at the end of a sensor's range are set aside.
@@ -70,6 +71,7 @@ struct Tuning {
   double least_at_end = 0.05;         // share of all rows; off: 1
   double small_step = 1.5;            // resolutions: a sensor that comes to rest takes such steps before
   bool stuck_sensors = true;          // stuck sensors, too
+  bool offset_jumps = true;           // jumps of the zero of a sensor on a body are taken out
   double most_saturated = 2.0 / 3.0;  // share of the rows; with more, none is set aside
   // A jump of the target within `rows_about_jump` rows of one of a temperature is that of the temperature.
   double temperature_jump = 0.2;         // share of its range, from row to row; off: 1
@@ -148,6 +150,7 @@ struct Tuning {
   bool beside_discrepancy = true;    // beside a larger drift no cause is named
   bool jump_that_stays = true;       // a jump explains more than a change that the noise forgets
   bool columns_not_searched = true;  // beside a column that was not searched nothing is certain
+  bool coarse_columns = true;        // nor beside one that is too coarse to be told from the cause
 };
 
 // Columns that measure the same quantity: equal up to a factor near 1, a constant and noise. No data tell them apart.

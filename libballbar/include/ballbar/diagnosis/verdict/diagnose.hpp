@@ -144,11 +144,23 @@ struct ColumnNotSearched {
   bool is_words = false;  // Series::unread
 };
 
+// A column whose resolution is too large to tell it from the cause that was found.
+struct CoarseColumn {
+  std::string column;
+  double resolution = 0.0;  // in the unit of the column
+};
+
 // A sensor that stands at the end of its range, or that is stuck; it may be that of the target.
 struct Saturated {
   std::string column;
   double share = 0.0;  // of the rows, which are set aside
   bool is_stuck = false;
+};
+
+// A jump of the zero of a sensor on a body, as where it is exchanged or calibrated. The search takes it out.
+struct SensorJump {
+  std::string column;
+  double time_s = 0.0, size = 0.0;
 };
 
 struct Diagnosis {
@@ -169,8 +181,10 @@ struct Diagnosis {
   std::string discrepancy_parameter;  // "time constant"
   double discrepancy_time_s = 0.0;    // of that parameter
   std::vector<ColumnNotSearched> columns_not_searched;
-  bool has_clock = true;  // else no lag was searched, and nothing is certain
+  bool has_clock = true;                     // else no lag was searched, and nothing is certain
+  std::vector<CoarseColumn> coarse_columns;  // one of them may be the cause: nothing is certain
   std::vector<Saturated> saturated;
+  std::vector<SensorJump> sensor_jumps;
   std::vector<EqualColumns> equal_columns;
   std::size_t set_aside = 0;          // readings far from all others
   std::size_t level_jumps = 0;        // of the target; three or more are no effect, but a property of the target

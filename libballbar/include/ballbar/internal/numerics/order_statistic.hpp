@@ -24,6 +24,9 @@ T median(std::vector<T> values) {
   return order_statistic(std::move(values), middle);
 }
 
+// Each value less the median of those that are at most so many rows from it. No NaN.
+std::vector<double> less_running_median(const std::vector<double>& values, std::size_t rows);
+
 // Median of the positive time steps; 0 if there are none. O(n).
 double median_step_s(std::span<const double> time_s);
 

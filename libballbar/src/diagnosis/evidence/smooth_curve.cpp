@@ -1,0 +1,159 @@
+#include "diagnosis/evidence/smooth_curve.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "ballbar/internal/numerics/interruption.hpp"
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "noise/linear_filter.hpp"
+#include "noise/whitening.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr int kWeightings = 4;           // of the weights
+constexpr std::size_t kNeighbours = 2;   // on either side
+constexpr double kMedianOfSizes = 0.67;  // of a normal distribution, in sigma
+
+// Integrated random walk x'' = white noise of this spectral density, seen at the observations. States (x, x'); it has
+// no stationary variance, so that its gains are not those of a noise (linear_filter.hpp), its steps are.
+struct Smoother {
+  const std::vector<Observation>& observations;
+  double density;
+
+  static Eigen::Matrix2d transition(double dt) { return Eigen::Matrix2d{{1.0, dt}, {0.0, 1.0}}; }
+  StateEstimate<2> moved(const StateEstimate<2>& from, double dt) const {
+    const Eigen::Matrix2d added = density * Eigen::Matrix2d{{dt * dt * dt / 3.0, dt * dt / 2.0}, {dt * dt / 2.0, dt}};
+    return predicted(from, transition(dt), added);
+  }
+  static StateUpdate<2> with(const StateEstimate<2>& before, const Observation& one) {
+    return updated(before, {1.0, 0.0}, one.variance, one.value);
+  }
+  StateEstimate<2> start() const {
+    const double span = observations.back().time_s - observations.front().time_s;
+    const double slope = 1e6 / (span * span) + density * span;
+    return {{observations.front().value, 0.0}, Eigen::Vector2d(1e6, slope).asDiagonal()};
+  }
+  // The most likely scatter; the first two observations determine the start of the curve.
+  double log_likelihood() const {
+    expect_no_interruption();
+    double log_variances = 0.0, squares = 0.0;
+    StateEstimate<2> now = start();
+    for (std::size_t i = 0; i < observations.size(); ++i) {
+      if (i > 0) now = moved(now, observations[i].time_s - observations[i - 1].time_s);
+      const StateUpdate<2> update = with(now, observations[i]);
+      now = update.after;
+      if (i < 2) continue;
+      log_variances += std::log(update.variance);
+      squares += update.innovation * update.innovation / update.variance;
+    }
+    return -0.5 * log_variances -
+           0.5 * static_cast<double>(observations.size() - 2) * std::log(std::max(squares, 1e-300));
+  }
+  // The smoothed curve at rising times: forwards, then Rauch, Tung and Striebel backwards.
+  std::vector<double> at(const std::vector<double>& time_s) const {
+    struct Step {
+      double time_s;
+      StateEstimate<2> before, after;
+      std::optional<std::size_t> row;  // of time_s
+    };
+    expect_no_interruption();
+    std::vector<Step> steps;
+    steps.reserve(time_s.size() + observations.size());
+    StateEstimate<2> now = start();
+    double last = std::min(observations.front().time_s, time_s.front());
+    std::size_t next = 0;
+    for (std::size_t i = 0; i <= time_s.size(); ++i) {
+      for (; next < observations.size() && (i == time_s.size() || observations[next].time_s <= time_s[i]); ++next) {
+        const StateEstimate<2> before = moved(now, observations[next].time_s - last);
+        now = with(before, observations[next]).after;
+        last = observations[next].time_s;
+        steps.push_back({last, before, now, std::nullopt});
+      }
+      if (i == time_s.size()) break;
+      now = moved(now, time_s[i] - last);
+      last = time_s[i];
+      steps.push_back({last, now, now, i});
+    }
+    expect_no_interruption();
+    std::vector<double> values(time_s.size());
+    Eigen::Vector2d smooth = steps.back().after.x;
+    for (std::size_t k = steps.size(); k-- > 0;) {
+      const StateEstimate<2>& after = steps[k].after;
+      const double dt = k + 1 < steps.size() ? steps[k + 1].time_s - steps[k].time_s : 0.0;
+      if (dt > 0.0) {
+        // x = after + P F' Q^-1 (smooth - before), P after this step, Q before the next
+        const StateEstimate<2>& before = steps[k + 1].before;
+        smooth = before.p.determinant() > 0.0
+                     ? Eigen::Vector2d(after.x + after.p * transition(dt).transpose() *
+                                                     (before.p.inverse() * (smooth - before.x)))
+                     : after.x;
+      }
+      if (steps[k].row) values[*steps[k].row] = smooth[0];
+    }
+    return values;
+  }
+};
+
+// With the roughness of the largest likelihood.
+Smoother likeliest(const std::vector<Observation>& observations) {
+  double best = 0.0, most = -std::numeric_limits<double>::infinity();
+  const double span = observations.back().time_s - observations.front().time_s;
+  const double usual = std::max(span / static_cast<double>(observations.size() - 1), 1e-3);
+  for (double step = 0.2 * usual; step < 0.3 * span; step *= 2.0) {
+    // A walk that goes by as much as the scatter in this time.
+    const double density = 3.0 / (step * step * step);
+    const double now = Smoother{observations, density}.log_likelihood();
+    if (now > most) {
+      most = now;
+      best = density;
+    }
+  }
+  return {observations, best};
+}
+
+// What the curve of some weights leaves of each observation, in the standard deviation of the observation, less the
+// median of those about it: where the curve is too smooth for a bend, its neighbours share it.
+std::vector<double> residuals_of(const Smoother& smoother, const std::vector<Observation>& observations) {
+  std::vector<double> time_s, residuals;
+  time_s.reserve(observations.size());
+  for (const Observation& one : observations) time_s.push_back(one.time_s);
+  residuals = smoother.at(time_s);
+  for (std::size_t i = 0; i < residuals.size(); ++i)
+    residuals[i] = (observations[i].value - residuals[i]) / std::sqrt(observations[i].variance);
+  return less_running_median(residuals, kNeighbours);
+}
+
+double robust_sigma(std::vector<double> residuals) {
+  for (double& one : residuals) one = std::abs(one);
+  return median(std::move(residuals)) / kMedianOfSizes;
+}
+
+}  // namespace
+
+std::vector<double> smooth_curve(const std::vector<Observation>& observations, const std::vector<double>& time_s) {
+  return likeliest(observations).at(time_s);
+}
+
+std::vector<double> robust_curve(const std::vector<Observation>& observations, const std::vector<double>& time_s,
+                                 const Tuning& tuning) {
+  std::vector<Observation> weighed = observations;
+  for (int round = 0; round < kWeightings; ++round) {
+    const std::vector<double> residuals = residuals_of(likeliest(weighed), observations);
+    const double sigma = robust_sigma(residuals);
+    const auto count = static_cast<Eigen::Index>(residuals.size());
+    if (!(sigma > 0.0) || (round == 0 && !has_heavy_tails(Eigen::VectorXd::Map(residuals.data(), count)))) break;
+    for (std::size_t i = 0; i < weighed.size(); ++i) {
+      const double factor = (std::pow(residuals[i] / sigma, 2) + tuning.freedom) / (tuning.freedom + 1.0);
+      weighed[i].variance = observations[i].variance * (factor < tuning.outlier ? 1.0 : factor);
+    }
+  }
+  return likeliest(weighed).at(time_s);
+}
+
+}  // namespace ballbar

@@ -1,0 +1,23 @@
+// The smooth curve through the readings of a sensor.
+#pragma once
+
+#include <vector>
+
+#include "ballbar/diagnosis/signatures/search.hpp"
+
+namespace ballbar {
+
+struct Observation {
+  double time_s = 0.0, value = 0.0, variance = 1.0;  // in units of the scatter
+};
+
+// The mean of an integrated random walk, x'' = white noise, given the observations, at these times; both rise. The
+// roughness is that of the largest likelihood.
+std::vector<double> smooth_curve(const std::vector<Observation>& observations, const std::vector<double>& time_s);
+
+// The same, but where the residual has heavy tails, observations far from the curve count less, by the weights of
+// Student's t with Tuning::freedom degrees of freedom (Lange, Little and Taylor 1989, J. Am. Stat. Assoc. 84, 881).
+std::vector<double> robust_curve(const std::vector<Observation>& observations, const std::vector<double>& time_s,
+                                 const Tuning& tuning);
+
+}  // namespace ballbar

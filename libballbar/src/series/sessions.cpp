@@ -1,0 +1,68 @@
+#include "ballbar/internal/series/sessions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/internal/numerics/order_statistic.hpp"
+#include "ballbar/series/series.hpp"
+#include "series/pause.hpp"
+#include "series/resolution.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kSigmasOfZero = 5.0;
+constexpr std::size_t kRowsOfSession = 12;
+
+// The scatter of a value, from differences of neighbours; at least the resolution.
+double scatter_of(const std::vector<double>& values) {
+  constexpr double kMedianOfDifference = 0.95;  // of a normal distribution, in sigma of a value
+  std::vector<double> sizes;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double size = std::abs(values[i] - values[i - 1]);
+    if (std::isfinite(size)) sizes.push_back(size);
+  }
+  if (sizes.empty()) return 0.0;
+  return std::max(median(std::move(sizes)) / kMedianOfDifference, resolution_of(values));
+}
+
+// The first and the last reading of some rows.
+double first_reading(const std::vector<double>& values, const RowRange& rows) {
+  std::size_t row = rows.begin;
+  while (row + 1 < rows.end && std::isnan(values[row])) ++row;
+  return values[row];
+}
+double last_reading(const std::vector<double>& values, const RowRange& rows) {
+  std::size_t row = rows.end - 1;
+  while (row > rows.begin && std::isnan(values[row])) --row;
+  return values[row];
+}
+
+}  // namespace
+
+std::vector<RowRange> sessions_of(const Series& data, const std::vector<std::string>& targets) {
+  std::vector<const Column*> probes;
+  probes.reserve(targets.size());
+  for (const std::string& name : targets) probes.push_back(find_column(data, name));
+  const std::vector<RowRange> parts = between_pauses(data.time_s);
+  if (parts.size() < 2 || probes.empty() || !data.has_clock) return {};
+  std::vector<RowRange> sessions{parts.front()};
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    bool is_zeroed = true, was_elsewhere = false;
+    for (const Column* probe : probes) {
+      const double first = first_reading(probe->values, parts.front()),
+                   near = kSigmasOfZero * scatter_of(probe->values);
+      is_zeroed = is_zeroed && std::abs(first_reading(probe->values, parts[k]) - first) <= near;
+      was_elsewhere = was_elsewhere || std::abs(last_reading(probe->values, parts[k - 1]) - first) > near;
+    }
+    if (is_zeroed && was_elsewhere)
+      sessions.push_back(parts[k]);
+    else
+      sessions.back().end = parts[k].end;
+  }
+  const bool is_short = std::any_of(sessions.begin(), sessions.end(),
+                                    [](const RowRange& rows) { return rows.end - rows.begin < kRowsOfSession; });
+  return is_short || sessions.size() < 2 ? std::vector<RowRange>{} : sessions;
+}
+
+}  // namespace ballbar
