@@ -283,7 +283,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   Log log;
   log.shape = shape_text(shape);
   log.time = plan.time.text;
-  log.first_row_line = shape.first_row_line;
+  log.first_row_line = table.before_clock > 0 ? table.line_of(0) : shape.first_row_line;
   log.names_from = shape.names_from;
   say_table_above(shape, log);
   say_lines(table, log);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -113,7 +114,8 @@ class Table {
       }
       if (table_.rows > 1) table_.without_row += between;
       between = 0;
-      if (!expected_next || lines.number() != last_line + 1) table_.lines.emplace_back(table_.rows - 1, lines.number());
+      if (!expected_next || lines.number() != last_line + 1 || table_.rows == 1)
+        table_.lines.emplace_back(table_.rows - 1, lines.number());
       expected_next = true;
       last_line = lines.number();
     }
@@ -206,6 +208,8 @@ class Table {
     std::string_view bad_cell;
     date_ = clock_ = channel_ = {};
     parts_s_ = 0.0;
+    clock_is_set_ = false;
+    day_.reset();
     const std::size_t columns = plan_.columns.size();
     is_timed_ = false;
     at = past_blanks(at, end);
@@ -254,9 +258,9 @@ class Table {
         if (kind == ColumnKind::clock) clock_ = trimmed_cell(cell);
         if (kind == ColumnKind::part)
           parts_s_ += cell_number(cell, shape_.decimal).value_or(kGap) * plan_.columns[column].part_s;
-        if (kind == ColumnKind::year) calendar_[0] = trimmed_cell(cell);
-        if (kind == ColumnKind::month) calendar_[1] = trimmed_cell(cell);
-        if (kind == ColumnKind::day) calendar_[2] = trimmed_cell(cell);
+        if (kind >= ColumnKind::year && kind <= ColumnKind::day)
+          calendar_[static_cast<std::size_t>(kind) - static_cast<std::size_t>(ColumnKind::year)] =
+              cell_number(cell, shape_.decimal).value_or(-1.0);
         if (kind == ColumnKind::channel) channel_ = trimmed_cell(cell);
         if (kind == ColumnKind::words) row_[column] = word_in(cell, table_.words[column]);
         at += cell.size();
@@ -301,6 +305,7 @@ class Table {
       table_.bad_lines.push_back(text);
     }
     pending_.clear();
+    if (bad || (more && !is_remark(rest))) restore(before);
     if (bad) {
       return skip(fmt::format("expected a number for {}, found {}. Use --missing to read such a text as a gap.",
                               in_quotes(plan_.columns[*bad].source), in_quotes(trimmed_cell(bad_cell))),
@@ -311,6 +316,8 @@ class Table {
                               in_quotes(rest)),
                   line);
     }
+    if (clock_is_set_) leave_out_rows_above();
+    last_day_ = day_;
     if (column < plan_.columns.size()) {
       for (std::size_t i = column; i < plan_.columns.size(); ++i) row_[i] = kGap;
       if (is_cut_off(column - 1)) {
@@ -389,8 +396,8 @@ class Table {
   // The date and the clock of the row, as far as they are texts.
   std::optional<TimeStamp> stamp_of_row(DateOrder order, const std::optional<std::string>& with_colons) {
     if (has_calendar_) {
-      calendar_date_ =
-          fmt::format("{}{}-{}-{}", calendar_[0].size() == 2 ? "20" : "", calendar_[0], calendar_[1], calendar_[2]);
+      const double year = calendar_[0] < 100.0 ? 2000.0 + calendar_[0] : calendar_[0];
+      calendar_date_ = fmt::format("{:04.0f}-{:02.0f}-{:02.0f}", year, calendar_[1], calendar_[2]);
       date_ = calendar_date_;
     }
     if (plan_.columns[plan_.time.column].kind == ColumnKind::part) return TimeStamp{.clock_s = 0.0};
@@ -401,11 +408,18 @@ class Table {
   void leave_out_rows_above() {
     table_.before_clock += table_.rows;
     for (std::vector<double>& values : table_.values) values.clear();
+    for (std::size_t i = 0; i < table_.words.size(); ++i) {  // of them the word of this row stays
+      std::vector<std::string>& words = table_.words[i];
+      const bool is_known = !words.empty() && row_[i] < static_cast<double>(words.size());
+      words = is_known ? std::vector{words[static_cast<std::size_t>(row_[i])]} : std::vector<std::string>{};
+      if (is_known) row_[i] = 0.0;
+    }
     table_.time_s.clear();
     table_.channel_of.clear();
+    table_.channels.clear();
+    channels_.clear();
     table_.lines.clear();
-    table_.rows = 0;
-    table_.first_day.reset();
+    table_.rows = table_.short_rows = 0;
     evidence_ = {};
   }
 
@@ -444,9 +458,10 @@ class Table {
         throw Error(fmt::format("{}:{}: expected dates with the {} first as in the rows before, found {}.", name_, line,
                                 order == DateOrder::day_first ? "day" : "month", in_quotes(date_)));
       }
-      const bool is_set_now = table_.first_day && is_day_of_unset_clock(*table_.first_day) &&
-                              *stamp->day > *table_.first_day + kLongestPause_d;
-      if (is_set_now) leave_out_rows_above();
+      clock_is_set_ = last_day_ && table_.first_day && is_day_of_unset_clock(*table_.first_day) &&
+                      *stamp->day > *last_day_ + kLongestPause_d;
+      day_ = stamp->day;
+      if (clock_is_set_) table_.first_day.reset();
       if (!table_.first_day) {
         table_.first_day = *stamp->day;
         zone_s_ = zone_s;
@@ -473,8 +488,10 @@ class Table {
   std::string_view last_cell_;         // of the row
   std::string_view date_, clock_, channel_;
   bool has_hours_ = false, has_calendar_ = false;
-  double parts_s_ = 0.0;          // of the row
-  std::string_view calendar_[3];  // year, month and day
+  bool clock_is_set_ = false;                   // in the row, and in no row before
+  std::optional<std::int64_t> day_, last_day_;  // of the row, and of the row before
+  double parts_s_ = 0.0;                        // of the row
+  std::array<double, 3> calendar_{};            // year, month and day
   std::string calendar_date_;
   bool has_channels_ = false;
   std::map<std::string, std::uint32_t, std::less<>> channels_;

@@ -48,9 +48,10 @@ class TimeFinder {
     if (stamps) return of_stamp(*stamps);
     if (dates && clocks) return of_date_and_clock(*dates, *clocks);
     if (dates && fractions) return of_date_and_fraction(*dates, *fractions);
-    if (const auto parts = clocks ? std::nullopt : parts_of_time(dates)) return of_parts(dates, *parts);
     if (const auto packed = packed_stamps()) return of_stamp(*packed);
     if (const auto packed = packed_date_and_clock()) return of_date_and_clock(packed->first, packed->second);
+    const auto parts = number ? std::nullopt : parts_of_time(dates, clocks);
+    if (parts) return of_parts(dates, *parts);
     if (clocks) return of_stamp(*clocks);
     if (number) return of_number(*number);
     if (const auto every_s = interval_of(shape_)) return by_rows(*every_s, "the lines above the table");
@@ -119,41 +120,81 @@ class TimeFinder {
     return std::nullopt;
   }
 
-  // Columns of hours, minutes and seconds, behind a date or behind columns of year, month and day.
+  // Columns of whole numbers that are together a time: hour, minute and second, year, month and day.
   struct TimeParts {
-    std::vector<std::pair<std::size_t, double>> clock;  // columns and their units, s
     std::vector<std::size_t> calendar;                  // year, month, day; empty: none
+    std::optional<std::size_t> clock;                   // a column of clocks beside them
+    std::vector<std::pair<std::size_t, double>> parts;  // columns and their units, s
   };
-  static std::size_t first_of(const TimeParts& parts) {
-    return parts.calendar.empty() ? parts.clock.front().first : parts.calendar.front();
+  static std::size_t first_of(const TimeParts& time) {
+    return !time.calendar.empty() ? time.calendar.front() : time.parts.front().first;
   }
-  std::optional<TimeParts> parts_of_time(const std::optional<std::size_t>& date) const {
-    const auto part = [&](std::string_view names, double least, double most, bool is_whole) {
-      std::optional<std::size_t> found;
-      for (std::size_t i = 0; i < samples_.size() && !found; ++i) {
-        const ColumnSample& sample = samples_[i];
-        if (!is_one_of(names, folded(plan_.columns[i].name)) || sample.values.size() != sample.written()) continue;
-        const bool is_within = std::all_of(sample.values.begin(), sample.values.end(),
-                                           [&](double value) { return value >= least && value < most; });
-        if (!sample.values.empty() && is_within && (!is_whole || all_whole(sample))) found = i;
+
+  // Whether all cells of the column are such numbers, under one of these names and no unit but that of time.
+  bool is_part(std::size_t i, std::string_view names, double least, double below, bool is_whole) const {
+    if (i >= samples_.size()) return false;
+    const ColumnSample& sample = samples_[i];
+    const PlannedColumn& column = plan_.columns[i];
+    if (!is_one_of(names, folded(column.name)) || !(column.unit.empty() || is_one_of(names, folded(column.unit))))
+      return false;
+    return !sample.values.empty() && sample.values.size() == sample.written() && (!is_whole || all_whole(sample)) &&
+           std::all_of(sample.values.begin(), sample.values.end(),
+                       [&](double value) { return value >= least && value < below; });
+  }
+
+  // Year, month and day in neighbouring columns, or the other way about; empty: there are none.
+  std::vector<std::size_t> calendar_columns() const {
+    constexpr std::string_view kYears = "year|yyyy|yy|jahr|annee|anno|ano|年", kDays = "day|dd|tag|jour|giorno|dia|日";
+    for (std::size_t month = 1; month + 1 < samples_.size(); ++month) {
+      if (!is_part(month, "month|mon|mm|mo|monat|mois|mese|mes|月", 1.0, 13.0, true)) continue;
+      for (const auto& [year, day] : {std::pair{month - 1, month + 1}, std::pair{month + 1, month - 1}}) {
+        if (is_part(year, kYears, 0.0, 2070.0, true) && is_part(day, kDays, 1.0, 32.0, true)) return {year, month, day};
       }
-      return found;
-    };
-    const auto year = part("year|yyyy|yy|jahr|annee|anno|ano|年", 0.0, 2070.0, true);
-    const auto month = part("month|mon|mm|monat|mois|mese|mes|月", 1.0, 13.0, true);
-    const auto day = part("day|dd|tag|jour|giorno|dia|日", 1.0, 32.0, true);
-    const bool has_date = date || (year && month && day);
-    const auto minute = part("minute|minutes|min|mins|mm|m|minuten|minuti|minuto|minutos|分|分钟", 0.0, 60.0, true);
-    const auto second =
-        part("second|seconds|sec|secs|ss|s|sekunde|sekunden|sek|seconde|secondi|segundo|秒", 0.0, 60.0, false);
-    const auto hour = part("hour|hours|hr|hrs|hh|h|stunde|stunden|std|heure|heures|ora|ore|hora|horas|时|小时|時", 0.0,
-                           has_date ? 24.0 : 1e4, minute.has_value());
-    if (!hour || !(minute || has_date) || (minute && minute == month)) return std::nullopt;
-    TimeParts parts{{{*hour, 3600.0}}, {}};
-    if (minute) parts.clock.emplace_back(*minute, 60.0);
-    if (minute && second) parts.clock.emplace_back(*second, 1.0);
-    if (!date && has_date) parts.calendar = {*year, *month, *day};
-    return parts;
+    }
+    return {};
+  }
+
+  // Without a date a clock falls at midnight alone.
+  bool runs_on(const std::vector<std::pair<std::size_t, double>>& parts) const {
+    double before_s = 0.0;
+    for (std::size_t row = 0; row < samples_[parts.front().first].values.size(); ++row) {
+      double now_s = 0.0;
+      for (const auto& [column, part_s] : parts) {
+        if (row >= samples_[column].values.size()) return false;
+        now_s += part_s * samples_[column].values[row];
+      }
+      if (now_s < before_s && now_s > before_s - 0.5 * kDay_s) return false;
+      before_s = now_s;
+    }
+    return true;
+  }
+
+  std::optional<TimeParts> parts_of_time(const std::optional<std::size_t>& date,
+                                         const std::optional<std::size_t>& clock) const {
+    constexpr std::string_view kHours =
+        "hour|hours|hr|hrs|hh|h|stunde|stunden|std|heure|heures|ora|ore|hora|horas|时|小时|時";
+    constexpr std::string_view kWords = "hour|hours|stunde|heure|ora|hora|时|小时|時";  // that mean no height
+    constexpr std::string_view kMinutes = "minute|minutes|min|mins|mm|m|mi|minuten|minuti|minuto|minutos|分|分钟";
+    constexpr std::string_view kSeconds =
+        "second|seconds|sec|secs|ss|s|sekunde|sekunden|sek|seconde|secondi|segundo|秒";
+    TimeParts time;
+    if (!date) time.calendar = calendar_columns();
+    const bool has_date = date || !time.calendar.empty();
+    if (clock) {
+      time.clock = clock;
+      return time.calendar.empty() ? std::nullopt : std::optional(time);
+    }
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (!is_part(i, kHours, 0.0, has_date ? 25.0 : 1e4, false)) continue;
+      time.parts = {{i, 3600.0}};
+      const bool has_minutes = all_whole(samples_[i]) && is_part(i + 1, kMinutes, 0.0, 60.0, false);
+      if (has_minutes) time.parts.emplace_back(i + 1, 60.0);
+      if (has_minutes && all_whole(samples_[i + 1]) && is_part(i + 2, kSeconds, 0.0, 60.0, false))
+        time.parts.emplace_back(i + 2, 1.0);
+      const bool is_surely = has_minutes || (has_date && is_part(i, kWords, 0.0, 25.0, false));
+      if (is_surely && (has_date || runs_on(time.parts))) return time;
+    }
+    return std::nullopt;
   }
 
   // 20261122130510, without a sign, under a name of time.
@@ -251,7 +292,7 @@ class TimeFinder {
     const ColumnSample& sample = samples_[i];
     const auto clocks = first([](const ColumnSample& s) { return s.mostly(s.clocks); });
     const std::optional<std::size_t> date = sample.mostly(sample.dates) ? std::optional(i) : std::nullopt;
-    const auto parts = clocks ? std::nullopt : parts_of_time(date);
+    const auto parts = date && clocks ? std::nullopt : parts_of_time(date, clocks);
     if (parts && (date || i == first_of(*parts))) return of_parts(date, *parts);
     if (sample.mostly(sample.numbers) && sample.stamps != sample.numbers) return of_number(i);
     if (sample.mostly(sample.dates) || (sample.stamps > 0 && sample.midnights == sample.stamps)) {
@@ -339,26 +380,30 @@ class TimeFinder {
   void of_parts(const std::optional<std::size_t>& date, const TimeParts& parts) {
     TimePlan& time = plan_.time;
     std::vector<std::string> names;
+    const auto take = [&](std::size_t column, ColumnKind kind) {
+      plan_.columns[column].kind = kind;
+      names.push_back(in_quotes(plan_.columns[column].source));
+    };
     if (date) {
       of_stamp(*date);
-      plan_.columns[*date].kind = ColumnKind::date;
-      names.push_back(time.text);
+      take(*date, ColumnKind::date);
     } else {
       time.kind = TimePlan::Kind::stamps;
       time.column = first_of(parts);
       time.order = DateOrder::day_first;  // no date is ambiguous
     }
     constexpr ColumnKind kCalendar[] = {ColumnKind::year, ColumnKind::month, ColumnKind::day};
-    for (std::size_t k = 0; k < parts.calendar.size(); ++k) {
-      plan_.columns[parts.calendar[k]].kind = kCalendar[k];
-      names.push_back(in_quotes(plan_.columns[parts.calendar[k]].source));
+    for (std::size_t k = 0; k < parts.calendar.size(); ++k) take(parts.calendar[k], kCalendar[k]);
+    if (parts.clock) {
+      time.dotted_clock = samples_[*parts.clock].has_dotted_clocks;
+      take(*parts.clock, ColumnKind::clock);
     }
-    for (const auto& [column, part_s] : parts.clock) {
-      plan_.columns[column].kind = ColumnKind::part;
+    for (const auto& [column, part_s] : parts.parts) {
       plan_.columns[column].part_s = part_s;
-      names.push_back(in_quotes(plan_.columns[column].source));
+      take(column, ColumnKind::part);
     }
     time.text = fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+    find_milli(parts.clock ? *parts.clock : parts.parts.back().first);
   }
 
   // A column of milliseconds right behind a clock to whole seconds.

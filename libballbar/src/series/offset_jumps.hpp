@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
+
+#include "ballbar/series/series.hpp"
 
 namespace ballbar {
 
@@ -11,10 +14,11 @@ struct OffsetJump {
   double size = 0.0;
 };
 
-// The jumps from one row to the next of a column of a body that cannot jump. Beside the median change of 4 rows on
-// either side, one is more than five times the largest change of the 8 rows on either side, and more than five
-// resolutions. The size is that of a jump in a parabola through these rows, and more than five times the rms of what it
-// leaves. A column with more than two has none.
-std::vector<OffsetJump> offset_jumps(const std::vector<double>& values);
+// The jumps from one row to the next of a thermometer on a body, which cannot jump. Beside the median change of 4 rows
+// on either side, one is more than five times the largest change of the 8 rows on either side, and more than five usual
+// changes. The size is that of a jump in a parabola through these rows, and more than five times the rms of what it
+// leaves. The rows are evenly spaced, and no other column changes as suddenly there: else something happened to the
+// machine. A column with more than two has none. It has no gaps, and time rises.
+std::vector<OffsetJump> offset_jumps(const Series& data, const Column& column);
 
 }  // namespace ballbar

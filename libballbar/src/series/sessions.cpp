@@ -11,19 +11,20 @@
 namespace ballbar {
 namespace {
 
-constexpr double kSigmasOfZero = 5.0;
-constexpr std::size_t kRowsOfSession = 12;
+constexpr double kSigmasOfZero = 3.0;
+constexpr std::size_t kRowsOfSession = 4;
 
-// The scatter of a value, from differences of neighbours; at least the resolution.
-double scatter_of(const std::vector<double>& values) {
+// How far from zero a reading of a probe is that was set to zero: three times its scatter, from differences of
+// neighbours, and half a resolution.
+double near_zero(const std::vector<double>& values) {
   constexpr double kMedianOfDifference = 0.95;  // of a normal distribution, in sigma of a value
   std::vector<double> sizes;
   for (std::size_t i = 1; i < values.size(); ++i) {
     const double size = std::abs(values[i] - values[i - 1]);
     if (std::isfinite(size)) sizes.push_back(size);
   }
-  if (sizes.empty()) return 0.0;
-  return std::max(median(std::move(sizes)) / kMedianOfDifference, resolution_of(values));
+  const double sigma = sizes.empty() ? 0.0 : median(std::move(sizes)) / kMedianOfDifference;
+  return std::max(kSigmasOfZero * sigma, 0.5 * resolution_of(values) * (1.0 + 1e-9));
 }
 
 // The first and the last reading of some rows.
@@ -48,21 +49,18 @@ std::vector<RowRange> sessions_of(const Series& data, const std::vector<std::str
   if (parts.size() < 2 || probes.empty() || !data.has_clock) return {};
   std::vector<RowRange> sessions{parts.front()};
   for (std::size_t k = 1; k < parts.size(); ++k) {
-    bool is_zeroed = true, was_elsewhere = false;
+    bool is_zeroed = parts[k].end - parts[k].begin >= kRowsOfSession, was_elsewhere = false;
     for (const Column* probe : probes) {
-      const double first = first_reading(probe->values, parts.front()),
-                   near = kSigmasOfZero * scatter_of(probe->values);
-      is_zeroed = is_zeroed && std::abs(first_reading(probe->values, parts[k]) - first) <= near;
-      was_elsewhere = was_elsewhere || std::abs(last_reading(probe->values, parts[k - 1]) - first) > near;
+      const double near = near_zero(probe->values);
+      is_zeroed = is_zeroed && std::abs(first_reading(probe->values, parts[k])) <= near;
+      was_elsewhere = was_elsewhere || std::abs(last_reading(probe->values, parts[k - 1])) > 2.0 * near;
     }
     if (is_zeroed && was_elsewhere)
       sessions.push_back(parts[k]);
     else
       sessions.back().end = parts[k].end;
   }
-  const bool is_short = std::any_of(sessions.begin(), sessions.end(),
-                                    [](const RowRange& rows) { return rows.end - rows.begin < kRowsOfSession; });
-  return is_short || sessions.size() < 2 ? std::vector<RowRange>{} : sessions;
+  return sessions.size() < 2 ? std::vector<RowRange>{} : sessions;
 }
 
 }  // namespace ballbar

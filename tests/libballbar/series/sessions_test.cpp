@@ -53,8 +53,22 @@ TEST(sessions_of, another_probe_that_goes_on_makes_it_one) {
 
 TEST(sessions_of, a_few_rows_are_none) {
   Series data = two_days();
-  data.time_s.resize(66);
-  data.columns[0].values.resize(66);
+  data.time_s.resize(63);
+  data.columns[0].values.resize(63);
+  EXPECT_TRUE(sessions_of(data, {"z_um"}).empty());
+}
+
+// The probe was set to zero on the second day alone.
+TEST(sessions_of, the_first_may_begin_elsewhere) {
+  Series data = two_days();
+  for (std::size_t i = 0; i < 60; ++i) data.columns[0].values[i] += 12.0;
+  EXPECT_EQ(sessions_of(data, {"z_um"}).size(), 2U);
+}
+
+// The noise of the readings does not make -3 um a zero.
+TEST(sessions_of, a_value_beyond_the_noise_is_no_zero) {
+  Series data = two_days();
+  for (std::size_t i = 60; i < 120; ++i) data.columns[0].values[i] -= 3.0;
   EXPECT_TRUE(sessions_of(data, {"z_um"}).empty());
 }
 

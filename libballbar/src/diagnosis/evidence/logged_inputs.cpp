@@ -143,7 +143,7 @@ std::vector<Observation> observations_of_runs(const std::vector<double>& time_s,
                                               const std::vector<RowRange>& runs, std::size_t held) {
   constexpr std::size_t kUsualRuns = 3;                            // as far apart are values within a run
   constexpr double kWithin = 4.0, kBetween = 1.0, kFarther = 4.0;  // variances; of runs farther apart than a resolution
-  const double resolution = resolution_of(values), late_s = 0.5 * (time_s[1] - time_s[0]) * static_cast<double>(held);
+  const double resolution = resolution_of(values);
   std::vector<double> samples;
   samples.reserve(runs.size());
   for (const RowRange& run : runs) samples.push_back(static_cast<double>((run.end - run.begin) / held));
@@ -154,7 +154,7 @@ std::vector<Observation> observations_of_runs(const std::vector<double>& time_s,
     const std::size_t begin = runs[k].begin, rows = runs[k].end - begin, within = rows / apart;
     if (k > 0) {
       const double step = std::abs(values[begin] - values[begin - 1]);
-      observations.push_back({time_s[begin] - late_s, 0.5 * (values[begin - 1] + values[begin]),
+      observations.push_back({0.5 * (time_s[begin - held] + time_s[begin]), 0.5 * (values[begin - 1] + values[begin]),
                               step < 1.5 * resolution ? kBetween : kFarther});
     }
     for (std::size_t j = 0; j < within; ++j) {
@@ -272,13 +272,13 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
         }
         for (const RowRange& run : runs) draw_line(column.values, run);
       }
-      if (tuning.offset_jumps && is_on_a_body(column) && step_s <= tuning.longest_sample_s) {
-        input.offsets = offset_jumps(column.values);
+      const std::size_t rows = even ? held_rows(column.values, tuning).value_or(1) : 1;
+      if (tuning.offset_jumps && is_on_a_body(column) && rows == 1 && step_s <= tuning.longest_sample_s) {
+        input.offsets = offset_jumps(data, *find_column(data, column.name));
         for (const OffsetJump& jump : input.offsets) {
           for (std::size_t row = jump.row; row < column.values.size(); ++row) column.values[row] -= jump.size;
         }
       }
-      const std::size_t rows = even ? held_rows(column.values, tuning).value_or(1) : 1;
       input.held = rows;
       const std::size_t sample = std::max(rows, even ? ramped_rows(column.values, tuning) : 1);
       sample_s = static_cast<double>(sample) * step_s;

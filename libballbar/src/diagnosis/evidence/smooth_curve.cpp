@@ -17,7 +17,7 @@ namespace ballbar {
 namespace {
 
 constexpr int kWeightings = 4;           // of the weights
-constexpr std::size_t kNeighbours = 2;   // on either side
+constexpr std::size_t kNeighbours = 3;   // on either side
 constexpr double kMedianOfSizes = 0.67;  // of a normal distribution, in sigma
 
 // Integrated random walk x'' = white noise of this spectral density, seen at the observations. States (x, x'); it has

@@ -13,20 +13,29 @@ namespace {
 constexpr double kOfRounding = 1.5;    // times the standard deviation of a rounded value
 constexpr double kOverRounding = 2.0;  // times that: what is left of an input that can be the cause
 
-// The columns of the base model and of the other members.
-Eigen::MatrixXd beside(const SetRegression& at, std::size_t member) {
-  std::vector<Eigen::Index> places;
-  for (Eigen::Index k = 0; k < at.size(); ++k) {
-    const bool is_own = k >= at.first[member] && k < at.first[member] + at.width[member];
-    if (!is_own && (at.model.is_flat[static_cast<std::size_t>(k)] != 0 || k >= at.first.front()))
-      places.push_back(1 + k);
-  }
-  return orthonormal(Eigen::MatrixXd(at.model.columns(Eigen::all, places)));
+bool reads(const Candidate& member, const std::string& column) {
+  return std::find(member.bound.columns.begin(), member.bound.columns.end(), column) != member.bound.columns.end();
 }
 
-Eigen::VectorXd curve_of(const SetRegression& at, std::size_t member) {
-  return at.model.columns.middleCols(1 + at.first[member], at.width[member]) *
-         at.solution.coefficients.segment(at.first[member], at.width[member]);
+// Some members of the set: their curve, and the columns of the base model and of all other members.
+struct Part {
+  Eigen::VectorXd curve;
+  Eigen::MatrixXd beside;
+};
+Part part_of(const SetRegression& at, const std::vector<char>& is_in) {
+  Part part{Eigen::VectorXd::Zero(at.model.columns.rows()), {}};
+  std::vector<char> is_beside(at.model.is_flat.begin(), at.model.is_flat.end());  // of the base model
+  for (std::size_t m = 0; m < at.first.size(); ++m) {
+    const Eigen::Index first = at.first[m], width = at.width[m];
+    std::fill_n(is_beside.begin() + first, width, is_in[m] != 0 ? char{0} : char{1});
+    if (is_in[m] != 0)
+      part.curve += at.model.columns.middleCols(1 + first, width) * at.solution.coefficients.segment(first, width);
+  }
+  std::vector<Eigen::Index> places;
+  for (std::size_t k = 0; k < is_beside.size(); ++k)
+    if (is_beside[k] != 0) places.push_back(1 + static_cast<Eigen::Index>(k));
+  part.beside = orthonormal(Eigen::MatrixXd(at.model.columns(Eigen::all, places)));
+  return part;
 }
 
 Eigen::VectorXd at_rows(const Column& column, const std::vector<std::size_t>& rows) {
@@ -42,8 +51,6 @@ bool could_be(const Eigen::VectorXd& input, double resolution, const Eigen::Vect
   if (!(std::sqrt(square / n) > kOverRounding * rounding)) return false;
   const double gain = input.dot(curve) / square;
   const double left = std::sqrt((curve - gain * input).squaredNorm() / n);
-  fprintf(stderr, "left %g gain %g rounding %g input %g curve %g\n", left, gain, rounding, std::sqrt(square / n),
-          curve.norm() / std::sqrt(n));
   return left <= std::abs(gain) * rounding;
 }
 
@@ -53,21 +60,28 @@ std::vector<CoarseColumn> coarse_columns(const Problem& problem, const Series& d
                                          const Eigen::VectorXd& slow_um, const std::vector<Candidate>& members) {
   std::vector<CoarseColumn> found;
   if (problem.model.level != Level::series) return found;
-  for (std::size_t m = 0; m < at.first.size(); ++m) {
-    const Eigen::MatrixXd basis = beside(at, m);
-    const Eigen::VectorXd curve = orthogonal_part(curve_of(at, m), basis), slow = orthogonal_part(slow_um, basis);
-    for (const LoggedInput& input : problem.logged.inputs) {
-      const std::vector<std::string>& own = members[m].bound.columns;
-      const double resolution = resolution_of(find_column(data, input.column)->values);
-      const auto is_it = [&](const CoarseColumn& one) { return one.column == input.column; };
-      if (input.is_stepped || !(resolution > 0.0) || std::any_of(found.begin(), found.end(), is_it) ||
-          std::find(own.begin(), own.end(), input.column) != own.end())
-        continue;
-      const Column& smooth = *find_column(problem.logged.series, input.column);
-      const Eigen::VectorXd left = orthogonal_part(at_rows(smooth, problem.base.row), basis);
-      if (could_be(left, resolution, curve) || could_be(left, resolution, curve + slow))
-        found.push_back({input.column, resolution});
+  for (const LoggedInput& input : problem.logged.inputs) {
+    const Column& read = *find_column(data, input.column);
+    const double resolution = resolution_of(read.values);
+    if (input.is_stepped || !(resolution > 0.0)) continue;
+    const Eigen::VectorXd readings = at_rows(read, problem.base.row);
+    std::vector<std::vector<char>> parts;  // each member that does not read the input, and all of them
+    std::vector<char> all(at.first.size(), 0);
+    for (std::size_t m = 0; m < all.size(); ++m) {
+      if (reads(members[m], input.column)) continue;
+      all[m] = 1;
+      parts.emplace_back(all.size(), 0);
+      parts.back()[m] = 1;
     }
+    if (parts.size() > 1) parts.push_back(all);
+    const bool could_be_one = std::any_of(parts.begin(), parts.end(), [&](const std::vector<char>& is_in) {
+      const Part part = part_of(at, is_in);
+      const Eigen::VectorXd left = orthogonal_part(readings, part.beside);
+      const Eigen::VectorXd of_part = orthogonal_part(part.curve, part.beside);
+      return could_be(left, resolution, of_part) ||
+             could_be(left, resolution, of_part + orthogonal_part(slow_um, part.beside));
+    });
+    if (could_be_one) found.push_back({input.column, resolution});
   }
   return found;
 }

@@ -100,6 +100,23 @@ double profile_end(const BaseModel& model, const ShapeFit& best, std::size_t par
   return at(factor);
 }
 
+// The rows of the smallest and the largest value in the run where they differ most: each run has its own zero.
+std::pair<Eigen::Index, Eigen::Index> extremes_in_a_run(const Problem& problem, const Eigen::VectorXd& curve) {
+  const std::vector<RowRange> runs = problem.model.level == Level::series
+                                         ? runs_of(problem.time_s)
+                                         : std::vector<RowRange>{{0, problem.time_s.size()}};
+  std::pair<Eigen::Index, Eigen::Index> widest{0, 0};
+  for (const RowRange& run : runs) {
+    const auto begin = static_cast<Eigen::Index>(run.begin), count = static_cast<Eigen::Index>(run.end) - begin;
+    Eigen::Index low = 0, high = 0;
+    curve.segment(begin, count).minCoeff(&low);
+    curve.segment(begin, count).maxCoeff(&high);
+    if (curve[begin + high] - curve[begin + low] > curve[widest.second] - curve[widest.first])
+      widest = {begin + low, begin + high};
+  }
+  return widest;
+}
+
 }  // namespace
 
 FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const EffectSet& set, bool with_profiles) {
@@ -167,15 +184,13 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     if (after != time_s.begin()) interval.low = std::min(interval.low, *(after - 1));
     if (after != time_s.end()) interval.high = std::max(interval.high, *after);
   }
-  // The amplitude of each effect: its largest difference, with sigma from the covariance of its columns there.
+  // The amplitude of each effect: its largest difference in a run, with sigma from the covariance of its columns there.
   const ModelRows& rows = model.rows();
   Eigen::VectorXd together = Eigen::VectorXd::Zero(problem.y.size());
   for (std::size_t t = problem.model.terms.size(); t < result.model.terms.size(); ++t) {
     const Eigen::VectorXd added = rows.term(t, best.parameters.data() + rows.offset(t), nullptr);
     together += added;
-    Eigen::Index low = 0, high = 0;
-    added.minCoeff(&low);
-    added.maxCoeff(&high);
+    const auto [low, high] = extremes_in_a_run(problem, added);
     Eigen::VectorXd slope = Eigen::VectorXd::Zero(covariance.rows());
     for (std::size_t k = 0; k < columns.columns.size(); ++k) {
       const BaseColumn& column = columns.columns[k];
@@ -192,7 +207,8 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     begin_beside(term, {result.model.terms.data(), t},
                  std::span(best.parameters).subspan(static_cast<std::size_t>(rows.offset(t)), term.settings.size()));
   }
-  result.together_um = together.maxCoeff() - together.minCoeff();
+  const auto [low, high] = extremes_in_a_run(problem, together);
+  result.together_um = together[high] - together[low];
   return result;
 }
 
