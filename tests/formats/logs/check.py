@@ -200,7 +200,7 @@ def judged(program, file, truth):
 
 
 # Not read as they are meant; one that is, is to be taken off this list.
-NOT_YET = {"heidenhain_01_scope.sco", "heidenhain_02_axes.sco", "oddtime_15_six_columns.csv"}
+NOT_YET = {"heidenhain_01_scope.sco", "heidenhain_02_axes.sco"}
 
 
 def main(program, folder, part=""):

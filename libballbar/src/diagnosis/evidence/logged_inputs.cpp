@@ -177,7 +177,8 @@ std::vector<double> continuous_between_pauses(const std::vector<double>& time_s,
   std::vector<Observation> observations;
   for (std::size_t i = held > 1 ? runs[1].begin % held : 0; i < values.size(); i += held)
     observations.push_back({time_s[i], values[i], 1.0});
-  return tuning.outliers_of_inputs ? robust_curve(observations, time_s, tuning) : smooth_curve(observations, time_s);
+  return tuning.outliers_of_inputs ? robust_curve(std::move(observations), time_s, tuning)
+                                   : smooth_curve(observations, time_s);
 }
 
 // That of each stretch between pauses.

@@ -16,7 +16,6 @@
 namespace ballbar {
 namespace {
 
-constexpr int kWeightings = 4;           // of the weights
 constexpr std::size_t kNeighbours = 3;   // on either side
 constexpr double kMedianOfSizes = 0.67;  // of a normal distribution, in sigma
 
@@ -117,43 +116,29 @@ Smoother likeliest(const std::vector<Observation>& observations) {
   return {observations, best};
 }
 
-// What the curve of some weights leaves of each observation, in the standard deviation of the observation, less the
-// median of those about it: where the curve is too smooth for a bend, its neighbours share it.
-std::vector<double> residuals_of(const Smoother& smoother, const std::vector<Observation>& observations) {
-  std::vector<double> time_s, residuals;
-  time_s.reserve(observations.size());
-  for (const Observation& one : observations) time_s.push_back(one.time_s);
-  residuals = smoother.at(time_s);
-  for (std::size_t i = 0; i < residuals.size(); ++i)
-    residuals[i] = (observations[i].value - residuals[i]) / std::sqrt(observations[i].variance);
-  return less_running_median(residuals, kNeighbours);
-}
-
-double robust_sigma(std::vector<double> residuals) {
-  for (double& one : residuals) one = std::abs(one);
-  return median(std::move(residuals)) / kMedianOfSizes;
-}
-
 }  // namespace
 
 std::vector<double> smooth_curve(const std::vector<Observation>& observations, const std::vector<double>& time_s) {
   return likeliest(observations).at(time_s);
 }
 
-std::vector<double> robust_curve(const std::vector<Observation>& observations, const std::vector<double>& time_s,
+std::vector<double> robust_curve(std::vector<Observation> observations, const std::vector<double>& time_s,
                                  const Tuning& tuning) {
-  std::vector<Observation> weighed = observations;
-  for (int round = 0; round < kWeightings; ++round) {
-    const std::vector<double> residuals = residuals_of(likeliest(weighed), observations);
-    const double sigma = robust_sigma(residuals);
-    const auto count = static_cast<Eigen::Index>(residuals.size());
-    if (!(sigma > 0.0) || (round == 0 && !has_heavy_tails(Eigen::VectorXd::Map(residuals.data(), count)))) break;
-    for (std::size_t i = 0; i < weighed.size(); ++i) {
-      const double factor = (std::pow(residuals[i] / sigma, 2) + tuning.freedom) / (tuning.freedom + 1.0);
-      weighed[i].variance = observations[i].variance * (factor < tuning.outlier ? 1.0 : factor);
+  std::vector<double> values;
+  values.reserve(observations.size());
+  for (const Observation& one : observations) values.push_back(one.value);
+  const std::vector<double> spikes = less_running_median(values, kNeighbours);
+  std::vector<double> sizes = spikes;
+  for (double& one : sizes) one = std::abs(one);
+  const double sigma = median(std::move(sizes)) / kMedianOfSizes;
+  const auto count = static_cast<Eigen::Index>(spikes.size());
+  if (sigma > 0.0 && has_heavy_tails(Eigen::VectorXd::Map(spikes.data(), count))) {
+    for (std::size_t i = 0; i < observations.size(); ++i) {
+      const double factor = (std::pow(spikes[i] / sigma, 2) + tuning.freedom) / (tuning.freedom + 1.0);
+      if (factor >= tuning.outlier) observations[i].variance *= factor;
     }
   }
-  return likeliest(weighed).at(time_s);
+  return smooth_curve(observations, time_s);
 }
 
 }  // namespace ballbar

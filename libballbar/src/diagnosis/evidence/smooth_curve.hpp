@@ -15,9 +15,10 @@ struct Observation {
 // roughness is that of the largest likelihood.
 std::vector<double> smooth_curve(const std::vector<Observation>& observations, const std::vector<double>& time_s);
 
-// The same, but where the residual has heavy tails, observations far from the curve count less, by the weights of
-// Student's t with Tuning::freedom degrees of freedom (Lange, Little and Taylor 1989, J. Am. Stat. Assoc. 84, 881).
-std::vector<double> robust_curve(const std::vector<Observation>& observations, const std::vector<double>& time_s,
+// The same, but where the observations less the median of those about them have heavy tails, far ones count less, by
+// the weights of Student's t with Tuning::freedom degrees of freedom (Lange, Little and Taylor 1989, J. Am. Stat.
+// Assoc. 84, 881). A step or a bend of the curve has no such observations.
+std::vector<double> robust_curve(std::vector<Observation> observations, const std::vector<double>& time_s,
                                  const Tuning& tuning);
 
 }  // namespace ballbar

@@ -11,10 +11,13 @@ namespace ballbar {
 namespace {
 
 constexpr double kOfRounding = 1.5;    // times the standard deviation of a rounded value
-constexpr double kOverRounding = 2.0;  // times that: what is left of an input that can be the cause
+constexpr double kOverRounding = 2.0;  // times that: the least of an input that can be the cause
 
-bool reads(const Candidate& member, const std::string& column) {
-  return std::find(member.bound.columns.begin(), member.bound.columns.end(), column) != member.bound.columns.end();
+bool is_read(const std::vector<Candidate>& members, const std::string& column) {
+  return std::any_of(members.begin(), members.end(), [&](const Candidate& member) {
+    const std::vector<std::string>& columns = member.bound.columns;
+    return member.in_best_set && std::find(columns.begin(), columns.end(), column) != columns.end();
+  });
 }
 
 // Some members of the set: their curve, and the columns of the base model and of all other members.
@@ -44,7 +47,7 @@ Eigen::VectorXd at_rows(const Column& column, const std::vector<std::size_t>& ro
   return values;
 }
 
-// Both without what stands beside the member. What is left of the input is more than its rounding.
+// Both orthogonal to the rest of the model. The input is larger than its rounding.
 bool could_be(const Eigen::VectorXd& input, double resolution, const Eigen::VectorXd& curve) {
   const double square = input.squaredNorm(), n = static_cast<double>(curve.size());
   const double rounding = kOfRounding * resolution / std::sqrt(12.0);
@@ -60,20 +63,15 @@ std::vector<CoarseColumn> coarse_columns(const Problem& problem, const Series& d
                                          const Eigen::VectorXd& slow_um, const std::vector<Candidate>& members) {
   std::vector<CoarseColumn> found;
   if (problem.model.level != Level::series) return found;
+  // Each member, and all of them.
+  std::vector<std::vector<char>> parts(at.first.size(), std::vector<char>(at.first.size(), 0));
+  for (std::size_t m = 0; m < parts.size(); ++m) parts[m][m] = 1;
+  if (parts.size() > 1) parts.emplace_back(parts.size(), 1);
   for (const LoggedInput& input : problem.logged.inputs) {
     const Column& read = *find_column(data, input.column);
     const double resolution = resolution_of(read.values);
-    if (input.is_stepped || !(resolution > 0.0)) continue;
+    if (input.is_stepped || !(resolution > 0.0) || is_read(members, input.column)) continue;
     const Eigen::VectorXd readings = at_rows(read, problem.base.row);
-    std::vector<std::vector<char>> parts;  // each member that does not read the input, and all of them
-    std::vector<char> all(at.first.size(), 0);
-    for (std::size_t m = 0; m < all.size(); ++m) {
-      if (reads(members[m], input.column)) continue;
-      all[m] = 1;
-      parts.emplace_back(all.size(), 0);
-      parts.back()[m] = 1;
-    }
-    if (parts.size() > 1) parts.push_back(all);
     const bool could_be_one = std::any_of(parts.begin(), parts.end(), [&](const std::vector<char>& is_in) {
       const Part part = part_of(at, is_in);
       const Eigen::VectorXd left = orthogonal_part(readings, part.beside);

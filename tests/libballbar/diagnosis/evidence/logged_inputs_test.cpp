@@ -210,7 +210,7 @@ TEST(LoggedInputs, a_fine_temperature_keeps_its_steps) {
     if (i >= 200) degC[i] += 1.0;
     read_degC[i] = degC[i] + noise(random);
   }
-  data.columns = {{"T_degC", Role::structure, read_degC}};
+  data.columns = {{"T_degC", Role::ambient, read_degC}};
   const LoggedInputs found = logged_inputs(data, {});
   const std::vector<double>& drawn = found.series.columns[0].values;
   EXPECT_LT(std::abs(drawn[196] - degC[196]), 0.2);

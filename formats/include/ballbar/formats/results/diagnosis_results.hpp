@@ -41,9 +41,9 @@ inline constexpr auto kResult<Driver> = ResultType(
     Field{"is_clear", &Driver::is_clear, "false: beside a larger slow drift, or other columns of a few readings"});
 
 template <>
-inline constexpr auto kResult<CoarseColumn> =
-    ResultType("CoarseColumn", "A column too coarse to be told from the cause.", Field{"column", &CoarseColumn::column},
-               Field{"resolution", &CoarseColumn::resolution, "in the unit of the column"});
+inline constexpr auto kResult<CoarseColumn> = ResultType(
+    "CoarseColumn", "A column whose resolution hides whether it is the cause.", Field{"column", &CoarseColumn::column},
+    Field{"resolution", &CoarseColumn::resolution, "in the unit of the column"});
 
 template <>
 inline constexpr auto kResult<SensorJump> = ResultType("SensorJump", "A jump of the zero of a sensor.",

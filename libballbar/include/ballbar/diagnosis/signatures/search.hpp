@@ -150,7 +150,7 @@ struct Tuning {
   bool beside_discrepancy = true;    // beside a larger drift no cause is named
   bool jump_that_stays = true;       // a jump explains more than a change that the noise forgets
   bool columns_not_searched = true;  // beside a column that was not searched nothing is certain
-  bool coarse_columns = true;        // nor beside one that is too coarse to be told from the cause
+  bool coarse_columns = true;        // nor beside one whose resolution hides whether it is the cause
 };
 
 // Columns that measure the same quantity: equal up to a factor near 1, a constant and noise. No data tell them apart.
