@@ -7,6 +7,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
+#include "logs/log_cells.hpp"
 #include "logs/log_header.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"

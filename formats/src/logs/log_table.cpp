@@ -15,6 +15,7 @@
 #include "ballbar/internal/nearest_name.hpp"
 #include "logs/lines_between.hpp"
 #include "logs/log_cells.hpp"
+#include "logs/log_header.hpp"
 #include "logs/time_stamp.hpp"
 #include "text/cells.hpp"
 

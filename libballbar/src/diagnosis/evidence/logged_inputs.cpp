@@ -144,10 +144,10 @@ std::vector<Observation> observations_of_runs(const std::vector<double>& time_s,
   constexpr std::size_t kUsualRuns = 3;                            // as far apart are values within a run
   constexpr double kWithin = 4.0, kBetween = 1.0, kFarther = 4.0;  // variances; of runs farther apart than a resolution
   const double resolution = resolution_of(values);
-  std::vector<double> samples;
+  std::vector<std::size_t> samples;
   samples.reserve(runs.size());
-  for (const RowRange& run : runs) samples.push_back(static_cast<double>((run.end - run.begin) / held));
-  const std::size_t apart = kUsualRuns * held * std::max<std::size_t>(1, static_cast<std::size_t>(median(samples)));
+  for (const RowRange& run : runs) samples.push_back((run.end - run.begin) / held);
+  const std::size_t apart = kUsualRuns * held * std::max<std::size_t>(1, median(samples));
   std::vector<Observation> observations;
   observations.reserve(2 * runs.size());
   for (std::size_t k = 0; k < runs.size(); ++k) {

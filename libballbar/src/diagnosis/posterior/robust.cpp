@@ -57,6 +57,7 @@ bool weigh_down_outliers(Problem& problem, const LinearModel& linear, const Nois
 std::vector<LevelJump> level_jumps(const Problem& problem, const Eigen::VectorXd& residual_um) {
   const std::vector<std::size_t> known = rows_with_readings(problem);
   std::vector<double> r;
+  r.reserve(known.size());
   for (const std::size_t i : known) r.push_back(residual_um[static_cast<Eigen::Index>(i)]);
   if (known.size() < problem.tuning.fewest_for_memory || !std::is_sorted(problem.time_s.begin(), problem.time_s.end()))
     return {};
