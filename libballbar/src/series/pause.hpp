@@ -1,6 +1,7 @@
 // Pauses of a log after which a machine has forgotten its temperatures.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "ballbar/internal/numerics/order_statistic.hpp"
