@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "numerics/orthonormal.hpp"
 #include "series/resolution.hpp"
@@ -20,25 +21,42 @@ bool is_read(const std::vector<Candidate>& members, const std::string& column) {
   });
 }
 
-// Some members of the set: their curve, and the columns of the base model and of all other members.
+// Some members of the set: their curve, alone and with a slow drift, orthogonal to the columns of the base model and of
+// all other members.
 struct Part {
-  Eigen::VectorXd curve;
-  Eigen::MatrixXd beside;
+  Eigen::MatrixXd beside;  // orthonormal
+  Eigen::VectorXd curve, with_slow;
 };
-Part part_of(const SetRegression& at, const std::vector<char>& is_in) {
-  Part part{Eigen::VectorXd::Zero(at.model.columns.rows()), {}};
+Part part_of(const SetRegression& at, const std::vector<char>& is_in, const Eigen::VectorXd& slow_um) {
+  Eigen::VectorXd curve = Eigen::VectorXd::Zero(at.model.columns.rows());
   std::vector<char> is_beside(at.model.is_flat.begin(), at.model.is_flat.end());  // of the base model
   for (std::size_t m = 0; m < at.first.size(); ++m) {
     const Eigen::Index first = at.first[m], width = at.width[m];
     std::fill_n(is_beside.begin() + first, width, is_in[m] != 0 ? char{0} : char{1});
     if (is_in[m] != 0)
-      part.curve += at.model.columns.middleCols(1 + first, width) * at.solution.coefficients.segment(first, width);
+      curve += at.model.columns.middleCols(1 + first, width) * at.solution.coefficients.segment(first, width);
   }
   std::vector<Eigen::Index> places;
   for (std::size_t k = 0; k < is_beside.size(); ++k)
     if (is_beside[k] != 0) places.push_back(1 + static_cast<Eigen::Index>(k));
-  part.beside = orthonormal(Eigen::MatrixXd(at.model.columns(Eigen::all, places)));
+  Part part{orthonormal(Eigen::MatrixXd(at.model.columns(Eigen::all, places))), {}, {}};
+  part.curve = orthogonal_part(std::move(curve), part.beside);
+  part.with_slow = part.curve + orthogonal_part(slow_um, part.beside);
   return part;
+}
+
+// Each member, and all of them.
+std::vector<Part> parts_of(const SetRegression& at, const Eigen::VectorXd& slow_um) {
+  const std::size_t members = at.first.size();
+  std::vector<Part> parts;
+  parts.reserve(members + 1);
+  for (std::size_t m = 0; m < members; ++m) {
+    std::vector<char> is_in(members, 0);
+    is_in[m] = 1;
+    parts.push_back(part_of(at, is_in, slow_um));
+  }
+  if (members > 1) parts.push_back(part_of(at, std::vector<char>(members, 1), slow_um));
+  return parts;
 }
 
 Eigen::VectorXd at_rows(const Column& column, const std::vector<std::size_t>& rows) {
@@ -63,21 +81,15 @@ std::vector<CoarseColumn> coarse_columns(const Problem& problem, const Series& d
                                          const Eigen::VectorXd& slow_um, const std::vector<Candidate>& members) {
   std::vector<CoarseColumn> found;
   if (problem.model.level != Level::series) return found;
-  // Each member, and all of them.
-  std::vector<std::vector<char>> parts(at.first.size(), std::vector<char>(at.first.size(), 0));
-  for (std::size_t m = 0; m < parts.size(); ++m) parts[m][m] = 1;
-  if (parts.size() > 1) parts.emplace_back(parts.size(), 1);
+  const std::vector<Part> parts = parts_of(at, slow_um);
   for (const LoggedInput& input : problem.logged.inputs) {
     const Column& read = *find_column(data, input.column);
     const double resolution = resolution_of(read.values);
     if (input.is_stepped || !(resolution > 0.0) || is_read(members, input.column)) continue;
     const Eigen::VectorXd readings = at_rows(read, problem.base.row);
-    const bool could_be_one = std::any_of(parts.begin(), parts.end(), [&](const std::vector<char>& is_in) {
-      const Part part = part_of(at, is_in);
+    const bool could_be_one = std::any_of(parts.begin(), parts.end(), [&](const Part& part) {
       const Eigen::VectorXd left = orthogonal_part(readings, part.beside);
-      const Eigen::VectorXd of_part = orthogonal_part(part.curve, part.beside);
-      return could_be(left, resolution, of_part) ||
-             could_be(left, resolution, of_part + orthogonal_part(slow_um, part.beside));
+      return could_be(left, resolution, part.curve) || could_be(left, resolution, part.with_slow);
     });
     if (could_be_one) found.push_back({input.column, resolution});
   }
