@@ -192,7 +192,8 @@ TEST(StrangersLog, rows_of_a_stuck_sensor_are_set_aside) {
 TEST(StrangersLog, readings_of_a_poor_contact_choose_no_other_cause) {
   Log log;
   std::vector<double>& logged = log.data.columns.back().values;
-  for (std::size_t i = 7; i < logged.size(); i += 25) logged[i] += (i % 2 == 0 ? 1.0 : -0.6) * (0.3 + 0.05 * (i % 50));
+  for (std::size_t i = 7; i < logged.size(); i += 25)
+    logged[i] += (i % 2 == 0 ? 1.0 : -0.6) * (0.3 + 0.05 * static_cast<double>(i % 50));
   const Diagnosis found = log.diagnosed(log.half_of_bearing());
   EXPECT_GE(p_of(found, "bearing_degC"), 0.95) << made::outcome_of(found);
   EXPECT_EQ(p_of(found, "speed_rpm"), 0.0) << made::outcome_of(found);
